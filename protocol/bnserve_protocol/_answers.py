@@ -1,0 +1,77 @@
+"""The waveform answer on the wire: arrays by name, a status per row, and which model it was."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol._arrays import decode_array, encode_array
+from bnserve_protocol._errors import UndecodableBody
+
+ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status")
+"""The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
+cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm ``[N, M]``; always status ``[N]``."""
+
+
+class ModelIdentity(msgspec.Struct, frozen=True):
+    """Which model answered."""
+
+    name: str
+    version: str
+    digest: str
+
+
+class WaveformAnswer(msgspec.Struct, frozen=True):
+    """A decoded answer."""
+
+    arrays: dict[str, Any]
+    model: ModelIdentity
+
+
+_raw_map = msgspec.msgpack.Decoder(dict[str, msgspec.Raw])
+_identity = msgspec.msgpack.Decoder(ModelIdentity)
+
+
+def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> list[bytes | memoryview]:
+    """Write an answer as a list of buffers; array memory is not copied. Joined, they are one MessagePack map."""
+    head = bytes([0x80 + len(arrays) + 1]) + msgspec.msgpack.encode("model") + msgspec.msgpack.encode(model)
+    parts: list[bytes | memoryview] = [head]
+    for name, array in arrays.items():
+        header, data = encode_array(array)
+        parts += [msgspec.msgpack.encode(name) + bytes(header), data]
+    return parts
+
+
+def encode_answer_json(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> bytes:
+    """Write an answer as JSON: complex arrays as ``{"re": ..., "im": ...}``, NaN as null."""
+    return msgspec.json.encode({"model": model} | {name: _json_value(array) for name, array in arrays.items()})
+
+
+def _json_value(array: NDArray[Any]) -> Any:
+    if np.iscomplexobj(array):
+        return {"re": array.real.tolist(), "im": array.imag.tolist()}
+    return array.tolist()
+
+
+def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
+    """Read an answer; its arrays are read-only views of ``body``. Unknown fields are ignored.
+
+    Raises
+    ------
+    UndecodableBody
+        Not such a message.
+    """
+    try:
+        fields = _raw_map.decode(body)
+        model = _identity.decode(fields["model"])
+    except (msgspec.MsgspecError, RecursionError, KeyError, UnicodeDecodeError) as error:
+        raise UndecodableBody("The answer is not a waveform answer of bnserve.") from error
+    arrays = {name: decode_array(fields[name]) for name in ARRAY_NAMES if name in fields}
+    rows = {len(array) for array in arrays.values()}
+    if "status" not in arrays or len(rows) != 1:
+        raise UndecodableBody("The arrays of the answer do not fit together.")
+    return WaveformAnswer(arrays=arrays, model=model)

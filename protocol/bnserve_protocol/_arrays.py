@@ -1,0 +1,113 @@
+"""Numpy arrays on the wire: the MessagePack map that msgpack-numpy writes, read with a closed schema.
+
+An array is the map ``{nd: true, type: "<c16", kind: "", shape: [N, M], data: bytes}``. We write its keys as
+MessagePack binary, as msgpack-numpy does, so that its users can decode answers; we read both binary and text keys.
+The msgpack-numpy library itself is never used: its decoder unpickles object arrays.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol._errors import UndecodableBody
+
+ARRAY_DTYPES = {name: np.dtype(name) for name in ("<f8", "<f4", "<c16", "<c8", "|u1")}
+"""The only array types that travel."""
+
+_FIXMAP_5 = 0x85
+_BIN_8 = 0xC4
+_FIELDS = ("nd", "type", "kind", "shape", "data")
+
+_binary_keys = msgspec.msgpack.Decoder(dict[bytes, msgspec.Raw])
+_text_keys = msgspec.msgpack.Decoder(dict[str, msgspec.Raw])
+_bool = msgspec.msgpack.Decoder(bool)
+_text = msgspec.msgpack.Decoder(str)
+_shape = msgspec.msgpack.Decoder(list[int])
+_data = msgspec.msgpack.Decoder(memoryview)
+
+
+def is_array(raw: bytes | msgspec.Raw) -> bool:
+    """Whether a raw MessagePack value has the outer form of an array (a map of five entries)."""
+    return memoryview(raw)[:1] == bytes([_FIXMAP_5])
+
+
+def decode_array(raw: bytes | msgspec.Raw) -> NDArray[Any]:
+    """Read one array without copying its data.
+
+    Parameters
+    ----------
+    raw:
+        The MessagePack bytes of one array.
+
+    Returns
+    -------
+    A read-only array over the bytes of ``raw``.
+
+    Raises
+    ------
+    UndecodableBody
+        Not such a map, a dtype that is not allowed, a kind that is not empty, or data whose length does not match
+        the shape. Checked before numpy sees anything.
+    """
+    try:
+        fields = _fields(raw)
+        if _bool.decode(fields["nd"]) is not True:
+            raise UndecodableBody("An array must have 'nd' set to true; numpy scalars are sent as plain numbers.")
+        dtype = ARRAY_DTYPES.get(_text.decode(fields["type"]))
+        kind = bytes(fields["kind"])
+        shape = _shape.decode(fields["shape"])
+        data = _data.decode(fields["data"])
+    except (msgspec.MsgspecError, RecursionError, KeyError) as error:
+        raise UndecodableBody(
+            "An array must be the map that msgpack-numpy writes: nd, type, kind, shape, data, each of its own type."
+        ) from error
+    if dtype is None:
+        raise UndecodableBody(f"Arrays travel as one of {', '.join(ARRAY_DTYPES)}; convert the array before sending.")
+    if kind not in (b"\xc4\x00", b"\xa0"):
+        raise UndecodableBody("The 'kind' of an array must be empty: structured and object arrays are not accepted.")
+    if len(shape) > 2 or any(extent < 0 for extent in shape):
+        raise UndecodableBody("Arrays have one or two dimensions.")
+    if math.prod(shape) * dtype.itemsize != data.nbytes:
+        raise UndecodableBody(f"The data of an array of shape {shape} has {data.nbytes} bytes, which does not fit.")
+    return np.frombuffer(data, dtype=dtype).reshape(shape)
+
+
+def _fields(raw: bytes | msgspec.Raw) -> dict[str, msgspec.Raw]:
+    view = memoryview(raw)
+    if view[:1] != bytes([_FIXMAP_5]):
+        raise KeyError("not a map of five entries")
+    if view[1:2] == bytes([_BIN_8]):
+        return {key.decode("ascii", "replace"): value for key, value in _binary_keys.decode(view).items()}
+    return _text_keys.decode(view)
+
+
+def encode_array(array: NDArray[Any]) -> list[bytes | memoryview]:
+    """MessagePack of one array as a header and the array's own memory, which is not copied.
+
+    The array must be C-contiguous and of an allowed dtype; joining the parts gives the message.
+    """
+    dtype = array.dtype.newbyteorder("<").str
+    if dtype not in ARRAY_DTYPES:
+        raise ValueError(f"dtype {array.dtype} does not travel; allowed: {', '.join(ARRAY_DTYPES)}")
+    contiguous = np.ascontiguousarray(array, dtype=ARRAY_DTYPES[dtype])
+    values = (True, dtype, b"", list(array.shape))
+    header = bytearray([_FIXMAP_5])
+    for name, value in zip(_FIELDS, values, strict=False):
+        header += msgspec.msgpack.encode(name.encode()) + msgspec.msgpack.encode(value)
+    header += msgspec.msgpack.encode(b"data") + _binary_header(contiguous.nbytes)
+    return [bytes(header), contiguous.reshape(-1).view(np.uint8).data]
+
+
+def _binary_header(length: int) -> bytes:
+    if length < 2**8:
+        return b"\xc4" + length.to_bytes(1, "big")
+    if length < 2**16:
+        return b"\xc5" + length.to_bytes(2, "big")
+    if length < 2**32:
+        return b"\xc6" + length.to_bytes(4, "big")
+    raise ValueError("MessagePack binaries end at 4 GiB; ask for fewer rows at a time")

@@ -1,0 +1,86 @@
+"""Frequency grids: their three forms, their one meaning, their digest."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bnserve_protocol._errors import FieldError, InvalidFrequencies
+
+
+@dataclass(frozen=True, slots=True)
+class UniformGrid:
+    """``f_min, f_min + delta_f, ...`` up to and including ``f_max`` (to a millionth of a step), in Hz."""
+
+    f_min: float
+    f_max: float
+    delta_f: float
+
+    def __post_init__(self) -> None:
+        for name in ("f_min", "f_max", "delta_f"):
+            value = getattr(self, name)
+            if not (isinstance(value, int | float) and math.isfinite(value) and value > 0):
+                raise InvalidFrequencies(
+                    f"'{name}' of a uniform grid must be a positive, finite number of Hz; got {value!r}.",
+                    errors=[FieldError(reason="not positive and finite", parameter=name)],
+                )
+        if self.f_max < self.f_min:
+            raise InvalidFrequencies(f"'f_max' ({self.f_max} Hz) is below 'f_min' ({self.f_min} Hz).")
+        if not self.f_min + self.delta_f > self.f_min or (self.f_max - self.f_min) / self.delta_f > 2**53:
+            raise InvalidFrequencies("'delta_f' is too small for distinct frequencies; use a larger step.")
+
+    def __len__(self) -> int:
+        return int((self.f_max - self.f_min) / self.delta_f + 1e-6) + 1
+
+    def frequencies(self) -> NDArray[np.float64]:
+        """The frequencies in Hz, shape ``(len(self),)``; the same bits on every machine."""
+        return self.f_min + self.delta_f * np.arange(len(self), dtype=np.float64)
+
+
+GridLike: TypeAlias = ArrayLike | UniformGrid
+"""What ``predict`` accepts as frequencies."""
+
+
+def as_frequencies(grid: GridLike) -> NDArray[np.float64]:
+    """Check a grid and return it as a C-contiguous float64 vector in Hz.
+
+    Raises
+    ------
+    InvalidFrequencies
+        Empty, not one-dimensional, not finite, not positive, unsorted or repeated frequencies.
+    """
+    if isinstance(grid, UniformGrid):
+        return grid.frequencies()
+    try:
+        frequencies = np.ascontiguousarray(grid, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InvalidFrequencies("Frequencies must be a vector of numbers in Hz.") from error
+    if np.ndim(grid) != 1:
+        raise InvalidFrequencies(f"Frequencies must be a vector; got an array of shape {np.shape(grid)}.")
+    if frequencies.size == 0:
+        raise InvalidFrequencies("The frequency grid is empty; give at least one frequency.")
+    _refuse_where(~np.isfinite(frequencies), frequencies, "is not finite")
+    _refuse_where(frequencies <= 0.0, frequencies, "is not positive; leave out the zero-frequency bin")
+    _refuse_where(np.diff(frequencies, prepend=-np.inf) == 0.0, frequencies, "is repeated; give each frequency once")
+    _refuse_where(np.diff(frequencies, prepend=-np.inf) < 0.0, frequencies, "is out of order; sort the frequencies")
+    return frequencies
+
+
+def _refuse_where(bad: NDArray[np.bool_], frequencies: NDArray[np.float64], reason: str) -> None:
+    if bad.any():
+        index = int(np.argmax(bad))
+        value = float(frequencies[index])
+        raise InvalidFrequencies(
+            f"Frequency number {index} ({value!r} Hz) {reason}.",
+            errors=[FieldError(reason=reason, parameter="frequencies", row=index, value=str(value))],
+        )
+
+
+def grid_digest(frequencies: NDArray[np.float64]) -> str:
+    """SHA-256 of the frequencies as little-endian float64, in hexadecimal: the grid's name on the wire."""
+    return hashlib.sha256(np.ascontiguousarray(frequencies, dtype="<f8").data).hexdigest()

@@ -1,0 +1,186 @@
+"""What every waveform model offers, local or remote."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol, TypeAlias, runtime_checkable
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol._grids import GridLike
+from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
+
+ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
+DtypeName: TypeAlias = Literal["complex128", "complex64"]
+
+
+class RowStatus(enum.IntEnum):
+    """Why a row of a flagged batch is NaN."""
+
+    OK = 0
+    NOT_FINITE = 1
+    OUT_OF_DOMAIN = 2
+    OUT_OF_BAND = 3
+
+
+class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """How to treat what lies outside the trained box and band.
+
+    Parameters
+    ----------
+    out_of_domain:
+        ``"error"`` raises; ``"flag"`` returns those rows as NaN with a :class:`RowStatus`.
+    below_band:
+        ``"extend"`` continues the waveform with the post-Newtonian baseline; ``"error"`` raises ``OutOfBand``.
+    above_band:
+        ``"zero"`` returns zeros above the trained band; ``"error"`` raises ``OutOfBand``. A grid that lies above the
+        band altogether is an error in any case.
+    alignment:
+        ``"post_newtonian"``: time and phase of the TaylorF2 baseline, as in the paper. ``"merger"``: the merger is
+        at t = 0, as in TEOBResumS.
+    """
+
+    out_of_domain: Literal["error", "flag"] = "error"
+    below_band: Literal["extend", "error"] = "extend"
+    above_band: Literal["zero", "error"] = "zero"
+    alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
+
+
+DEFAULT_OPTIONS = EvaluationOptions()
+
+
+@dataclass(frozen=True, slots=True)
+class Polarizations:
+    """Plus and cross polarisation in 1/Hz; unpacks as ``hp, hc = ...``.
+
+    For one waveform the arrays have shape ``(M,)``, for a batch ``(N, M)``; ``status`` is uint8, ``(N,)``.
+    """
+
+    plus: ComplexArray
+    cross: ComplexArray
+    status: NDArray[np.uint8]
+
+    def __iter__(self) -> Iterator[ComplexArray]:
+        yield self.plus
+        yield self.cross
+
+
+@dataclass(frozen=True, slots=True)
+class Factored:
+    """A batch of a model with one mode: ``hp = plus[:, None] * h`` and ``hc = cross[:, None] * h``.
+
+    ``h`` is complex ``(N, M)`` in 1/Hz; ``plus`` float64 and ``cross`` complex128, ``(N,)``; ``status`` uint8 ``(N,)``.
+    """
+
+    h: ComplexArray
+    plus: NDArray[np.float64]
+    cross: NDArray[np.complex128]
+    status: NDArray[np.uint8]
+
+    def polarizations(self) -> Polarizations:
+        """Multiply out; the one place where it is done, so that every path gives the same bits."""
+        return Polarizations(
+            plus=self.h * self.plus.astype(self.h.real.dtype)[:, None],
+            cross=self.h * self.cross.astype(self.h.dtype)[:, None],
+            status=self.status,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class AmplitudePhase:
+    """Amplitude (1/Hz) and continuous phase (radians) of h = amplitude * exp(i phase); unpacks as ``amp, phi = ...``.
+
+    ``(M,)`` for one waveform, ``(N, M)`` for a batch; the polarisations are h times (1 + cos^2 iota) / 2 and
+    h times -i cos iota.
+    """
+
+    amplitude: NDArray[np.float64]
+    phase: NDArray[np.float64]
+    status: NDArray[np.uint8]
+
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        yield self.amplitude
+        yield self.phase
+
+
+class ParameterDescription(msgspec.Struct, frozen=True, kw_only=True):
+    """One parameter: its unit, its trained range (None where unlimited) and its default (None where required)."""
+
+    name: str
+    unit: str
+    minimum: float | None = None
+    maximum: float | None = None
+    default: float | None = None
+
+
+class ModelDescription(msgspec.Struct, frozen=True, kw_only=True):
+    """What a model is: ``GET /v1/models/{name}/versions/{version}`` and ``Model.description``."""
+
+    name: str
+    version: str
+    digest: str
+    modes: list[tuple[int, int]]
+    parameters: list[ParameterDescription]
+    frequency_band: tuple[float, float]
+    """Hz; guaranteed for every total mass in the range."""
+    training_band: tuple[float, float]
+    """Hz at the reference mass; at total mass M the band is this times reference_mass / M."""
+    reference_mass: float
+    accuracy: dict[str, Any] = {}
+    provenance: dict[str, Any] = {}
+    citation: str = ""
+
+
+@runtime_checkable
+class WaveformModel(Protocol):
+    """The methods shared by ``bnserve_surrogate.Model``, ``bnserve_client.Model`` and any model of yours."""
+
+    @property
+    def description(self) -> ModelDescription:
+        """Name, version, digest, ranges, band, accuracy."""
+
+    def predict(
+        self,
+        frequencies: GridLike,
+        parameters: ParametersWithExtrinsic,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Polarizations:
+        """One waveform on M frequencies in Hz: complex arrays ``(M,)`` in 1/Hz."""
+
+    def predict_batch(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Polarizations:
+        """N waveforms on M common frequencies in Hz: complex arrays ``(N, M)`` in 1/Hz."""
+
+    def predict_factored(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Factored:
+        """As :meth:`predict_batch`, before the polarisations are multiplied out: half the memory."""
+
+    def predict_amplitude_phase(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+    ) -> AmplitudePhase:
+        """Amplitude and phase; ``(M,)`` for one ``ParametersWithExtrinsic``, ``(N, M)`` for a batch."""
+
+    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
+        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""

@@ -1,0 +1,205 @@
+"""The parameters of a binary neutron star, one at a time or as a struct of arrays."""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bnserve_protocol._errors import FieldError, InvalidParameters
+
+
+@dataclass(frozen=True, slots=True)
+class ParametersWithExtrinsic:
+    """One binary. The field names are those of mlgw_bns.
+
+    Parameters
+    ----------
+    mass_ratio:
+        q = m1 / m2 >= 1.
+    lambda_1, lambda_2:
+        Quadrupolar tidal polarisabilities of the heavier and the lighter star.
+    chi_1, chi_2:
+        Dimensionless spins along the orbital angular momentum.
+    distance_mpc:
+        Luminosity distance in Mpc.
+    inclination:
+        Angle between the orbital angular momentum and the line of sight, in radians.
+    total_mass:
+        Detector-frame total mass in solar masses.
+    reference_phase:
+        Added to the phase at every frequency, in radians.
+    time_shift:
+        2 pi f time_shift is added to the phase, in seconds; see ``docs/explanations/conventions.md``.
+    """
+
+    mass_ratio: float
+    lambda_1: float
+    lambda_2: float
+    chi_1: float
+    chi_2: float
+    distance_mpc: float
+    inclination: float
+    total_mass: float
+    reference_phase: float = 0.0
+    time_shift: float = 0.0
+
+    @classmethod
+    def gw170817(cls) -> ParametersWithExtrinsic:
+        """A binary like GW170817, handy in examples."""
+        return cls(
+            mass_ratio=1.2,
+            lambda_1=400.0,
+            lambda_2=600.0,
+            chi_1=0.01,
+            chi_2=0.0,
+            distance_mpc=40.0,
+            inclination=2.5,
+            total_mass=2.76,
+        )
+
+
+PARAMETER_NAMES: tuple[str, ...] = tuple(field.name for field in dataclasses.fields(ParametersWithExtrinsic))
+"""The parameters in the order of the columns of :attr:`ParameterBatch.values`."""
+
+PARAMETER_DEFAULTS: dict[str, float] = {
+    field.name: float(field.default)
+    for field in dataclasses.fields(ParametersWithExtrinsic)
+    if field.default is not dataclasses.MISSING
+}
+"""The parameters that may be left out, with the value they then take."""
+
+INTRINSIC_NAMES: tuple[str, ...] = ("mass_ratio", "chi_1", "chi_2", "lambda_1", "lambda_2")
+"""The parameters a surrogate is trained on."""
+
+
+class ParameterBatch:
+    """N binaries as one ``(N, 10)`` float64 array, columns in the order of :data:`PARAMETER_NAMES`.
+
+    Build one with :meth:`coerce`, which takes everything that ``predict_batch`` takes. Only names and shapes are
+    checked here; whether a value is finite and inside the trained range is the model's to say.
+    """
+
+    __slots__ = ("values",)
+
+    values: NDArray[np.float64]
+
+    def __init__(self, values: ArrayLike) -> None:
+        array = np.ascontiguousarray(values, dtype=np.float64)
+        if array.ndim != 2 or array.shape[1] != len(PARAMETER_NAMES):
+            raise InvalidParameters(
+                f"A parameter array has shape (N, {len(PARAMETER_NAMES)}), one column for each of "
+                f"{', '.join(PARAMETER_NAMES)}; got {array.shape}."
+            )
+        self.values = array
+
+    def __len__(self) -> int:
+        return int(self.values.shape[0])
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        """The column of one parameter, shape ``(N,)``."""
+        return self.values[:, PARAMETER_NAMES.index(name)]
+
+    def row(self, index: int) -> ParametersWithExtrinsic:
+        """One binary of the batch."""
+        return ParametersWithExtrinsic(*(float(value) for value in self.values[index]))
+
+    @classmethod
+    def coerce(cls, batch: BatchLike) -> ParameterBatch:
+        """Any accepted form of a batch.
+
+        Parameters
+        ----------
+        batch:
+            A :class:`ParameterBatch`, one or a sequence of :class:`ParametersWithExtrinsic`, or a mapping from names
+            to scalars and vectors of one common length N (a scalar counts for all rows).
+
+        Raises
+        ------
+        InvalidParameters
+            Unknown, missing or repeated names, or shapes that do not fit together.
+        """
+        if isinstance(batch, ParameterBatch):
+            return batch
+        if isinstance(batch, ParametersWithExtrinsic):
+            batch = [batch]
+        if isinstance(batch, Mapping):
+            return cls._from_columns(batch)
+        if isinstance(batch, Sequence) and all(isinstance(row, ParametersWithExtrinsic) for row in batch):
+            rows = [[getattr(row, name) for name in PARAMETER_NAMES] for row in batch]
+            return cls(_as_floats("parameters", rows).reshape(len(rows), len(PARAMETER_NAMES)))
+        raise InvalidParameters(
+            "A batch is a list of ParametersWithExtrinsic or a mapping from parameter names to numbers and vectors; "
+            f"got {type(batch).__name__}."
+        )
+
+    @classmethod
+    def _from_columns(cls, columns: Mapping[str, ArrayLike]) -> ParameterBatch:
+        check_names(columns)
+        arrays = {name: _as_floats(name, column) for name, column in columns.items()}
+        for name, array in arrays.items():
+            if array.ndim > 1:
+                raise InvalidParameters(
+                    f"Parameter '{name}' must be a number or a vector; got an array of shape {array.shape}.",
+                    errors=[FieldError(reason="not a number or vector", parameter=name)],
+                )
+        lengths = {name: len(array) for name, array in arrays.items() if array.ndim == 1}
+        if len(set(lengths.values())) > 1:
+            described = ", ".join(f"{name}: {length}" for name, length in lengths.items())
+            raise InvalidParameters(f"All parameter vectors must have the same length; got {described}.")
+        values = np.empty((next(iter(lengths.values()), 1), len(PARAMETER_NAMES)))
+        for column, name in enumerate(PARAMETER_NAMES):
+            values[:, column] = arrays[name] if name in arrays else PARAMETER_DEFAULTS[name]
+        return cls(values)
+
+    def split(self, rows: int) -> list[ParameterBatch]:
+        """Consecutive pieces of at most ``rows`` rows."""
+        return [ParameterBatch(self.values[start : start + rows]) for start in range(0, len(self), rows)]
+
+
+BatchLike: TypeAlias = (
+    ParameterBatch | ParametersWithExtrinsic | Sequence[ParametersWithExtrinsic] | Mapping[str, ArrayLike]
+)
+"""What ``predict_batch`` accepts."""
+
+
+def _as_floats(name: str, value: ArrayLike | list[list[float]]) -> NDArray[np.float64]:
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InvalidParameters(
+            f"Parameter '{name}' must be a number or a vector of numbers.",
+            errors=[FieldError(reason="not a number", parameter=name)],
+        ) from error
+
+
+def check_names(names: Iterable[str]) -> None:
+    """Refuse unknown, missing and repeated parameter names, suggesting the nearest known one.
+
+    Raises
+    ------
+    InvalidParameters
+    """
+    given = list(names)
+    problems: list[FieldError] = []
+    sentences: list[str] = []
+    for name in dict.fromkeys(given):
+        if name not in PARAMETER_NAMES:
+            near = difflib.get_close_matches(str(name), PARAMETER_NAMES, n=1, cutoff=0.5)
+            hint = f" Did you mean '{near[0]}'?" if near else f" Known names: {', '.join(PARAMETER_NAMES)}."
+            sentences.append(f"Unknown parameter '{str(name)[:80]}'.{hint}")
+            problems.append(FieldError(reason=("unknown." + hint).strip(), parameter=str(name)[:80]))
+        elif given.count(name) > 1:
+            sentences.append(f"Parameter '{name}' is given more than once.")
+            problems.append(FieldError(reason="given more than once", parameter=name))
+    missing = [name for name in PARAMETER_NAMES if name not in given and name not in PARAMETER_DEFAULTS]
+    if missing:
+        sentences.append(f"Missing parameter{'s' if len(missing) > 1 else ''}: {', '.join(missing)}.")
+        problems.extend(FieldError(reason="missing", parameter=name) for name in missing)
+    if problems:
+        raise InvalidParameters(" ".join(sentences), errors=problems)

@@ -1,0 +1,196 @@
+"""The waveform request on the wire, in MessagePack and JSON, decoded by schema."""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any, Literal, TypeAlias
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol._arrays import decode_array, encode_array, is_array
+from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, UndecodableBody
+from bnserve_protocol._grids import UniformGrid, as_frequencies
+from bnserve_protocol._model import DtypeName, EvaluationOptions
+from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
+
+MSGPACK = "application/msgpack"
+JSON = "application/json"
+PROBLEM_JSON = "application/problem+json"
+
+OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
+
+
+class GridDigest(msgspec.Struct, frozen=True):
+    """A grid uploaded before, by its :func:`grid_digest`."""
+
+    sha256: str
+
+
+Grid: TypeAlias = UniformGrid | GridDigest | NDArray[np.float64]
+"""The three forms of a grid in a request."""
+
+
+class WaveformRequest(msgspec.Struct, frozen=True, kw_only=True):
+    """A decoded request: a batch on a grid, and what to return."""
+
+    batch: ParameterBatch
+    grid: Any
+    """A :data:`Grid`."""
+    output: OutputName = "factored"
+    dtype: DtypeName = "complex128"
+    options: EvaluationOptions = EvaluationOptions()
+
+
+class _WireGrid(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
+    f_min: float | None = None
+    f_max: float | None = None
+    delta_f: float | None = None
+    frequencies: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    sha256: str | None = None
+
+
+class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+    parameters: msgspec.Raw
+    grid: _WireGrid
+    names: list[str] | None = None
+    output: OutputName = "polarizations"
+    dtype: DtypeName = "complex128"
+    out_of_domain: Literal["error", "flag"] = "error"
+    below_band: Literal["extend", "error"] = "extend"
+    above_band: Literal["zero", "error"] = "zero"
+    alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
+
+
+class _Reader:
+    """The decoders of one media type."""
+
+    def __init__(self, module: ModuleType, arrays: bool) -> None:
+        self.request = module.Decoder(_WireRequest)
+        self.columns = module.Decoder(dict[str, msgspec.Raw])
+        self.column = module.Decoder(float | list[float])
+        self.rows = module.Decoder(list[list[float]])
+        self.vector = module.Decoder(list[float])
+        self.arrays = arrays
+
+
+_READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
+
+
+def decode_request(body: bytes | memoryview, media_type: str = MSGPACK) -> WaveformRequest:
+    """Read a request.
+
+    Parameters
+    ----------
+    body:
+        The bytes of the body.
+    media_type:
+        :data:`MSGPACK` or :data:`JSON`.
+
+    Raises
+    ------
+    UndecodableBody
+        Not that media type, fields that are unknown, missing or of a wrong type.
+    InvalidParameters, InvalidFrequencies
+        Names, shapes and frequencies that no model could accept.
+    """
+    reader = _READERS[media_type]
+    try:
+        wire: _WireRequest = reader.request.decode(body)
+        batch = _batch(reader, wire)
+        grid = _grid(reader, wire.grid)
+    except msgspec.ValidationError as error:
+        raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        raise UndecodableBody(f"The body is not a valid {media_type} message; check that it is complete.") from error
+    options = EvaluationOptions(
+        out_of_domain=wire.out_of_domain,
+        below_band=wire.below_band,
+        above_band=wire.above_band,
+        alignment=wire.alignment,
+    )
+    return WaveformRequest(batch=batch, grid=grid, output=wire.output, dtype=wire.dtype, options=options)
+
+
+def _batch(reader: _Reader, wire: _WireRequest) -> ParameterBatch:
+    if wire.names is not None:
+        return _batch_from_rows(reader, wire.parameters, wire.names)
+    columns = reader.columns.decode(wire.parameters)
+    check_names(columns)
+    return ParameterBatch.coerce({name: _column(reader, raw) for name, raw in columns.items()})
+
+
+def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> ParameterBatch:
+    check_names(names)
+    if reader.arrays and is_array(raw):
+        rows = _real(decode_array(raw))
+    else:
+        decoded = reader.rows.decode(raw)
+        if len({len(row) for row in decoded}) > 1:
+            raise InvalidParameters("All rows of 'parameters' must have one value for each of 'names'.")
+        rows = np.array(decoded, dtype=np.float64).reshape(len(decoded), -1 if decoded else len(names))
+    if rows.ndim != 2 or rows.shape[1] != len(names):
+        raise InvalidParameters(
+            f"With 'names' given, 'parameters' is an array [N, {len(names)}]; got shape {list(rows.shape)}."
+        )
+    return ParameterBatch.coerce({name: rows[:, column] for column, name in enumerate(names)})
+
+
+def _column(reader: _Reader, raw: msgspec.Raw) -> float | list[float] | NDArray[np.float64]:
+    if reader.arrays and is_array(raw):
+        return _real(decode_array(raw))
+    column: float | list[float] = reader.column.decode(raw)
+    return column
+
+
+def _real(array: NDArray[Any]) -> NDArray[np.float64]:
+    if array.dtype.kind != "f":
+        raise UndecodableBody("Parameters and frequencies travel as <f8 or <f4 arrays.")
+    return np.asarray(array, dtype=np.float64)
+
+
+def _grid(reader: _Reader, wire: _WireGrid) -> Grid:
+    uniform = (wire.f_min, wire.f_max, wire.delta_f)
+    forms = (
+        any(value is not None for value in uniform),
+        wire.frequencies is not msgspec.UNSET,
+        wire.sha256 is not None,
+    )
+    if sum(forms) != 1:
+        raise InvalidFrequencies("A grid is exactly one of {f_min, f_max, delta_f}, {frequencies} or {sha256}.")
+    if wire.sha256 is not None:
+        return GridDigest(sha256=wire.sha256)
+    if not isinstance(wire.frequencies, msgspec.UnsetType):
+        raw = wire.frequencies
+        if reader.arrays and is_array(raw):
+            return as_frequencies(_real(decode_array(raw)))
+        return as_frequencies(reader.vector.decode(raw))
+    f_min, f_max, delta_f = uniform
+    if f_min is None or f_max is None or delta_f is None:
+        raise InvalidFrequencies("A uniform grid needs all of f_min, f_max and delta_f.")
+    return UniformGrid(f_min=f_min, f_max=f_max, delta_f=delta_f)
+
+
+def encode_request(request: WaveformRequest) -> bytes:
+    """Write a request as MessagePack: the parameters as one ``[N, 10]`` array with names."""
+    wire = _WireRequest(
+        parameters=msgspec.Raw(b"".join(encode_array(request.batch.values))),
+        names=list(PARAMETER_NAMES),
+        grid=_wire_grid(request.grid),
+        output=request.output,
+        dtype=request.dtype,
+        out_of_domain=request.options.out_of_domain,
+        below_band=request.options.below_band,
+        above_band=request.options.above_band,
+        alignment=request.options.alignment,
+    )
+    return msgspec.msgpack.encode(wire)
+
+
+def _wire_grid(grid: Grid) -> _WireGrid:
+    if isinstance(grid, GridDigest):
+        return _WireGrid(sha256=grid.sha256)
+    if isinstance(grid, UniformGrid):
+        return _WireGrid(f_min=grid.f_min, f_max=grid.f_max, delta_f=grid.delta_f)
+    return _WireGrid(frequencies=msgspec.Raw(b"".join(encode_array(grid))))
