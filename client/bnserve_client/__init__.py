@@ -1,0 +1,69 @@
+"""The thin client of bnserve: a remote waveform model that looks like the local one.
+
+::
+
+    from bnserve_client import Model, ParametersWithExtrinsic
+
+    model = Model.connect("http://host:8000", "default")
+    hp, hc = model.predict(frequencies, ParametersWithExtrinsic.gw170817())
+
+Every error is one of :mod:`bnserve_protocol`; those that a remote model adds to the local ones are re-exported here.
+"""
+
+from bnserve_client._async_model import AsyncModel
+from bnserve_client._model import Model
+from bnserve_protocol import (
+    AmplitudePhase,
+    BnserveError,
+    ConnectionFailed,
+    DeadlineExceeded,
+    EvaluationOptions,
+    Factored,
+    InvalidFrequencies,
+    InvalidParameters,
+    InvalidRequest,
+    ModelDescription,
+    ModelUnknown,
+    NotBnserve,
+    OutOfBand,
+    OutOfDomain,
+    ParameterBatch,
+    ParametersWithExtrinsic,
+    Polarizations,
+    RowStatus,
+    TooLarge,
+    Unauthorized,
+    Unavailable,
+    UniformGrid,
+    UntrustedAnswer,
+    __version__,
+)
+
+__all__ = [
+    "AmplitudePhase",
+    "AsyncModel",
+    "BnserveError",
+    "ConnectionFailed",
+    "DeadlineExceeded",
+    "EvaluationOptions",
+    "Factored",
+    "InvalidFrequencies",
+    "InvalidParameters",
+    "InvalidRequest",
+    "Model",
+    "ModelDescription",
+    "ModelUnknown",
+    "NotBnserve",
+    "OutOfBand",
+    "OutOfDomain",
+    "ParameterBatch",
+    "ParametersWithExtrinsic",
+    "Polarizations",
+    "RowStatus",
+    "TooLarge",
+    "Unauthorized",
+    "Unavailable",
+    "UniformGrid",
+    "UntrustedAnswer",
+    "__version__",
+]

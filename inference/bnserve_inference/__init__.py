@@ -1,0 +1,3 @@
+"""Likelihoods over any waveform model, local or remote."""
+
+__all__: list[str] = []

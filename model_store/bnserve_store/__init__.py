@@ -1,0 +1,19 @@
+"""Trained models on disk: ``<root>/<name>/<version>/manifest.json + tensors.safetensors``. Knows no physics.
+
+Nothing that is stored is executable. Whatever is loaded was verified first; whatever is published appears at once and
+whole, or not at all.
+"""
+
+from bnserve_store._artifact import Artifact
+from bnserve_store._manifest import SCHEMA_VERSION, FileEntry, Manifest, TensorEntry
+from bnserve_store._store import SHIPPED_MODELS, ModelStore
+
+__all__ = [
+    "SCHEMA_VERSION",
+    "SHIPPED_MODELS",
+    "Artifact",
+    "FileEntry",
+    "Manifest",
+    "ModelStore",
+    "TensorEntry",
+]

@@ -50,7 +50,7 @@ from bnserve_protocol._errors import (
 )
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest
 from bnserve_protocol._limits import Limits
-from bnserve_protocol._merger_time import time_until_merger
+from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
@@ -122,6 +122,7 @@ __all__ = [
     "InvalidParameters",
     "InvalidRequest",
     "Limits",
+    "MergerStencil",
     "ModelDescription",
     "ModelIdentity",
     "ModelLoading",

@@ -1,0 +1,29 @@
+"""The waveform surrogate, evaluated locally: the same methods, results and errors as the remote model."""
+
+from bnserve_protocol import (
+    AmplitudePhase,
+    EvaluationOptions,
+    Factored,
+    ParameterBatch,
+    ParametersWithExtrinsic,
+    Polarizations,
+    RowStatus,
+    UniformGrid,
+)
+from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
+from bnserve_surrogate._model import Model
+
+__all__ = [
+    "AmplitudePhase",
+    "EvaluationOptions",
+    "Factored",
+    "ModeMetadata",
+    "Model",
+    "ParameterBatch",
+    "ParametersWithExtrinsic",
+    "Polarizations",
+    "RowStatus",
+    "SelfCheck",
+    "SurrogateMetadata",
+    "UniformGrid",
+]

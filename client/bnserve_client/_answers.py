@@ -1,0 +1,131 @@
+"""Reading what came back: is it bnserve's, is it whole, does it belong to the question, what does it say?"""
+
+from __future__ import annotations
+
+from datetime import UTC, datetime
+from email.utils import parsedate_to_datetime
+from typing import TypeVar
+
+import msgspec
+
+from bnserve_client._digests import content_digest
+from bnserve_client._failures import not_bnserve
+from bnserve_client._messages import HttpResponse
+from bnserve_protocol import (
+    PROBLEM_JSON,
+    AnswerCorrupted,
+    BnserveError,
+    ConnectionFailed,
+    ModelIdentity,
+    Problem,
+    TooLarge,
+    UndecodableBody,
+    WaveformAnswer,
+    decode_answer,
+)
+
+_GATEWAY_STATUSES = {429, 502, 503, 504}
+
+_Message = TypeVar("_Message")
+
+
+def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
+    """The body of a successful answer, checked.
+
+    Parameters
+    ----------
+    response:
+        What came back.
+    where:
+        The address, for messages.
+    asked:
+        The :func:`.request_digest` of the question; None for a GET.
+
+    Raises
+    ------
+    AnswerCorrupted
+        The body is not the one that was sent, or answers another question.
+    NotBnserve
+        No such answer could come from bnserve.
+    BnserveError
+        What the service said was wrong.
+    """
+    stated = response.headers.get("content-digest")
+    if stated is None:
+        raise _stranger(response, where)
+    if stated != content_digest(response.body):
+        raise AnswerCorrupted(f"An answer from {where} was damaged on the way: its Content-Digest does not match.")
+    answered = response.headers.get("x-request-digest")
+    successful = 200 <= response.status < 300
+    if asked is not None and answered != asked and (answered is not None or successful):
+        raise AnswerCorrupted(f"An answer from {where} belongs to another question: its X-Request-Digest is wrong.")
+    if not successful:
+        raise _problem(response, where)
+    return response.body
+
+
+def read_json(body: bytes | memoryview, message: type[_Message], where: str) -> _Message:
+    """A structured answer to a GET.
+
+    Raises
+    ------
+    NotBnserve
+        It does not have the fields that bnserve's has.
+    """
+    try:
+        return msgspec.json.decode(body, type=message)
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        raise not_bnserve(where, "its answer has not the fields that bnserve's has") from error
+
+
+def read_waveforms(body: bytes | memoryview, where: str, model: ModelIdentity) -> WaveformAnswer:
+    """The arrays of a checked answer, which must come from ``model``.
+
+    Raises
+    ------
+    AnswerCorrupted
+        Another model answered, or the message cannot be read although its digest is right.
+    """
+    try:
+        answer = decode_answer(body)
+    except UndecodableBody as error:
+        raise AnswerCorrupted(f"An answer from {where} cannot be read: {error.detail}") from error
+    if answer.model != model:
+        raise AnswerCorrupted(
+            f"{where} answered with {answer.model.name} {answer.model.version} ({answer.model.digest}), but this model "
+            f"is pinned to {model.name} {model.version} ({model.digest}). Connect again to use the other one."
+        )
+    return answer
+
+
+def _problem(response: HttpResponse, where: str) -> BnserveError:
+    if not response.headers.get("content-type", "").startswith(PROBLEM_JSON):
+        return not_bnserve(where, f"it answered with status {response.status} and no problem description")
+    problem = read_json(response.body, Problem, where)
+    return problem.to_error(_retry_after(response))
+
+
+def _stranger(response: HttpResponse, where: str) -> BnserveError:
+    """What something that is not bnserve, perhaps in front of it, has said."""
+    if response.status in _GATEWAY_STATUSES:
+        return ConnectionFailed(
+            f"A gateway at {where} answers with status {response.status}: the service behind it is not available now. "
+            "Check that its replicas are running.",
+            retry_after=_retry_after(response),
+        )
+    if response.status == 413:
+        return TooLarge(f"A gateway at {where} refuses bodies of this size; raise its limit or send smaller batches.")
+    if 300 <= response.status < 400:
+        target = response.headers.get("location", "elsewhere")[:200]
+        return not_bnserve(where, f"it redirects to {target}")
+    return not_bnserve(where, f"it answered with status {response.status} and no Content-Digest")
+
+
+def _retry_after(response: HttpResponse) -> float | None:
+    text = response.headers.get("retry-after", "").strip()
+    if text.isascii() and text.isdigit() and len(text) < 10:
+        return float(text)
+    try:
+        return max(0.0, (parsedate_to_datetime(text) - datetime.now(UTC)).total_seconds())
+    except (TypeError, ValueError, OverflowError):
+        return None

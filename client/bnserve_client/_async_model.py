@@ -1,0 +1,155 @@
+"""The asynchronous remote model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+
+from bnserve_client._connections import AsyncConnections
+from bnserve_client._drivers import run_async
+from bnserve_client._messages import Conversation
+from bnserve_client._remote import RemoteModel, connecting, settings_from
+from bnserve_client._session import Pinned
+from bnserve_client._settings import Settings
+from bnserve_client._sources import Source
+from bnserve_protocol import (
+    DEFAULT_OPTIONS,
+    AmplitudePhase,
+    BatchLike,
+    DtypeName,
+    EvaluationOptions,
+    Factored,
+    GridLike,
+    ModelDescription,
+    ParametersWithExtrinsic,
+    Polarizations,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import httpx
+
+    AsyncTransportLike: TypeAlias = (
+        httpx.AsyncClient
+        | httpx.AsyncBaseTransport
+        | Callable[[], httpx.AsyncClient]
+        | Callable[[], httpx.AsyncBaseTransport]
+    )
+
+_T = TypeVar("_T")
+
+
+class AsyncModel:
+    """As :class:`.Model`, for asyncio: every evaluation is awaited.
+
+    May be used from several event loops, which do not share connections; :meth:`close` closes those of its own.
+    """
+
+    def __init__(self, settings: Settings, pinned: Pinned, source: Source | None = None) -> None:
+        self._remote = RemoteModel(settings, pinned)
+        self._source = source
+        self._connections = AsyncConnections(source)
+
+    @classmethod
+    async def connect(
+        cls,
+        address: str | Sequence[str],
+        name: str = "default",
+        *,
+        version: str = "stable",
+        token: str | None = None,
+        timeout: float = 300.0,
+        silence: float = 30.0,
+        retries: int | None = None,
+        parallel: int = 2,
+        chunk_samples: int = 2**21,
+        progress: bool = False,
+        transport: AsyncTransportLike | None = None,
+    ) -> AsyncModel:
+        """Find a model on a service; parameters and errors are those of :meth:`.Model.connect`."""
+        settings = settings_from(
+            address, progress, token=token, timeout=timeout, silence=silence, retries=retries, parallel=parallel,
+            chunk_samples=chunk_samples,
+        )  # fmt: skip
+        source = None if transport is None else Source(transport)
+        connections = AsyncConnections(source)
+        try:
+            pinned = await run_async(connecting(settings, name, version), connections.send)
+        except BaseException:
+            await connections.close()
+            raise
+        model = cls(settings, pinned, source)
+        model._connections = connections
+        return model
+
+    @property
+    def description(self) -> ModelDescription:
+        """Name, version, digest, ranges, band, accuracy."""
+        return self._remote.pinned.description
+
+    async def predict(
+        self,
+        frequencies: GridLike,
+        parameters: ParametersWithExtrinsic,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Polarizations:
+        """One waveform; see :meth:`.Model.predict`."""
+        return await self._run(self._remote.predict(frequencies, parameters, options, dtype))
+
+    async def predict_batch(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Polarizations:
+        """N waveforms on one grid; see :meth:`.Model.predict_batch`."""
+        return await self._run(self._remote.predict_batch(frequencies, batch, options, dtype))
+
+    async def predict_factored(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Factored:
+        """N waveforms before the polarisations are multiplied out; see :meth:`.Model.predict_factored`."""
+        return await self._run(self._remote.predict_factored(frequencies, batch, options, dtype))
+
+    async def predict_amplitude_phase(
+        self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
+    ) -> AmplitudePhase:
+        """Amplitude and phase; see :meth:`.Model.predict_amplitude_phase`."""
+        return await self._run(self._remote.predict_amplitude_phase(frequencies, batch, options))
+
+    async def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
+        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+        return await self._run(self._remote.time_until_merger(frequency, parameters))
+
+    async def close(self) -> None:
+        """Close the connections of this event loop."""
+        await self._connections.close()
+
+    async def __aenter__(self) -> AsyncModel:
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return AsyncModel, (self._remote.settings, self._remote.pinned, self._source)
+
+    def __repr__(self) -> str:
+        where = ", ".join(address.text for address in self._remote.settings.addresses)
+        return f"<bnserve_client.AsyncModel {self.description.name} {self.description.version} at {where}>"
+
+    async def _run(self, conversation: Conversation[_T]) -> _T:
+        return await run_async(conversation, self._connections.send)

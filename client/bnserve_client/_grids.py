@@ -1,0 +1,68 @@
+"""Frequency grids as they travel: triples, short vectors, or the digest of one that was uploaded."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import Grid, GridDigest, GridLike, UniformGrid, as_frequencies, grid_digest
+
+UPLOAD_ABOVE = 512
+"""Grids of more points (4 KiB) are uploaded once and then named by their digest."""
+
+_REMEMBERED = 4
+
+
+class ExplicitGrid:
+    """A checked copy of a user's frequencies, ``(M,)`` in Hz, and its digest."""
+
+    def __init__(self, frequencies: NDArray[np.float64]) -> None:
+        self.frequencies = frequencies.copy()
+        self.frequencies.flags.writeable = False
+
+    def __len__(self) -> int:
+        return len(self.frequencies)
+
+    @cached_property
+    def sha256(self) -> str:
+        """The name of the grid on the wire."""
+        return grid_digest(self.frequencies)
+
+    def on_the_wire(self) -> Grid:
+        """The grid in a request: in full, or its digest where the service can be expected to know it."""
+        return self.frequencies if len(self) <= UPLOAD_ABOVE else GridDigest(sha256=self.sha256)
+
+
+class GridMemory:
+    """The grids that were checked and digested a moment ago: comparing 2 MB is ten times faster than hashing them.
+
+    The user's array may change between calls, so it is compared with a copy, never recognised by identity.
+    """
+
+    def __init__(self) -> None:
+        self._recent: tuple[ExplicitGrid, ...] = ()
+
+    def recall(self, grid: GridLike) -> UniformGrid | ExplicitGrid:
+        """Check a grid, or recognise it.
+
+        Raises
+        ------
+        InvalidFrequencies
+        """
+        if isinstance(grid, UniformGrid):
+            return grid
+        if isinstance(grid, np.ndarray) and grid.dtype == np.float64 and grid.ndim == 1:
+            for known in self._recent:
+                if np.array_equal(known.frequencies, grid):
+                    return known
+        checked = ExplicitGrid(as_frequencies(grid))
+        self._recent = (checked, *self._recent[: _REMEMBERED - 1])
+        return checked
+
+
+def ends_of(grid: UniformGrid | ExplicitGrid) -> ExplicitGrid:
+    """The first and the last frequency alone, on which the checks of a batch depend."""
+    frequencies = grid.frequencies if isinstance(grid, ExplicitGrid) else grid.frequencies()
+    return ExplicitGrid(frequencies[:1] if len(frequencies) == 1 else frequencies[[0, -1]])

@@ -1,0 +1,162 @@
+"""HTTP through httpx: TLS, proxies, authentication, and whatever transport the user injects."""
+
+from __future__ import annotations
+
+import os
+import socket
+import time
+import weakref
+from typing import Any
+
+import httpx
+
+from bnserve_client._addresses import Address
+from bnserve_client._failures import Broken, Malformed, Stale, TransportFailure, explain
+from bnserve_client._messages import HttpResponse, Send
+from bnserve_client._sources import Source
+
+_CONNECT_SECONDS = 5.0
+
+
+class HttpxTransport:
+    """A synchronous httpx client for one address."""
+
+    def __init__(self, address: Address, source: Source | None = None) -> None:
+        self._owned = source is None or source.is_factory
+        self._client: httpx.Client
+        if source is not None:
+            self._client = source.make(httpx.Client, httpx.BaseTransport)
+        elif address.socket_path is not None:
+            self._client = httpx.Client(transport=httpx.HTTPTransport(uds=address.socket_path))
+        else:
+            self._client = httpx.Client()
+        self._sockets = _InheritedSockets()
+
+    def send(self, send: Send) -> HttpResponse:
+        """Perform one :class:`Send`."""
+        try:
+            with self._client.stream(**_arguments(send)) as answer:
+                self._sockets.remember(answer)
+                collector = _Collector(send)
+                for piece in answer.iter_raw():
+                    collector.add(piece)
+                return collector.response(answer)
+        except (httpx.TransportError, OSError, TransportFailure) as failure:
+            raise explain(_translated(failure), send) from failure
+
+    def close(self) -> None:
+        """Close every connection, unless the client was given to us."""
+        if self._owned:
+            self._client.close()
+
+    def let_go(self) -> None:
+        """In a forked child: drop the inherited descriptors without a word on the wire."""
+        self._sockets.let_go()
+
+
+class AsyncHttpxTransport:
+    """An asynchronous httpx client for one address."""
+
+    def __init__(self, address: Address, source: Source | None = None) -> None:
+        self._owned = source is None or source.is_factory
+        self._client: httpx.AsyncClient
+        if source is not None:
+            self._client = source.make(httpx.AsyncClient, httpx.AsyncBaseTransport)
+        elif address.socket_path is not None:
+            self._client = httpx.AsyncClient(transport=httpx.AsyncHTTPTransport(uds=address.socket_path))
+        else:
+            self._client = httpx.AsyncClient()
+        self._sockets = _InheritedSockets()
+
+    async def send(self, send: Send) -> HttpResponse:
+        """Perform one :class:`Send`."""
+        try:
+            async with self._client.stream(**_arguments(send)) as answer:
+                self._sockets.remember(answer)
+                collector = _Collector(send)
+                async for piece in answer.aiter_raw():
+                    collector.add(piece)
+                return collector.response(answer)
+        except (httpx.TransportError, OSError, TransportFailure) as failure:
+            raise explain(_translated(failure), send) from failure
+
+    async def close(self) -> None:
+        """Close every connection, unless the client was given to us."""
+        if self._owned:
+            await self._client.aclose()
+
+    def let_go(self) -> None:
+        """In a forked child: drop the inherited descriptors without a word on the wire."""
+        self._sockets.let_go()
+
+
+class _InheritedSockets:
+    """The sockets under an httpx client, so that a forked child can let go of them.
+
+    Closing the client in the child would be wrong: it takes locks that another thread may have held at the fork.
+    Instead, each descriptor is replaced by one of /dev/null, which says nothing on the wire.
+    """
+
+    def __init__(self) -> None:
+        self._sockets: weakref.WeakSet[Any] = weakref.WeakSet()
+
+    def remember(self, answer: httpx.Response) -> None:
+        stream = answer.extensions.get("network_stream")
+        sock = stream.get_extra_info("socket") if stream is not None else None
+        if isinstance(sock, socket.socket):  # asyncio hands out a proxy that can be neither kept nor replaced
+            self._sockets.add(sock)
+
+    def let_go(self) -> None:
+        nothing = os.open(os.devnull, os.O_RDWR)
+        for sock in list(self._sockets):
+            if sock.fileno() >= 0:
+                os.dup2(nothing, sock.fileno(), inheritable=False)
+        os.close(nothing)
+
+
+class _Collector:
+    """Gathers a body and stops at its limits."""
+
+    def __init__(self, send: Send) -> None:
+        self._send = send
+        self._pieces: list[bytes] = []
+        self._total = 0
+
+    def add(self, piece: bytes) -> None:
+        self._total += len(piece)
+        if self._total > self._send.max_bytes:
+            limit = self._send.max_bytes
+            raise Malformed(f"it is longer than the {limit} bytes that any answer to this request can have")
+        if time.monotonic() > self._send.deadline:
+            raise TimeoutError
+        self._pieces.append(piece)
+
+    def response(self, answer: httpx.Response) -> HttpResponse:
+        headers = {name.lower(): value for name, value in answer.headers.items()}
+        return HttpResponse(status=answer.status_code, headers=headers, body=b"".join(self._pieces))
+
+
+def _arguments(send: Send) -> dict[str, Any]:
+    request = send.request
+    allowed = min(send.silence, send.deadline - time.monotonic())
+    if allowed <= 0.0:
+        raise TimeoutError
+    return {
+        "method": request.method,
+        "url": send.address.base_url + request.path,
+        "headers": {"Accept-Encoding": "identity", **dict(request.headers)},
+        "content": request.body or None,
+        "timeout": httpx.Timeout(allowed, connect=min(allowed, _CONNECT_SECONDS)),
+        "follow_redirects": False,
+    }
+
+
+def _translated(failure: Exception) -> Exception:
+    if isinstance(failure, httpx.TimeoutException):
+        return TimeoutError()
+    if isinstance(failure, httpx.RemoteProtocolError):
+        text = str(failure)
+        if "without sending a response" in text:
+            return Stale()
+        return Broken() if "closed" in text or "incomplete" in text else Malformed("it does not speak HTTP/1.1")
+    return Broken() if isinstance(failure, httpx.ReadError | httpx.WriteError) else failure

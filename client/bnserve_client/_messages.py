@@ -1,0 +1,86 @@
+"""What the parts of the client say to each other: HTTP messages, and the effects a conversation asks for.
+
+A conversation is a generator that knows no sockets: it yields a :class:`Send`, :class:`Sleep` or :class:`Together`
+and is resumed with the outcome. The synchronous and the asynchronous model differ in who performs the effects.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Generator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias, TypeVar
+
+from bnserve_client._addresses import Address
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, slots=True)
+class HttpRequest:
+    """A request; ``path`` starts with a slash and is appended to the address."""
+
+    method: str
+    path: str
+    headers: tuple[tuple[str, str], ...] = ()
+    body: bytes = b""
+
+
+@dataclass(frozen=True, slots=True)
+class HttpResponse:
+    """A complete answer; header names are lower case."""
+
+    status: int
+    headers: Mapping[str, str]
+    body: bytes | memoryview
+
+
+@dataclass(frozen=True, slots=True)
+class Send:
+    """Send a request; the outcome is an :class:`HttpResponse`.
+
+    Parameters
+    ----------
+    address, request:
+        Where and what.
+    silence:
+        Seconds without a byte from the server after which the attempt has failed.
+    deadline:
+        ``time.monotonic()`` at which it has failed in any case.
+    max_bytes:
+        The largest body that can be an answer to this request.
+
+    Raises
+    ------
+    ConnectionFailed
+        No connection, or it broke.
+    NotBnserve
+        What came back is not HTTP, or larger than any answer.
+    """
+
+    address: Address
+    request: HttpRequest
+    silence: float
+    deadline: float
+    max_bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class Sleep:
+    """Wait that many seconds."""
+
+    seconds: float
+
+
+@dataclass(frozen=True, slots=True)
+class Together:
+    """Hold several conversations, some at once; the outcome is the list of their results, in order.
+
+    When some fail, the error of the first of them in order is raised, whatever the timing.
+    """
+
+    conversations: Sequence[Generator[Any, Any, Any]]
+    at_once: int
+
+
+Effect: TypeAlias = Send | Sleep | Together
+Conversation: TypeAlias = Generator[Effect, Any, T]

@@ -1,0 +1,198 @@
+"""The synchronous remote model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+
+from bnserve_client._connections import Connections
+from bnserve_client._drivers import run
+from bnserve_client._messages import Conversation
+from bnserve_client._remote import RemoteModel, connecting, settings_from
+from bnserve_client._session import Pinned
+from bnserve_client._settings import Settings
+from bnserve_client._sources import Source
+from bnserve_protocol import (
+    DEFAULT_OPTIONS,
+    AmplitudePhase,
+    BatchLike,
+    DtypeName,
+    EvaluationOptions,
+    Factored,
+    GridLike,
+    ModelDescription,
+    ParametersWithExtrinsic,
+    Polarizations,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import httpx
+
+    TransportLike: TypeAlias = (
+        httpx.Client | httpx.BaseTransport | Callable[[], httpx.Client] | Callable[[], httpx.BaseTransport]
+    )
+
+_T = TypeVar("_T")
+
+
+class Model:
+    """A waveform model that is evaluated by a bnserve service; made by :meth:`connect`.
+
+    Same methods, results (to the bit) and errors as ``bnserve_surrogate.Model``. The version that a label stood for
+    when connecting stays for the life of the object, and every answer is checked to come from it, to be whole, and to
+    belong to its question. Safe to share between threads, to use after a fork, and to pickle (connections are opened
+    when they are needed). A context manager; after :meth:`close`, a call opens new connections.
+    """
+
+    def __init__(self, settings: Settings, pinned: Pinned, source: Source | None = None) -> None:
+        self._remote = RemoteModel(settings, pinned)
+        self._source = source
+        self._connections = Connections(source)
+
+    @classmethod
+    def connect(
+        cls,
+        address: str | Sequence[str],
+        name: str = "default",
+        *,
+        version: str = "stable",
+        token: str | None = None,
+        timeout: float = 300.0,
+        silence: float = 30.0,
+        retries: int | None = None,
+        parallel: int = 2,
+        chunk_samples: int = 2**21,
+        progress: bool = False,
+        transport: TransportLike | None = None,
+    ) -> Model:
+        """Find a model on a service.
+
+        Parameters
+        ----------
+        address:
+            ``"http://host:8000"``, ``"https://host/prefix"`` or ``"unix:/path/to/socket"``; several replicas as a list
+            or separated by commas: requests take turns, and one that fails is tried on another.
+        name, version:
+            Which model; a label is resolved now, once.
+        token:
+            Sent as ``Authorization: Bearer``.
+        timeout:
+            Seconds that one request may take with all its retries. A sampler that is to outlive an outage of ten
+            minutes wants more than 600.
+        silence:
+            Seconds without a byte from the server after which an attempt has failed.
+        retries:
+            How often a request is tried again (in the first contact at most 3 times); None for as often as fits into
+            ``timeout``. Waiting times grow to 5 s, are jittered, and honour ``Retry-After``.
+        parallel:
+            Chunks of one large batch that are under way at the same time.
+        chunk_samples:
+            Rows times frequencies of a chunk (2**21 are 32 MiB); the service's limits may make it smaller.
+        progress:
+            Show a progress bar for batches of several chunks (needs tqdm).
+        transport:
+            An httpx client or transport, for authentication, proxies or TLS of your own, or for tests; or a function
+            that makes one, which is needed where the model is pickled or used after a fork.
+
+        Raises
+        ------
+        ConnectionFailed, NotBnserve, ModelUnknown, Unauthorized, InvalidRequest
+        """
+        settings = settings_from(
+            address, progress, token=token, timeout=timeout, silence=silence, retries=retries, parallel=parallel,
+            chunk_samples=chunk_samples,
+        )  # fmt: skip
+        source = None if transport is None else Source(transport)
+        connections = Connections(source)
+        try:
+            pinned = run(connecting(settings, name, version), connections.send)
+        except BaseException:
+            connections.close()
+            raise
+        model = cls(settings, pinned, source)
+        model._connections = connections
+        return model
+
+    @property
+    def description(self) -> ModelDescription:
+        """Name, version, digest, ranges, band, accuracy."""
+        return self._remote.pinned.description
+
+    def predict(
+        self,
+        frequencies: GridLike,
+        parameters: ParametersWithExtrinsic,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Polarizations:
+        """One waveform: ``hp, hc``, complex ``(M,)`` in 1/Hz, on increasing frequencies in Hz.
+
+        Raises
+        ------
+        InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
+            As the local model.
+        TooLarge, Unavailable, UntrustedAnswer, ModelUnknown, AccessDenied, InternalError
+            What a service can add to that, after the retries.
+        """
+        return self._run(self._remote.predict(frequencies, parameters, options, dtype))
+
+    def predict_batch(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Polarizations:
+        """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. Raises as :meth:`predict`."""
+        return self._run(self._remote.predict_batch(frequencies, batch, options, dtype))
+
+    def predict_factored(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DtypeName = "complex128",
+    ) -> Factored:
+        """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
+        return self._run(self._remote.predict_factored(frequencies, batch, options, dtype))
+
+    def predict_amplitude_phase(
+        self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
+    ) -> AmplitudePhase:
+        """Amplitude (1/Hz) and continuous phase (rad); ``(M,)`` for one binary, ``(N, M)`` for a batch.
+
+        Raises as :meth:`predict`.
+        """
+        return self._run(self._remote.predict_amplitude_phase(frequencies, batch, options))
+
+    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
+        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+        return self._run(self._remote.time_until_merger(frequency, parameters))
+
+    def close(self) -> None:
+        """Close the connections."""
+        self._connections.close()
+
+    def __enter__(self) -> Model:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
+    ) -> None:
+        self.close()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Model, (self._remote.settings, self._remote.pinned, self._source)
+
+    def __repr__(self) -> str:
+        where = ", ".join(address.text for address in self._remote.settings.addresses)
+        return f"<bnserve_client.Model {self.description.name} {self.description.version} at {where}>"
+
+    def _run(self, conversation: Conversation[_T]) -> _T:
+        return run(conversation, self._connections.send)

@@ -1,0 +1,108 @@
+"""The methods of a waveform model as conversations: what the synchronous and the asynchronous model have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from bnserve_client._addresses import parse_addresses
+from bnserve_client._evaluation import Evaluator, Question
+from bnserve_client._grids import GridMemory
+from bnserve_client._messages import Conversation
+from bnserve_client._progress import require_tqdm
+from bnserve_client._results import multiply_out, own
+from bnserve_client._session import Pinned, Session
+from bnserve_client._settings import Settings
+from bnserve_protocol import (
+    AmplitudePhase,
+    BatchLike,
+    DtypeName,
+    EvaluationOptions,
+    Factored,
+    GridLike,
+    MergerStencil,
+    OutputName,
+    ParameterBatch,
+    ParametersWithExtrinsic,
+    Polarizations,
+)
+
+_CONNECT_RETRIES = 3
+"""At the first contact a wrong address is likelier than an outage, so it is reported soon."""
+
+
+def settings_from(address: str | Sequence[str], progress: bool, **chosen: Any) -> Settings:
+    """Settings from the arguments of ``connect``.
+
+    Raises
+    ------
+    InvalidRequest
+    """
+    if progress:
+        require_tqdm()
+    return Settings(addresses=parse_addresses(address), progress=progress, **chosen)
+
+
+def connecting(settings: Settings, name: str, version: str) -> Conversation[Pinned]:
+    """The first contact: see :meth:`.Session.connect`."""
+    retries = _CONNECT_RETRIES if settings.retries is None else settings.retries
+    return Session(settings.with_retries(retries)).connect(name, version)
+
+
+class RemoteModel:
+    """Conversations about one pinned model; every argument is that of :class:`bnserve_protocol.WaveformModel`."""
+
+    def __init__(self, settings: Settings, pinned: Pinned) -> None:
+        self.settings = settings
+        self.pinned = pinned
+        self._grids = GridMemory()
+        self._evaluator = Evaluator(Session(settings), pinned)
+        self._strain: OutputName = "factored" if len(pinned.description.modes) == 1 else "polarizations"
+
+    def predict(
+        self, frequencies: GridLike, parameters: ParametersWithExtrinsic, options: EvaluationOptions, dtype: DtypeName
+    ) -> Conversation[Polarizations]:
+        """One waveform."""
+        batch = yield from self.predict_batch(frequencies, parameters, options, dtype)
+        return Polarizations(plus=batch.plus[0], cross=batch.cross[0], status=batch.status)
+
+    def predict_batch(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DtypeName
+    ) -> Conversation[Polarizations]:
+        """N waveforms."""
+        question = self._question(frequencies, batch, self._strain, options, dtype)
+        arrays = yield from self._evaluator.evaluate(question, multiply_out)
+        return Polarizations(plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
+
+    def predict_factored(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DtypeName
+    ) -> Conversation[Factored]:
+        """N waveforms before the polarisations are multiplied out."""
+        question = self._question(frequencies, batch, "factored", options, dtype)
+        arrays = yield from self._evaluator.evaluate(question, own)
+        return Factored(h=arrays["h"], plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
+
+    def predict_amplitude_phase(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions
+    ) -> Conversation[AmplitudePhase]:
+        """Amplitude and phase."""
+        question = self._question(frequencies, batch, "amplitude_phase", options, "complex128")
+        arrays = yield from self._evaluator.evaluate(question, own)
+        amplitude, phase, status = arrays["amplitude"], arrays["phase"], arrays["status"]
+        if isinstance(batch, ParametersWithExtrinsic):
+            return AmplitudePhase(amplitude=amplitude[0], phase=phase[0], status=status)
+        return AmplitudePhase(amplitude=amplitude, phase=phase, status=status)
+
+    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> Conversation[float]:
+        """Seconds from ``frequency`` to the merger."""
+        stencil = MergerStencil(frequency)
+        answer = yield from self.predict_amplitude_phase(
+            stencil.frequencies, stencil.unshifted(parameters), stencil.options
+        )
+        return stencil.seconds(answer.phase)
+
+    def _question(
+        self, frequencies: GridLike, batch: BatchLike, output: OutputName, options: EvaluationOptions, dtype: DtypeName
+    ) -> Question:
+        grid = self._grids.recall(frequencies)
+        return Question(ParameterBatch.coerce(batch), grid, output, dtype, options)

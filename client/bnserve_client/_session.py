@@ -1,0 +1,150 @@
+"""Talking to one service: every request with its headers, its patience and its checks. Knows no sockets."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Callable
+from typing import TypeVar
+from urllib.parse import quote
+
+import msgspec
+
+from bnserve_client._answers import read_json, trusted_body
+from bnserve_client._digests import request_digest
+from bnserve_client._failures import not_bnserve
+from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, Send, Sleep
+from bnserve_client._patience import Patience
+from bnserve_client._replicas import Replicas
+from bnserve_client._settings import Settings
+from bnserve_protocol import (
+    JSON,
+    MSGPACK,
+    PROBLEM_JSON,
+    BnserveError,
+    Limits,
+    ModelDescription,
+    ModelIdentity,
+    ModelUnknown,
+    __version__,
+)
+
+_T = TypeVar("_T")
+
+_SMALL_ANSWER = 2**20
+"""No description, limit or problem is larger."""
+_OCTETS = "application/octet-stream"
+
+
+class Pinned(msgspec.Struct, frozen=True):
+    """What connecting found out and what stays for the life of a model."""
+
+    description: ModelDescription
+    limits: Limits
+
+    @property
+    def identity(self) -> ModelIdentity:
+        """What every answer must say about its model."""
+        return ModelIdentity(
+            name=self.description.name, version=self.description.version, digest=self.description.digest
+        )
+
+
+class _ModelDocument(ModelDescription, frozen=True, kw_only=True):
+    """``GET /v1/models/{name}/versions/{version or label}``."""
+
+    labels: dict[str, str]
+    limits: Limits
+
+
+class Session:
+    """Requests to the replicas of one service."""
+
+    def __init__(self, settings: Settings) -> None:
+        self.settings = settings
+        self._replicas = Replicas(settings.addresses)
+        authorization = () if settings.token is None else (("Authorization", f"Bearer {settings.token}"),)
+        self._headers = (("User-Agent", f"bnserve-client/{__version__}"), *authorization)
+
+    def patience(self) -> Patience:
+        """A fresh deadline."""
+        return Patience(self.settings, self._replicas)
+
+    def connect(self, name: str, version: str) -> Conversation[Pinned]:
+        """Find a model, turn a label into the version it stands for now, and learn the limits.
+
+        Raises
+        ------
+        ModelUnknown, NotBnserve, ConnectionFailed, Unauthorized
+        """
+        if not name or not version:
+            raise ModelUnknown("A model has a name and a version or label, such as 'default' and 'stable'.")
+        patience = self.patience()
+        path = f"/v1/models/{quote(name, safe='')}/versions/{quote(version, safe='')}"
+        found = yield from self.get(path, _ModelDocument, patience)
+        if found.name != name or found.version != found.labels.get(version, version):
+            raise not_bnserve(patience.address.text, f"asked for the model '{name}' {version}, it describes another")
+        fields = {field: getattr(found, field) for field in ModelDescription.__struct_fields__}
+        return Pinned(description=ModelDescription(**fields), limits=found.limits)
+
+    def get(self, path: str, message: type[_T], patience: Patience) -> Conversation[_T]:
+        """Ask for a structured answer."""
+        request = HttpRequest("GET", path, (*self._headers, ("Accept", f"{JSON}, {PROBLEM_JSON}")))
+
+        def read(response: HttpResponse, where: str) -> _T:
+            return read_json(trusted_body(response, where, None), message, where)
+
+        return self._ask(request, read, _SMALL_ANSWER, patience)
+
+    def upload_grid(self, sha256: str, frequencies: bytes, patience: Patience) -> Conversation[None]:
+        """Make a grid known to the replica that ``patience`` is talking to."""
+        headers = (*self._headers, ("Content-Type", _OCTETS), ("Accept", f"{JSON}, {PROBLEM_JSON}"))
+        request = HttpRequest("PUT", f"/v1/grids/{sha256}", headers, frequencies)
+        asked = request_digest(frequencies)
+
+        def read(response: HttpResponse, where: str) -> None:
+            trusted_body(response, where, asked)
+
+        return self._ask(request, read, _SMALL_ANSWER, patience)
+
+    def post(
+        self,
+        path: str,
+        body: bytes,
+        read: Callable[[bytes | memoryview, str], _T],
+        max_bytes: int,
+        patience: Patience,
+    ) -> Conversation[_T]:
+        """Send MessagePack and read MessagePack: ``read(body, where)`` gets a body whose digests are right.
+
+        Parameters
+        ----------
+        max_bytes:
+            More than any right answer can have.
+        """
+        headers = (*self._headers, ("Content-Type", MSGPACK), ("Accept", f"{MSGPACK}, {PROBLEM_JSON}"))
+        request = HttpRequest("POST", path, headers, body)
+        asked = request_digest(body)
+
+        def checked(response: HttpResponse, where: str) -> _T:
+            return read(trusted_body(response, where, asked), where)
+
+        return self._ask(request, checked, max(_SMALL_ANSWER, max_bytes), patience)
+
+    def _ask(
+        self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, patience: Patience
+    ) -> Conversation[_T]:
+        """Ask until there is an answer that can be used, or patience ends."""
+        named = (*request.headers, ("X-Request-ID", uuid.uuid4().hex))
+        while True:
+            deadline = ("X-Request-Deadline-Ms", str(int(min(patience.seconds_left, 1e8) * 1e3)))
+            sent = HttpRequest(request.method, request.path, (*named, deadline), request.body)
+            try:
+                response = yield Send(patience.address, sent, self.settings.silence, patience.deadline, max_bytes)
+                answer = read(response, patience.address.text)
+            except BnserveError as error:
+                pause = patience.pause_after(error)
+            else:
+                patience.succeeded()
+                return answer
+            if pause > 0.0:
+                yield Sleep(pause)

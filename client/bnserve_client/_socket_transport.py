@@ -1,0 +1,201 @@
+"""HTTP over plain sockets: the fast path for ``http://`` without a proxy and for ``unix:``."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+import time
+
+from bnserve_client._addresses import Address
+from bnserve_client._failures import Stale, TransportFailure, explain
+from bnserve_client._http1 import Exchange, encode_request, exchange
+from bnserve_client._messages import HttpResponse, Send
+from bnserve_client._socket_pool import SocketPool
+
+_CONNECT_SECONDS = 5.0
+
+
+def _time_allowed(send: Send, at_most: float = float("inf")) -> float:
+    allowed = min(send.silence, send.deadline - time.monotonic(), at_most)
+    if allowed <= 0.0:
+        raise TimeoutError
+    return allowed
+
+
+class SocketTransport:
+    """Blocking sockets."""
+
+    def __init__(self) -> None:
+        self._pool = SocketPool()
+
+    def send(self, send: Send) -> HttpResponse:
+        """Perform one :class:`Send`; a connection that had gone stale is replaced once, silently."""
+        message = encode_request(send.address, send.request)
+        try:
+            used = self._pool.take()
+            if used is not None:
+                try:
+                    return self._perform(used, message, send)
+                except Stale:
+                    pass
+            return self._perform(self._connect(send), message, send)
+        except (OSError, TransportFailure) as failure:
+            raise explain(failure, send) from failure
+
+    def close(self) -> None:
+        """Close the connections."""
+        self._pool.close()
+
+    def let_go(self) -> None:
+        """In a forked child: drop the inherited descriptors without a word on the wire."""
+        self._pool.let_go()
+
+    def _connect(self, send: Send) -> socket.socket:
+        allowed = _time_allowed(send, _CONNECT_SECONDS)
+        address = send.address
+        if address.socket_path is None:
+            sock = socket.create_connection((address.host, address.port), timeout=allowed)
+            _no_delay(sock)
+            return self._pool.adopt(sock)
+        sock = self._pool.adopt(socket.socket(socket.AF_UNIX))
+        try:
+            sock.settimeout(allowed)
+            sock.connect(address.socket_path)
+        except BaseException:
+            self._pool.drop(sock)
+            raise
+        return sock
+
+    def _perform(self, sock: socket.socket, message: bytes, send: Send) -> HttpResponse:
+        try:
+            response, reusable = _drive(sock, exchange(message, send.max_bytes), send)
+        except BaseException:
+            self._pool.drop(sock)
+            raise
+        if reusable:
+            self._pool.put_back(sock)
+        else:
+            self._pool.drop(sock)
+        return response
+
+
+def _drive(sock: socket.socket, steps: Exchange, send: Send) -> tuple[HttpResponse, bool]:
+    step = next(steps)
+    while True:
+        sock.settimeout(_time_allowed(send))
+        try:
+            if isinstance(step, bytes):
+                sock.sendall(step)
+                received = 0
+            else:
+                received = sock.recv_into(step)
+        except TimeoutError:
+            raise
+        except OSError as error:
+            step = steps.throw(error)
+            continue
+        try:
+            step = steps.send(received)
+        except StopIteration as finished:
+            outcome: tuple[HttpResponse, bool] = finished.value
+            return outcome
+
+
+class AsyncSocketTransport:
+    """Non-blocking sockets of one asyncio event loop."""
+
+    def __init__(self) -> None:
+        self._pool = SocketPool()
+
+    async def send(self, send: Send) -> HttpResponse:
+        """As :meth:`SocketTransport.send`."""
+        message = encode_request(send.address, send.request)
+        try:
+            used = self._pool.take()
+            if used is not None:
+                try:
+                    return await self._perform(used, message, send)
+                except Stale:
+                    pass
+            return await self._perform(await self._connect(send), message, send)
+        except (OSError, TransportFailure) as failure:
+            raise explain(failure, send) from failure
+
+    async def close(self) -> None:
+        """Close the connections."""
+        self._pool.close()
+
+    def let_go(self) -> None:
+        """In a forked child: drop the inherited descriptors without a word on the wire."""
+        self._pool.let_go()
+
+    async def _connect(self, send: Send) -> socket.socket:
+        async with asyncio.timeout(_time_allowed(send, _CONNECT_SECONDS)):
+            address = send.address
+            if address.socket_path is not None:
+                return await self._open(socket.AF_UNIX, address.socket_path)
+            return await self._connect_tcp(address)
+
+    async def _connect_tcp(self, address: Address) -> socket.socket:
+        loop = asyncio.get_running_loop()
+        found = await loop.getaddrinfo(address.host, address.port, type=socket.SOCK_STREAM)
+        failure: OSError = OSError("the host name has no address")
+        for family, _, _, _, target in found:
+            try:
+                sock = await self._open(family, target)
+            except OSError as error:
+                failure = error
+            else:
+                _no_delay(sock)
+                return sock
+        raise failure
+
+    async def _open(self, family: int, target: tuple[str | int, ...] | tuple[int, bytes] | str) -> socket.socket:
+        sock = self._pool.adopt(socket.socket(family, socket.SOCK_STREAM))
+        try:
+            sock.setblocking(False)
+            await asyncio.get_running_loop().sock_connect(sock, target)
+        except BaseException:
+            self._pool.drop(sock)
+            raise
+        return sock
+
+    async def _perform(self, sock: socket.socket, message: bytes, send: Send) -> HttpResponse:
+        try:
+            async with asyncio.timeout(None) as limit:
+                response, reusable = await _drive_async(sock, exchange(message, send.max_bytes), send, limit)
+        except BaseException:
+            self._pool.drop(sock)
+            raise
+        if reusable:
+            self._pool.put_back(sock)
+        else:
+            self._pool.drop(sock)
+        return response
+
+
+async def _drive_async(
+    sock: socket.socket, steps: Exchange, send: Send, limit: asyncio.Timeout
+) -> tuple[HttpResponse, bool]:
+    loop = asyncio.get_running_loop()
+    step = next(steps)
+    while True:
+        limit.reschedule(loop.time() + _time_allowed(send))
+        try:
+            if isinstance(step, bytes):
+                await loop.sock_sendall(sock, step)
+                received = 0
+            else:
+                received = await loop.sock_recv_into(sock, step)
+        except OSError as error:
+            step = steps.throw(error)
+            continue
+        try:
+            step = steps.send(received)
+        except StopIteration as finished:
+            outcome: tuple[HttpResponse, bool] = finished.value
+            return outcome
+
+
+def _no_delay(sock: socket.socket) -> None:
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -1,0 +1,164 @@
+"""The manifest of one version: what its tensors are, and everything else that is known about it.
+
+``manifest.json`` is canonical: there is exactly one sequence of bytes for one content, and it holds the digest of that
+content. A flipped byte therefore never passes, wherever it is. (A digest finds damage; it is not a signature.)
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from datetime import datetime
+from typing import Annotated, Any
+
+import msgspec
+
+from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, InvalidRequest, SchemaUnknown
+from bnserve_store._names import NAME_PATTERN, VERSION_PATTERN
+from bnserve_store._tensors import DTYPES
+
+SCHEMA_VERSION = 1
+"""The only schema that this program reads and writes."""
+
+_Sha256 = Annotated[str, msgspec.Meta(pattern=r"^[0-9a-f]{64}\Z")]
+_Count = Annotated[int, msgspec.Meta(ge=0)]
+_Dtype = Annotated[str, msgspec.Meta(pattern="^(" + "|".join(dtype.replace("|", r"\|") for dtype in DTYPES) + r")\Z")]
+
+
+class TensorEntry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """One tensor: numpy's name of its dtype (``<f8``), its shape, and the SHA-256 of its values in C order."""
+
+    dtype: _Dtype
+    shape: tuple[_Count, ...]
+    sha256: _Sha256
+
+
+class FileEntry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """The file of tensors as a whole: its size in bytes and its SHA-256, which also covers its header."""
+
+    size: _Count
+    sha256: _Sha256
+
+
+class Manifest(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """Everything about one published version. The store knows no physics: ``metadata`` is any JSON object."""
+
+    name: Annotated[str, msgspec.Meta(pattern=rf"^{NAME_PATTERN}\Z")]
+    version: Annotated[str, msgspec.Meta(pattern=rf"^{VERSION_PATTERN}\Z")]
+    tensors: dict[str, TensorEntry]
+    tensors_file: FileEntry
+    metadata: dict[str, Any]
+    created: Annotated[datetime, msgspec.Meta(tz=True)] | None = None
+    schema_version: int = SCHEMA_VERSION
+
+    @property
+    def digest(self) -> str:
+        """``sha256:<hex>`` of the content, and hence of every tensor. Computed at each call; keep it."""
+        return _digest(msgspec.to_builtins(self))
+
+
+class _ManifestFile(Manifest, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """What ``manifest.json`` holds: the manifest, and its digest."""
+
+    digest_of_content: str = msgspec.field(name="digest")
+
+
+class _Schema(msgspec.Struct):
+    """The one field that every manifest of every schema has."""
+
+    schema_version: int
+
+
+_schema = msgspec.json.Decoder(_Schema)
+_file = msgspec.json.Decoder(_ManifestFile)
+
+
+def _digest(content: Mapping[str, Any]) -> str:
+    text = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=False, allow_nan=False)
+    return "sha256:" + hashlib.sha256(text.encode()).hexdigest()
+
+
+def encode_manifest(manifest: Manifest) -> bytes:
+    """The one and only bytes of ``manifest.json``: sorted keys, two spaces of indentation, a final newline.
+
+    The standard library's ``json`` writes them, because Python promises the text of a float for ever.
+    """
+    content = msgspec.to_builtins(manifest) | {"digest": manifest.digest}
+    return (json.dumps(content, sort_keys=True, indent=2, ensure_ascii=False, allow_nan=False) + "\n").encode()
+
+
+def decode_manifest(data: bytes, file: str) -> Manifest:
+    """Read and verify ``manifest.json``.
+
+    Parameters
+    ----------
+    data:
+        The bytes of the file.
+    file:
+        Its path relative to the store, for messages.
+
+    Raises
+    ------
+    SchemaUnknown
+        Written by a newer or foreign program.
+    ArtifactIncomplete
+        A file that ends too early, or a field that is missing.
+    ArtifactCorrupted
+        Anything else that was not written by :func:`encode_manifest`.
+    """
+    try:
+        schema = _schema.decode(data).schema_version
+        if schema != SCHEMA_VERSION:
+            raise SchemaUnknown(
+                f"{file} has schema version {schema}; this program reads version {SCHEMA_VERSION}. "
+                "Upgrade bnserve, or publish the model again with this one."
+            )
+        stored = _file.decode(data)
+        manifest = Manifest(**{field: getattr(stored, field) for field in Manifest.__struct_fields__})
+        canonical = encode_manifest(manifest)
+    except msgspec.DecodeError as error:
+        raise _unreadable(error, file) from error
+    except (RecursionError, ValueError) as error:
+        raise ArtifactCorrupted(f"{file} is not a manifest of bnserve. {RESTORE}") from error
+    if data != canonical:  # which also holds the digest
+        raise ArtifactCorrupted(f"{file} does not match its own digest: it was damaged or edited. {RESTORE}")
+    return manifest
+
+
+RESTORE = "Restore this version from a copy, or publish the model again under a new version."
+"""What to do about a damaged version."""
+
+
+def _unreadable(error: msgspec.DecodeError, file: str) -> ArtifactCorrupted | ArtifactIncomplete:
+    reason = str(error)
+    if "truncated" in reason:
+        return ArtifactIncomplete(f"{file} ends too early. {RESTORE}")
+    if "missing required field" in reason:
+        return ArtifactIncomplete(f"{file} is incomplete: {reason}. {RESTORE}")
+    if isinstance(error, msgspec.ValidationError):
+        return ArtifactCorrupted(f"{file} is not a valid manifest: {reason}. {RESTORE}")
+    return ArtifactCorrupted(f"{file} is not JSON. {RESTORE}")
+
+
+def as_metadata(metadata: Mapping[str, Any]) -> dict[str, Any]:
+    """``metadata`` as the plain JSON object that will be read back (tuples become lists).
+
+    Raises
+    ------
+    InvalidRequest
+        Values that JSON does not have: NaN, infinity, arrays, numpy integers, objects.
+    """
+    refusal = InvalidRequest(
+        "The metadata of a model must be plain JSON with finite numbers: convert arrays with "
+        ".tolist() and numpy scalars with .item(), and leave out NaN and infinity."
+    )
+    try:
+        text = json.dumps(dict(metadata), sort_keys=True, ensure_ascii=False, allow_nan=False)
+        plain: dict[str, Any] = msgspec.json.decode(text.encode(), type=dict[str, Any])
+        again = json.dumps(plain, sort_keys=True, ensure_ascii=False, allow_nan=False)
+    except (TypeError, ValueError, RecursionError, msgspec.DecodeError) as error:
+        raise refusal from error
+    if again != text:
+        raise refusal
+    return plain

@@ -1,0 +1,85 @@
+"""What models, versions, labels and tensors may be called, and how versions are ordered.
+
+Names become folder names, so they are restricted to characters that cannot leave the store on any file system.
+"""
+
+from __future__ import annotations
+
+import re
+
+from bnserve_protocol import InvalidRequest
+
+NAME_PATTERN = r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}"
+LABEL_PATTERN = r"[A-Za-z][A-Za-z0-9_-]{0,63}"
+TENSOR_PATTERN = r"[A-Za-z0-9][A-Za-z0-9_./-]{0,199}"
+_NUMBER = r"(?:0|[1-9][0-9]{0,8})"
+VERSION_PATTERN = rf"{_NUMBER}(?:\.{_NUMBER}){{0,3}}(?:(?:a|b|rc){_NUMBER})?(?:\.post{_NUMBER})?(?:\.dev{_NUMBER})?"
+"""Versions in the normal form of PEP 440, without epochs and local parts: ``1.2``, ``1.2.0rc1``, ``2.0.dev3``."""
+
+_NAME = re.compile(NAME_PATTERN)
+_LABEL = re.compile(LABEL_PATTERN)
+_TENSOR = re.compile(TENSOR_PATTERN)
+_VERSION = re.compile(VERSION_PATTERN)
+_PARTS = re.compile(r"([0-9.]*[0-9])(?:(a|b|rc)([0-9]+))?(?:\.post([0-9]+))?(?:\.dev([0-9]+))?")
+
+
+def is_name(text: str) -> bool:
+    """Whether ``text`` may be the name of a model."""
+    return _NAME.fullmatch(text) is not None
+
+
+def is_version(text: str) -> bool:
+    """Whether ``text`` may be a version."""
+    return _VERSION.fullmatch(text) is not None
+
+
+def check_name(name: str) -> None:
+    """Refuse a model name that could not be a folder: InvalidRequest."""
+    if not is_name(name):
+        raise InvalidRequest(
+            f"'{name[:80]}' cannot be the name of a model: use up to 64 letters, digits, '_' and '-', "
+            "beginning with a letter or digit."
+        )
+
+
+def check_version(version: str) -> None:
+    """Refuse a version that is not numbered: InvalidRequest."""
+    if not is_version(version):
+        raise InvalidRequest(f"'{version[:80]}' is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
+
+
+def check_label(label: str) -> None:
+    """Refuse a label that could be mistaken for a version or a path: InvalidRequest."""
+    if _LABEL.fullmatch(label) is None:
+        raise InvalidRequest(
+            f"'{label[:80]}' cannot be a label: use up to 64 letters, digits, '_' and '-', beginning with a letter."
+        )
+
+
+def check_tensor_name(name: str) -> None:
+    """Refuse a tensor name with unusual characters: InvalidRequest."""
+    if not isinstance(name, str) or _TENSOR.fullmatch(name) is None:
+        raise InvalidRequest(
+            f"'{str(name)[:80]}' cannot be the name of a tensor: use up to 200 letters, digits, '_', '-', '.' and '/', "
+            "beginning with a letter or digit."
+        )
+
+
+def version_key(version: str) -> tuple[tuple[int, ...], tuple[int, int], int, float, str]:
+    """Sort key of a version, in the order of PEP 440: 1.0.dev1 < 1.0a1 < 1.0rc1 < 1.0 < 1.0.post1 < 1.0.1 < 1.10.
+
+    The text comes last, so that the equal versions 1.0 and 1.0.0 have an order too.
+    """
+    parts = _PARTS.fullmatch(version)
+    if parts is None:
+        raise InvalidRequest(f"'{version[:80]}' is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
+    release, stage, stage_number, post, dev = parts.groups()
+    numbers = [int(number) for number in release.split(".")]
+    while numbers and numbers[-1] == 0:
+        numbers.pop()
+    if stage is not None:
+        phase = (("a", "b", "rc").index(stage), int(stage_number))
+    else:
+        before_everything = dev is not None and post is None
+        phase = (-1, 0) if before_everything else (3, 0)
+    return tuple(numbers), phase, -1 if post is None else int(post), float("inf") if dev is None else int(dev), version

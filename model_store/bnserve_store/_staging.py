@@ -1,0 +1,106 @@
+"""Writing into a store: a lock, a temporary folder, fsync, and errors that a user understands."""
+
+from __future__ import annotations
+
+import errno
+import fcntl
+import os
+import secrets
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from bnserve_protocol import BnserveError
+
+_PREFIX = ".staging-"
+_LOCK = ".lock"
+
+_ADVICE = {
+    errno.ENOSPC: "the disk is full: free some space and try again",
+    errno.EDQUOT: "the disk quota is used up: free some space and try again",
+    errno.EFBIG: "the file is larger than the limit on file sizes (ulimit -f): raise it and try again",
+    errno.EROFS: "the store is read-only: choose another one",
+    errno.EACCES: "the store may not be written: change its permissions or choose another one",
+    errno.EPERM: "the store may not be written: change its permissions or choose another one",
+    errno.ENOTDIR: "a part of its path is a file, not a directory: choose another one",
+    errno.EEXIST: "a file is in the way of one of its folders: choose another one",
+    errno.ENOLCK: "its file system has no locks: publish to a local directory and copy it",
+    errno.EOPNOTSUPP: "its file system has no locks: publish to a local directory and copy it",
+}
+
+
+@contextmanager
+def explained(action: str) -> Iterator[None]:
+    """Turn an OSError into a BnserveError that says what failed and what to do."""
+    try:
+        yield
+    except OSError as error:
+        reason = _ADVICE.get(error.errno or 0, f"{error.strerror or 'unknown error'}: check the store")
+        raise BnserveError(f"{action} failed, {reason}. What was published before is untouched.") from error
+
+
+@contextmanager
+def staging(folder: Path) -> Iterator[Path]:
+    """A temporary folder inside ``folder`` for the only writer of ``folder``; removed at the end.
+
+    Writers of one model wait for each other. The lock dies with its process, so any temporary folder found here was
+    left by a writer that was killed, and is removed.
+    """
+    with _locked(folder / _LOCK):
+        for abandoned in folder.glob(_PREFIX + "*"):
+            shutil.rmtree(abandoned)
+        # Not tempfile.mkdtemp: its folders are closed to other users, and the service runs as one.
+        temporary = folder / (_PREFIX + secrets.token_hex(8))
+        temporary.mkdir()
+        try:
+            yield temporary
+        finally:
+            shutil.rmtree(temporary, ignore_errors=True)
+
+
+@contextmanager
+def _locked(path: Path) -> Iterator[None]:
+    descriptor = _acquire(path)
+    try:
+        yield
+    finally:
+        with closing_descriptor(descriptor):
+            path.unlink(missing_ok=True)
+
+
+def _acquire(path: Path) -> int:
+    """Lock a file that its holder removes; hence look, once locked, whether it is still the one at ``path``."""
+    while True:
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX)
+            if path.exists() and os.path.samestat(os.fstat(descriptor), path.stat()):
+                return descriptor
+        except BaseException:
+            os.close(descriptor)
+            raise
+        os.close(descriptor)
+
+
+def write_durably(path: Path, data: bytes) -> None:
+    """Write a new file and wait until it is on the disk."""
+    with path.open("xb") as stream:
+        stream.write(data)
+        stream.flush()
+        os.fsync(stream.fileno())
+
+
+def sync_folder(path: Path) -> None:
+    """Wait until the entries of a folder are on the disk."""
+    with closing_descriptor(os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)) as descriptor:
+        os.fsync(descriptor)
+
+
+@contextmanager
+def closing_descriptor(descriptor: int) -> Iterator[int]:
+    """Close a file descriptor at the end, whatever happens."""
+    try:
+        yield descriptor
+    finally:
+        os.close(descriptor)

@@ -1,0 +1,249 @@
+"""The model store: roots in order, names, versions, labels."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping, Sequence
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from bnserve_protocol import ArtifactError, InvalidRequest, ModelUnknown
+from bnserve_store._artifact import Artifact, read_artifact, read_manifest
+from bnserve_store._buckets import BucketRoot
+from bnserve_store._labels import LABELS_FILE, read_labels
+from bnserve_store._manifest import Manifest, as_metadata
+from bnserve_store._names import check_label, check_name, check_version, is_name, is_version, version_key
+from bnserve_store._publish import describe, make_model_folder, publish_version, stage_labels, version_exists
+from bnserve_store._roots import LocalRoot, Root
+from bnserve_store._staging import explained, staging, sync_folder
+from bnserve_store._tensors import encode_tensors, prepare_tensors
+
+SHIPPED_MODELS = Path(__file__).parent / "models"
+"""The models that come with this distribution."""
+
+
+class ModelStore:
+    """Trained models in one or more roots; where two roots hold the same, the earlier one counts.
+
+    Nothing is kept in memory: every call looks at the roots as they are, so one store may be used by many threads, and
+    what other processes publish is seen at once.
+
+    Parameters
+    ----------
+    roots:
+        Directories, or URLs that fsspec understands (``s3://bucket/models``; read-only; needs
+        ``bnserve-store[fsspec]``). Directories need not exist before they are used.
+
+    Raises
+    ------
+    StoreUnknown
+        From the methods, for a root that does not exist or cannot be read.
+    ArtifactError
+        From the methods that read, for what must not be used: its subclasses say why.
+    """
+
+    def __init__(self, roots: Sequence[Path | str]) -> None:
+        if isinstance(roots, str | Path):
+            roots = [roots]
+        self._roots = [_open(root) for root in roots]
+        self._shipped: Root | None = None
+
+    @classmethod
+    def default(cls, extra_roots: Sequence[Path | str] = ()) -> ModelStore:
+        """The extra roots first, then the models shipped with bnserve, which are only written when named as root."""
+        store = cls([*extra_roots, SHIPPED_MODELS])
+        store._shipped = store._roots[-1]
+        return store
+
+    @property
+    def roots(self) -> tuple[str, ...]:
+        """The roots, as they were given, in order."""
+        return tuple(root.title for root in self._roots)
+
+    def names(self) -> list[str]:
+        """All models with at least one version, sorted."""
+        return sorted({name for root in self._roots for name in root.folders() if is_name(name) and _has(root, name)})
+
+    def versions(self, name: str) -> list[str]:
+        """The versions of a model, oldest first by number. ModelUnknown if there is no such model."""
+        found = {version for root in self._roots for version in _versions(root, name)} if is_name(name) else set()
+        if not found:
+            raise self._unknown(name)
+        return sorted(found, key=version_key)
+
+    def labels(self, name: str) -> dict[str, str]:
+        """The labels of a model, label to version. ModelUnknown if there is no such model."""
+        self.versions(name)
+        merged: dict[str, str] = {}
+        for root in reversed(self._roots):
+            merged |= read_labels(root, name)
+        return dict(sorted(merged.items()))
+
+    def resolve(self, name: str, version_or_label: str = "stable") -> str:
+        """The version that a version or label stands for.
+
+        Raises
+        ------
+        ModelUnknown
+            No such model (the nearest name is suggested), version or label; or a label whose version is gone.
+        """
+        versions = self.versions(name)
+        if version_or_label in versions:
+            return version_or_label
+        labels = self.labels(name)
+        known = f"versions: {', '.join(versions)}; labels: {', '.join(labels) or 'none'}"
+        if version_or_label not in labels:
+            raise ModelUnknown(f"Model '{name}' has no version or label '{version_or_label[:80]}' ({known}).")
+        version = labels[version_or_label]
+        if version not in versions:
+            raise ModelUnknown(
+                f"Label '{version_or_label}' of model '{name}' points to version {version}, which is not in the store "
+                f"({known}). Publish that version, or set the label to another one."
+            )
+        return version
+
+    def manifest(self, name: str, version: str = "stable") -> Manifest:
+        """The manifest of a version or label, verified; its tensors are not read."""
+        root, exact = self._locate(name, version)
+        return read_manifest(root, name, exact)
+
+    def load(self, name: str, version: str = "stable") -> Artifact:
+        """A version or label with its tensors, everything verified.
+
+        Raises
+        ------
+        ModelUnknown
+            As :meth:`resolve`.
+        SchemaUnknown, ArtifactIncomplete, ArtifactCorrupted
+            What is stored must not be used. The message names the file and says what to do.
+        """
+        root, exact = self._locate(name, version)
+        return read_artifact(root, name, exact)
+
+    def verify(self, name: str, version: str = "stable") -> Manifest:
+        """Check a version or label as :meth:`load` does, and return its manifest."""
+        return self.load(name, version).manifest
+
+    def publish(
+        self,
+        name: str,
+        version: str,
+        tensors: Mapping[str, ArrayLike],
+        metadata: Mapping[str, Any],
+        labels: Sequence[str] = ("stable",),
+        root: Path | str | None = None,
+        created: datetime | None = None,
+    ) -> Manifest:
+        """Publish a version: it appears whole and at once, or not at all. Then the labels move to it.
+
+        Parameters
+        ----------
+        name, version:
+            Up to 64 letters, digits, ``_`` and ``-``; numbers as in PEP 440.
+        tensors:
+            Arrays by name, of any memory layout and byte order; real, finite.
+        metadata:
+            Any JSON object.
+        labels:
+            Labels that shall point to this version from now on.
+        root:
+            One of the roots of this store, by default the first; made if it does not exist.
+        created:
+            A time with a time zone, for the manifest. Without one there is none: the same content has the same digest.
+
+        Raises
+        ------
+        VersionExists
+            The version is already in one of the roots; of two at once, one wins and the other gets this.
+        InvalidRequest
+            Names, dtypes, values or metadata that cannot be stored.
+        BnserveError
+            The disk is full or the store cannot be written; nothing was published.
+        """
+        check_name(name)
+        check_version(version)
+        labels = [labels] if isinstance(labels, str) else list(labels)
+        for label in labels:
+            check_label(label)
+        target = self._writable(root)
+        if any(version in _versions(other, name) for other in self._roots if _is_there(other)):
+            raise version_exists(name, version)
+        if created is not None and created.tzinfo is None:
+            raise InvalidRequest("The time 'created' needs a time zone, for example datetime.now(timezone.utc).")
+        arrays = prepare_tensors(tensors)
+        data = encode_tensors(arrays)
+        manifest = describe(name, version, arrays, data, as_metadata(metadata), created)
+        publish_version(target, manifest, data, labels)
+        return manifest
+
+    def set_label(self, name: str, label: str, version: str, root: Path | str | None = None) -> None:
+        """Point a label to a version (or to the version of another label), atomically.
+
+        Parameters
+        ----------
+        name, label, version:
+            The version must be in one of the roots of this store.
+        root:
+            Where to write the label: one of the roots of this store, by default the first.
+
+        Raises
+        ------
+        ModelUnknown, InvalidRequest, BnserveError
+            As :meth:`resolve` and :meth:`publish`.
+        """
+        check_label(label)
+        exact = self.resolve(name, version)
+        target = self._writable(root)
+        with explained(f"Setting label '{label}' of {name}"):
+            model = make_model_folder(target, name)
+            with staging(model) as temporary:
+                stage_labels(target, name, {label: exact}, temporary)
+                (temporary / LABELS_FILE).replace(model / LABELS_FILE)
+                sync_folder(model)
+
+    def _locate(self, name: str, version_or_label: str) -> tuple[Root, str]:
+        version = self.resolve(name, version_or_label)
+        return next(root for root in self._roots if version in _versions(root, name)), version
+
+    def _unknown(self, name: str) -> ModelUnknown:
+        names = self.names()
+        near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
+        hint = f"Did you mean '{near[0]}'?" if near else f"Known models: {', '.join(names) or 'none'}."
+        return ModelUnknown(f"There is no model '{name[:80]}' in this store. {hint}")
+
+    def _writable(self, root: Path | str | None) -> LocalRoot:
+        candidates = [known for known in self._roots if root is None or known.title == str(root)]
+        if not candidates:
+            raise InvalidRequest(f"'{root}' is not one of the roots of this store ({', '.join(self.roots) or 'none'}).")
+        target = candidates[0]
+        if not isinstance(target, LocalRoot):
+            raise InvalidRequest(
+                f"'{target.title}' cannot be published to, because buckets have no atomic rename: publish to a "
+                "directory and copy it up."
+            )
+        if root is None and target is self._shipped:
+            raise InvalidRequest("The models shipped with bnserve are not written by default: name a store directory.")
+        return target
+
+
+def _open(root: Path | str) -> Root:
+    return BucketRoot(root) if isinstance(root, str) and "://" in root else LocalRoot(Path(root))
+
+
+def _versions(root: Root, name: str) -> list[str]:
+    return [version for version in root.folders(name) if is_version(version)]
+
+
+def _has(root: Root, name: str) -> bool:
+    """Whether a root has versions of a model; what must not be read (a link out of the store) does not count."""
+    try:
+        return bool(_versions(root, name))
+    except ArtifactError:
+        return False
+
+
+def _is_there(root: Root) -> bool:
+    return not isinstance(root, LocalRoot) or root.path.exists()

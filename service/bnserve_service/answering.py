@@ -1,0 +1,153 @@
+"""The use case behind ``POST .../waveforms``: a body in, a packed answer out. Knows no HTTP."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+from bnserve_protocol import (
+    GridDigest,
+    GridLike,
+    Overloaded,
+    TooLarge,
+    UniformGrid,
+    WaveformRequest,
+    decode_request,
+    grid_digest,
+)
+from bnserve_service.batching import Job, WorkQueue
+from bnserve_service.digests import sha256_hex
+from bnserve_service.evaluation import Packed, Question, grid_key
+from bnserve_service.grids import GridCache
+from bnserve_service.lifecycle import Lifecycle
+from bnserve_service.registry import Registry
+from bnserve_service.settings import Settings
+
+T = TypeVar("T")
+
+OFF_LOOP = 2**17
+"""Bodies above this are hashed and decoded in a thread: 128 KiB take about as long as the hand-over costs."""
+
+
+class WaveformService:
+    """Decode, look up, admit, evaluate.
+
+    Parameters
+    ----------
+    settings:
+        The limits.
+    registry, grids, queue, lifecycle:
+        Where models and grids are, who evaluates, and whether new work is accepted.
+    """
+
+    def __init__(
+        self,
+        settings: Settings,
+        registry: Registry,
+        grids: GridCache,
+        queue: WorkQueue[Question, Packed],
+        lifecycle: Lifecycle,
+    ) -> None:
+        self._limits = settings.limits()
+        self._max_answer_bytes = settings.max_answer_bytes
+        self._registry = registry
+        self._grids = grids
+        self._queue = queue
+        self._lifecycle = lifecycle
+        self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-decode")
+        self.answer_bytes = 0
+        """Memory promised to answers that are being computed or sent."""
+
+    async def large_or_small(self, size: int, function: Any, *arguments: Any) -> Any:
+        """Call ``function`` at once for small bodies and in a helper thread for large ones."""
+        if size <= OFF_LOOP:
+            return function(*arguments)
+        return await asyncio.get_running_loop().run_in_executor(self._helper, function, *arguments)
+
+    def close(self) -> None:
+        """Stop the helper thread."""
+        self._helper.shutdown(wait=False, cancel_futures=True)
+
+    async def digest(self, body: bytes) -> str:
+        """SHA-256 of a request body, in hexadecimal."""
+        return await self.large_or_small(len(body), sha256_hex, body)
+
+    async def ask(self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str) -> Question:
+        """Decode and check a request.
+
+        Raises
+        ------
+        Draining, ModelUnknown, ModelLoading, UndecodableBody, InvalidParameters, InvalidFrequencies, GridUnknown,
+        TooLarge
+        """
+        self._lifecycle.check_accepting()
+        model = self._registry.find(name, version)
+        request, key = await self.large_or_small(len(body), self._decode, body, media_type)
+        question = Question(
+            model=model,
+            batch=request.batch,
+            grid=request.grid,
+            grid_key=key,
+            output=request.output,
+            dtype=request.dtype,
+            options=request.options,
+            media_type=answer_type,
+        )
+        question.check(self._limits)
+        return question
+
+    def _decode(self, body: bytes, media_type: str) -> tuple[WaveformRequest, Any]:
+        request = decode_request(body, media_type)
+        grid: GridLike | GridDigest = request.grid
+        if isinstance(grid, GridDigest):
+            return _with_grid(request, self._grids.get(grid.sha256)), grid.sha256
+        if isinstance(grid, UniformGrid) and len(grid) > self._limits.max_frequencies:
+            raise TooLarge(
+                f"A grid has at most {self._limits.max_frequencies} frequencies here; this one has {len(grid)}: use a "
+                "larger 'delta_f'."
+            )
+        return request, grid_key(grid, grid_digest)
+
+    @contextmanager
+    def reserve(self, question: Question) -> Iterator[None]:
+        """Hold memory for an answer until it has been sent.
+
+        Raises
+        ------
+        Overloaded
+            Too many answers are waiting to be taken by their clients.
+        """
+        size = question.answer_bytes
+        if self.answer_bytes and self.answer_bytes + size > self._max_answer_bytes:
+            raise Overloaded("Too many large answers are under way; try again shortly.", retry_after=1.0)
+        self.answer_bytes += size
+        try:
+            yield
+        finally:
+            self.answer_bytes -= size
+
+    def submit(self, question: Question, deadline: float | None) -> Job[Question, Packed]:
+        """Queue a question.
+
+        Raises
+        ------
+        Overloaded, DeadlineExceeded
+        """
+        return self._queue.submit(question.key, question.cost, question, deadline)
+
+    def withdraw(self, job: Job[Question, Packed]) -> None:
+        """Forget a job whose caller went away."""
+        self._queue.withdraw(job, "disconnect")
+
+
+def _with_grid(request: WaveformRequest, frequencies: GridLike) -> WaveformRequest:
+    return WaveformRequest(
+        batch=request.batch,
+        grid=frequencies,
+        output=request.output,
+        dtype=request.dtype,
+        options=request.options,
+    )

@@ -1,0 +1,182 @@
+"""The composition root: every part of the service is made here and given to those who need it."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import msgspec
+from fastapi import FastAPI
+from fastapi.middleware.asyncexitstack import AsyncExitStackMiddleware
+from fastapi.responses import Response
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from bnserve_service.answering import WaveformService
+from bnserve_service.batching import WorkQueue
+from bnserve_service.cpu import available_cpus
+from bnserve_service.evaluation import Evaluator, Packed, Question
+from bnserve_service.grids import GridCache
+from bnserve_service.health import Health
+from bnserve_service.lifecycle import Lifecycle
+from bnserve_service.loading import Loader, Selection
+from bnserve_service.maintenance import Maintenance
+from bnserve_service.metrics import Metrics
+from bnserve_service.openapi import openapi_document
+from bnserve_service.registry import ModelFactory, ModelSource, Registry
+from bnserve_service.routes.explorer import explorer_router
+from bnserve_service.routes.grids import grid_router
+from bnserve_service.routes.health import health_router
+from bnserve_service.routes.limits import limits_router
+from bnserve_service.routes.metrics import metrics_router
+from bnserve_service.routes.models import model_router
+from bnserve_service.routes.waveforms import PATHS, FastLane, WaveformEndpoint, waveform_routes
+from bnserve_service.settings import Settings
+from bnserve_service.transport.access import AccessMiddleware
+from bnserve_service.transport.answers import plain_response
+from bnserve_service.transport.context import RequestContextMiddleware
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """Everything a running service consists of."""
+
+    settings: Settings
+    registry: Registry
+    grids: GridCache
+    queue: WorkQueue[Question, Packed]
+    waveforms: WaveformService
+    lifecycle: Lifecycle
+    health: Health
+    maintenance: Maintenance
+    metrics: Metrics
+
+
+class Application(FastAPI):
+    """The ASGI application; ``parts`` gives operators and tests what is inside.
+
+    Parameters
+    ----------
+    parts:
+        What it serves with.
+    wait_for_models:
+        Whether start-up waits for the models; a server listens at once and says ``model-loading`` meanwhile.
+    """
+
+    def __init__(self, parts: Parts, wait_for_models: bool) -> None:
+        super().__init__(
+            title="bnserve",
+            docs_url=None,  # ours works offline
+            redoc_url=None,
+            openapi_url=None,  # ours knows the bodies
+            redirect_slashes=False,
+            max_body_size=None,  # read_body counts, and answers in our own form
+            lifespan=_lifespan,
+        )
+        self.parts = parts
+        self.wait_for_models = wait_for_models
+        endpoint = WaveformEndpoint(parts.waveforms, parts.settings)
+        self._include_routers(endpoint)
+        self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
+        inner: ASGIApp = FastLane(self._serve_by_router, endpoint)
+        if parts.settings.tokens:
+            inner = AccessMiddleware(inner, parts.settings.tokens)
+        self._front = RequestContextMiddleware(inner, parts.metrics, parts.lifecycle, parts.settings.access_log)
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve: HTTP through our own middlewares, the rest (the lifespan) through FastAPI's."""
+        await (self._front if scope["type"] == "http" else super().__call__)(scope, receive, send)
+
+    async def _serve_by_router(self, scope: Scope, receive: Receive, send: Send) -> None:
+        # FastAPI's exception middlewares would answer errors in a form of their own; ours is further out.
+        scope["app"] = self
+        await self._routing(scope, receive, send)
+
+    def _include_routers(self, endpoint: WaveformEndpoint) -> None:
+        parts, limits = self.parts, self.parts.settings.limits()
+        self.include_router(model_router(parts.registry, limits))
+        self.include_router(limits_router(limits))
+        self.include_router(grid_router(parts.grids, parts.waveforms, parts.settings))
+        self.include_router(health_router(parts.health))
+        self.include_router(explorer_router())
+        if parts.settings.metrics_port is None:
+            self.include_router(metrics_router(parts.metrics))
+        self.router.routes.extend(waveform_routes(endpoint))
+        document = msgspec.json.encode(openapi_document(self, PATHS, bool(parts.settings.tokens)))
+
+        @self.get("/openapi.json", include_in_schema=False)
+        async def show_openapi() -> Response:
+            """The OpenAPI document."""
+            return plain_response(document, "application/json")
+
+
+@asynccontextmanager
+async def _lifespan(app: Any) -> AsyncIterator[None]:
+    parts: Parts = app.parts
+    parts.queue.start()
+    parts.maintenance.start()
+    if app.wait_for_models:
+        await parts.maintenance.first_look()
+    try:
+        yield
+    finally:
+        await parts.maintenance.stop()
+        parts.queue.stop()
+        parts.waveforms.close()
+
+
+def create_app(
+    settings: Settings | None = None,
+    *,
+    source: ModelSource | None = None,
+    factory: ModelFactory | None = None,
+    wait_for_models: bool = True,
+) -> Application:
+    """Build the service.
+
+    Parameters
+    ----------
+    settings:
+        By default, those of :class:`Settings`.
+    source:
+        Where models come from; by default the stores of the settings and the models shipped with bnserve.
+    factory:
+        Builds a model from what the source loads; by default ``bnserve_surrogate.Model.from_artifact``. Any
+        ``WaveformModel`` that has ``warm_up`` and ``self_check`` can be served.
+    wait_for_models:
+        Whether start-up (the ASGI lifespan) waits until the models are loaded.
+    """
+    settings = settings or Settings()
+    metrics, registry, lifecycle = Metrics(), Registry(), Lifecycle()
+    grids = GridCache(settings.max_grids, settings.max_grid_bytes, settings.max_frequencies)
+    queue: WorkQueue[Question, Packed] = WorkQueue(
+        Evaluator(metrics),
+        workers=settings.threads or available_cpus(),
+        capacity=settings.queue_samples,
+        group_cost=settings.group_samples,
+        metrics=metrics,
+    )
+    loader = Loader(registry, source or _stores(settings), factory or _surrogate, Selection(settings.models))
+    health = Health(registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds)
+    maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
+    waveforms = WaveformService(settings, registry, grids, queue, lifecycle)
+    metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
+    metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.waiting)
+    metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: settings.queue_samples)
+    metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: waveforms.answer_bytes)
+    metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: grids.stored_bytes)
+    parts = Parts(settings, registry, grids, queue, waveforms, lifecycle, health, maintenance, metrics)
+    return Application(parts, wait_for_models)
+
+
+def _stores(settings: Settings) -> ModelSource:
+    from bnserve_store import ModelStore
+
+    return ModelStore.default(settings.stores)
+
+
+def _surrogate(artifact: Any) -> Any:
+    from bnserve_surrogate import Model  # here, because it compiles: a custom factory need not pay for it
+
+    return Model.from_artifact(artifact)

@@ -1,0 +1,248 @@
+"""Batching without a timer: idle workers take a request at once, busy workers find several waiting and take them
+together.
+
+The queue knows neither physics nor HTTP. A job is a payload with a key and a cost; jobs of one key may be evaluated in
+one call. Everything but the evaluation itself happens on the event loop or under one short lock.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import threading
+import time
+from collections import OrderedDict, deque
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Generic, TypeVar
+
+from bnserve_protocol import DeadlineExceeded, Draining, Overloaded
+from bnserve_service.metrics import Metrics
+
+P = TypeVar("P")
+R = TypeVar("R")
+
+logger = logging.getLogger("bnserve.workers")
+
+_ASSUMED_RATE = 1e8
+"""Samples per second and worker assumed for Retry-After before anything was measured."""
+_RATE_MEMORY = 0.2
+
+
+@dataclass(slots=True, eq=False)
+class Job(Generic[P, R]):
+    """A request waiting for evaluation; ``result`` is resolved on the event loop."""
+
+    key: Hashable
+    cost: int
+    payload: P
+    result: asyncio.Future[R]
+    deadline: float | None = None
+    submitted: float = field(default_factory=time.monotonic)
+    timer: asyncio.TimerHandle | None = None
+
+
+@dataclass(slots=True, eq=False)
+class _Worker:
+    thread: threading.Thread
+    busy_since: float | None = None
+
+
+class WorkQueue(Generic[P, R]):
+    """A bounded queue in front of a pool of worker threads.
+
+    Parameters
+    ----------
+    evaluate:
+        Called in a worker thread with the payloads of one group; returns a result or an exception for each, in order.
+    workers:
+        Threads; as many as processors, because the evaluation releases the interpreter.
+    capacity:
+        The largest sum of costs that may wait or run. What does not fit is refused at once.
+    group_cost:
+        Groups stop growing at this cost; a group has at least one job.
+    metrics:
+        Where to count.
+    """
+
+    def __init__(
+        self,
+        evaluate: Callable[[Sequence[P]], Sequence[R | BaseException]],
+        *,
+        workers: int,
+        capacity: int,
+        group_cost: int,
+        metrics: Metrics,
+    ) -> None:
+        self._evaluate = evaluate
+        self._capacity = capacity
+        self._group_cost = group_cost
+        self._metrics = metrics
+        self._groups: OrderedDict[Hashable, deque[Job[P, R]]] = OrderedDict()
+        self._cost = 0
+        self._rate = _ASSUMED_RATE * workers
+        self._changed = threading.Condition()
+        self._stopping = False
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self._workers = [
+            _Worker(threading.Thread(target=self._work, args=(index,), name=f"bnserve-worker-{index}", daemon=True))
+            for index in range(workers)
+        ]
+
+    @property
+    def cost(self) -> int:
+        """Work waiting or running, in samples."""
+        return self._cost
+
+    @property
+    def waiting(self) -> int:
+        """Jobs that no worker has taken yet."""
+        with self._changed:
+            return sum(len(group) for group in self._groups.values())
+
+    def longest_evaluation(self) -> float:
+        """Seconds that the slowest worker has been in its present evaluation; 0 when all are idle."""
+        now = time.monotonic()
+        return max((now - since for worker in self._workers if (since := worker.busy_since) is not None), default=0.0)
+
+    def start(self) -> None:
+        """Start the workers; results are delivered to the running event loop."""
+        self._loop = asyncio.get_running_loop()
+        for worker in self._workers:
+            worker.thread.start()
+
+    def stop(self) -> None:
+        """Refuse what waits, and wait for what runs."""
+        with self._changed:
+            self._stopping = True
+            waiting = [job for group in self._groups.values() for job in group]
+            self._groups.clear()
+            self._changed.notify_all()
+        for job in waiting:
+            self._release(job)
+            _resolve(job, Draining("This server is shutting down; send the request to another replica."))
+        for worker in self._workers:
+            if worker.thread.is_alive():
+                worker.thread.join(timeout=10.0)
+
+    def submit(self, key: Hashable, cost: int, payload: P, deadline: float | None = None) -> Job[P, R]:
+        """Queue a job.
+
+        Parameters
+        ----------
+        key:
+            Jobs with equal keys may be evaluated together.
+        cost:
+            Its work in samples.
+        payload:
+            What ``evaluate`` gets.
+        deadline:
+            ``time.monotonic()`` after which the answer is of no use.
+
+        Raises
+        ------
+        Overloaded
+            The queue is full; ``retry_after`` says when it may have room, from the measured speed.
+        DeadlineExceeded
+            It has passed already.
+        """
+        assert self._loop is not None, "start() comes first"
+        now = time.monotonic()
+        if deadline is not None and deadline <= now:
+            raise _too_late()
+        if self._cost + cost > self._capacity:
+            raise Overloaded(
+                "The queue of this server is full; try again shortly, or another replica.",
+                retry_after=min(30.0, max(1.0, self._cost / self._rate)),
+            )
+        job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now)
+        if deadline is not None:
+            job.timer = self._loop.call_later(deadline - now, self._expire, job)
+        self._cost += cost
+        with self._changed:
+            self._groups.setdefault(key, deque()).append(job)
+            self._changed.notify()
+        return job
+
+    def withdraw(self, job: Job[P, R], reason: str) -> bool:
+        """Remove a job that nobody waits for; False when a worker has it already. Call it on the event loop."""
+        with self._changed:
+            group = self._groups.get(job.key)
+            if group is None or job not in group:
+                return False
+            group.remove(job)
+            if not group:
+                del self._groups[job.key]
+        self._release(job)
+        self._metrics.withdrawn.labels(reason).inc()
+        return True
+
+    def _expire(self, job: Job[P, R]) -> None:
+        if self.withdraw(job, "deadline"):
+            _resolve(job, _too_late())
+
+    def _release(self, job: Job[P, R]) -> None:
+        self._cost -= job.cost
+        if job.timer is not None:
+            job.timer.cancel()
+
+    def _work(self, index: int) -> None:
+        while (jobs := self._take()) is not None:
+            worker = self._workers[index]
+            worker.busy_since = started = time.monotonic()
+            outcomes = self._evaluate_safely([job.payload for job in jobs])
+            finished = time.monotonic()
+            worker.busy_since = None
+            loop = self._loop
+            if loop is None or loop.is_closed():
+                return
+            loop.call_soon_threadsafe(self._deliver, jobs, outcomes, started, finished)
+            del jobs, outcomes  # or an idle worker would keep the last answer's memory
+
+    def _take(self) -> list[Job[P, R]] | None:
+        with self._changed:
+            while not self._groups:
+                if self._stopping:
+                    return None
+                self._changed.wait()
+            key, group = self._groups.popitem(last=False)
+            jobs = [group.popleft()]
+            cost = jobs[0].cost
+            while group and cost + group[0].cost <= self._group_cost:
+                jobs.append(group.popleft())
+                cost += jobs[-1].cost
+            if group:
+                self._groups[key] = group  # at the end: every key gets its turn
+            return jobs
+
+    def _evaluate_safely(self, payloads: Sequence[P]) -> Sequence[Any]:
+        try:
+            return self._evaluate(payloads)
+        except Exception as error:
+            logger.exception("evaluation failed")
+            return [error] * len(payloads)
+
+    def _deliver(self, jobs: list[Job[P, R]], outcomes: Sequence[Any], started: float, finished: float) -> None:
+        for job, outcome in zip(jobs, outcomes, strict=True):
+            self._release(job)
+            _resolve(job, outcome)
+            self._metrics.queue_wait.observe(started - job.submitted)
+        self._metrics.group_requests.observe(len(jobs))
+        seconds = finished - started
+        if seconds > 0.0:
+            rate = len(self._workers) * sum(job.cost for job in jobs) / seconds
+            self._rate += _RATE_MEMORY * (rate - self._rate)
+
+
+def _resolve(job: Job[P, R], outcome: R | BaseException) -> None:
+    if job.result.done():  # its caller was cancelled
+        return
+    if isinstance(outcome, BaseException):
+        job.result.set_exception(outcome)
+        job.result.exception()  # retrieved: nobody may be waiting any more, which is not worth a warning
+    else:
+        job.result.set_result(outcome)
+
+
+def _too_late() -> DeadlineExceeded:
+    return DeadlineExceeded("The deadline of this request passed before its evaluation began; allow more time.")

@@ -1,0 +1,52 @@
+"""The ``bnserve`` command: one module for each subcommand, each with an ``add_parser``.
+
+A subcommand's module is imported to build the parser, so it imports nothing heavy at its top: numpy and all that needs
+it are imported when the subcommand runs. To add one, write the module and name it in :data:`SUBCOMMANDS`.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import importlib.util
+import os
+import sys
+from collections.abc import Sequence
+
+from bnserve_service._version import __version__
+
+__all__ = ["SUBCOMMANDS", "build_parser", "main"]
+
+SUBCOMMANDS = ("serve", "models", "demo", "train", "validate", "search", "bench")
+"""Modules of this package, in the order of the help; those that this installation lacks are left out."""
+
+
+def build_parser() -> argparse.ArgumentParser:
+    """The parser of the whole command."""
+    parser = argparse.ArgumentParser(
+        prog="bnserve", description="Waveforms of binary neutron stars from trained surrogates, served over HTTP."
+    )
+    parser.add_argument("--version", action="version", version=f"bnserve {__version__}")
+    subparsers = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for name in SUBCOMMANDS:
+        if importlib.util.find_spec(f"{__name__}.{name}") is not None:
+            importlib.import_module(f"{__name__}.{name}").add_parser(subparsers)
+    return parser
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command; what went wrong is one sentence on stderr and exit code 2."""
+    options = build_parser().parse_args(arguments)
+    try:
+        return int(options.run(options) or 0)
+    except KeyboardInterrupt:
+        return 130
+    except BrokenPipeError:  # the reader of our output went away, as in `bnserve models list | head -1`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except Exception as error:
+        detail = getattr(error, "detail", None)
+        if detail is None:  # not an error made for users: a defect, which needs its traceback
+            raise
+        print(f"bnserve: {detail}", file=sys.stderr)
+        return 2

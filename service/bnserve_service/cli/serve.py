@@ -1,0 +1,78 @@
+"""``bnserve serve``: run the service."""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import os
+from pathlib import Path
+from typing import Any
+
+ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+"""The service has its own worker threads; libraries that start more inside each of them only get in the way, and do
+not see a container's CPU quota."""
+
+
+def add_parser(subparsers: Any) -> None:
+    """Add the subcommand."""
+    parser: argparse.ArgumentParser = subparsers.add_parser("serve", help="run the service", description=__doc__)
+    add = parser.add_argument
+    add("--config", type=Path, metavar="FILE", help="settings in TOML; options given here count more")
+    add("--host", help="address to listen on (127.0.0.1)")
+    add("--port", type=int, help="port to listen on (8000); 0 takes a free one and prints it")
+    add("--uds", type=Path, metavar="PATH", help="listen on a Unix socket instead")
+    add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
+    add("--model", action="append", metavar="NAME[@VERSION]", help="serve only this model (repeatable)")
+    add("--metrics-port", type=int, metavar="PORT", help="serve /metrics on a port of its own")
+    add("--workers-threads", type=int, metavar="N", help="worker threads (the processors this process may use)")
+    add("--token", action="append", metavar="TOKEN", help="require this bearer token (repeatable); visible in the "
+        "process list: on shared machines prefer --token-file or hashed tokens in the settings")  # fmt: skip
+    add("--token-file", type=Path, metavar="FILE", help="require one of the bearer tokens in this file, one per line")
+    add("--access-log", action="store_true", default=None, help="write one line per request")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Serve until told to stop."""
+    for name in ONE_THREAD:  # before numpy is imported
+        os.environ.setdefault(name, "1")
+    from bnserve_service.server import serve
+    from bnserve_service.settings import load_settings
+
+    logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
+    logging.getLogger("uvicorn").setLevel(logging.WARNING)
+    serve(load_settings(options.config, _overrides(options)), announce=_announce)
+    return 0
+
+
+def _overrides(options: argparse.Namespace) -> dict[str, Any]:
+    return {
+        "host": options.host,
+        "port": options.port,
+        "uds": options.uds,
+        "stores": options.store,
+        "models": options.model,
+        "metrics_port": options.metrics_port,
+        "threads": options.workers_threads,
+        "tokens": _tokens(options) or None,
+        "access_log": options.access_log,
+    }
+
+
+def _tokens(options: argparse.Namespace) -> list[Any]:
+    from bnserve_service.settings import SettingsInvalid, Token
+
+    texts = list(options.token or ())
+    if options.token_file is not None:
+        try:
+            lines = options.token_file.read_text(encoding="utf-8").splitlines()
+        except (OSError, UnicodeDecodeError) as error:
+            raise SettingsInvalid(f"The token file '{options.token_file}' cannot be read: {error}.") from error
+        texts += [line.strip() for line in lines if line.strip()]
+        if not texts:
+            raise SettingsInvalid(f"The token file '{options.token_file}' holds no token.")
+    return [Token.of(text, name=f"token-{number}") for number, text in enumerate(texts, start=1)]
+
+
+def _announce(line: str) -> None:
+    print(line, flush=True)

@@ -1,0 +1,51 @@
+"""The structured answers of the metadata paths."""
+
+from __future__ import annotations
+
+import msgspec
+
+from bnserve_protocol import ModelDescription
+from bnserve_service.registry import Catalogue, LoadedModel
+from bnserve_service.settings import ServiceLimits
+
+
+class ModelDocument(ModelDescription, frozen=True, kw_only=True):
+    """A model's description, with what this service adds to it."""
+
+    labels: dict[str, str]
+    """Label to version."""
+    versions: list[str]
+    """All versions served here, oldest first."""
+    limits: ServiceLimits
+
+
+class ModelList(msgspec.Struct, frozen=True):
+    """Every model served here, each by its stable version (or its newest, where no version is labelled stable)."""
+
+    models: list[ModelDocument]
+
+
+class GridDocument(msgspec.Struct, frozen=True):
+    """An uploaded grid."""
+
+    sha256: str
+    frequencies: int
+
+
+def model_document(loaded: LoadedModel, catalogue: Catalogue, limits: ServiceLimits) -> ModelDocument:
+    """Describe one version of a model. What the store says about its identity counts."""
+    identity = loaded.identity
+    description = msgspec.structs.asdict(loaded.model.description)
+    return ModelDocument(
+        **(description | {"name": identity.name, "version": identity.version, "digest": identity.digest}),
+        labels=dict(catalogue.labels.get(identity.name, {})),
+        versions=catalogue.versions(identity.name),
+        limits=limits,
+    )
+
+
+def model_list(catalogue: Catalogue, limits: ServiceLimits) -> ModelList:
+    """Describe everything that is served."""
+    stable = {loaded.identity.name: loaded for loaded in catalogue.defaults()}
+    chosen = [stable.get(name) or catalogue.models[name, catalogue.versions(name)[-1]] for name in catalogue.names()]
+    return ModelList([model_document(loaded, catalogue, limits) for loaded in chosen])

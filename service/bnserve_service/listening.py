@@ -1,0 +1,93 @@
+"""Opening the listening socket, with errors that say what to do."""
+
+from __future__ import annotations
+
+import errno
+import socket
+from pathlib import Path
+
+from bnserve_protocol import BnserveError
+
+BACKLOG = 2048
+
+
+class CannotListen(BnserveError):
+    """The address to listen on is taken, not ours, or not allowed."""
+
+    code = "cannot-listen"
+    title = "Cannot listen"
+
+
+def listen_tcp(host: str, port: int) -> socket.socket:
+    """A socket listening on ``host:port``; port 0 takes a free one.
+
+    Raises
+    ------
+    CannotListen
+    """
+    try:
+        family, _, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
+        listener = socket.socket(family, socket.SOCK_STREAM)
+    except OSError as error:
+        raise CannotListen(f"'{host}' is not an address of this machine: {error.strerror or error}.") from error
+    try:
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(address)
+        listener.listen(BACKLOG)
+    except OSError as error:
+        listener.close()
+        raise CannotListen(_explain(error, host, port)) from error
+    return listener
+
+
+def _explain(error: OSError, host: str, port: int) -> str:
+    if error.errno == errno.EADDRINUSE:
+        return (
+            f"Port {port} on {host} is in use. Stop what listens there, or choose another with --port "
+            "(--port 0 takes a free one)."
+        )
+    if error.errno == errno.EACCES:
+        return f"Port {port} needs special rights; choose one above 1023 with --port."
+    return f"Cannot listen on {host}:{port}: {error.strerror or error}."
+
+
+def listen_unix(path: Path) -> socket.socket:
+    """A Unix socket at ``path``; what a server that is gone left there is replaced.
+
+    Raises
+    ------
+    CannotListen
+        Another server answers there, something else is there, or the folder cannot be written.
+    """
+    listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    try:
+        if path.is_socket():
+            _refuse_living(path)
+            path.unlink()
+        listener.bind(str(path))
+        listener.listen(BACKLOG)
+    except OSError as error:
+        listener.close()
+        raise CannotListen(f"Cannot listen on the Unix socket '{path}': {error.strerror or error}.") from error
+    except CannotListen:
+        listener.close()
+        raise
+    return listener
+
+
+def _refuse_living(path: Path) -> None:
+    with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as probe:
+        try:
+            probe.connect(str(path))
+        except OSError:
+            return
+    raise CannotListen(f"A server is already listening on the Unix socket '{path}'; stop it or choose another path.")
+
+
+def address_of(listener: socket.socket) -> str:
+    """What a client connects to: ``http://host:port`` or ``unix:/path``."""
+    name = listener.getsockname()
+    if listener.family == socket.AF_UNIX:
+        return f"unix:{name}"
+    host = f"[{name[0]}]" if ":" in name[0] else name[0]
+    return f"http://{host}:{name[1]}"

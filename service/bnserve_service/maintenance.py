@@ -1,0 +1,121 @@
+"""What goes on in the background: following the stores, checking the models."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from concurrent.futures import ThreadPoolExecutor
+
+from bnserve_service.health import Health
+from bnserve_service.loading import Loader, RefreshReport
+from bnserve_service.metrics import Metrics
+from bnserve_service.registry import Registry
+
+logger = logging.getLogger("bnserve.models")
+
+
+class Maintenance:
+    """Loads the models once, then looks at the stores every few seconds or when poked, and checks what is served.
+
+    Parameters
+    ----------
+    loader, registry, health, metrics:
+        Who does the work and where it shows.
+    poll_seconds, check_seconds:
+        How often.
+    """
+
+    def __init__(
+        self,
+        loader: Loader,
+        registry: Registry,
+        health: Health,
+        metrics: Metrics,
+        poll_seconds: float,
+        check_seconds: float,
+    ) -> None:
+        self._loader = loader
+        self._registry = registry
+        self._health = health
+        self._metrics = metrics
+        self._poll_seconds = poll_seconds
+        self._check_seconds = check_seconds
+        self._threads = ThreadPoolExecutor(2, thread_name_prefix="bnserve-maintenance")
+        self._poked = asyncio.Event()
+        self._first_look = asyncio.Event()
+        self._tasks: list[asyncio.Task[None]] = []
+        self._told: dict[str, str] = {}
+        self.last_report = RefreshReport()
+        """What the latest look at the stores found."""
+
+    def source_is_there(self) -> None:
+        """Raise ``StoreUnknown`` when the stores cannot be listed, before anything is started."""
+        self._loader.list_source()
+
+    def start(self) -> None:
+        """Begin loading."""
+        loop = asyncio.get_running_loop()
+        self._tasks = [loop.create_task(self._follow_stores()), loop.create_task(self._check_models())]
+
+    async def first_look(self) -> RefreshReport:
+        """Wait until the stores have been read once; the report says what came of it."""
+        await self._first_look.wait()
+        return self.last_report
+
+    def poke(self) -> None:
+        """Look at the stores now, and again at what was refused before."""
+        self._poked.set()
+
+    async def stop(self) -> None:
+        """End the background work."""
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        self._threads.shutdown(wait=False, cancel_futures=True)
+
+    async def refresh(self, force: bool = False) -> RefreshReport:
+        """Look at the stores once."""
+        loop = asyncio.get_running_loop()
+        report = await loop.run_in_executor(self._threads, self._loader.refresh, force)
+        self.last_report = report
+        self._tell(report)
+        return report
+
+    async def _follow_stores(self) -> None:
+        force = False
+        while True:
+            try:
+                await self.refresh(force)
+            except Exception:
+                logger.exception("looking at the model stores failed; what was served goes on being served")
+            self._first_look.set()
+            try:
+                async with asyncio.timeout(self._poll_seconds):
+                    await self._poked.wait()
+                force = True
+                self._poked.clear()
+            except TimeoutError:
+                force = False
+
+    async def _check_models(self) -> None:
+        loop = asyncio.get_running_loop()
+        await self._first_look.wait()
+        while True:
+            await loop.run_in_executor(self._threads, self._health.check_models)
+            self._metrics.ready.set(self._health.reason_unready() is None)
+            await asyncio.sleep(self._check_seconds)
+
+    def _tell(self, report: RefreshReport) -> None:
+        for identity in report.loaded:
+            logger.info("serving %s %s (%s)", identity.name, identity.version, identity.digest)
+        for identity in report.dropped:
+            logger.info("no longer serving %s %s", identity.name, identity.version)
+        for what, reason in report.failures.items():
+            if self._told.get(what) != reason:
+                logger.error("not serving %s: %s", what, reason)
+        self._told = dict(report.failures)
+        if report.changed:
+            models = self._registry.catalogue.models
+            self._metrics.show_models({key: loaded.identity for key, loaded in models.items()})
+        outcome = "failed" if report.failures else "changed" if report.changed else "unchanged"
+        self._metrics.reloads.labels(outcome).inc()

@@ -1,0 +1,80 @@
+"""What Prometheus reads: base units, and labels whose values callers cannot invent."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, Info, ProcessCollector, generate_latest
+
+from bnserve_protocol import ModelIdentity, __version__
+
+_METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"})
+_SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
+_GROUP_SIZES = (1, 2, 4, 8, 16, 32, 64, 128, 256)
+
+CONTENT_TYPE = "text/plain; version=1.0.0; charset=utf-8; escaping=underscores"
+
+
+class Metrics:
+    """The instruments of one server, in a registry of their own."""
+
+    def __init__(self) -> None:
+        registry = self.registry = CollectorRegistry()
+        ProcessCollector(registry=registry)
+        Info("bnserve_build", "The running program", registry=registry).info({"version": __version__})
+        self._requests = Counter(
+            "bnserve_requests", "Requests answered", ["route", "method", "status"], registry=registry
+        )
+        self._seconds = Histogram(
+            "bnserve_request_duration_seconds", "From the headers to the end of the answer", ["route"],
+            buckets=_SECONDS, registry=registry,
+        )  # fmt: skip
+        self._refused = Counter("bnserve_errors", "Error answers by code", ["code"], registry=registry)
+        self.queue_wait = Histogram(
+            "bnserve_queue_wait_seconds", "Between admission and evaluation", buckets=_SECONDS, registry=registry
+        )
+        self.evaluation = Histogram(
+            "bnserve_evaluation_seconds", "One call of the model", buckets=_SECONDS, registry=registry
+        )
+        self.group_requests = Histogram(
+            "bnserve_group_requests", "Requests evaluated together", buckets=_GROUP_SIZES, registry=registry
+        )
+        self._rows = Counter("bnserve_rows", "Waveforms evaluated", ["model"], registry=registry)
+        self._samples = Counter("bnserve_samples", "Frequency samples evaluated", ["model"], registry=registry)
+        self.withdrawn = Counter(
+            "bnserve_withdrawn", "Jobs removed from the queue before evaluation", ["reason"], registry=registry
+        )
+        self.reloads = Counter("bnserve_reloads", "Looks at the stores by outcome", ["outcome"], registry=registry)
+        self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
+        self.ready = Gauge("bnserve_ready", "1 when the ready path answers 200", registry=registry)
+        self._request_child = cache(self._requests.labels)
+        self._seconds_child = cache(self._seconds.labels)
+
+    def watch(self, name: str, description: str, value: Callable[[], float]) -> None:
+        """A gauge that is read when it is scraped."""
+        Gauge(name, description, registry=self.registry).set_function(value)
+
+    def observe_request(self, route: str, method: str, status: int, seconds: float) -> None:
+        """Count one answered request."""
+        self._request_child(route, method if method in _METHODS else "other", str(status)).inc()
+        self._seconds_child(route).observe(seconds)
+
+    def refused(self, code: str) -> None:
+        """Count one error answer."""
+        self._refused.labels(code).inc()
+
+    def evaluated(self, model: str, rows: int, samples: int) -> None:
+        """Count evaluated waveforms."""
+        self._rows.labels(model).inc(rows)
+        self._samples.labels(model).inc(samples)
+
+    def show_models(self, models: Mapping[tuple[str, str], ModelIdentity]) -> None:
+        """State which models are served."""
+        self._models.clear()
+        for identity in models.values():
+            self._models.labels(identity.name, identity.version, identity.digest).set(1)
+
+    def exposition(self) -> bytes:
+        """The text that Prometheus reads."""
+        return generate_latest(self.registry)

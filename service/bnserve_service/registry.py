@@ -1,0 +1,140 @@
+"""The models being served: immutable, and replaced all at once."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any, Protocol
+
+from bnserve_protocol import ModelIdentity, ModelLoading, ModelUnknown, WaveformModel
+
+DEFAULT_LABEL = "stable"
+
+
+class ServedModel(WaveformModel, Protocol):
+    """A waveform model that can prepare and test itself; ``bnserve_surrogate.Model`` is one."""
+
+    def warm_up(self) -> None:
+        """Do now what would otherwise slow the first request down."""
+
+    def self_check(self) -> bool:
+        """Whether a tiny real evaluation gives the answer that was stored with the model."""
+
+
+class ManifestLike(Protocol):
+    """What is read of a manifest."""
+
+    @property
+    def digest(self) -> str:
+        """The digest of everything in the artifact."""
+
+
+class ModelSource(Protocol):
+    """Where models come from; ``bnserve_store.ModelStore`` is one."""
+
+    def names(self) -> list[str]:
+        """The models."""
+
+    def versions(self, name: str) -> list[str]:
+        """The versions of a model, oldest first."""
+
+    def labels(self, name: str) -> Mapping[str, str]:
+        """The labels of a model and the versions they point to."""
+
+    def manifest(self, name: str, version: str) -> ManifestLike:
+        """The manifest of one version."""
+
+    def load(self, name: str, version: str) -> Any:
+        """One version, verified; what :data:`ModelFactory` takes."""
+
+
+ModelFactory = Callable[[Any], ServedModel]
+"""Builds a model from what a :class:`ModelSource` loads."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LoadedModel:
+    """One version of one model, ready to evaluate."""
+
+    identity: ModelIdentity
+    model: ServedModel
+
+
+@dataclass(frozen=True, slots=True)
+class Catalogue:
+    """Everything that is served at one moment."""
+
+    models: Mapping[tuple[str, str], LoadedModel] = field(default_factory=lambda: MappingProxyType({}))
+    """By (name, version)."""
+    labels: Mapping[str, Mapping[str, str]] = field(default_factory=lambda: MappingProxyType({}))
+    """By name: label to version; only to versions that are served."""
+
+    def names(self) -> list[str]:
+        """The served models, sorted."""
+        return sorted({name for name, _ in self.models})
+
+    def versions(self, name: str) -> list[str]:
+        """The served versions of a model, in the order of the store."""
+        return [version for served, version in self.models if served == name]
+
+    def defaults(self) -> Iterator[LoadedModel]:
+        """The model behind each name's default label."""
+        for name in self.names():
+            version = self.labels.get(name, {}).get(DEFAULT_LABEL)
+            if version is not None:
+                yield self.models[name, version]
+
+
+class Registry:
+    """Holds the current :class:`Catalogue`. Reading is one reference; replacing it is one assignment."""
+
+    def __init__(self) -> None:
+        self._catalogue = Catalogue()
+        self._loaded = False
+
+    @property
+    def catalogue(self) -> Catalogue:
+        """What is served now. It never changes; the next one is another object."""
+        return self._catalogue
+
+    @property
+    def loaded(self) -> bool:
+        """Whether the first look at the stores is over."""
+        return self._loaded
+
+    def swap(self, catalogue: Catalogue) -> None:
+        """Serve ``catalogue`` from now on; evaluations under way keep the model they began with."""
+        self._catalogue = catalogue
+        self._loaded = True
+
+    def find(self, name: str, version: str | None = None) -> LoadedModel:
+        """The model of a version or label, by default ``stable``.
+
+        Raises
+        ------
+        ModelUnknown
+            The nearest name, or the versions that are there, are suggested.
+        ModelLoading
+            The stores have not been read yet.
+        """
+        catalogue = self._catalogue
+        wanted = version if version is not None else DEFAULT_LABEL
+        labels = catalogue.labels.get(name)
+        found = catalogue.models.get((name, labels.get(wanted, wanted) if labels else wanted))
+        if found is not None:
+            return found
+        if not self._loaded:
+            raise ModelLoading("The models are being loaded; try again in a moment.", retry_after=1.0)
+        raise _unknown(catalogue, name, wanted)
+
+
+def _unknown(catalogue: Catalogue, name: str, wanted: str) -> ModelUnknown:
+    names = catalogue.names()
+    if name not in names:
+        near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
+        hint = f"Did you mean '{near[0]}'?" if near else f"Known models: {', '.join(names) or 'none'}."
+        return ModelUnknown(f"This service has no model '{name[:80]}'. {hint}")
+    known = ", ".join([*catalogue.versions(name), *catalogue.labels.get(name, {})])
+    return ModelUnknown(f"Model '{name}' has no version or label '{wanted[:80]}' here; there are: {known}.")

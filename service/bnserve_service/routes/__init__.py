@@ -1,0 +1,3 @@
+"""The paths of the service, one module for each kind of thing. Handlers translate; the decisions are elsewhere."""
+
+__all__: list[str] = []

@@ -1,0 +1,47 @@
+"""``PUT`` and ``HEAD /v1/grids/{sha256}``: frequencies uploaded once and named by their digest."""
+
+from __future__ import annotations
+
+from fastapi import APIRouter, Request, Response
+
+from bnserve_protocol import UnsupportedMediaType
+from bnserve_service.answering import WaveformService
+from bnserve_service.documents import GridDocument
+from bnserve_service.grids import GridCache
+from bnserve_service.openapi import GRID_BODY, answers_with
+from bnserve_service.settings import Settings
+from bnserve_service.transport.answers import data_response
+from bnserve_service.transport.body import read_body
+from bnserve_service.transport.context import context_of
+from bnserve_service.transport.negotiation import OCTETS, media_type_of, refuse_encoded
+
+
+def grid_router(grids: GridCache, service: WaveformService, settings: Settings) -> APIRouter:
+    """The paths of uploaded grids."""
+    router = APIRouter(tags=["grids"])
+    limit = min(settings.max_body_bytes, 8 * settings.max_frequencies)
+
+    @router.put(
+        "/v1/grids/{sha256}",
+        responses=answers_with(GridDocument, 201) | answers_with(GridDocument),
+        status_code=201,
+        openapi_extra=GRID_BODY,
+    )
+    async def upload_grid(request: Request, sha256: str) -> Response:
+        """Upload a grid: raw little-endian float64 in Hz, increasing. 201 when it is new, 200 when it was here."""
+        context = context_of(request.scope)
+        refuse_encoded(context.headers)
+        if media_type_of(context.headers) not in ("", OCTETS):
+            raise UnsupportedMediaType(f"Send the grid as {OCTETS}: raw little-endian float64.")
+        body = await read_body(context.headers, request.receive, limit, settings.body_timeout)
+        context.request_digest = await service.digest(body)
+        points, is_new = await service.large_or_small(len(body), grids.put, sha256.lower(), body)
+        return data_response(request, GridDocument(sha256.lower(), points), 201 if is_new else 200)
+
+    @router.head("/v1/grids/{sha256}", responses={200: {"description": "The grid is here.", "content": {}}})
+    async def find_grid(sha256: str) -> Response:
+        """Whether a grid is here; 404 when it has to be uploaded."""
+        grids.get(sha256.lower())
+        return Response(status_code=200)
+
+    return router

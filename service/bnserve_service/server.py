@@ -1,0 +1,167 @@
+"""Running the service in a process: listening, signals, draining."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import signal
+import socket
+import time
+from collections.abc import Callable, Generator
+from typing import Any
+
+import uvicorn
+from prometheus_client import start_http_server
+
+from bnserve_protocol import ModelLoading
+from bnserve_service.app import Application, create_app
+from bnserve_service.listening import BACKLOG, CannotListen, address_of, listen_tcp, listen_unix
+from bnserve_service.loading import RefreshReport
+from bnserve_service.settings import Settings
+from bnserve_service.transport.protocol import bounded_protocol
+
+logger = logging.getLogger("bnserve.server")
+
+_TICK = 0.05
+
+
+class _Uvicorn(uvicorn.Server):
+    """uvicorn without its signal handling, which would end a drained process by the signal instead of with 0."""
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Generator[None, None, None]:
+        yield
+
+
+class BnserveServer:
+    """One server process.
+
+    Parameters
+    ----------
+    app:
+        What to serve.
+    announce:
+        Called with one line when the server listens, and with another when its models are ready.
+    """
+
+    def __init__(self, app: Application, announce: Callable[[str], None]) -> None:
+        self._app = app
+        self._announce = announce
+        self._settings = app.parts.settings
+        self._failed: RefreshReport | None = None
+        self._drain: asyncio.Task[None] | None = None
+        self._uvicorn = _Uvicorn(
+            uvicorn.Config(
+                app,
+                http=bounded_protocol(self._settings),
+                ws="none",
+                lifespan="on",
+                log_config=None,
+                access_log=False,
+                server_header=False,
+                backlog=BACKLOG,
+                timeout_keep_alive=self._settings.keep_alive,  # type: ignore[arg-type]  # seconds; it takes fractions
+                timeout_graceful_shutdown=self._settings.drain_timeout,  # type: ignore[arg-type]  # as above
+            )
+        )
+
+    def run(self, listener: socket.socket) -> None:
+        """Serve until told to stop by SIGTERM or SIGINT; look at the stores at SIGHUP.
+
+        Raises
+        ------
+        ModelLoading
+            Not one model could be loaded at start.
+        """
+        factory = self._uvicorn.config.get_loop_factory()
+        with asyncio.Runner(loop_factory=factory) as runner:
+            runner.run(self._serve(listener))
+        if self._failed is not None:
+            reasons = " ".join(f"{what}: {reason}" for what, reason in self._failed.failures.items())
+            raise ModelLoading(
+                "No model could be loaded, so there is nothing to serve. "
+                + (reasons or "The stores hold no models; publish one with `bnserve models publish` or name another "
+                   "store with --store.")
+            )  # fmt: skip
+
+    async def _serve(self, listener: socket.socket) -> None:
+        loop = asyncio.get_running_loop()
+        for number in (signal.SIGTERM, signal.SIGINT):
+            loop.add_signal_handler(number, self.stop)
+        loop.add_signal_handler(signal.SIGHUP, self._app.parts.maintenance.poke)
+        self._announce(f"bnserve listens on {address_of(listener)}")
+        watch = loop.create_task(self._watch_loading())
+        try:
+            await self._uvicorn.serve(sockets=[listener])
+        finally:
+            watch.cancel()
+
+    async def _watch_loading(self) -> None:
+        report = await self._app.parts.maintenance.first_look()
+        models = self._app.parts.registry.catalogue.models
+        if not models:
+            self._failed = report
+            self._uvicorn.should_exit = True
+            return
+        self._announce("bnserve is ready: " + ", ".join(f"{name} {version}" for name, version in models))
+
+    def stop(self) -> None:
+        """Drain and stop; called a second time, stop at once."""
+        if self._drain is None:
+            logger.info("draining")
+            self._drain = asyncio.get_running_loop().create_task(self._drain_and_exit())
+        else:
+            self._uvicorn.force_exit = self._uvicorn.should_exit = True
+
+    async def _drain_and_exit(self) -> None:
+        lifecycle = self._app.parts.lifecycle
+        lifecycle.begin_grace()
+        self._app.parts.metrics.ready.set(0)
+        until = time.monotonic() + self._settings.drain_grace
+        while time.monotonic() < until and self._uvicorn.server_state.connections:
+            await asyncio.sleep(_TICK)
+        lifecycle.refuse()
+        self._uvicorn.should_exit = True
+
+
+def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: Any) -> None:
+    """Run a server in this process until it is told to stop.
+
+    Parameters
+    ----------
+    settings:
+        How.
+    announce:
+        Gets two lines: the address when the server listens, the models when it is ready.
+    **parts:
+        ``source`` and ``factory`` of :func:`bnserve_service.create_app`.
+
+    Raises
+    ------
+    CannotListen
+        The port is in use, or similar.
+    StoreUnknown
+        A store that is not there.
+    ModelLoading
+        Not one model could be loaded.
+    """
+    listener = listen_unix(settings.uds) if settings.uds is not None else listen_tcp(settings.host, settings.port)
+    with listener:
+        app = create_app(settings, wait_for_models=False, **parts)
+        app.parts.maintenance.source_is_there()
+        if settings.metrics_port is not None:
+            announce(f"bnserve metrics on port {_serve_metrics(app, settings)}")
+        try:
+            BnserveServer(app, announce).run(listener)
+        finally:
+            if settings.uds is not None:
+                settings.uds.unlink(missing_ok=True)
+
+
+def _serve_metrics(app: Application, settings: Settings) -> int:
+    try:
+        server, _ = start_http_server(settings.metrics_port or 0, settings.host, app.parts.metrics.registry)
+    except OSError as error:
+        raise CannotListen(f"The metrics port {settings.metrics_port} cannot be used: {error.strerror}.") from error
+    return int(server.server_port)

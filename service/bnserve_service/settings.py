@@ -1,0 +1,167 @@
+"""The configuration of one server: closed, typed, passed as an argument. Nothing here reads the environment."""
+
+from __future__ import annotations
+
+import difflib
+import hashlib
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Literal, TypeAlias
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+
+from bnserve_protocol import InvalidRequest, Limits
+
+Scope: TypeAlias = Literal["evaluate", "upload"]
+ALL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")
+
+ROW_COST = 1_000
+"""Work of one row beside its samples, in samples: about 5 us against 5 ns per sample."""
+REQUEST_COST = 10_000
+"""Work of one request beside its rows, in samples: about 50 us of decoding, hand-over and packing."""
+
+
+class SettingsInvalid(InvalidRequest):
+    """A configuration file or command line that cannot be used; says which entry and why."""
+
+    code = "settings-invalid"
+    title = "Invalid settings"
+
+
+class Token(BaseModel):
+    """A bearer token, known by the SHA-256 of its text only."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: str = "token"
+    sha256: str = Field(pattern=r"^[0-9a-f]{64}$")
+    scopes: tuple[Scope, ...] = ALL_SCOPES
+
+    @classmethod
+    def of(cls, text: str, name: str = "token", scopes: tuple[Scope, ...] = ALL_SCOPES) -> Token:
+        """The token whose text is ``text``; the text itself is not kept."""
+        return cls(name=name, sha256=hashlib.sha256(text.encode()).hexdigest(), scopes=scopes)
+
+
+class Settings(BaseModel):
+    """Everything that can be set, with the reason for each default. Times in seconds, sizes in bytes."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    host: str = "127.0.0.1"
+    port: int = Field(default=8000, ge=0, le=65535)
+    """0 takes a free port, which is printed."""
+    uds: Path | None = None
+    """A Unix socket instead of host and port: half the cost for samplers on the same machine."""
+    stores: tuple[Path, ...] = ()
+    """Model stores searched before the models shipped with bnserve."""
+    models: tuple[str, ...] = ()
+    """``name`` or ``name@version``; empty serves everything in the stores."""
+    metrics_port: int | None = Field(default=None, ge=0, le=65535)
+    """Serve ``/metrics`` there and not beside the waveforms."""
+    threads: int | None = Field(default=None, ge=1, le=1024)
+    """Worker threads; None takes the CPU quota."""
+    tokens: tuple[Token, ...] = ()
+    """Empty: no authentication."""
+    access_log: bool = False
+
+    max_body_bytes: int = Field(default=16 * 2**20, ge=1024)
+    """A full grid (8 MiB) and a full batch (320 KiB) fit twice."""
+    max_json_body_bytes: int = Field(default=2 * 2**20, ge=1024)
+    """JSON is for requests of curl's size: parsing numbers holds the interpreter."""
+    max_json_samples: int = Field(default=2**16, ge=1)
+    """Rows times frequencies of a JSON answer, about 3 MB of text."""
+    max_rows: int = Field(default=4096, ge=1)
+    max_frequencies: int = Field(default=2**20, ge=1)
+    max_samples: int = Field(default=2**24, ge=1)
+    max_grids: int = Field(default=256, ge=1)
+    max_grid_bytes: int = Field(default=512 * 2**20, ge=2**20)
+    """Memory of all uploaded grids together."""
+
+    queue_samples: int = Field(default=2**26, ge=1)
+    """Work that may wait or run, in samples: about a third of a second for one worker."""
+    group_samples: int = Field(default=2**18, ge=1)
+    """Requests are evaluated together up to this much work, about a millisecond."""
+    max_answer_bytes: int = Field(default=2 * 2**30, ge=2**20)
+    """Memory of answers being computed or not yet taken by their clients."""
+
+    header_timeout: float = Field(default=10.0, gt=0)
+    body_timeout: float = Field(default=30.0, gt=0)
+    write_timeout: float = Field(default=30.0, gt=0)
+    """A client that takes nothing for this long is cut off."""
+    keep_alive: float = Field(default=75.0, gt=0)
+    """Longer than the idle time of common client pools, so that they rarely meet a connection being closed."""
+    drain_grace: float = Field(default=1.0, ge=0)
+    """After SIGTERM, requests are still served for this long, so that load balancers see the ready path first."""
+    drain_timeout: float = Field(default=25.0, gt=0)
+    """Then requests in flight may take this long: together below the 30 s of container platforms."""
+    poll_seconds: float = Field(default=2.0, gt=0)
+    """How often the stores are looked at for new versions and labels."""
+    self_check_seconds: float = Field(default=10.0, gt=0)
+    """How often a tiny evaluation is compared with its stored answer."""
+
+    @model_validator(mode="after")
+    def _largest_request_fits(self) -> Settings:
+        largest = self.max_samples + self.max_rows * ROW_COST + REQUEST_COST
+        if self.queue_samples < largest:
+            raise ValueError(f"queue_samples must be at least {largest}, or the largest allowed request never fits")
+        return self
+
+    def limits(self) -> ServiceLimits:
+        """What ``/v1/limits`` says."""
+        return ServiceLimits(
+            max_body_bytes=self.max_body_bytes,
+            max_rows=self.max_rows,
+            max_frequencies=self.max_frequencies,
+            max_samples=self.max_samples,
+            max_grids=self.max_grids,
+            max_json_body_bytes=self.max_json_body_bytes,
+            max_json_samples=self.max_json_samples,
+            queue_samples=self.queue_samples,
+        )
+
+
+class ServiceLimits(Limits, frozen=True, kw_only=True):
+    """The limits of the protocol and those that only JSON callers and operators meet."""
+
+    max_json_body_bytes: int
+    max_json_samples: int
+    queue_samples: int
+
+
+def load_settings(path: Path | None = None, overrides: Mapping[str, Any] | None = None) -> Settings:
+    """Settings from a TOML file, with the values of the command line on top.
+
+    Raises
+    ------
+    SettingsInvalid
+        The file cannot be read, or holds an unknown key (the nearest known one is suggested) or a wrong value.
+    """
+    values = _read_toml(path) if path is not None else {}
+    values |= {key: value for key, value in (overrides or {}).items() if value is not None}
+    unknown = [key for key in values if key not in Settings.model_fields]
+    if unknown:
+        raise SettingsInvalid(" ".join(_unknown_key(key) for key in unknown))
+    try:
+        return Settings.model_validate(values)
+    except ValidationError as error:
+        sentences = [
+            f"{'.'.join(str(part) for part in item['loc']) or 'settings'}: {item['msg']}." for item in error.errors()
+        ]
+        raise SettingsInvalid("Invalid settings. " + " ".join(sentences)) from error
+
+
+def _unknown_key(key: str) -> str:
+    near = difflib.get_close_matches(key, Settings.model_fields, n=1, cutoff=0.5)
+    hint = f"Did you mean '{near[0]}'?" if near else f"Known settings: {', '.join(Settings.model_fields)}."
+    return f"Unknown setting '{key}'. {hint}"
+
+
+def _read_toml(path: Path) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise SettingsInvalid(f"The settings file '{path}' cannot be read: {error.strerror}.") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise SettingsInvalid(f"The settings file '{path}' is not valid TOML: {error}.") from error

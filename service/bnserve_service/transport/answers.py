@@ -1,0 +1,58 @@
+"""Sending answers: buffers as they are, with the digests that tie them to their bytes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import msgspec
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.types import Send
+
+from bnserve_protocol import JSON, MSGPACK
+from bnserve_service.digests import Buffer, content_digest
+from bnserve_service.transport.negotiation import answer_media_type
+
+Header: TypeAlias = tuple[bytes, bytes]
+
+SLICE = 2**20
+"""Bytes handed to the socket at a time, so that a slow client holds up its own answer and not the event loop."""
+SMALL = 2**16
+"""Below this, one copy is cheaper than several writes."""
+
+
+def body_headers(parts: Sequence[Buffer], media_type: str) -> list[Header]:
+    """Content type, length and digest of a body."""
+    return [
+        (b"content-type", media_type.encode()),
+        (b"content-length", b"%d" % sum(len(part) for part in parts)),
+        (b"content-digest", content_digest(parts)),
+    ]
+
+
+async def send_answer(send: Send, status: int, headers: list[Header], parts: Sequence[Buffer]) -> None:
+    """Send a response whose body is the concatenation of ``parts``; large parts are not copied."""
+    await send({"type": "http.response.start", "status": status, "headers": headers})
+    if sum(len(part) for part in parts) <= SMALL:
+        await send({"type": "http.response.body", "body": b"".join(parts), "more_body": False})
+        return
+    for part in parts:
+        view = memoryview(part)
+        for start in range(0, len(view), SLICE):
+            await send({"type": "http.response.body", "body": view[start : start + SLICE], "more_body": True})
+    await send({"type": "http.response.body", "body": b"", "more_body": False})
+
+
+def data_response(request: Request, value: Any, status: int = 200) -> Response:
+    """A small structured answer in JSON, or in MessagePack for callers who prefer it."""
+    media_type = answer_media_type(dict(request.scope["headers"]), preferred=JSON)
+    body = msgspec.msgpack.encode(value) if media_type == MSGPACK else msgspec.json.encode(value)
+    return plain_response(body, media_type, status)
+
+
+def plain_response(body: bytes, media_type: str, status: int = 200) -> Response:
+    """A response with its digest."""
+    return Response(
+        body, status, media_type=media_type, headers={"content-digest": content_digest([body]).decode("ascii")}
+    )

@@ -1,0 +1,163 @@
+"""The outermost middleware: names every request, measures it, and turns what went wrong into a problem answer."""
+
+from __future__ import annotations
+
+import logging
+import os
+import re
+import time
+from dataclasses import dataclass, field
+
+from fastapi.exceptions import RequestValidationError
+from starlette.exceptions import HTTPException
+from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from bnserve_protocol import PROBLEM_JSON, BnserveError, InvalidRequest
+from bnserve_service.errors import (
+    ClientDisconnected,
+    from_http_status,
+    internal_error,
+    problem_body,
+    problem_headers,
+)
+from bnserve_service.lifecycle import Lifecycle
+from bnserve_service.metrics import Metrics
+from bnserve_service.transport.answers import Header, body_headers, send_answer
+
+logger = logging.getLogger("bnserve.service")
+access_logger = logging.getLogger("bnserve.access")
+
+_REQUEST_ID = re.compile(rb"[\x21-\x7e]{1,128}")
+_KEY = "bnserve.request"
+NO_ROUTE = "none"
+
+
+@dataclass(slots=True)
+class RequestContext:
+    """What is known about one request beside its body."""
+
+    request_id: str
+    headers: dict[bytes, bytes]
+    arrived: float
+    """``time.monotonic()``."""
+    route: str = NO_ROUTE
+    """The route's template, for metrics: a path would let callers invent label values."""
+    caller: str = "anonymous"
+    request_digest: str | None = None
+    """SHA-256 of the request body, in hexadecimal, once it was read."""
+    status: int = 0
+    extra_headers: list[Header] = field(default_factory=list)
+
+    @property
+    def deadline(self) -> float | None:
+        """When the caller stops waiting (``time.monotonic()``), from ``X-Request-Deadline-Ms``.
+
+        Raises
+        ------
+        InvalidRequest
+            Not a positive number.
+        """
+        text = self.headers.get(b"x-request-deadline-ms")
+        if text is None:
+            return None
+        try:
+            milliseconds = float(text)
+        except ValueError:
+            milliseconds = -1.0
+        if not 0.0 <= milliseconds < 1e12:
+            raise InvalidRequest("X-Request-Deadline-Ms must be a number of milliseconds from now.")
+        return self.arrived + milliseconds / 1e3
+
+
+def context_of(scope: Scope) -> RequestContext:
+    """The context that :class:`RequestContextMiddleware` attached to a request."""
+    context: RequestContext = scope[_KEY]
+    return context
+
+
+class RequestContextMiddleware:
+    """Attach a :class:`RequestContext`; add the common headers; answer errors; count.
+
+    Parameters
+    ----------
+    app:
+        The rest of the service.
+    metrics, lifecycle:
+        Where to count, and whether connections are still kept open.
+    log_requests:
+        Write one line per request to the logger ``bnserve.access``.
+    """
+
+    def __init__(self, app: ASGIApp, metrics: Metrics, lifecycle: Lifecycle, log_requests: bool) -> None:
+        self._app = app
+        self._metrics = metrics
+        self._lifecycle = lifecycle
+        self._log_requests = log_requests
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one HTTP request."""
+        context = _new_context(scope)
+        scope[_KEY] = context
+
+        async def send_with_headers(message: Message) -> None:
+            if message["type"] == "http.response.start":
+                context.status = message["status"]
+                message["headers"] = [*message["headers"], *self._common_headers(context)]
+            await send(message)
+
+        try:
+            await self._app(scope, receive, send_with_headers)
+        except ClientDisconnected:
+            context.status = 499  # the name nginx gave to "the client closed the request"
+        except Exception as error:
+            await self._answer_error(error, context, send_with_headers)
+        finally:
+            self._finish(scope, context)
+
+    async def _answer_error(self, error: Exception, context: RequestContext, send: Send) -> None:
+        if context.status:  # too late for an answer: break the connection, so that nobody takes half of it for a whole
+            raise error
+        status: int | None = None
+        extra: list[Header] = []
+        if isinstance(error, HTTPException):
+            status = error.status_code
+            extra = [(name.lower().encode(), value.encode()) for name, value in (error.headers or {}).items()]
+            told = from_http_status(status)
+        elif isinstance(error, BnserveError):
+            told = error
+        elif isinstance(error, RequestValidationError):
+            told = InvalidRequest("The path, query or headers of this request are not valid; see /docs.")
+        else:
+            told = internal_error(context.request_id)
+            logger.error("request %s failed", context.request_id, exc_info=error)
+        status, body = problem_body(told, context.request_id, status)
+        headers = [*body_headers([body], PROBLEM_JSON), *problem_headers(told), *extra]
+        self._metrics.refused(told.code)
+        await send_answer(send, status, headers, [body])
+
+    def _common_headers(self, context: RequestContext) -> list[Header]:
+        headers = [(b"x-request-id", context.request_id.encode("ascii")), *context.extra_headers]
+        if context.request_digest is not None:
+            headers.append((b"x-request-digest", context.request_digest.encode("ascii")))
+        if self._lifecycle.closes_connections:
+            headers.append((b"connection", b"close"))
+        return headers
+
+    def _finish(self, scope: Scope, context: RequestContext) -> None:
+        seconds = time.monotonic() - context.arrived
+        if context.route == NO_ROUTE and "route" in scope:
+            context.route = getattr(scope["route"], "path", NO_ROUTE)
+        self._metrics.observe_request(context.route, scope["method"], context.status, seconds)
+        if self._log_requests:
+            access_logger.info(
+                "%s %s %s %d %.1f ms caller=%s traceparent=%s",
+                context.request_id, scope["method"], context.route, context.status, seconds * 1e3, context.caller,
+                context.headers.get(b"traceparent", b"-")[:64].decode("latin-1"),
+            )  # fmt: skip
+
+
+def _new_context(scope: Scope) -> RequestContext:
+    headers = dict(scope["headers"])
+    given = headers.get(b"x-request-id", b"")
+    request_id = given.decode("ascii") if _REQUEST_ID.fullmatch(given) else os.urandom(16).hex()
+    return RequestContext(request_id=request_id, headers=headers, arrived=time.monotonic())

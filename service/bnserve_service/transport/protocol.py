@@ -1,0 +1,154 @@
+"""uvicorn's HTTP protocol with the limits it lacks: time for headers, for bodies and for taking the answer, and the
+size of headers."""
+
+from __future__ import annotations
+
+import asyncio
+import enum
+from typing import Any
+
+import msgspec
+from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+
+from bnserve_protocol import PROBLEM_JSON, Problem, UndecodableBody
+from bnserve_service.digests import content_digest
+from bnserve_service.settings import Settings
+
+MAX_HEADER_BYTES = 2**16
+"""Request line and headers; browsers and proxies stay below 16 KiB."""
+_BODY_MARGIN = 2.0
+"""Seconds after which a body is cut off that the application's own, politer limit has not ended."""
+
+
+class _Waiting(enum.Enum):
+    NOTHING = enum.auto()
+    HEADERS = enum.auto()
+    BODY = enum.auto()
+
+
+class BoundedProtocol(HttpToolsProtocol):
+    """One connection that cannot be held open by a slow or silent peer.
+
+    The class attributes are set per server by :func:`bounded_protocol`.
+    """
+
+    header_timeout: float = 10.0
+    body_timeout: float = 30.0
+    write_timeout: float = 30.0
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self._in_headers = False
+        self._in_message = False
+        self._header_bytes = 0
+        self._waiting = _Waiting.NOTHING
+        self._read_timer: asyncio.TimerHandle | None = None
+        self._write_timer: asyncio.TimerHandle | None = None
+
+    def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # as in uvicorn
+        """A connection was opened: its first headers are due."""
+        super().connection_made(transport)
+        self._watch()
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """The connection is gone."""
+        self._arm(_Waiting.NOTHING)
+        self._stop_write_timer()
+        super().connection_lost(exc)
+
+    def data_received(self, data: bytes) -> None:
+        """Bytes arrived."""
+        if self._in_headers or not self._in_message:
+            self._header_bytes += len(data)
+            if self._in_headers and self._header_bytes > MAX_HEADER_BYTES:
+                self.send_400_response("The headers are too large.")
+                return
+        super().data_received(data)
+        if not self.transport.is_closing():
+            self._watch()
+
+    def on_message_begin(self) -> None:
+        """Parser: the first byte of a request."""
+        super().on_message_begin()
+        self._in_headers = self._in_message = True
+
+    def on_headers_complete(self) -> None:
+        """Parser: the headers are there."""
+        self._in_headers = False
+        self._header_bytes = 0
+        super().on_headers_complete()
+
+    def on_message_complete(self) -> None:
+        """Parser: the body is there."""
+        self._in_message = False
+        super().on_message_complete()
+
+    def on_response_complete(self) -> None:
+        """An answer was handed to the transport."""
+        super().on_response_complete()
+        if not self.transport.is_closing():
+            self._watch()
+
+    def pause_writing(self) -> None:
+        """The peer does not take its answer as fast as it comes: it has ``write_timeout`` to go on."""
+        super().pause_writing()
+        if self._write_timer is None:
+            self._write_timer = self.loop.call_later(self.write_timeout, self._abort)
+
+    def resume_writing(self) -> None:
+        """The peer took what was waiting."""
+        self._stop_write_timer()
+        super().resume_writing()
+
+    def send_400_response(self, msg: str) -> None:
+        """Answer what is not HTTP, in the form of every other error, and close."""
+        error = UndecodableBody(f"{msg} This is not a valid HTTP/1.1 request.")
+        body = msgspec.json.encode(Problem.from_error(error, 400))
+        head = (
+            f"HTTP/1.1 400 Bad Request\r\ncontent-type: {PROBLEM_JSON}\r\ncontent-length: {len(body)}\r\n"
+            f"content-digest: {content_digest([body]).decode()}\r\nconnection: close\r\n\r\n"
+        )
+        self.transport.write(head.encode() + body)
+        self.transport.close()
+
+    def _watch(self) -> None:
+        if self._in_headers:
+            self._arm(_Waiting.HEADERS)
+        elif self._in_message:
+            self._arm(_Waiting.BODY)
+        elif self._is_idle() and self.timeout_keep_alive_task is None:
+            self._arm(_Waiting.HEADERS)  # a new connection, or one that sends empty lines
+        else:
+            self._arm(_Waiting.NOTHING)
+
+    def _is_idle(self) -> bool:
+        return self.cycle is None or self.cycle.response_complete
+
+    def _arm(self, waiting: _Waiting) -> None:
+        if waiting is self._waiting:
+            return
+        self._waiting = waiting
+        if self._read_timer is not None:
+            self._read_timer.cancel()
+            self._read_timer = None
+        if waiting is not _Waiting.NOTHING:
+            seconds = self.header_timeout if waiting is _Waiting.HEADERS else self.body_timeout + _BODY_MARGIN
+            self._read_timer = self.loop.call_later(seconds, self._abort)
+
+    def _stop_write_timer(self) -> None:
+        if self._write_timer is not None:
+            self._write_timer.cancel()
+            self._write_timer = None
+
+    def _abort(self) -> None:
+        self.transport.abort()
+
+
+def bounded_protocol(settings: Settings) -> type[BoundedProtocol]:
+    """The protocol class with the time limits of ``settings``; what uvicorn's ``http`` option takes."""
+    limits = {
+        "header_timeout": settings.header_timeout,
+        "body_timeout": settings.body_timeout,
+        "write_timeout": settings.write_timeout,
+    }
+    return type("ConfiguredProtocol", (BoundedProtocol,), limits)

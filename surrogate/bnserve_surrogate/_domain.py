@@ -1,0 +1,145 @@
+"""Which rows a model may evaluate."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import (
+    SOLAR_MASS_SECONDS,
+    EvaluationOptions,
+    FieldError,
+    InvalidParameters,
+    OutOfBand,
+    OutOfDomain,
+    ParameterBatch,
+    ParameterDescription,
+    RowStatus,
+)
+
+_MAX_ERRORS = 20
+"""Individual problems listed in one exception; the sentence gives their total."""
+
+
+def row_status(
+    batch: ParameterBatch,
+    frequencies: NDArray[np.float64],
+    ranges: list[ParameterDescription],
+    mf_band: tuple[float, float],
+    options: EvaluationOptions,
+) -> NDArray[np.uint8]:
+    """A :class:`RowStatus` for every row.
+
+    Parameters
+    ----------
+    batch:
+        N binaries.
+    frequencies:
+        Increasing, in Hz.
+    ranges:
+        The trained range of every parameter, in the order of the batch's columns.
+    mf_band:
+        The trained band in M f (dimensionless).
+    options:
+        Whether to raise or to flag.
+
+    Raises
+    ------
+    InvalidParameters
+        A value is not finite, or a distance is not positive (with ``out_of_domain="error"``).
+    OutOfDomain
+        A value is outside its range (with ``out_of_domain="error"``).
+    OutOfBand
+        Frequencies outside the band where the options forbid it, or altogether above it.
+    """
+    values = batch.values
+    status = np.zeros(len(batch), dtype=np.uint8)
+    minimum = np.array([-np.inf if entry.minimum is None else entry.minimum for entry in ranges])
+    maximum = np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
+    inside = (values >= minimum) & (values <= maximum)
+    inside[:, 5] &= values[:, 5] > 0.0
+    band = _band_status(values[:, 7] * SOLAR_MASS_SECONDS, frequencies, mf_band, options)
+    if inside.all() and np.isfinite(values).all() and not band.any():
+        return status
+    finite = np.isfinite(values)
+    status[band] = RowStatus.OUT_OF_BAND
+    status[~inside.all(axis=1)] = RowStatus.OUT_OF_DOMAIN
+    status[~finite.all(axis=1)] = RowStatus.NOT_FINITE
+    if options.out_of_domain == "error":
+        _raise_first(values, finite, inside, status, frequencies, ranges, mf_band)
+    return status
+
+
+def _band_status(
+    mass: NDArray[np.float64],
+    frequencies: NDArray[np.float64],
+    mf_band: tuple[float, float],
+    options: EvaluationOptions,
+) -> NDArray[np.bool_]:
+    with np.errstate(invalid="ignore", over="ignore"):
+        outside = frequencies[0] * mass > mf_band[1] * (1.0 + 1e-9)
+        if options.above_band == "error":
+            outside |= frequencies[-1] * mass > mf_band[1] * (1.0 + 1e-9)
+        if options.below_band == "error":
+            outside |= frequencies[0] * mass < mf_band[0] * (1.0 - 1e-9)
+    return np.asarray(outside)
+
+
+def _raise_first(
+    values: NDArray[np.float64],
+    finite: NDArray[np.bool_],
+    inside: NDArray[np.bool_],
+    status: NDArray[np.uint8],
+    frequencies: NDArray[np.float64],
+    ranges: list[ParameterDescription],
+    mf_band: tuple[float, float],
+) -> None:
+    if not finite.all():
+        problems = _problems(~finite, values, ranges)
+        raise InvalidParameters(_sentence(problems, int((~finite).sum()), "is not finite"), errors=problems)
+    distance = values[:, 5] > 0.0
+    if not distance.all():
+        row = int(np.argmin(distance))
+        problem = FieldError(reason="must be positive", parameter="distance_mpc", row=row, value=float(values[row, 5]))
+        raise InvalidParameters(
+            f"Row {row}: distance_mpc = {values[row, 5]} Mpc must be positive.", errors=[problem]
+        )
+    if not inside.all():
+        problems = _problems(~inside, values, ranges)
+        raise OutOfDomain(
+            _sentence(problems, int((~inside).sum()), "is outside the trained range")
+            + ' Use out_of_domain="flag" to get such rows back as NaN.',
+            errors=problems,
+        )
+    row = int(np.argmax(status == RowStatus.OUT_OF_BAND))
+    low, high = (edge / (values[row, 7] * SOLAR_MASS_SECONDS) for edge in mf_band)
+    raise OutOfBand(
+        f"Row {row}: the frequencies {frequencies[0]:g} to {frequencies[-1]:g} Hz do not fit the model's band at "
+        f"total mass {values[row, 7]:g} Msun, {low:.6g} to {high:.6g} Hz.",
+        errors=[FieldError(reason="outside the band", parameter="frequencies", row=row)],
+    )
+
+
+def _problems(
+    bad: NDArray[np.bool_], values: NDArray[np.float64], ranges: list[ParameterDescription]
+) -> list[FieldError]:
+    problems = []
+    for row, column in np.argwhere(bad)[:_MAX_ERRORS]:
+        entry = ranges[column]
+        value = float(values[row, column])
+        low = "" if entry.minimum is None else f"{entry.minimum:g}"
+        high = "" if entry.maximum is None else f"{entry.maximum:g}"
+        reason = f"outside [{low}, {high}]" if np.isfinite(value) else "not finite"
+        problems.append(
+            FieldError(
+                reason=reason, parameter=entry.name, row=int(row), value=value if np.isfinite(value) else str(value)
+            )
+        )
+    return problems
+
+
+def _sentence(problems: list[FieldError], total: int, what: str) -> str:
+    first = problems[0]
+    more = f" ({total} values in all)" if total > 1 else ""
+    where = f"; it is {first.reason}" if "outside" in first.reason else ""
+    return f"Row {first.row}: {first.parameter} = {first.value} {what}{where}{more}."

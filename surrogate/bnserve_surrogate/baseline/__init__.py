@@ -1,0 +1,39 @@
+"""The post-Newtonian baseline of the (2, 2) mode: TaylorF2 phase, pseudo-5.5PN with 7.5PN tides, and 3.5PN amplitude.
+
+The surrogate learns what TEOBResumS adds to it. Frequencies are dimensionless, M f in units of c**3 / G.
+"""
+
+from bnserve_surrogate.baseline._amplitude import (
+    AMPLITUDE_POWERS,
+    FREEZING_END,
+    FREEZING_START,
+    FROZEN_AMPLITUDE,
+    amplitude_coefficients,
+    amplitude_prefactor,
+    freeze_amplitude,
+    freezing_weight,
+    mass_scale,
+)
+from bnserve_surrogate.baseline._phase import PHASE_LOG_POWERS, PHASE_POWERS, phase_coefficients
+from bnserve_surrogate.baseline._taylorf2 import evaluate_phase, taylorf2_amplitude, taylorf2_phase, velocity
+from bnserve_surrogate.baseline._tides import spin_induced_quadrupole
+
+__all__ = [
+    "AMPLITUDE_POWERS",
+    "FREEZING_END",
+    "FREEZING_START",
+    "FROZEN_AMPLITUDE",
+    "PHASE_LOG_POWERS",
+    "PHASE_POWERS",
+    "amplitude_coefficients",
+    "amplitude_prefactor",
+    "evaluate_phase",
+    "freeze_amplitude",
+    "freezing_weight",
+    "mass_scale",
+    "phase_coefficients",
+    "spin_induced_quadrupole",
+    "taylorf2_amplitude",
+    "taylorf2_phase",
+    "velocity",
+]

@@ -1,0 +1,1 @@
+"""Training: waveforms of a generator in, a published model out. Needs the extra `train`."""

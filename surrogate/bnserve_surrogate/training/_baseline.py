@@ -1,0 +1,36 @@
+"""The baseline of one binary given as theta, and a fingerprint of the baseline for the digests of data sets."""
+
+from __future__ import annotations
+
+import hashlib
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
+
+FloatArray = NDArray[np.float64]
+
+_PROBES = np.array([[1.1, 0.02, -0.03, 300.0, 500.0], [2.7, -0.4, 0.45, 6.0, 4500.0]])
+_SIGNIFICANT_DIGITS = 9
+"""Changes of the formulae show; the last bits of another machine's logarithm do not."""
+
+
+def baseline_phase(theta: FloatArray, mf: FloatArray) -> FloatArray:
+    """TaylorF2 phase of one binary ``theta`` (5,) at ``mf`` (n,), in radians, (n,)."""
+    return taylorf2_phase(mf, *theta[:, None])[0]
+
+
+def baseline_amplitude(theta: FloatArray, mf: FloatArray) -> FloatArray:
+    """Frozen TaylorF2 amplitude of one binary ``theta`` (5,) at ``mf`` (n,), (n,)."""
+    return taylorf2_amplitude(mf, *theta[:3, None])[0]
+
+
+def baseline_fingerprint(mf: FloatArray) -> str:
+    """A digest of what the baseline gives for two binaries at ``mf``: residuals to another baseline are other data."""
+    samples = mf[:: max(1, mf.size // 16)]
+    values = np.concatenate(
+        [part for theta in _PROBES for part in (baseline_phase(theta, samples), baseline_amplitude(theta, samples))]
+    )
+    text = " ".join(f"{value:.{_SIGNIFICANT_DIGITS}g}" for value in values)
+    return hashlib.sha256(text.encode()).hexdigest()

@@ -1,0 +1,93 @@
+"""What can go wrong while training data are made.
+
+::
+
+    BnserveError
+    └── TrainingError
+        ├── PackageMissing        an optional dependency of training is not installed
+        ├── GeneratorFailure      one waveform could not be computed
+        ├── GeneratorUnknown      no generator of that name, or options that it does not take
+        ├── TooManyFailures       more waveforms failed than allowed
+        ├── DatasetInUse          another run writes to the same directory
+        └── DatasetUnwritable     the directory cannot be written: disk full, read-only, no permission
+"""
+
+from __future__ import annotations
+
+import importlib
+from types import ModuleType
+
+from bnserve_protocol import BnserveError
+
+
+class TrainingError(BnserveError):
+    """Base of every error that only training raises."""
+
+    code = "training"
+    title = "Training failed"
+
+
+class PackageMissing(TrainingError):
+    """An optional dependency of training is not installed."""
+
+    code = "package-missing"
+    title = "Package not installed"
+
+
+class GeneratorFailure(TrainingError):
+    """The generator has no waveform for these parameters."""
+
+    code = "generator-failure"
+    title = "Waveform could not be generated"
+
+
+class GeneratorUnknown(TrainingError):
+    """No waveform generator of that name, or options that it does not take."""
+
+    code = "generator-unknown"
+    title = "Waveform generator unknown"
+
+
+class TooManyFailures(TrainingError):
+    """More waveforms failed than the run allows."""
+
+    code = "too-many-failures"
+    title = "Too many waveforms failed"
+
+
+class DatasetInUse(TrainingError):
+    """Another run is writing the same data set."""
+
+    code = "dataset-in-use"
+    title = "Data set in use"
+
+
+class DatasetUnwritable(TrainingError):
+    """The data set cannot be written; what was finished before is kept."""
+
+    code = "dataset-unwritable"
+    title = "Data set cannot be written"
+
+
+def require(module: str, extra: str = "train") -> ModuleType:
+    """Import an optional dependency.
+
+    Parameters
+    ----------
+    module
+        Import name.
+    extra
+        The extra of ``bnserve-surrogate`` that installs it.
+
+    Raises
+    ------
+    PackageMissing
+        Naming the command that installs it.
+    """
+    try:
+        return importlib.import_module(module)
+    except ImportError as error:
+        raise PackageMissing(
+            f"The package '{module}' is needed for training and cannot be imported ({error}). "
+            f"Install it with: pip install 'bnserve-surrogate[{extra}]'"
+        ) from error

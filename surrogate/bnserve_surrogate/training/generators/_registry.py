@@ -1,0 +1,47 @@
+"""From the name in a configuration to a generator."""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+from collections.abc import Callable
+from types import MappingProxyType
+from typing import Any
+
+from bnserve_surrogate.training.errors import GeneratorUnknown
+from bnserve_surrogate.training.generators._callable import CallableGenerator
+from bnserve_surrogate.training.generators._interface import WaveformGenerator
+from bnserve_surrogate.training.generators._lalsimulation import LALSimulationGenerator
+from bnserve_surrogate.training.generators._teobresums import TEOBResumSPA
+
+GENERATORS: MappingProxyType[str, Callable[..., WaveformGenerator]] = MappingProxyType(
+    {
+        "teobresums": TEOBResumSPA,
+        "lalsimulation": LALSimulationGenerator,
+        "callable": CallableGenerator.from_path,
+    }
+)
+"""Constructors by configuration name. Options: ``teobresums`` (postadiabatic_dr, gravitomagnetic_tides),
+``lalsimulation`` (approximant, total_mass), ``callable`` (path = "module:function", release)."""
+
+
+def make_generator(name: str, **options: Any) -> WaveformGenerator:
+    """Construct the generator called ``name`` with its options.
+
+    Raises
+    ------
+    GeneratorUnknown
+        No such generator, or an option that it does not take; the nearest name is suggested.
+    """
+    if name not in GENERATORS:
+        near = difflib.get_close_matches(name, GENERATORS, n=1)
+        hint = f"Did you mean '{near[0]}'?" if near else f"Known: {', '.join(GENERATORS)}."
+        raise GeneratorUnknown(f"Unknown waveform generator '{name}'. {hint}")
+    constructor = GENERATORS[name]
+    signature = inspect.signature(constructor)
+    try:
+        signature.bind(**options)
+    except TypeError as error:
+        known = ", ".join(signature.parameters)
+        raise GeneratorUnknown(f"Options of the generator '{name}': {error}. It takes: {known}.") from error
+    return constructor(**options)

@@ -1,0 +1,114 @@
+"""One-sided power spectral densities of detectors, in 1/Hz, as functions of the frequency in Hz.
+
+A noise curve is any callable from an array of frequencies to an array of the same shape. The ones with a name are in
+:data:`NOISE_CURVES`; a table of your own becomes one with :class:`TabulatedNoise`.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import lru_cache
+from importlib import resources
+from types import MappingProxyType
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bnserve_protocol import InvalidFrequencies, InvalidParameters
+
+FloatArray: TypeAlias = NDArray[np.float64]
+NoiseCurve: TypeAlias = Callable[[FloatArray], FloatArray]
+"""Frequencies in Hz -> power spectral density in 1/Hz, same shape."""
+
+
+class TabulatedNoise:
+    """A tabulated power spectral density, interpolated linearly in log-log (exact for power laws).
+
+    Parameters
+    ----------
+    frequencies
+        Hz, shape (J,), J >= 2, strictly increasing and positive.
+    density
+        1/Hz, shape (J,), positive.
+
+    Raises
+    ------
+    ValueError
+        If the table is not of that form.
+    """
+
+    def __init__(self, frequencies: ArrayLike, density: ArrayLike) -> None:
+        grid, values = np.asarray(frequencies, dtype=np.float64), np.asarray(density, dtype=np.float64)
+        if grid.ndim != 1 or grid.shape != values.shape or len(grid) < 2:
+            raise ValueError(
+                f"A noise table needs two vectors of one length; got shapes {grid.shape} and {values.shape}."
+            )
+        if not (np.isfinite(grid).all() and grid[0] > 0.0 and (np.diff(grid) > 0.0).all()):
+            raise ValueError("The frequencies of a noise table must be positive, finite and strictly increasing.")
+        if not (np.isfinite(values).all() and (values > 0.0).all()):
+            raise ValueError("The power spectral density of a noise table must be positive and finite.")
+        self._log_frequencies, self._log_density = np.log(grid), np.log(values)
+        self.band = (float(grid[0]), float(grid[-1]))
+
+    def __call__(self, frequencies: ArrayLike) -> FloatArray:
+        """Power spectral density in 1/Hz, of the shape of ``frequencies`` (Hz).
+
+        Raises
+        ------
+        InvalidFrequencies
+            If a frequency lies outside the table: nothing is extrapolated.
+        """
+        grid = np.asarray(frequencies, dtype=np.float64)
+        # One unit in the last place of room, for frequencies that went through M f and back.
+        if not ((grid >= self.band[0] * (1.0 - 1e-12)) & (grid <= self.band[1] * (1.0 + 1e-12))).all():
+            raise InvalidFrequencies(
+                f"The noise curve is tabulated from {self.band[0]:g} to {self.band[1]:g} Hz, and frequencies outside "
+                "were asked for; narrow the band or give a longer table."
+            )
+        return np.exp(np.interp(np.log(grid), self._log_frequencies, self._log_density))
+
+
+@lru_cache(maxsize=1)
+def _einstein_telescope_table() -> TabulatedNoise:
+    file = resources.files("bnserve_surrogate") / "data" / "ET_D_psd.txt"
+    with file.open("r", encoding="ascii") as lines:
+        return TabulatedNoise(*np.loadtxt(lines, unpack=True))
+
+
+def einstein_telescope_d(frequencies: ArrayLike) -> FloatArray:
+    """Einstein Telescope, configuration D, from 1 to 10,000 Hz: the noise curve of the paper.
+
+    Hild et al. 2011 (arXiv:1012.0908). The table, 3,000 rows, is the one distributed with bilby under the MIT licence
+    (``data/LICENSE.bilby``). Raises InvalidFrequencies outside the table.
+    """
+    return _einstein_telescope_table()(frequencies)
+
+
+def advanced_ligo_design(frequencies: ArrayLike) -> FloatArray:
+    """Advanced LIGO's design sensitivity (zero detuning, high power), by the fit of Ajith 2011 (arXiv:1107.1267).
+
+    Meant for weights: from 25 to 4,000 Hz it is within 11 % of LALSimulation's table. The wall of seismic noise below
+    10 Hz is not in the fit, so smaller frequencies are refused with InvalidFrequencies.
+    """
+    grid = np.asarray(frequencies, dtype=np.float64)
+    if not (grid >= 10.0 * (1.0 - 1e-12)).all():
+        raise InvalidFrequencies("The fit of Advanced LIGO's design sensitivity begins at 10 Hz; start the band there.")
+    x = grid / 245.4
+    return 1e-48 * (0.0152 * x**-4 + 0.2935 * x**2.25 + 2.7951 * x**1.5 - 6.5080 * x**0.75 + 17.7622)
+
+
+def flat(frequencies: ArrayLike) -> FloatArray:
+    """White noise of one 1/Hz at all frequencies."""
+    return np.ones(np.shape(frequencies))
+
+
+NOISE_CURVES: Mapping[str, NoiseCurve] = MappingProxyType(
+    {"ET-D": einstein_telescope_d, "aLIGO-design": advanced_ligo_design, "flat": flat}
+)
+"""Noise curves by the name that configurations and reports use."""
+
+
+def noise_curve(name: str) -> NoiseCurve:
+    """The noise curve called ``name``; InvalidParameters, listing the known ones, if there is none."""
+    if name not in NOISE_CURVES:
+        raise InvalidParameters(f"Unknown noise curve '{name}'; known are {', '.join(NOISE_CURVES)}.")
+    return NOISE_CURVES[name]

@@ -1,0 +1,72 @@
+"""A robust screen for waveforms that do not fit among their neighbours: a jump, a switch to another physical branch."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_surrogate.training.errors import require
+from bnserve_surrogate.training.generators import FloatArray
+
+_NEIGHBOURS = 24
+"""Four times the six numbers of a local linear fit in five dimensions."""
+
+
+@dataclass(frozen=True)
+class OutlierScreen:
+    """Result of :func:`screen_outliers`.
+
+    Parameters
+    ----------
+    outliers
+        (N,) of bool.
+    misfit
+        (N,) largest distance of a row from what its neighbours predict, in the units of the values.
+    ratio
+        (N,) misfit over the median misfit of the neighbours.
+    """
+
+    outliers: NDArray[np.bool_]
+    misfit: FloatArray
+    ratio: FloatArray
+
+
+def screen_outliers(
+    coordinates: FloatArray, values: FloatArray, ratio: float = 30.0, least: float = 1e-3
+) -> OutlierScreen:
+    """Find rows that are far from a linear fit to their 24 nearest neighbours, compared with how far the neighbours are.
+
+    The comparison is local, so that the strong curvature in a corner of parameter space is not taken for an outlier. A
+    row is one when its misfit exceeds both ``ratio`` times its neighbours' median and ``least``.
+
+    Parameters
+    ----------
+    coordinates
+        (N, d) smooth coordinates in which the residuals vary evenly, each of comparable extent.
+    values
+        (N, n) flattened phase residuals, or log amplitude ratios. Not changed.
+    ratio, least
+        Thresholds; ``least`` is in the units of ``values``.
+
+    Returns
+    -------
+    :class:`OutlierScreen`; nothing is flagged when there are not enough rows to compare (25).
+    """
+    count = coordinates.shape[0]
+    if count <= _NEIGHBOURS:
+        return OutlierScreen(np.zeros(count, dtype=bool), np.zeros(count), np.zeros(count))
+    tree = require("scipy.spatial").cKDTree(coordinates)
+    neighbours = tree.query(coordinates, k=_NEIGHBOURS + 1)[1][:, 1:]
+    misfit = np.array([_misfit(coordinates, values, row, near) for row, near in enumerate(neighbours)])
+    typical = np.median(misfit[neighbours], axis=1)
+    relative = misfit / np.maximum(typical, np.finfo(float).tiny)
+    return OutlierScreen((relative > ratio) & (misfit > least), misfit, relative)
+
+
+def _misfit(coordinates: FloatArray, values: FloatArray, row: int, near: NDArray[np.intp]) -> float:
+    """Largest difference of one row of values from the linear prediction of its neighbours."""
+    design = np.column_stack([np.ones(near.size), coordinates[near] - coordinates[row]])
+    weights = np.linalg.pinv(design)[0]
+    return float(np.abs(values[row] - weights @ values[near]).max())

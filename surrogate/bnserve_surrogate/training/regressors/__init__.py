@@ -1,0 +1,28 @@
+"""The replaceable part of a surrogate: from coordinates to principal components.
+
+A regressor is anything with scikit-learn's ``fit(X, Y)`` and ``predict(X)``. To be served it must also export to plain
+arrays; these do:
+
+* :class:`ChebyshevPolynomial`: least squares, deterministic, seconds;
+* :class:`MLP`: the paper's neural network;
+* :class:`Sum`: one of them on the residuals of the other.
+"""
+
+from bnserve_surrogate.training.regressors.additive import Sum
+from bnserve_surrogate.training.regressors.chebyshev import chebyshev_terms, weighted_exponents
+from bnserve_surrogate.training.regressors.exported import ExportedRegressor, NotExportable, evaluate_exported
+from bnserve_surrogate.training.regressors.exporting import export_regressor
+from bnserve_surrogate.training.regressors.mlp import MLP
+from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial
+
+__all__ = [
+    "MLP",
+    "ChebyshevPolynomial",
+    "ExportedRegressor",
+    "NotExportable",
+    "Sum",
+    "chebyshev_terms",
+    "evaluate_exported",
+    "export_regressor",
+    "weighted_exponents",
+]

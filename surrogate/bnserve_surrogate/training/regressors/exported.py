@@ -1,0 +1,120 @@
+"""A fitted regressor as plain arrays: what a model file holds and the evaluation kernel reads.
+
+==========================  =========================================================================================
+``polynomial_exponents``    uint8 (T, D): degrees of the Chebyshev factors of every term
+``polynomial_coefficients`` float64 (T, K)
+``mlp_weights_{i}``         float64 (n_i, n_{i+1}), i = 0 ... L: layer i maps a row x to ``x @ weights + biases``
+``mlp_biases_{i}``          float64 (n_{i+1},)
+==========================  =========================================================================================
+
+Either part may be missing; the output is the sum of those present. The inputs are the regressor's coordinates: input
+and output scalings are folded into the first and last layers. The activation, applied after every layer but the last,
+is named in the metadata.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bnserve_surrogate.training.errors import TrainingError
+from bnserve_surrogate.training.regressors.chebyshev import chebyshev_terms
+
+FloatArray: TypeAlias = NDArray[np.float64]
+
+ACTIVATIONS = ("logistic", "relu", "tanh")
+"""Activations that can be exported, by scikit-learn's names."""
+
+
+class NotExportable(TrainingError):
+    """A regressor that is no polynomial, multilayer perceptron, or sum of one of each."""
+
+    code = "regressor-not-exportable"
+    title = "Regressor cannot be exported"
+
+
+@dataclass(frozen=True)
+class ExportedRegressor:
+    """C-contiguous ``arrays`` by name; ``metadata`` is ``{"mlp_activation": ...}`` if there is a network."""
+
+    arrays: dict[str, NDArray[Any]]
+    metadata: dict[str, str] = field(default_factory=dict)
+
+    @classmethod
+    def of_polynomial(cls, exponents: NDArray[np.uint8], coefficients: FloatArray) -> "ExportedRegressor":
+        """From exponents (T, D) and coefficients (T, K)."""
+        return cls(
+            {
+                "polynomial_exponents": np.ascontiguousarray(exponents, dtype=np.uint8),
+                "polynomial_coefficients": np.ascontiguousarray(coefficients, dtype=np.float64),
+            }
+        )
+
+    @classmethod
+    def of_network(
+        cls, weights: Sequence[ArrayLike], biases: Sequence[ArrayLike], activation: str
+    ) -> "ExportedRegressor":
+        """From the layers' matrices (inputs, outputs) and biases."""
+        if activation not in ACTIVATIONS:
+            raise NotExportable(f"Activation '{activation}' cannot be exported; known are {', '.join(ACTIVATIONS)}.")
+        arrays = {f"mlp_weights_{i}": np.ascontiguousarray(w, dtype=np.float64) for i, w in enumerate(weights)}
+        arrays |= {f"mlp_biases_{i}": np.ascontiguousarray(b, dtype=np.float64) for i, b in enumerate(biases)}
+        return cls(arrays, {"mlp_activation": activation})
+
+    @property
+    def n_layers(self) -> int:
+        """Number of layers of the network, 0 if there is none."""
+        return sum(name.startswith("mlp_weights_") for name in self.arrays)
+
+    def scaled(self, factor: float) -> "ExportedRegressor":
+        """The same regressor with its outputs multiplied by ``factor``."""
+        last = self.n_layers - 1
+        outputs = ("polynomial_coefficients", f"mlp_weights_{last}", f"mlp_biases_{last}")
+        arrays = {name: array * factor if name in outputs else array for name, array in self.arrays.items()}
+        return ExportedRegressor(arrays, dict(self.metadata))
+
+    def plus(self, other: "ExportedRegressor") -> "ExportedRegressor":
+        """The sum of two regressors, at most one of which has a network; NotExportable otherwise."""
+        if self.n_layers and other.n_layers:
+            raise NotExportable("The sum of two networks cannot be exported; export a polynomial plus one network.")
+        arrays = {**self.arrays, **other.arrays}
+        for name in ("polynomial_exponents", "polynomial_coefficients"):
+            if name in self.arrays and name in other.arrays:
+                arrays[name] = np.concatenate([self.arrays[name], other.arrays[name]])
+        return ExportedRegressor(arrays, {**self.metadata, **other.metadata})
+
+
+def evaluate_exported(
+    arrays: Mapping[str, NDArray[Any]], coordinates: ArrayLike, activation: str = "tanh"
+) -> FloatArray:
+    """Outputs (N, K) of exported arrays at coordinates (N, D), in plain numpy; the reference for faster kernels."""
+    points = np.asarray(coordinates, dtype=np.float64)
+    parts = []
+    if "polynomial_exponents" in arrays:
+        parts.append(chebyshev_terms(points, arrays["polynomial_exponents"]).T @ arrays["polynomial_coefficients"])
+    if "mlp_weights_0" in arrays:
+        parts.append(_evaluate_network(arrays, points, activation))
+    if not parts:
+        raise ValueError("These arrays hold neither a polynomial nor a network.")
+    return np.asarray(sum(parts[1:], start=parts[0]))
+
+
+def _evaluate_network(arrays: Mapping[str, NDArray[Any]], points: FloatArray, activation: str) -> FloatArray:
+    layers = sum(name.startswith("mlp_weights_") for name in arrays)
+    for i in range(layers):
+        points = points @ arrays[f"mlp_weights_{i}"] + arrays[f"mlp_biases_{i}"]
+        if i < layers - 1:
+            points = _activate(points, activation)
+    return points
+
+
+def _activate(x: FloatArray, activation: str) -> FloatArray:
+    if activation == "tanh":
+        return np.tanh(x)
+    if activation == "logistic":
+        return 0.5 * (1.0 + np.tanh(0.5 * x))
+    if activation == "relu":
+        return np.maximum(x, 0.0)
+    raise ValueError(f"Unknown activation '{activation}'; known are {', '.join(ACTIVATIONS)}.")

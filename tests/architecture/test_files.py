@@ -1,0 +1,61 @@
+"""What is in the repository: small modules, nothing of the machine that wrote it, nothing huge."""
+
+import re
+
+import pytest
+
+from tests.architecture.rooms import ROOT, python_files, tracked_files
+
+MOST_LINES = 400
+"""A longer module has become two nouns."""
+
+LARGEST_FILE = 16 * 2**20
+"""Bytes; a trained model is below, a data set above."""
+
+MACHINE = re.compile(r"(?<![\w.])/(?:[w]ork|[r]oot|[f]arm|[h]ome/\w+)/")
+"""Absolute paths into somebody's machine. (The brackets keep this line from finding itself.)"""
+
+INDEX = re.compile(r"[-]-(?:extra-)?index-url|[-]-find-links|[f]iles\.pythonhosted\.org|[p]ypi\.org/simple")
+"""Addresses of package indexes."""
+
+
+def texts() -> list[tuple[str, str]]:
+    """Name and content of every tracked text file."""
+    found = []
+    for path in tracked_files():
+        content = (ROOT / path).read_bytes()
+        if b"\0" not in content:
+            found.append((str(path), content.decode()))
+    return found
+
+
+@pytest.mark.parametrize("pattern", [MACHINE, INDEX], ids=["machine paths", "index addresses"])
+def test_no_file_carries_addresses_of_a_machine(pattern):
+    hits = [(name, match.group()) for name, text in texts() for match in pattern.finditer(text)]
+    assert hits == []
+
+
+@pytest.mark.parametrize(
+    ("pattern", "planted"),
+    [
+        (MACHINE, "open('/{}/data.txt')".format("root")),
+        (MACHINE, "cd /{}/someone/src".format("home")),
+        (INDEX, "pip install -{}-url x".format("-index")),
+    ],
+)
+def test_a_planted_address_is_found(pattern, planted):
+    assert pattern.search(planted)
+
+
+def test_modules_are_small():
+    lengths = {str(path): len((ROOT / path).read_text().splitlines()) for path in python_files()}
+    assert {name: lines for name, lines in lengths.items() if lines > MOST_LINES} == {}
+
+
+def test_no_file_is_huge():
+    sizes = {str(path): (ROOT / path).stat().st_size for path in tracked_files()}
+    assert {name: size for name, size in sizes.items() if size > LARGEST_FILE} == {}
+
+
+def test_no_lock_file_of_one_tool_is_kept():
+    assert "uv.lock" not in {path.name for path in tracked_files()}  # it would carry the addresses of package indexes

@@ -1,0 +1,66 @@
+"""The public API of each package: ``__all__`` is explicit, importable, sorted, complete and documented."""
+
+import importlib
+import inspect
+import re
+from types import ModuleType
+
+import pytest
+
+from tests.architecture.rooms import ROOMS, python_files
+
+
+def public_packages() -> list[str]:
+    """Every package of the rooms whose name is public, the rooms themselves first."""
+    found = []
+    for path in python_files(*ROOMS):
+        package = path.parent.parts[1:]
+        if path.name == "__init__.py" and not any(part.startswith("_") for part in package):
+            found.append(".".join(package))
+    return sorted(found, key=lambda name: (name.count("."), name))
+
+
+def natural_order(name: str) -> tuple:
+    """As ruff sorts: constants, then classes, then the rest; numbers by value."""
+    kind = 0 if name.isupper() else 1 if name[:1].isupper() else 2
+    return kind, [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
+
+
+def defined_here(module: ModuleType) -> set[str]:
+    """Public names of a package that are not submodules and come from its own room."""
+    room = module.__name__.partition(".")[0]
+    return {
+        name
+        for name, value in vars(module).items()
+        if not name.startswith("_")
+        and not inspect.ismodule(value)
+        and getattr(value, "__module__", room).partition(".")[0] == room
+    }
+
+
+@pytest.fixture(params=public_packages())
+def package(request) -> ModuleType:
+    return importlib.import_module(request.param)
+
+
+def test_every_room_is_a_package():
+    assert set(ROOMS.values()) <= set(public_packages())
+
+
+def test_all_is_explicit_and_importable(package):
+    assert [name for name in package.__all__ if not hasattr(package, name)] == []
+
+
+def test_all_is_sorted_without_repetition(package):
+    assert package.__all__ == sorted(set(package.__all__), key=natural_order)
+
+
+def test_all_is_complete(package):
+    ignored = {"annotations"}
+    assert defined_here(package) - ignored - set(package.__all__) == set()
+
+
+def test_everything_public_is_documented(package):
+    public = [getattr(package, name) for name in package.__all__]
+    callables = [item for item in public if inspect.isclass(item) or inspect.isfunction(item)]
+    assert [item.__qualname__ for item in callables if not (item.__doc__ or "").strip()] == []

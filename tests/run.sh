@@ -1,0 +1,95 @@
+#!/usr/bin/env bash
+# Set up a test environment (.venv-test) and run every check: format, lint, types, import contracts, tests.
+#
+#   bash tests/run.sh                      everything; needs Python >= 3.11 and installs missing system packages
+#   bash tests/run.sh -k store -x          further arguments go to pytest
+#   PYTHON=python3.12 bash tests/run.sh    with another interpreter
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+say() { printf '\n== %s\n' "$*"; }
+fail() { printf '\nerror: %s\n' "$*" >&2; exit 1; }
+
+find_python() {
+    local candidate
+    for candidate in ${PYTHON:-python3 python3.14 python3.13 python3.12 python3.11}; do
+        if "$candidate" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null; then
+            command -v "$candidate"
+            return
+        fi
+    done
+    fail "no Python >= 3.11 found; install one, or name it: PYTHON=/path/to/python3.12 bash tests/run.sh"
+}
+
+# TEOBResumS comes as C source: a compiler, GSL and the headers of Python. Names of the Debian packages that are missing.
+missing_packages() {
+    command -v gcc >/dev/null || echo gcc libc6-dev
+    command -v pkg-config >/dev/null || echo pkg-config
+    [ -e /usr/include/gsl/gsl_version.h ] || pkg-config --exists gsl 2>/dev/null || echo libgsl-dev
+    "$python" - <<'PYTHON_END'
+import importlib.util, os, sys, sysconfig
+debian = f"python{sys.version_info.major}.{sys.version_info.minor}" if sys.base_prefix == "/usr" else None
+if debian and importlib.util.find_spec("ensurepip") is None:
+    print(f"{debian}-venv")
+if debian and not os.path.exists(os.path.join(sysconfig.get_paths()["include"], "Python.h")):
+    print(f"{debian}-dev")
+PYTHON_END
+}
+
+install_packages() {
+    local as_root=()
+    if [ "$(id -u)" -ne 0 ]; then
+        command -v sudo >/dev/null || fail "system packages are missing and there is no sudo; as root: apt-get install $*"
+        as_root=(sudo)
+    fi
+    command -v apt-get >/dev/null ||
+        fail "this system has no apt-get; install its equivalents of: $*, then run this again"
+    say "Installing system packages: $*"
+    if ! { "${as_root[@]}" apt-get update -qq &&
+        "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null; }
+    then
+        fail "apt-get could not install: $*; see its message above"
+    fi
+}
+
+python=$(find_python)
+mapfile -t packages < <(missing_packages | tr ' ' '\n')
+[ "${#packages[@]}" -eq 0 ] || install_packages "${packages[@]}"
+
+say "Environment .venv-test ($("$python" --version))"
+if ! .venv-test/bin/python -m pip --version >/dev/null 2>&1; then
+    rm -rf .venv-test
+    "$python" -m venv .venv-test
+fi
+export PIP_DISABLE_PIP_VERSION_CHECK=1
+.venv-test/bin/pip install --quiet --upgrade pip
+.venv-test/bin/pip install --quiet ".[train,lal,test]"
+# The rooms once more, editable: the checks look at this checkout, not at copies of it.
+.venv-test/bin/pip install --quiet --no-deps \
+    -e ./protocol -e ./model_store -e ./surrogate -e ./inference -e ./service -e ./client
+
+export PATH="$PWD/.venv-test/bin:$PATH"
+summary=()
+status=0
+check() {
+    local name=$1
+    shift
+    say "$name: $*"
+    local start=$SECONDS
+    if "$@"; then
+        summary+=("$(printf '  %-18s passed  %5d s' "$name" $((SECONDS - start)))")
+    else
+        summary+=("$(printf '  %-18s FAILED  %5d s' "$name" $((SECONDS - start)))")
+        status=1
+    fi
+}
+
+check format ruff format --check .
+check lint ruff check .
+check types mypy
+check imports lint-imports
+check tests pytest "$@"
+
+say "Summary"
+printf '%s\n' "${summary[@]}"
+exit "$status"

@@ -1,0 +1,216 @@
+"""Every generator gives h_plus(face-on) = amplitude exp(-i psi) in the baseline's units, or says why it cannot."""
+
+import numpy as np
+import pytest
+from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
+from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown, PackageMissing, require
+from bnserve_surrogate.training.generators import (
+    CallableGenerator,
+    LALSimulationGenerator,
+    TEOBResumSPA,
+    evaluate,
+    make_generator,
+    mass_seconds,
+)
+from bnserve_surrogate.training.generators._teobresums import start_frequency
+from bnserve_surrogate.training.nodes import smooth_nodes
+from bnserve_surrogate.training.residuals import flatten_phase, log_amplitude_ratio, phase_difference
+
+THETA = np.array([1.3, 0.1, -0.05, 400.0, 600.0])
+
+
+def newtonian(theta, mf):
+    """A user's generator: the leading order."""
+    symmetric_mass_ratio = theta[0] / (1 + theta[0]) ** 2
+    v = np.cbrt(np.pi * mf)
+    return np.sqrt(5 * np.pi / (24 * symmetric_mass_ratio)) * v**-3.5, 3 / (128 * symmetric_mass_ratio) * v**-5
+
+
+class Constructed:
+    """A user's generator that is an object."""
+
+    def __call__(self, theta, mf):
+        return newtonian(theta, mf)
+
+
+@pytest.fixture
+def teobresums():
+    pytest.importorskip("EOBRun_module")
+    return TEOBResumSPA()
+
+
+@pytest.fixture
+def lal():
+    pytest.importorskip("lalsimulation")
+
+
+def test_a_users_function_is_a_generator():
+    generator = CallableGenerator(newtonian)
+    mf = smooth_nodes(5.0, 2000.0, 50)
+    amplitude, psi = evaluate(generator, THETA, mf)
+    np.testing.assert_array_equal(amplitude, newtonian(THETA, mf)[0])
+    np.testing.assert_array_equal(psi, newtonian(THETA, mf)[1])
+    assert "newtonian" in generator.name
+
+
+def test_an_edited_function_is_another_version():
+    assert CallableGenerator(newtonian).version == CallableGenerator(newtonian).version
+    assert CallableGenerator(newtonian).version != CallableGenerator(Constructed()).version
+    assert CallableGenerator(newtonian, release="7").version == "7"
+
+
+def test_a_generator_can_be_named_in_a_configuration(tmp_path, monkeypatch):
+    (tmp_path / "users_waveforms.py").write_text(
+        "class Model:\n    def __call__(self, theta, mf):\n        return 1.0 + 0 * mf, -mf\n\nNUMBER = 3\n"
+    )
+    monkeypatch.syspath_prepend(tmp_path)
+    generator = make_generator("callable", path="users_waveforms:Model", release="1")
+    amplitude, psi = evaluate(generator, THETA, np.array([0.1, 0.2]))
+    assert amplitude.tolist() == [1.0, 1.0]
+    assert psi.tolist() == [-0.1, -0.2]
+    for wrong in ("users_waveforms", "users_waveforms:Nothing", "no_such_module:f", "users_waveforms:NUMBER"):
+        with pytest.raises(GeneratorUnknown, match=wrong.split(":")[0]):
+            make_generator("callable", path=wrong)
+
+
+def test_unknown_generators_and_options_are_refused_with_a_hint():
+    with pytest.raises(GeneratorUnknown, match="Did you mean 'teobresums'"):
+        make_generator("teobresum")
+    with pytest.raises(GeneratorUnknown, match="postadiabatic_dr"):
+        make_generator("teobresums", step=0.1)
+
+
+@pytest.mark.parametrize(
+    ("function", "reason"),
+    [
+        (lambda theta, mf: (mf[:-1], mf), "shapes"),
+        (lambda theta, mf: (np.ones_like(mf), np.full_like(mf, np.nan)), "phase is not a finite"),
+        (lambda theta, mf: (np.full_like(mf, np.inf), mf), "amplitude is not a finite"),
+        (lambda theta, mf: (0.0 * mf, mf), "amplitude is not positive"),
+        (lambda theta, mf: 1 / 0, "ZeroDivisionError"),
+        (lambda theta, mf: "nothing", "raised ValueError"),
+    ],
+)
+def test_unusable_waveforms_are_failures_with_a_reason(function, reason):
+    with pytest.raises(GeneratorFailure, match=reason):
+        evaluate(CallableGenerator(function, label="broken"), THETA, np.array([0.01, 0.02]))
+
+
+def test_a_missing_package_says_how_to_install_it():
+    with pytest.raises(PackageMissing, match=r"pip install 'bnserve-surrogate\[train\]'"):
+        require("a_package_that_nobody_has")
+
+
+def test_teobresums_amplitude_and_phase_are_its_conjugated_strain(teobresums):
+    """Dense enough to unwrap: the phase computed without unwrapping equals the strain's, at any sparsity."""
+    import EOBRun_module
+
+    mf = np.linspace(40.0, 400.0, 40) * mass_seconds()
+    amplitude, psi = evaluate(teobresums, THETA, mf)
+    request = {**teobresums._request(THETA, mf), "arg_out": "no"}
+    _, real, imaginary, *_ = EOBRun_module.EOBRunPy(request)
+    strain = np.conj(real + 1j * imaginary)
+    np.testing.assert_allclose(amplitude * np.exp(-1j * psi), strain, rtol=1e-6)
+    dense = np.linspace(mf[0], mf[-1], 20_000)
+    np.testing.assert_allclose(np.interp(mf, dense, evaluate(teobresums, THETA, dense)[1]), psi, atol=0.05)
+
+
+def test_teobresums_approaches_the_baseline_at_low_frequency(teobresums):
+    """Sign of the phase, order of the stars and normalisation at once: no other choice comes near."""
+    mf = smooth_nodes(5.0, 60.0, 30)
+    theta = np.array([2.5, 0.4, -0.3, 50.0, 3000.0])
+    amplitude, psi = evaluate(teobresums, theta, mf)
+    assert np.abs(log_amplitude_ratio(theta, mf, amplitude)[0]) < 1e-4
+    assert np.abs(flatten_phase(mf, phase_difference(theta, mf, psi)[None]).residual).max() < 0.3
+    wrong = theta[[0, 2, 1, 3, 4]]
+    assert np.abs(flatten_phase(mf, phase_difference(wrong, mf, psi)[None]).residual).max() > 10.0
+
+
+def test_teobresums_is_aligned_at_its_merger(teobresums):
+    """The phase is stationary after the merger: there t(f) = (1/2 pi) d psi / d f vanishes."""
+    mf = np.linspace(0.036, 0.04, 20)
+    _, psi = evaluate(teobresums, THETA, mf)
+    assert np.abs(np.gradient(psi, mf) / (2 * np.pi)).max() < 30.0
+    _, early = evaluate(teobresums, THETA, np.array([20.0, 20.001]) * mass_seconds())
+    assert np.diff(early)[0] < 0.0
+
+
+def test_teobresums_starts_low_enough(teobresums):
+    """A start 10 % below changes the first decade by less than 1e-6 rad once a shift of time and phase is removed."""
+    first = 20.0 * mass_seconds()
+    nodes = np.geomspace(first, 10 * first, 60)
+    early = np.concatenate([[0.9 * first], nodes])
+    difference = evaluate(teobresums, THETA, early)[1][1:] - evaluate(teobresums, THETA, nodes)[1]
+    trend = np.polynomial.Polynomial.fit(nodes, difference, 1)
+    assert np.abs(difference - trend(nodes)).max() < 2e-5
+    for start in (3.57, 5.0, 20.0, 100.0):
+        assert start_frequency(start * mass_seconds(), 0.2) <= (start - 0.06) * mass_seconds() * (1 + 1e-12)
+
+
+@pytest.mark.parametrize("theta", [[1.3, 0, 0, 1.0, 600], [1.3, 0, 0, 400, 0.5], [0.9, 0, 0, 400, 600]])
+def test_teobresums_refuses_black_holes_and_swapped_masses(teobresums, theta):
+    with pytest.raises(GeneratorFailure):
+        evaluate(teobresums, np.array(theta, dtype=float), smooth_nodes(20.0, 1000.0, 10))
+
+
+def test_teobresums_gives_the_same_bits_twice(teobresums):
+    mf = smooth_nodes(20.0, 2000.0, 20)
+    first, second = evaluate(teobresums, THETA, mf), evaluate(teobresums, THETA, mf)
+    np.testing.assert_array_equal(first, second)
+
+
+@pytest.mark.usefixtures("lal")
+@pytest.mark.parametrize("approximant", ["TaylorF2", "IMRPhenomXAS_NRTidalv3"])
+def test_lalsimulation_gives_its_strain_with_a_continuous_phase(approximant):
+    """Against the baseline at low frequency, and the same phase whether the nodes are sparse or dense."""
+    generator = LALSimulationGenerator(approximant)
+    sparse, dense = smooth_nodes(10.0, 900.0, 12), smooth_nodes(10.0, 900.0, 4096)
+    amplitude, psi = evaluate(generator, THETA, sparse)
+    assert np.abs(log_amplitude_ratio(THETA, sparse, amplitude)[0]) < 1e-2
+    residual = phase_difference(THETA, sparse, psi)
+    reference = phase_difference(THETA, dense, evaluate(generator, THETA, dense)[1])
+    assert np.abs(np.diff(reference)).max() < 1.0
+    turns = (np.interp(sparse, dense, reference) - residual) / (2 * np.pi)
+    np.testing.assert_allclose(turns, np.round(turns[0]), atol=1e-3)
+
+
+@pytest.mark.usefixtures("lal")
+def test_lalsimulation_does_not_depend_on_the_total_mass_it_is_called_at():
+    mf = smooth_nodes(20.0, 900.0, 30)
+    light, heavy = (evaluate(LALSimulationGenerator("TaylorF2", total_mass=mass), THETA, mf) for mass in (2.0, 4.0))
+    np.testing.assert_allclose(light[0], heavy[0], rtol=1e-10)
+    np.testing.assert_allclose(light[1], heavy[1], atol=1e-6)
+
+
+@pytest.mark.usefixtures("lal")
+def test_lalsimulation_refuses_what_it_cannot_do():
+    with pytest.raises(GeneratorUnknown, match="NoSuchModel"):
+        make_generator("lalsimulation", approximant="NoSuchModel")
+    with pytest.raises(GeneratorUnknown, match="frequency-domain"):
+        make_generator("lalsimulation", approximant="TaylorT4")
+    with pytest.raises(GeneratorFailure, match="amplitude is not positive"):
+        evaluate(LALSimulationGenerator("IMRPhenomD_NRTidalv2"), THETA, smooth_nodes(20.0, 2926.0, 20))
+
+
+def test_smooth_nodes_are_uniform_in_their_coordinate():
+    nodes = smooth_nodes(3.57, 2926.0, 80) / mass_seconds()
+    assert nodes[[0, -1]] == pytest.approx([3.57, 2926.0], rel=1e-14)
+    steps = np.diff(np.log(nodes) + nodes / 600.0)
+    np.testing.assert_allclose(steps, steps.mean(), rtol=1e-9)
+    with pytest.raises(ValueError, match="f_min"):
+        smooth_nodes(10.0, 5.0, 20)
+
+
+def test_flattening_keeps_what_it_removes():
+    mf = smooth_nodes(5.0, 2000.0, 60)
+    column = np.column_stack([THETA, THETA])
+    baseline = taylorf2_phase(mf, *column) + 0 * taylorf2_amplitude(mf, *column[:3])
+    shift, constant = np.array([300.0, -50.0]), np.array([1.0, -2.0])
+    curved = (mf / mf[-1]) ** 2 + 2 * np.pi * mf * shift[:, None] + constant[:, None]
+    flat = flatten_phase(mf, curved, mf_upper=mf[20])
+    np.testing.assert_allclose(flat.restored(mf), curved, atol=1e-12)
+    np.testing.assert_allclose(flat.residual[:, [0, 20]], 0.0, atol=1e-12)
+    np.testing.assert_allclose(flat.residual[0], flat.residual[1], atol=1e-9)
+    assert np.diff(flat.time_shift)[0] == pytest.approx(-350.0)
+    assert flat.time_shift_seconds(2.0)[0] == pytest.approx(flat.time_shift[0] * mass_seconds(2.0))
+    assert np.isfinite(baseline).all()
