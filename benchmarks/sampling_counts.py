@@ -1,6 +1,6 @@
 """Points per waveform of the paper's four ways to sample it: ``python -m benchmarks.sampling_counts``.
 
-The paper's orders of magnitude, from 5 Hz: 2e7 uniform, 2e5 multibanded, 3e3 greedy on full waveforms, 1e3 greedy on residuals.
+The paper's orders of magnitude, from 5 Hz: 2e7 uniform, 2e5 multibanded, 3e3 greedy on waveforms, 1e3 on residuals.
 """
 
 from __future__ import annotations

@@ -37,10 +37,10 @@ class HttpxTransport:
         try:
             with self._client.stream(**_arguments(send)) as answer:
                 self._sockets.remember(answer)
-                collector = _Collector(send)
-                for piece in answer.iter_raw():
+                collector = _Collector(send, answer)
+                for piece in answer.iter_bytes():
                     collector.add(piece)
-                return collector.response(answer)
+                return collector.response()
         except (httpx.TransportError, OSError, TransportFailure) as failure:
             raise explain(_translated(failure), send) from failure
 
@@ -73,10 +73,10 @@ class AsyncHttpxTransport:
         try:
             async with self._client.stream(**_arguments(send)) as answer:
                 self._sockets.remember(answer)
-                collector = _Collector(send)
-                async for piece in answer.aiter_raw():
+                collector = _Collector(send, answer)
+                async for piece in answer.aiter_bytes():
                     collector.add(piece)
-                return collector.response(answer)
+                return collector.response()
         except (httpx.TransportError, OSError, TransportFailure) as failure:
             raise explain(_translated(failure), send) from failure
 
@@ -117,8 +117,11 @@ class _InheritedSockets:
 class _Collector:
     """Gathers a body and stops at its limits."""
 
-    def __init__(self, send: Send) -> None:
+    def __init__(self, send: Send, answer: httpx.Response) -> None:
+        if answer.headers.get("content-encoding", "identity") != "identity":
+            raise Malformed("it compresses answers although it was asked not to")
         self._send = send
+        self._answer = answer
         self._pieces: list[bytes] = []
         self._total = 0
 
@@ -131,9 +134,9 @@ class _Collector:
             raise TimeoutError
         self._pieces.append(piece)
 
-    def response(self, answer: httpx.Response) -> HttpResponse:
-        headers = {name.lower(): value for name, value in answer.headers.items()}
-        return HttpResponse(status=answer.status_code, headers=headers, body=b"".join(self._pieces))
+    def response(self) -> HttpResponse:
+        headers = {name.lower(): value for name, value in self._answer.headers.items()}
+        return HttpResponse(status=self._answer.status_code, headers=headers, body=b"".join(self._pieces))
 
 
 def _arguments(send: Send) -> dict[str, Any]:

@@ -7,7 +7,7 @@ and is resumed with the outcome. The synchronous and the asynchronous model diff
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, TypeAlias, TypeVar
 
 from bnserve_client._addresses import Address
@@ -21,8 +21,9 @@ class HttpRequest:
 
     method: str
     path: str
-    headers: tuple[tuple[str, str], ...] = ()
-    body: bytes = b""
+    headers: tuple[tuple[str, str], ...] = field(default=(), repr=False)
+    """Not shown: one of them may be a token."""
+    body: bytes = field(default=b"", repr=False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from bnserve_client._addresses import Address
 from bnserve_protocol import InvalidRequest
@@ -13,7 +13,7 @@ class Settings:
     """Closed and immutable; :meth:`Model.connect` documents each field."""
 
     addresses: tuple[Address, ...]
-    token: str | None = None
+    token: str | None = field(default=None, repr=False)
     timeout: float = 300.0
     silence: float = 30.0
     retries: int | None = None

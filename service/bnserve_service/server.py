@@ -7,9 +7,10 @@ import contextlib
 import logging
 import signal
 import socket
+import threading
 import time
 from collections.abc import Callable, Generator
-from typing import Any
+from typing import Any, Self
 
 import uvicorn
 from prometheus_client import start_http_server
@@ -51,6 +52,9 @@ class BnserveServer:
         self._settings = app.parts.settings
         self._failed: RefreshReport | None = None
         self._drain: asyncio.Task[None] | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
+        self.ready = threading.Event()
+        """Set when models are served."""
         self._uvicorn = _Uvicorn(
             uvicorn.Config(
                 app,
@@ -66,8 +70,8 @@ class BnserveServer:
             )
         )
 
-    def run(self, listener: socket.socket) -> None:
-        """Serve until told to stop by SIGTERM or SIGINT; look at the stores at SIGHUP.
+    def run(self, listener: socket.socket, with_signals: bool = True) -> None:
+        """Serve until told to stop: by SIGTERM or SIGINT; SIGHUP looks at the stores. Or by :meth:`stop` alone.
 
         Raises
         ------
@@ -76,7 +80,7 @@ class BnserveServer:
         """
         factory = self._uvicorn.config.get_loop_factory()
         with asyncio.Runner(loop_factory=factory) as runner:
-            runner.run(self._serve(listener))
+            runner.run(self._serve(listener, with_signals))
         if self._failed is not None:
             reasons = " ".join(f"{what}: {reason}" for what, reason in self._failed.failures.items())
             raise ModelLoading(
@@ -85,11 +89,12 @@ class BnserveServer:
                    "store with --store.")
             )  # fmt: skip
 
-    async def _serve(self, listener: socket.socket) -> None:
-        loop = asyncio.get_running_loop()
-        for number in (signal.SIGTERM, signal.SIGINT):
-            loop.add_signal_handler(number, self.stop)
-        loop.add_signal_handler(signal.SIGHUP, self._app.parts.maintenance.poke)
+    async def _serve(self, listener: socket.socket, with_signals: bool) -> None:
+        loop = self._loop = asyncio.get_running_loop()
+        if with_signals:
+            for number in (signal.SIGTERM, signal.SIGINT):
+                loop.add_signal_handler(number, self.stop)
+            loop.add_signal_handler(signal.SIGHUP, self._app.parts.maintenance.poke)
         self._announce(f"bnserve listens on {address_of(listener)}")
         watch = loop.create_task(self._watch_loading())
         try:
@@ -104,6 +109,7 @@ class BnserveServer:
             self._failed = report
             self._uvicorn.should_exit = True
             return
+        self.ready.set()
         self._announce("bnserve is ready: " + ", ".join(f"{name} {version}" for name, version in models))
 
     def stop(self) -> None:
@@ -114,6 +120,11 @@ class BnserveServer:
         else:
             self._uvicorn.force_exit = self._uvicorn.should_exit = True
 
+    def stop_from_thread(self) -> None:
+        """:meth:`stop`, called from another thread."""
+        if self._loop is not None and not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(self.stop)
+
     async def _drain_and_exit(self) -> None:
         lifecycle = self._app.parts.lifecycle
         lifecycle.begin_grace()
@@ -123,6 +134,59 @@ class BnserveServer:
             await asyncio.sleep(_TICK)
         lifecycle.refuse()
         self._uvicorn.should_exit = True
+
+
+class BackgroundServer:
+    """A server in a thread of this process, for notebooks and tests: a context manager, ready when entered.
+
+    Parameters
+    ----------
+    settings:
+        How; port 0 is a good choice.
+    **parts:
+        ``source`` and ``factory`` of :func:`bnserve_service.create_app`.
+
+    Raises
+    ------
+    CannotListen, StoreUnknown, ModelLoading
+        When entered, as :func:`serve`.
+    """
+
+    def __init__(self, settings: Settings, **parts: Any) -> None:
+        self.settings = settings
+        self.app = create_app(settings, wait_for_models=False, **parts)
+        self.address = ""
+        """What a client connects to, once entered."""
+        self._failure: Exception | None = None
+        self._server = BnserveServer(self.app, logger.info)
+        self._thread = threading.Thread(target=self._run, name="bnserve-server", daemon=True)
+
+    def __enter__(self) -> Self:
+        self._listener = _listen(self.settings)
+        self.address = address_of(self._listener)
+        self._thread.start()
+        self._server.ready.wait()
+        if self._failure is not None:
+            self._thread.join()
+            raise self._failure
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._server.stop_from_thread()
+        self._thread.join()
+
+    def _run(self) -> None:
+        try:
+            with self._listener:
+                self._server.run(self._listener, with_signals=False)
+        except Exception as error:
+            self._failure = error
+        finally:
+            self._server.ready.set()
+
+
+def _listen(settings: Settings) -> socket.socket:
+    return listen_unix(settings.uds) if settings.uds is not None else listen_tcp(settings.host, settings.port)
 
 
 def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: Any) -> None:
@@ -146,7 +210,7 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     ModelLoading
         Not one model could be loaded.
     """
-    listener = listen_unix(settings.uds) if settings.uds is not None else listen_tcp(settings.host, settings.port)
+    listener = _listen(settings)
     with listener:
         app = create_app(settings, wait_for_models=False, **parts)
         app.parts.maintenance.source_is_there()

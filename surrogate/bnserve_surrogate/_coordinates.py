@@ -26,7 +26,7 @@ SPIN_ORBIT_WEIGHT = 38.0 / 113.0
 """Share of eta (chi_1 + chi_2) taken off the mass-weighted spin in the leading spin-orbit phase (arXiv:1107.1267)."""
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def transform_physical(
     mass_ratio: Scalars, chi_1: Scalars, chi_2: Scalars, lambda_1: Scalars, lambda_2: Scalars, out: FloatArray
 ) -> None:

@@ -101,9 +101,7 @@ def _raise_first(
     if not distance.all():
         row = int(np.argmin(distance))
         problem = FieldError(reason="must be positive", parameter="distance_mpc", row=row, value=float(values[row, 5]))
-        raise InvalidParameters(
-            f"Row {row}: distance_mpc = {values[row, 5]} Mpc must be positive.", errors=[problem]
-        )
+        raise InvalidParameters(f"Row {row}: distance_mpc = {values[row, 5]} Mpc must be positive.", errors=[problem])
     if not inside.all():
         problems = _problems(~inside, values, ranges)
         raise OutOfDomain(

@@ -10,16 +10,14 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
-    PARAMETER_NAMES,
-    SOLAR_MASS_SECONDS,
     AmplitudePhase,
-    ArtifactCorrupted,
     ArtifactIncomplete,
     BatchLike,
     DtypeName,
     EvaluationOptions,
     Factored,
     GridLike,
+    InvalidRequest,
     ModelDescription,
     ParameterBatch,
     ParametersWithExtrinsic,
@@ -29,13 +27,12 @@ from bnserve_protocol import (
 )
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate._domain import row_status
-from bnserve_surrogate._kernel import INCLINATION, evaluate_amplitude_phase, evaluate_strain
-from bnserve_surrogate._kernel_model import KernelModel
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._prepared_grid import GridCache
 from bnserve_surrogate._tensors import read_modes
+from bnserve_surrogate.kernel import KernelModel, evaluate_amplitude_phase, evaluate_strain
 
-_ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
+_DTYPES = ("complex128", "complex64")
 
 
 class Model:
@@ -149,11 +146,12 @@ class Model:
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
         grid, coerced, status = self._check(frequencies, batch, options)
-        h = np.empty((len(coerced), len(grid.frequencies)), dtype=dtype)
-        evaluate_strain(
-            coerced.values, status != RowStatus.OK, *grid, self._mode, _ALIGNMENTS[options.alignment], h
-        )
-        plus, cross = _polarization_factors(coerced.values[:, INCLINATION], status)
+        if dtype not in _DTYPES:
+            raise InvalidRequest(f"dtype must be one of {', '.join(_DTYPES)}; got {str(dtype)[:40]!r}.")
+        valid = status == RowStatus.OK
+        h = evaluate_strain(coerced.values[valid], grid, self._mode, options.alignment, dtype)
+        plus, cross = _polarization_factors(coerced["inclination"], status)
+        h = _spread(h, valid)
         return Factored(h=h, plus=plus, cross=cross, status=status)
 
     def predict_amplitude_phase(
@@ -164,10 +162,10 @@ class Model:
         Above the band both are zero. Raises as :meth:`predict`.
         """
         grid, coerced, status = self._check(frequencies, batch, options)
-        amplitude = np.empty((len(coerced), len(grid.frequencies)))
-        phase = np.empty_like(amplitude)
-        evaluate_amplitude_phase(
-            coerced.values, status != RowStatus.OK, *grid, self._mode, _ALIGNMENTS[options.alignment], amplitude, phase
+        valid = status == RowStatus.OK
+        amplitude, phase = (
+            _spread(array, valid)
+            for array in evaluate_amplitude_phase(coerced.values[valid], grid, self._mode, options.alignment)
         )
         if isinstance(batch, ParametersWithExtrinsic):
             return AmplitudePhase(amplitude=amplitude[0], phase=phase[0], status=status)
@@ -180,9 +178,7 @@ class Model:
     def warm_up(self) -> None:
         """Compile everything, so that the first request is as fast as the next."""
         frequencies = np.geomspace(*self._metadata.frequency_band, 8)
-        for dtype in ("complex128", "complex64"):
-            self.predict_factored(frequencies, self._typical(), dtype=dtype)  # type: ignore[arg-type]
-        self.predict_amplitude_phase(frequencies, self._typical())
+        self.predict(frequencies, self._typical())
 
     def self_check(self) -> bool:
         """Whether an evaluation gives the answer that was recorded when the model was published."""
@@ -204,9 +200,18 @@ class Model:
     def _check(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions) -> Any:
         grid = self._grids.prepare(frequencies)
         coerced = ParameterBatch.coerce(batch)
-        band = (self._mode.mf_min, self._mode.mf_max)
+        band = self._mode.mf_band
         status = row_status(coerced, grid.frequencies, self._description.parameters, band, options)
         return grid, coerced, status
+
+
+def _spread(rows: NDArray[Any], valid: NDArray[np.bool_]) -> NDArray[Any]:
+    """Put the rows that were evaluated back into their places; the others are NaN."""
+    if valid.all():
+        return rows
+    spread = np.full((len(valid), rows.shape[1]), np.nan, dtype=rows.dtype)
+    spread[valid] = rows
+    return spread
 
 
 def _polarization_factors(

@@ -26,8 +26,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import SOLAR_MASS_SECONDS, ArtifactCorrupted, ArtifactIncomplete
-from bnserve_surrogate._kernel_model import KernelModel, build_kernel_model
 from bnserve_surrogate._metadata import ModeMetadata, SurrogateMetadata
+from bnserve_surrogate.kernel import MAX_DEGREE, MAX_WIDTH, KernelModel, build_kernel_model
 
 _REQUIRED = (
     "amplitude_nodes",
@@ -89,7 +89,7 @@ def _check_shapes(mode: str, own: dict[str, NDArray[Any]], band: tuple[float, fl
         terms, axes = _shape2(mode, own, "polynomial_exponents")
         exponents = own["polynomial_exponents"]
         _require(mode, "polynomial_exponents", axes == 5 and exponents.dtype.kind in "iu" and int(exponents.min()) >= 0)
-        _require(mode, "polynomial_exponents", int(exponents.max()) <= 64)
+        _require(mode, "polynomial_exponents", int(exponents.max()) <= MAX_DEGREE)
         _require(mode, "polynomial_coefficients", _shape2(mode, own, "polynomial_coefficients") == (terms, outputs))
     _check_network(mode, own, outputs)
 
@@ -98,7 +98,7 @@ def _check_network(mode: str, own: dict[str, NDArray[Any]], outputs: int) -> Non
     layer, inputs = 0, 5
     while f"mlp_weights_{layer}" in own:
         rows, columns = _shape2(mode, own, f"mlp_weights_{layer}")
-        _require(mode, f"mlp_weights_{layer}", rows == inputs)
+        _require(mode, f"mlp_weights_{layer}", rows == inputs and columns <= MAX_WIDTH)
         biases = own.get(f"mlp_biases_{layer}")
         _require(mode, f"mlp_biases_{layer}", biases is not None and biases.shape == (columns,))
         layer, inputs = layer + 1, columns

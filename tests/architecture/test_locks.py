@@ -51,6 +51,6 @@ def test_the_lock_builds_every_room(folder):
 
 
 def test_training_is_not_served():
-    assert {"scikit-learn", "scipy", "optuna", "joblib", "teobresums", "matplotlib"} & set(
+    assert {"scikit-learn", "scipy", "optuna", "joblib", "teobresums", "matplotlib", "numba"} & set(
         locked("requirements.lock")
     ) == set()

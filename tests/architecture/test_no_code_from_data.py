@@ -30,8 +30,6 @@ from bnserve_client import Model, ParametersWithExtrinsic
 Model.connect(sys.argv[1], "default").predict_batch([20.0, 100.0], [ParametersWithExtrinsic.gw170817()] * 3)
 """
 
-SERVE = "from bnserve_service.cli import main; raise SystemExit(main())"
-
 
 @pytest.fixture
 def audited(tmp_path):
@@ -62,7 +60,7 @@ def test_loading_and_evaluating_a_model_unpickles_nothing(audited, events):
 def test_serving_and_calling_unpickles_nothing(audited, events, tmp_path):
     port = free_port()
     address = f"http://127.0.0.1:{port}"
-    serve = [sys.executable, "-c", SERVE, "serve", "--port", str(port)]
+    serve = [sys.executable, "-m", "bnserve_service", "serve", "--port", str(port)]
     with running(serve, tmp_path / "server.log", lambda: is_ready(address), env=audited):
         run_python(EVALUATE_REMOTELY, address, env=audited)
     assert events() == []

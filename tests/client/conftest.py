@@ -45,7 +45,7 @@ def local():
 
 def same(one, other):
     """Whether two results hold the same bits."""
-    fields = [name for name in type(one).__slots__]
+    fields = type(one).__slots__
     return type(one) is type(other) and all(
         np.asarray(getattr(one, name)).dtype == np.asarray(getattr(other, name)).dtype
         and np.asarray(getattr(one, name)).tobytes() == np.asarray(getattr(other, name)).tobytes()

@@ -51,7 +51,7 @@ class ReferenceService:
     token: str | None = None
     grids: dict = field(default_factory=dict)
     requests: list = field(default_factory=list)
-    """(method, path, headers, rows) of every request, in order of arrival."""
+    """(method, path, headers, evaluated rows) of every request, in order of arrival."""
 
     def respond(self, method, path, headers, body):
         """A :class:`Reply`; header names are lower case."""
@@ -65,7 +65,7 @@ class ReferenceService:
         return Reply(status, tie(body if method != "GET" else None, answer) | {"content-type": media_type}, answer)
 
     def evaluations(self):
-        """Rows of every evaluation that was asked for."""
+        """Rows of every evaluation."""
         return [rows for _, _, _, rows in self.requests if rows is not None]
 
     def _route(self, method, path, body):
@@ -93,7 +93,6 @@ class ReferenceService:
         return 201, "application/json", json.dumps({"sha256": sha256, "frequencies": len(body) // 8}).encode()
 
     def _evaluate(self, request):
-        self.requests[-1] = (*self.requests[-1][:3], len(request.batch))
         grid = request.grid
         if isinstance(grid, GridDigest):
             if grid.sha256 not in self.grids:
@@ -103,6 +102,7 @@ class ReferenceService:
             raise TooLarge(f"A batch has at most {self.limits.max_rows} rows here; this one has {len(request.batch)}.")
         if len(grid) > self.limits.max_frequencies:
             raise TooLarge(f"A grid has at most {self.limits.max_frequencies} frequencies here.")
+        self.requests[-1] = (*self.requests[-1][:3], len(request.batch))
         if request.output == "amplitude_phase":
             curves = self.model.predict_amplitude_phase(grid, request.batch, options=request.options)
             arrays = {"amplitude": curves.amplitude, "phase": curves.phase, "status": curves.status}
@@ -140,7 +140,7 @@ def handler_for(service):
             headers = {name.lower(): value for name, value in self.headers.items()}
             self.send(service.respond(self.command, self.path, headers, body))
 
-        do_GET = do_POST = do_PUT = serve
+        do_GET = do_POST = do_PUT = serve  # noqa: N815 - the names that http.server looks for
 
         def send(self, reply):
             head = [f"HTTP/1.1 {reply.status} Status", *(f"{name}: {value}" for name, value in reply.headers.items())]

@@ -123,8 +123,9 @@ def instead(status, body, **headers):
     def fault(handler, reply):
         asked = reply.headers.get("x-request-digest")
         tied = tie(None, body) | ({} if asked is None else {"x-request-digest": asked})
-        named = {name.replace("_", "-"): value for name, value in headers.items()}
-        handler.wfile.write(raw(handler, Reply(status, tied | named, body)))
+        named = tied | {name.replace("_", "-"): value for name, value in headers.items()}
+        kept = {name: value for name, value in named.items() if value is not None}
+        handler.wfile.write(raw(handler, Reply(status, kept, body)))
 
     return fault
 

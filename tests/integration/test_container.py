@@ -86,7 +86,7 @@ def test_blas_keeps_to_one_thread(image):
 
 def test_it_holds_neither_training_nor_pip(image):
     python = str(image.root / "opt/bnserve/bin/python")
-    absent = ["pip", "sklearn", "scipy", "optuna", "joblib", "EOBRun_module", "matplotlib"]
+    absent = ["pip", "sklearn", "scipy", "optuna", "joblib", "EOBRun_module", "matplotlib", "numba"]
     code = f"import importlib.util; print([name for name in {absent} if importlib.util.find_spec(name)])"
     assert subprocess.check_output([python, "-I", "-c", code], text=True).strip() == "[]"
 

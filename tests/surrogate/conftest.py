@@ -34,7 +34,9 @@ def tensors(metadata):
             np.array([np.sin(k * np.linspace(0, 2, 47)) for k in range(OUTPUTS)]) * 2.0,
         ]
     )
-    exponents = np.array([[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [0, 2, 0, 1, 0], [0, 0, 3, 0, 1], [1, 1, 1, 1, 1]], np.uint8)
+    exponents = np.array(
+        [[0, 0, 0, 0, 0], [1, 0, 0, 0, 0], [0, 2, 0, 1, 0], [0, 0, 3, 0, 1], [1, 1, 1, 1, 1]], np.uint8
+    )
     return {
         "22/amplitude_nodes": amplitude_nodes,
         "22/phase_nodes": phase_nodes,

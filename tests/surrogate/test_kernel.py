@@ -4,6 +4,9 @@ import threading
 
 import numpy as np
 import pytest
+from numpy.polynomial import chebyshev
+from scipy.interpolate import CubicSpline
+
 from bnserve_protocol import (
     MEGAPARSEC_SECONDS,
     SOLAR_MASS_SECONDS,
@@ -13,9 +16,6 @@ from bnserve_protocol import (
 )
 from bnserve_surrogate._coordinates import physical_coordinates
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
-from numpy.polynomial import chebyshev
-from scipy.interpolate import CubicSpline
-
 from tests.surrogate.conftest import random_batch
 
 BAND = np.geomspace(5.0, 2048.0, 1500)
@@ -26,9 +26,15 @@ def outputs(tensors, theta):
     x = (physical_coordinates(theta) - tensors["22/coordinate_offset"]) * tensors["22/coordinate_scale"]
     exponents = tensors["22/polynomial_exponents"].astype(int)
     units = np.eye(exponents.max() + 1)
-    terms = np.array([[np.prod([chebyshev.chebval(p[a], units[e[a]]) for a in range(5)]) for e in exponents] for p in x])
+    terms = np.array(
+        [[np.prod([chebyshev.chebval(p[a], units[e[a]]) for a in range(5)]) for e in exponents] for p in x]
+    )
     hidden = np.tanh(x @ tensors["22/mlp_weights_0"] + tensors["22/mlp_biases_0"])
-    return terms @ tensors["22/polynomial_coefficients"] + hidden @ tensors["22/mlp_weights_1"] + tensors["22/mlp_biases_1"]
+    return (
+        terms @ tensors["22/polynomial_coefficients"]
+        + hidden @ tensors["22/mlp_weights_1"]
+        + tensors["22/mlp_biases_1"]
+    )
 
 
 def reference(tensors, values, f, alignment):

@@ -1,7 +1,7 @@
 """The spline operator is scipy's not-a-knot cubic spline."""
 
 import numpy as np
-from bnserve_surrogate._splines import second_derivative_operator
+from bnserve_surrogate.kernel._splines import second_derivative_operator
 from scipy.interpolate import CubicSpline
 
 

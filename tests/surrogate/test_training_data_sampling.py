@@ -4,7 +4,12 @@ import json
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from benchmarks.sampling_counts import main
 from bnserve_protocol import InvalidParameters
+from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.generators import CallableGenerator, mass_seconds
 from bnserve_surrogate.training.greedy_downsampling import greedy_downsampling, reconstruction_error
 from bnserve_surrogate.training.multibanding import multibanded_grid, newtonian_duration, uniform_count
@@ -19,10 +24,6 @@ from bnserve_surrogate.training.sampling import (
     make_sampling,
 )
 from bnserve_surrogate.training.sampling_counts import sampling_counts
-from hypothesis import given, settings
-from hypothesis import strategies as st
-
-from benchmarks.sampling_counts import main
 
 RANGES = ParameterRanges()
 SAMPLINGS = [UniformSampling(), ArcsineSampling(), EdgeSampling(), MixtureSampling(fraction=0.3)]
@@ -96,7 +97,12 @@ def test_a_mixture_takes_its_fraction_from_the_first_density():
 
 
 def test_bad_ranges_and_names_are_refused():
-    for wrong in ({"mass_ratio": (0.5, 2)}, {"chi": (0.5, -0.5)}, {"tidal_deformability": (5, np.inf)}, {"chi": (0, 2)}):
+    for wrong in (
+        {"mass_ratio": (0.5, 2)},
+        {"chi": (0.5, -0.5)},
+        {"tidal_deformability": (5, np.inf)},
+        {"chi": (0, 2)},
+    ):
         with pytest.raises(InvalidParameters, match=next(iter(wrong))):
             ParameterRanges(**wrong)
     with pytest.raises(InvalidParameters, match="Known: uniform, arcsine"):
@@ -191,14 +197,12 @@ def test_noise_needs_the_whole_grid_and_a_limit_is_kept():
         greedy_downsampling(x[::-1], noise)
 
 
-def toy(theta, mf):
-    from bnserve_surrogate.training._baseline import baseline_amplitude, baseline_phase
-
-    change = theta[0] * (mf / 0.02) ** 2
-    return baseline_amplitude(theta, mf) * np.exp(-0.1 * change), baseline_phase(theta, mf) + change + 3000.0 * mf
-
-
 def test_residuals_need_fewer_points_than_waveforms_and_those_fewer_than_grids():
+    def toy(theta, mf):
+        change = theta[0] * (mf / 0.02) ** 2
+        amplitude = taylorf2_amplitude(mf, *theta[:3, None])[0] * np.exp(-0.1 * change)
+        return amplitude, taylorf2_phase(mf, *theta[:, None])[0] + change + 3000.0 * mf
+
     counts = sampling_counts(CallableGenerator(toy), RANGES, f_min=20.0, f_max=1000.0, waveforms=3, n_jobs=1).table
     assert counts["uniform"] > counts["multibanded"] > 10 * counts["greedy_waveform_amplitude"]
     assert counts["greedy_waveform_amplitude"] > counts["greedy_residual_amplitude"] >= 2

@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from bnserve_protocol import InvalidFrequencies, InvalidParameters
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
+from bnserve_protocol import InvalidFrequencies, InvalidParameters
 from bnserve_surrogate.training.metric import MismatchMetric
 from bnserve_surrogate.training.mismatch import NodeMismatch
 from bnserve_surrogate.training.noise import (
@@ -28,7 +28,9 @@ METRIC = MismatchMetric.from_dense(AMPLITUDE_NODES, PHASE_NODES, DENSE, WEIGHTS)
 
 def smooth(coefficients, nodes):
     """Smooth functions of log f: Chebyshev series, coefficients (N, m) -> values (N, n)."""
-    return np.polynomial.chebyshev.chebval(np.log(nodes / nodes[0]) / np.log(nodes[-1] / nodes[0]) * 2 - 1, coefficients.T)
+    return np.polynomial.chebyshev.chebval(
+        np.log(nodes / nodes[0]) / np.log(nodes[-1] / nodes[0]) * 2 - 1, coefficients.T
+    )
 
 
 def population(count, seed=0):
@@ -50,10 +52,11 @@ def test_the_einstein_telescope_curve_is_its_table_and_a_power_law_between_rows(
 
 
 def test_the_einstein_telescope_curve_agrees_with_lalsimulation():
-    lalsimulation = pytest.importorskip("lalsimulation")
-    grid = np.geomspace(3.6, 2900.0, 30)
-    theirs = [lalsimulation.SimNoisePSDEinsteinTelescopeP1600143(f) for f in grid]
-    assert einstein_telescope_d(grid) == pytest.approx(theirs, rel=0.02)
+    lal, lalsimulation = pytest.importorskip("lal"), pytest.importorskip("lalsimulation")
+    theirs = lal.CreateREAL8FrequencySeries("", 0, 0.0, 1.0, lal.DimensionlessUnit, 2900)
+    lalsimulation.SimNoisePSDEinsteinTelescopeP1600143(theirs, 3.0)
+    bins = np.arange(4, 2900)
+    assert einstein_telescope_d(1.0 * bins) == pytest.approx(theirs.data.data[bins], rel=0.02)
 
 
 def test_the_fit_of_advanced_ligo_is_within_its_stated_error_of_lalsimulation():
@@ -220,11 +223,10 @@ def test_reductions_are_affine_maps_given_by_their_node_bases(reduction):
     phase += np.linspace(-3, 3, 200)[:, None] * (1 + PHASE_NODES / 100)
     reduced = reduction.fit(amplitude, phase).transform(amplitude, phase)
     restored = reduction.inverse_transform(reduced)
-    np.testing.assert_allclose(restored[0], amplitude, atol=1e-8)
-    np.testing.assert_allclose(restored[1], phase, atol=1e-8)
-    no_scalars = reduced._replace(
-        log_amplitude=np.zeros(200), phase=np.zeros(200), phase_slope=np.zeros(200)
-    )
+    # Covariances of phases of 100 rad are rounded at 1e-12: square roots of that show.
+    np.testing.assert_allclose(restored[0], amplitude, atol=1e-7)
+    np.testing.assert_allclose(restored[1], phase, atol=1e-7)
+    no_scalars = reduced._replace(log_amplitude=np.zeros(200), phase=np.zeros(200), phase_slope=np.zeros(200))
     for basis, plain in zip(reduction.node_bases(), reduction.inverse_transform(no_scalars), strict=True):
         np.testing.assert_allclose(basis.mean + reduced.components @ basis.basis, plain, atol=1e-10)
         assert basis.mean.flags.c_contiguous

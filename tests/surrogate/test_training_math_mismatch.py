@@ -1,4 +1,4 @@
-"""Mismatch, maximised over time and phase: against a brute-force maximisation in extended precision, and its invariances."""
+"""Mismatch, maximised over time and phase: against brute force in extended precision, and its invariances."""
 
 import numpy as np
 import pytest
@@ -6,8 +6,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from bnserve_surrogate.training.mismatch import NodeMismatch, mismatch
-from bnserve_surrogate.training.noise import einstein_telescope_d
 from bnserve_surrogate.training.nodes import smooth_nodes
+from bnserve_surrogate.training.noise import einstein_telescope_d
 from bnserve_surrogate.training.quadrature import noise_weights, spline_matrix
 
 FREQUENCIES = smooth_nodes(10.0, 2048.0, 700, total_mass=1.0) / smooth_nodes(1.0, 2.0, 2, total_mass=1.0)[0]
@@ -15,22 +15,23 @@ WEIGHTS = noise_weights(FREQUENCIES, FREQUENCIES ** (-7 / 6), einstein_telescope
 SHAPES = np.array([np.cos(k * np.arccos(np.linspace(-1, 1, 700))) for k in range(8)])
 
 
-def overlap(log_amplitude, phase, time):
-    """Complex overlap of the unit vectors at given times, in extended precision, straight from the definition."""
-    w, f = WEIGHTS.astype(np.longdouble), FREQUENCIES.astype(np.longdouble)
-    ratio = np.exp(log_amplitude.astype(np.longdouble))
-    angle = phase.astype(np.longdouble) - 2 * np.longdouble(np.pi) * np.multiply.outer(np.atleast_1d(time), f)
+def overlap(log_amplitude, phase, times):
+    """Modulus of the overlap of unit vectors, straight from the definition, in the precision of ``times``."""
+    w, f = WEIGHTS.astype(times.dtype), FREQUENCIES.astype(times.dtype)
+    ratio = np.exp(log_amplitude.astype(times.dtype))
+    angle = phase.astype(times.dtype) - 2 * np.arccos(times.dtype.type(-1)) * np.multiply.outer(times, f)
     integrals = np.stack([(np.cos(angle) * ratio) @ w, (np.sin(angle) * ratio) @ w])
     return np.hypot(*integrals) / np.sqrt(w.sum() * (ratio**2 @ w))
 
 
 def brute_force(log_amplitude, phase, low, high, points):
-    """1 - max over a fine grid of times, zoomed in on until nothing changes."""
-    for _ in range(30):
-        times = np.linspace(low, high, points, dtype=np.longdouble)
+    """1 - max over a fine grid of times, then zoomed in on in extended precision until nothing changes."""
+    times = np.linspace(low, high, points)
+    best, width = times[np.argmax(overlap(log_amplitude, phase, times))], 2 * (times[1] - times[0])
+    for _ in range(14):  # Each zoom is by four; the maximum is flat, so 1e-9 of a grid step is more than enough.
+        times = np.linspace(best - width, best + width, 17, dtype=np.longdouble)
         values = overlap(log_amplitude, phase, times)
-        best, width = times[np.argmax(values)], 4 * (times[1] - times[0])
-        low, high, points = best - width, best + width, 33
+        best, width = times[np.argmax(values)], width / 4
     return float(1 - values.max())
 
 
@@ -42,7 +43,7 @@ coefficients = st.lists(st.floats(-1, 1), min_size=8, max_size=8).map(np.array)
 def test_small_differences_agree_with_brute_force_in_extended_precision(amplitude, phase, exponent):
     scale = 10.0**exponent
     log_amplitude, angle = scale * amplitude @ SHAPES, scale * phase @ SHAPES
-    expected = brute_force(log_amplitude, angle, -0.02, 0.02, 801)
+    expected = brute_force(log_amplitude, angle, -0.02, 0.02, 401)
     assume(expected < 0.3)
     found = mismatch(FREQUENCIES, WEIGHTS, log_amplitude[None], angle[None]).mismatch[0]
     # 2e-19 is the rounding of the reference itself; the mismatch's own error is relative.
@@ -57,13 +58,13 @@ def test_mismatches_far_below_double_precision_keep_their_digits():
     assert 0 < tiny < 1e-23
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(12))
 def test_large_differences_find_the_global_maximum(seed):
     rng = np.random.default_rng(seed)
     tidal_like = rng.normal() * 30 * (FREQUENCIES / 1000.0) ** (5 / 3) + rng.normal() * 20 * (10.0 / FREQUENCIES)
     angle = tidal_like + 3 * rng.normal(size=8) @ SHAPES
     log_amplitude = 0.3 * rng.normal(size=8) @ SHAPES
-    expected = brute_force(log_amplitude, angle, -0.3, 0.3, 60_001)
+    expected = brute_force(log_amplitude, angle, -0.3, 0.3, 6_001)
     found = mismatch(FREQUENCIES, WEIGHTS, log_amplitude[None], angle[None]).mismatch[0]
     assert found == pytest.approx(expected, rel=1e-9)
 

@@ -27,26 +27,26 @@ FROZEN_AMPLITUDE = 20.0
 """That constant, the paper's C."""
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def mass_scale(mass_ratio: Scalars) -> Scalars:
     """The symmetric mass ratio nu: |h_+| of a face-on source is nu M**2 / D_L times A."""
     return mass_ratio / (1.0 + mass_ratio) ** 2
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def amplitude_prefactor(mass_ratio: Scalars) -> Scalars:
     """Coefficient of v**(-7/2) in the leading-order A, sqrt(5 pi / (24 nu)), from the quadrupole formula."""
     return np.sqrt(5.0 * pi / 24.0 / mass_scale(mass_ratio))
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def amplitude_coefficients(mass_ratio: Scalars, chi_1: Scalars, chi_2: Scalars, out: Coefficients) -> None:
     r"""Fill ``out`` with the coefficients of the PN amplitude, relative to the leading order.
 
     .. math:: A(v) = A_0 v^{-7/2} \sum_k \mathrm{out}[k] \, v^k, \qquad v = (\pi M f)^{1/3}
 
-    with A_0 from :func:`amplitude_prefactor`. Through 3PN: Khan et al. 2016 (arXiv:1508.07253), eqs. (B14)-(B20), but for
-    the spin-spin terms, which there lack part of the mode's own; those are of Garcia-Quiros et al. 2020
+    with A_0 from :func:`amplitude_prefactor`. Through 3PN: Khan et al. 2016 (arXiv:1508.07253), eqs. (B14)-(B20), but
+    for the spin-spin terms, which there lack part of the mode's own; those are of Garcia-Quiros et al. 2020
     (arXiv:2001.10914), for spin-induced quadrupoles of black holes (C_Q = 1). 3.5PN, without spins: the modulus of the
     mode (Faye, Blanchet, Iyer 2015, arXiv:1409.3546) times the square root of the second derivative of the phase, which
     also gives back the lower orders.
@@ -87,7 +87,7 @@ def amplitude_coefficients(mass_ratio: Scalars, chi_1: Scalars, chi_2: Scalars, 
 
 
 def freezing_weight(mf: FloatArray) -> FloatArray:
-    """Share of the constant at M f: (1 - cos(pi x)) / 2 for x from 0 at 0.01 to 1 at 0.02, 0 below and exactly 1 above."""
+    """Share of the constant: (1 - cos(pi x)) / 2, x from 0 at M f = 0.01 to 1 at 0.02; 0 below and exactly 1 above."""
     x = np.clip((mf - FREEZING_START) / (FREEZING_END - FREEZING_START), 0.0, 1.0)
     return np.asarray(0.5 * (1.0 - np.cos(pi * x)))
 

@@ -13,7 +13,7 @@ PHASE_POWERS = 16
 """Powers of v in v**5 times the phase: 0 to 15, that is 7.5PN order."""
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def phase_coefficients(
     mass_ratio: Scalars,
     chi_1: Scalars,

@@ -2,8 +2,8 @@
 
 Through 3.5PN: Buonanno, Iyer, Ochsner, Pan, Sathyaprakash 2009 (arXiv:0907.0700), eq. (3.18).
 From 4PN to 5.5PN: Messina, Dudi, Nagar, Bernuzzi 2019 (arXiv:1904.09558), the "quasi-5.5PN" phase. It is the PN
-expansion of the effective-one-body dynamics and flux, exact in the test-mass limit; the coefficients that were not known
-analytically (a_6^c, c_21^3PN, c_22^4PN, c_22^5PN there) are zero here.
+expansion of the effective-one-body dynamics and flux, exact in the test-mass limit; the coefficients that were not
+known analytically (a_6^c, c_21^3PN, c_22^4PN, c_22^5PN there) are zero here.
 
 Every ``PHASE_<order>`` is a tuple of coefficients of increasing powers of the symmetric mass ratio nu, in units of the
 leading term 3 / (128 nu) v**-5. They are evaluated once, in Python, because some numerators exceed 64 bits.
@@ -119,7 +119,7 @@ PHASE_5_5PN = (
 PHASE_5_5PN_LOG = (-pi * 3558011 / 7938, -pi * 1346662 / 567)
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def add_point_mass_phase(symmetric_mass_ratio: Scalars, out: Coefficients) -> None:
     """Add the point-mass terms, in units of 3 / (128 nu), to ``out[l, k]`` (power l of log v, power k of v).
 

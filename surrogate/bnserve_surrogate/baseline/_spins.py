@@ -1,8 +1,8 @@
 """Spin part of the TaylorF2 phase for aligned spins, in units of the leading term 3 / (128 nu) v**-5.
 
 Every term linear or quadratic in one star's spin is a function of that star's mass fraction X = m / M and spin chi, so
-the phase is a sum over the two stars, plus what involves both spins. Terms cubic in the spins (3.5PN) and all those from
-4PN on are left to the surrogate.
+the phase is a sum over the two stars, plus what involves both spins. Terms cubic in the spins (3.5PN) and all those
+from 4PN on are left to the surrogate.
 """
 
 from math import pi
@@ -12,12 +12,12 @@ from numba.extending import register_jitable
 from bnserve_surrogate.baseline._types import Coefficients, Scalars
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def add_spin_orbit_phase(mass_fraction: Scalars, chi: Scalars, out: Coefficients) -> None:
     """Add one star's spin-orbit terms, 1.5PN to 3.5PN, to ``out[l, k]``.
 
-    Bohe, Marsat, Blanchet 2013 (arXiv:1303.7412), eqs. (3.15)-(3.16); the 3PN tail: Marsat, Bohe, Blanchet, Buonanno 2013
-    (arXiv:1307.6793), eq. (4.9).
+    Bohe, Marsat, Blanchet 2013 (arXiv:1303.7412), eqs. (3.15)-(3.16); the 3PN tail: Marsat, Bohe, Blanchet, Buonanno
+    2013 (arXiv:1307.6793), eq. (4.9).
     """
     x = mass_fraction
     nu = x * (1.0 - x)
@@ -30,14 +30,14 @@ def add_spin_orbit_phase(mass_fraction: Scalars, chi: Scalars, out: Coefficients
     out[0, 7] += spin * (along_total * x + along_difference * (2.0 * x - 1.0))
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def add_self_spin_phase(mass_fraction: Scalars, chi: Scalars, quadrupole: Scalars, out: Coefficients) -> None:
     """Add one star's terms quadratic in its own spin, 2PN, 3PN and 3.5PN, to ``out[l, k]``.
 
     ``quadrupole`` is the star's spin-induced quadrupole C_Q (1 for a black hole). The terms in C_Q are the
     monopole-quadrupole phase of Nagar et al. 2018 (arXiv:1812.07923), eqs. (50)-(52), the last of them the 3.5PN tail.
-    The others: 2PN, Mikoczi, Vasuth, Gergely 2005 (arXiv:astro-ph/0504538), eq. (9); 3PN, Bohe, Faye, Marsat, Porter 2015
-    (arXiv:1501.01529), from eqs. (3.30) and (4.12).
+    The others: 2PN, Mikoczi, Vasuth, Gergely 2005 (arXiv:astro-ph/0504538), eq. (9); 3PN, Bohe, Faye, Marsat, Porter
+    2015 (arXiv:1501.01529), from eqs. (3.30) and (4.12).
     """
     x = mass_fraction
     square = (x * chi) ** 2
@@ -49,7 +49,7 @@ def add_self_spin_phase(mass_fraction: Scalars, chi: Scalars, quadrupole: Scalar
     out[0, 7] += -400.0 * pi * square * quadrupole
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def add_spin_spin_phase(mass_fraction_1: Scalars, chi_1: Scalars, chi_2: Scalars, out: Coefficients) -> None:
     """Add the rest of what is quadratic in the spins and belongs to the pair: 2PN, 3PN and the 3.5PN tail.
 

@@ -53,7 +53,7 @@ def taylorf2_amplitude(
 ) -> FloatArray:
     """A = |h_+(face-on)| D_L / (nu M**2), shape (N, M), from M f of shape (M,) and parameters of shape (N,).
 
-    Constant above M f = 0.02, as the baseline needs; without ``frozen`` the bare PN series, which may change sign there.
+    Constant above M f = 0.02, as the baseline needs; without ``frozen`` the bare PN series, which may change sign.
     """
     v = velocity(mf)
     coefficients = np.empty((AMPLITUDE_POWERS, np.size(mass_ratio)))

@@ -8,7 +8,7 @@ from numba.extending import register_jitable
 from bnserve_surrogate.baseline._types import Coefficients, Scalars
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def add_tidal_phase(mass_fraction: Scalars, tidal_deformability: Scalars, out: Coefficients) -> None:
     """Add one star's quadrupolar, gravitoelectric tidal terms, 5PN to 7.5PN, to ``out[l, k]`` in units of 3 / (128 nu).
 
@@ -26,7 +26,7 @@ def add_tidal_phase(mass_fraction: Scalars, tidal_deformability: Scalars, out: C
     out[0, 15] += -pi * scale / 672.0 * (27719.0 - x * (22415.0 - x * (7598.0 - 10520.0 * x)))
 
 
-@register_jitable
+@register_jitable(error_model="numpy")
 def spin_induced_quadrupole(tidal_deformability: Scalars) -> Scalars:
     """Quadrupole coefficient C_Q of a spinning star, from its quadrupolar tidal deformability Lambda.
 

@@ -13,8 +13,10 @@ MAX_STEPS = 60
 """Newton steps per local search; three are typical, tens only where the search starts on the flank of a low peak."""
 PEAKS = 4
 """Highest peaks of the coarse scan that are climbed."""
-_STEP = 0.25
+_STEP = 0.1
 """Step of the coarse scan, in units of 1 / (spread of the frequencies): peaks of R are about one unit wide."""
+_LEAST_CURVATURE = 1e-6
+"""Keeps Newton steps finite where a curvature changes sign; a step that is too long is not accepted anyway."""
 _MAX_SCAN = 65_536
 """Longest scan; residuals that would need more are noise, for which any answer is as good."""
 
@@ -74,10 +76,8 @@ def _search_row(frequencies: FloatArray, density: FloatArray, phase: FloatArray)
     peaks = np.flatnonzero((height >= padded[:-2]) & (height >= padded[2:]))
     peaks = peaks[np.argsort(height[peaks])[::-1][:PEAKS]]
     frame = _Frame(frequencies, density).rows(np.zeros(len(peaks), dtype=np.intp))
-    constants = np.angle(overlap[peaks]) + slopes[peaks] * frame.mean
-    loss, slope, constant = _descend(
-        frame, np.repeat(phase, len(peaks), axis=0), constants, slopes[peaks] * frame.spread
-    )
+    starts = np.angle(overlap[peaks]), slopes[peaks] * frame.spread
+    loss, slope, constant = _descend(frame, np.repeat(phase, len(peaks), axis=0), *starts)
     best = [int(np.argmin(loss))]
     return loss[best], slope[best], constant[best]
 
@@ -113,7 +113,7 @@ def _scan(
 
 
 def _descend(frame: _Frame, phase: FloatArray, constant: FloatArray, slope: FloatArray) -> Aligned:
-    """Newton steps where the Hessian is positive and the loss falls, else unit gradient steps.
+    """Newton steps, away from saddles and maxima, where they lower the loss; else unit gradient steps.
 
     In the normalised frame the Hessian never exceeds the identity, so a unit gradient step cannot raise the loss.
     """
@@ -150,15 +150,11 @@ def _descend(frame: _Frame, phase: FloatArray, constant: FloatArray, slope: Floa
 
 
 def _steps(frame: _Frame, residual: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Descent steps (constant, slope), (2, N) each: the gradient's, and Newton's (the gradient's where not convex)."""
+    """Descent steps (constant, slope), (2, N) each: the gradient's, and Newton's with the moduli of the curvatures."""
     sine, cosine = np.sin(residual), np.cos(residual)
-    first, second = frame.average(sine), frame.average(frame.variable * sine)
-    h_00 = frame.average(cosine)
-    h_01 = frame.average(frame.variable * cosine)
-    h_11 = frame.average(frame.variable**2 * cosine)
-    determinant = h_00 * h_11 - h_01**2
-    convex = (h_00 > 0.0) & (determinant > 1e-3 * (h_00 + h_11) ** 2)
-    safe = np.where(convex, determinant, 1.0)
-    newton_0 = np.where(convex, (h_11 * first - h_01 * second) / safe, first)
-    newton_1 = np.where(convex, (h_00 * second - h_01 * first) / safe, second)
-    return np.stack([first, second]), np.stack([newton_0, newton_1])
+    gradient = np.stack([frame.average(sine), frame.average(frame.variable * sine)])
+    mixed = frame.average(frame.variable * cosine)
+    hessian = np.array([[frame.average(cosine), mixed], [mixed, frame.average(frame.variable**2 * cosine)]])
+    curvatures, directions = np.linalg.eigh(np.moveaxis(hessian, -1, 0))
+    along = np.einsum("nij,in->nj", directions, gradient) / np.maximum(np.abs(curvatures), _LEAST_CURVATURE)
+    return gradient, np.einsum("nij,nj->in", directions, along)

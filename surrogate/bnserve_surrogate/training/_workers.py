@@ -7,7 +7,7 @@ from concurrent.futures.process import BrokenProcessPool
 from typing import Any
 
 from bnserve_surrogate.training._chunks import Chunk, ChunkTask, assemble, compute_chunk, merge
-from bnserve_surrogate.training.errors import require
+from bnserve_surrogate.training.errors import WorkersUnusable, require
 
 _CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
 
@@ -26,6 +26,11 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
         Processes at once, as joblib counts them: -1 for all cores.
     backend
         A joblib backend's name.
+
+    Raises
+    ------
+    WorkersUnusable
+        The workers cannot load the generator.
     """
     pending = {task.start: task for task in tasks}
     while pending:
@@ -33,7 +38,8 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
         try:
             for start, chunk in _parallel(pending, dispatched, n_jobs, backend):
                 yield pending.pop(start), chunk
-        except BrokenProcessPool:
+        except BrokenProcessPool as error:
+            _only_crashes(error)
             suspects = [start for start in dispatched if start in pending]
             for start in suspects:
                 task = pending.pop(start)
@@ -100,6 +106,16 @@ def _labelled(task: ChunkTask) -> tuple[int, Chunk]:
     return task.start, compute_chunk(task)
 
 
+def _only_crashes(error: BrokenProcessPool) -> None:
+    """Refuse to take for a crash of the generator what happens before it is called."""
+    if not isinstance(error, require("joblib.externals.loky.process_executor").TerminatedWorkerError):
+        reason = str(error.__cause__ or error).strip().splitlines()[-1]
+        raise WorkersUnusable(
+            f"The worker processes cannot load the generator ({reason.strip()}). It must be importable or picklable by "
+            "cloudpickle in a new Python process; if it is, look for a broken installation."
+        ) from error
+
+
 def _new_executor() -> Any:
     return require("joblib.externals.loky").ProcessPoolExecutor(max_workers=1)
 
@@ -108,6 +124,7 @@ def _attempt(executor: Any, single: ChunkTask) -> tuple[Chunk, bool]:
     """The chunk of one sample, and whether its process died."""
     try:
         return executor.submit(compute_chunk, single).result(), False
-    except BrokenProcessPool:
+    except BrokenProcessPool as error:
+        _only_crashes(error)
         failed = [(single.start, _CRASHED)]
         return assemble([], failed, single.mf_amplitude.size, single.mf_phase.size), True

@@ -191,8 +191,8 @@ def build_dataset(
         Disk full, no permission; finished chunks are kept.
     DatasetInUse
         Another process is generating this very data set in this directory.
-    PackageMissing
-        The generator's package, or joblib, is not installed.
+    PackageMissing, WorkersUnusable
+        The generator's package, or joblib, is not installed; the workers cannot load the generator.
     """
     if count < 1:
         raise ValueError(f"A data set has at least one sample; got count={count}.")
@@ -261,7 +261,7 @@ def _check_failures(chunks: dict[int, Chunk], allowed: float, count: int) -> Non
     if failed > allowed:
         common = "; ".join(f"{number} x {reason}" for reason, number in reasons.most_common(3))
         raise TooManyFailures(
-            f"{failed} of {count} waveforms failed, more than the {allowed:g} allowed. The commonest reasons: {common} "
+            f"{failed} of {count} waveforms failed, more than the {allowed:g} allowed. The commonest reasons: {common}\n"
             "Change the parameter ranges, the band or the generator, or allow more failures."
         )
 

@@ -7,6 +7,7 @@
         ├── PackageMissing        an optional dependency of training is not installed
         ├── GeneratorFailure      one waveform could not be computed
         ├── GeneratorUnknown      no generator of that name, or options that it does not take
+        ├── WorkersUnusable       worker processes cannot load the generator
         ├── TooManyFailures       more waveforms failed than allowed
         ├── DatasetInUse          another run writes to the same directory
         └── DatasetUnwritable     the directory cannot be written: disk full, read-only, no permission
@@ -46,6 +47,13 @@ class GeneratorUnknown(TrainingError):
 
     code = "generator-unknown"
     title = "Waveform generator unknown"
+
+
+class WorkersUnusable(TrainingError):
+    """The worker processes cannot load the generator."""
+
+    code = "workers-unusable"
+    title = "Worker processes unusable"
 
 
 class TooManyFailures(TrainingError):

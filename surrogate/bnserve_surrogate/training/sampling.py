@@ -116,7 +116,7 @@ class ArcsineSampling:
 
 @dataclass(frozen=True)
 class EdgeSampling:
-    """Faces, edges and corners of the box: one to five parameters at a bound, equally often, others from ``interior``."""
+    """Faces, edges and corners: one to five parameters at a bound, equally often; others from ``interior``."""
 
     interior: Sampling = field(default_factory=UniformSampling)
 

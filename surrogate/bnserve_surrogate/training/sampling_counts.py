@@ -24,8 +24,8 @@ _WAVEFORMS_PER_TASK = 4
 class SamplingCounts:
     """Points per waveform: of the uniform and the multibanded grid, and the greedy nodes chosen from the latter.
 
-    ``waveform_*`` reconstruct full waveforms (amplitude in the baseline's units, phase in radians), ``residual_*`` the log
-    amplitude ratio and the phase difference to the baseline. ``waveforms`` is how many were used.
+    ``waveform_*`` reconstruct full waveforms (amplitude in the baseline's units, phase in radians), ``residual_*`` the
+    log amplitude ratio and the phase difference to the baseline. ``waveforms`` is how many were used.
     """
 
     uniform: int
@@ -68,7 +68,7 @@ def sampling_counts(
     generator, ranges
         The waveforms, drawn uniformly from the box.
     f_min, f_max
-        Band in Hz for a binary of ``total_mass`` solar masses; 2926 Hz is where the training band for masses up to 4 ends.
+        Band in Hz for a binary of ``total_mass`` solar masses; the training band for masses up to 4 ends at 2926 Hz.
     waveforms
         How many the greedy algorithm sees.
     tolerance

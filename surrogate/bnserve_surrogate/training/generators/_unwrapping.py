@@ -38,12 +38,15 @@ def continuous_phase(
     Raises
     ------
     GeneratorFailure
-        The phase is not resolved after six refinements.
+        The waveform vanishes somewhere, or the phase is not resolved after six refinements.
     """
     spacing = _FIRST_SPACING
     for _ in range(_REFINEMENTS):
         dense, where = _refined(mf, spacing)
         values = strain(dense)
+        if not np.abs(values).all():
+            zero = dense[np.argmin(np.abs(values))]
+            raise GeneratorFailure(f"The waveform is zero from M f = {zero:.4g} on; end the band below.")
         baseline = baseline_phase(theta, dense)
         difference = np.unwrap(-np.angle(values * np.exp(1j * baseline)))
         if dense.size < 2 or np.abs(np.diff(difference)).max() <= _LARGEST_STEP:

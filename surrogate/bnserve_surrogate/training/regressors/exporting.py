@@ -26,6 +26,6 @@ def export_regressor(estimator: Any) -> ExportedRegressor:
         return ExportedRegressor.of_network(estimator.coefs_, estimator.intercepts_, estimator.activation)
     raise NotExportable(
         f"A {type(estimator).__name__} cannot be exported to a model file: only polynomials, multilayer perceptrons"
-        " and a sum of one of each can. Use ChebyshevPolynomial, MLP or Sum, or give your estimator an export() method that"
-        " returns an ExportedRegressor made of those."
+        " and a sum of one of each can. Use ChebyshevPolynomial, MLP or Sum, or give your estimator an export() method"
+        " that returns an ExportedRegressor made of those."
     )

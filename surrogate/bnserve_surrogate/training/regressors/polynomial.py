@@ -65,7 +65,7 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         weights: Sequence[float] = (1.0, 0.8, 1.0, 1.5, 1.5),
         n_terms: int | None = None,
         ridge: float = 0.0,
-        output_weights: Sequence[float] | None = None,
+        output_weights: ArrayLike | None = None,
         outlier_factor: float | None = 100.0,
         max_outlier_fraction: float = 0.01,
     ) -> None:

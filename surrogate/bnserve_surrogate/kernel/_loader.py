@@ -1,0 +1,50 @@
+"""From LLVM assembly to machine code for this processor, without numba."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import llvmlite.binding as llvm
+
+ASSEMBLY = Path(__file__).with_name("kernel.ll")
+DIGEST_PREFIX = "; sources: "
+ENTRY_POINT = "bnserve_evaluate"
+_POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
+_SIGNATURE = "pp pi pppi pipipi i pi p pipi ppi"
+"""Pointers and integers: return and exception slots; parameters; grid; model; alignment; scratch; series; outputs."""
+
+_lock = threading.Lock()
+_engines: list[Any] = []
+"""Engines own the machine code, so they live as long as the process."""
+
+
+@functools.cache
+def load_kernel() -> Callable[..., int]:
+    """The compiled kernel as a C function; calling it releases the GIL.
+
+    Compiled for the processor at hand on the first call, about one second; later calls return the same function.
+    """
+    with _lock:
+        llvm.initialize_native_target()
+        llvm.initialize_native_asmprinter()
+        module = llvm.parse_assembly(ASSEMBLY.read_text())
+        target = llvm.Target.from_default_triple()
+        machine = target.create_target_machine(
+            cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=3
+        )
+        module.triple = target.triple
+        module.data_layout = str(machine.target_data)
+        module.verify()
+        options = llvm.create_pipeline_tuning_options(speed_level=3)
+        passes = llvm.create_pass_builder(machine, options)
+        passes.getModulePassManager().run(module, passes)
+        engine = llvm.create_mcjit_compiler(module, machine)
+        engine.finalize_object()
+        _engines.append(engine)
+        types = [_POINTER if kind == "p" else _INTEGER for kind in _SIGNATURE.replace(" ", "")]
+        return ctypes.CFUNCTYPE(ctypes.c_int32, *types)(engine.get_function_address(ENTRY_POINT))

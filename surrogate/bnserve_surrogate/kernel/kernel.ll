@@ -1,0 +1,4244 @@
+; sources: 6cca6f94f44963dcea1a2155414e6825af5735ea4737d5a142b00e8b79c7ef56
+; ModuleID = '<string>'
+source_filename = "<string>"
+
+
+; Function Attrs: nofree norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define noundef i32 @bnserve_evaluate(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readonly captures(none) %arg.parameters, i64 %arg.n_parameters, ptr readonly captures(none) %arg.f, ptr readonly captures(none) %arg.log_f, ptr readonly captures(none) %arg.cbrt_f, i64 %arg.points, ptr readonly captures(none) %arg.contents, i64 %arg.n_contents, ptr readonly captures(none) %arg.exponents, i64 %arg.n_exponents, ptr readonly captures(none) %arg.weights, i64 %arg.n_weights, i64 %arg.alignment, ptr captures(none) %arg.scratch, i64 %arg.n_scratch, ptr %arg.series, ptr writeonly captures(none) %arg.wide, i64 %arg.n_wide, ptr writeonly captures(none) %arg.narrow, i64 %arg.n_narrow, ptr captures(none) %arg.amplitude, ptr captures(none) %arg.phase, i64 %arg.n_polar) local_unnamed_addr #0 {
+entry:
+  %.2457.i.i = alloca ptr, align 8
+  %.3111.i.i = alloca ptr, align 8
+  %.392.i = getelementptr i8, ptr %arg.contents, i64 24
+  %.393.i = load i64, ptr %.392.i, align 8, !noalias !0
+  %.394.i = add nsw i64 %.393.i, 2378
+  %.426.i = getelementptr i8, ptr %arg.contents, i64 48
+  %.427.i = load i64, ptr %.426.i, align 8, !noalias !0
+  %.456.i = getelementptr i8, ptr %arg.contents, i64 56
+  %.457.i = load i64, ptr %.456.i, align 8, !noalias !0
+  %.458.i = add nsw i64 %.457.i, %.427.i
+  %.459.i = shl nsw i64 %.458.i, 1
+  %.461.i = add nsw i64 %.459.i, %.394.i
+  %.462.i = add nsw i64 %.461.i, 4
+  %.463.i = add nsw i64 %.461.i, 12
+  %.504.i = icmp slt i64 %.393.i, -2378
+  %.505.i = select i1 %.504.i, i64 %arg.n_scratch, i64 0
+  %.506.i = add i64 %.505.i, %.394.i
+  %.509.i = icmp slt i64 %.506.i, 0
+  br i1 %.509.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !3
+
+B514.i:                                           ; preds = %B514.preheader.i, %B1054.i
+  %.1503.sroa.0.015.i = phi i64 [ %.1503.sroa.0.0.i, %B1054.i ], [ 0, %B514.preheader.i ]
+  %.1459.114.in.i = phi i64 [ %1, %B1054.i ], [ %3, %B514.preheader.i ]
+  %.1456.113.i = phi i64 [ %.1456.1.i, %B1054.i ], [ 1024, %B514.preheader.i ]
+  %.1555.i = add nsw i64 %.1503.sroa.0.015.i, 1024
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %arg.points, i64 %.1555.i)
+  %.1590.i = sub nsw i64 %.13.i.i, %.1503.sroa.0.015.i
+  %.1598.i = add nsw i64 %.1503.sroa.0.015.i, %.1596.i
+  br i1 %50, label %B594.i, label %B672.i
+
+B594.i:                                           ; preds = %B514.i
+  %.1611.i = add i64 %.13.i.i, %.1596.i
+  %.1648.i = icmp slt i64 %.1598.i, 0
+  %.1649.i = select i1 %.1648.i, i64 %arg.n_polar, i64 0
+  %.1650.i = add i64 %.1649.i, %.1598.i
+  %.1653.i = icmp slt i64 %.1650.i, 0
+  br i1 %.1653.i, label %B594.else.if.i, label %B594.else.endif.i, !prof !3
+
+B672.i:                                           ; preds = %B514.i
+  %.1995.i = add nsw i64 %.1590.i, %.463.i
+  br i1 %.698.i, label %B672.else.if.i, label %B672.else.endif.i, !prof !3
+
+B756.i:                                           ; preds = %B672.endif.else.endif.endif.endif.endif.i, %B594.endif.else.endif.endif.endif.endif.i
+  %a.2.sroa.60.2.i = phi i64 [ %.1735.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2120.i, %B672.endif.else.endif.endif.endif.endif.i ]
+  %a.2.sroa.48.2.i = phi ptr [ %.1751.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2136.i, %B672.endif.else.endif.endif.endif.endif.i ]
+  %p.2.sroa.60.2.i = phi i64 [ %.1929.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2308.i, %B672.endif.else.endif.endif.endif.endif.i ]
+  %p.2.sroa.48.2.i = phi ptr [ %.1945.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2324.i, %B672.endif.else.endif.endif.endif.endif.i ]
+  %.2406.i = icmp slt i64 %.1503.sroa.0.015.i, 0
+  %.2407.i = select i1 %.2406.i, i64 %arg.points, i64 0
+  %.2408.i = add i64 %.2407.i, %.1503.sroa.0.015.i
+  %.2411.i = icmp slt i64 %.2408.i, 0
+  br i1 %.2411.i, label %B756.else.if.i, label %B756.else.endif.i, !prof !3
+
+B908.i:                                           ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.3292.i = add i64 %.13.i.i, %.1596.i
+  %.3330.i = icmp slt i64 %.1598.i, 0
+  %.3331.i = select i1 %.3330.i, i64 %arg.n_wide, i64 0
+  %.3332.i = add i64 %.3331.i, %.1598.i
+  %.3335.i = icmp slt i64 %.3332.i, 0
+  br i1 %.3335.i, label %B908.else.if.i, label %B908.else.endif.i, !prof !3
+
+B964.i:                                           ; preds = %B56.if.i.i, %B908.else.endif.endif.endif.endif.i, %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %54, label %B998.i, label %B1054.i
+
+B998.i:                                           ; preds = %B964.i
+  %.3517.i = add i64 %.13.i.i, %.1596.i
+  %.3559.i = icmp slt i64 %.1598.i, 0
+  %.3560.i = select i1 %.3559.i, i64 %arg.n_narrow, i64 0
+  %.3561.i = add i64 %.3560.i, %.1598.i
+  %.3564.i = icmp slt i64 %.3561.i, 0
+  br i1 %.3564.i, label %B998.else.if.i, label %B998.else.endif.i, !prof !3
+
+B1054.i:                                          ; preds = %B56.if.i19.i, %B998.else.endif.endif.endif.endif.i, %B964.i
+  %.1513.i = icmp samesign ugt i64 %.1459.114.in.i, 1
+  %.1526.i = add i64 %.1456.113.i, 1024
+  %.1456.1.i = select i1 %.1513.i, i64 %.1526.i, i64 %.1456.113.i
+  %0 = tail call i64 @llvm.smax.i64(i64 %.1459.114.in.i, i64 2)
+  %1 = add nsw i64 %0, -1
+  %.1503.sroa.0.0.i = select i1 %.1513.i, i64 %.1456.113.i, i64 0
+  br i1 %.1513.i, label %B514.i, label %B1058.i
+
+B1058.i:                                          ; preds = %B1054.i, %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %exitcond.not.i = icmp eq i64 %.997.i, %.869.1.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE.exit, label %B344.if.i
+
+B0.else.if.i:                                     ; preds = %entry
+  br label %B0.else.endif.i
+
+B0.else.endif.i:                                  ; preds = %B0.else.if.i, %entry
+  %.494.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.506.i, %entry ]
+  %.514.not.i = icmp slt i64 %.506.i, %arg.n_scratch
+  br i1 %.514.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !4
+
+B0.else.endif.if.i:                               ; preds = %B0.else.endif.i
+  br label %B0.else.endif.endif.i
+
+B0.else.endif.endif.i:                            ; preds = %B0.else.endif.if.i, %B0.else.endif.i
+  %.494.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B0.else.endif.if.i ], [ %.494.sroa.0.1.i, %B0.else.endif.i ]
+  %.521.i = icmp slt i64 %.461.i, -4
+  %.522.i = select i1 %.521.i, i64 %arg.n_scratch, i64 0
+  %.523.i = add i64 %.462.i, %.522.i
+  %.526.i = icmp slt i64 %.523.i, 0
+  br i1 %.526.i, label %B0.else.endif.endif.if.i, label %B0.else.endif.endif.endif.i, !prof !3
+
+B0.else.endif.endif.if.i:                         ; preds = %B0.else.endif.endif.i
+  br label %B0.else.endif.endif.endif.i
+
+B0.else.endif.endif.endif.i:                      ; preds = %B0.else.endif.endif.if.i, %B0.else.endif.endif.i
+  %.494.sroa.13.1.i = phi i64 [ 0, %B0.else.endif.endif.if.i ], [ %.523.i, %B0.else.endif.endif.i ]
+  %.531.not.i = icmp slt i64 %.523.i, %arg.n_scratch
+  br i1 %.531.not.i, label %B0.else.endif.endif.endif.endif.i, label %B0.else.endif.endif.endif.if.i, !prof !4
+
+B0.else.endif.endif.endif.if.i:                   ; preds = %B0.else.endif.endif.endif.i
+  br label %B0.else.endif.endif.endif.endif.i
+
+B0.else.endif.endif.endif.endif.i:                ; preds = %B0.else.endif.endif.endif.if.i, %B0.else.endif.endif.endif.i
+  %.494.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B0.else.endif.endif.endif.if.i ], [ %.494.sroa.13.1.i, %B0.else.endif.endif.endif.i ]
+  %.582.i = sub i64 %.494.sroa.13.2.i, %.494.sroa.0.3.i
+  %.591.i = tail call i64 @llvm.smax.i64(i64 %.582.i, i64 0)
+  %.607.i = getelementptr double, ptr %arg.scratch, i64 %.494.sroa.0.3.i
+  br i1 %.526.i, label %B0.endif.else.if.i, label %B0.endif.else.endif.i, !prof !3
+
+B0.endif.else.if.i:                               ; preds = %B0.else.endif.endif.endif.endif.i
+  br label %B0.endif.else.endif.i
+
+B0.endif.else.endif.i:                            ; preds = %B0.endif.else.if.i, %B0.else.endif.endif.endif.endif.i
+  %.666.sroa.0.1.i = phi i64 [ 0, %B0.endif.else.if.i ], [ %.523.i, %B0.else.endif.endif.endif.endif.i ]
+  br i1 %.531.not.i, label %B0.endif.else.endif.endif.i, label %B0.endif.else.endif.if.i, !prof !4
+
+B0.endif.else.endif.if.i:                         ; preds = %B0.endif.else.endif.i
+  br label %B0.endif.else.endif.endif.i
+
+B0.endif.else.endif.endif.i:                      ; preds = %B0.endif.else.endif.if.i, %B0.endif.else.endif.i
+  %.666.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B0.endif.else.endif.if.i ], [ %.666.sroa.0.1.i, %B0.endif.else.endif.i ]
+  %.693.i = icmp slt i64 %.461.i, -12
+  %.694.i = select i1 %.693.i, i64 %arg.n_scratch, i64 0
+  %.695.i = add i64 %.694.i, %.463.i
+  %.698.i = icmp slt i64 %.695.i, 0
+  %.703.not.i = icmp slt i64 %.695.i, %arg.n_scratch
+  %.779.i = getelementptr double, ptr %arg.scratch, i64 %.666.sroa.0.3.i
+  %.880.i = sdiv i64 %arg.n_parameters, 10
+  %.881.i = srem i64 %arg.n_parameters, 10
+  %.881.lobit.i = ashr i64 %.881.i, 63
+  %.869.1.i = add nsw i64 %.881.lobit.i, %.880.i
+  %.2180.i = add nsw i64 %.461.i, 1036
+  %.2221.i = icmp slt i64 %.461.i, -1036
+  %.2222.i = select i1 %.2221.i, i64 %arg.n_scratch, i64 0
+  %.2223.i = add i64 %.2222.i, %.2180.i
+  %.98416.not.i = icmp slt i64 %.869.1.i, 1
+  br i1 %.98416.not.i, label %_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE.exit, label %B344.if.preheader.i
+
+B344.if.preheader.i:                              ; preds = %B0.endif.else.endif.endif.i
+  %.1470.inv.i = icmp sgt i64 %arg.points, 0
+  %2 = add nuw i64 %arg.points, 1023
+  %.1491.i = lshr i64 %2, 10
+  %storemerge940.i = select i1 %.1470.inv.i, i64 %.1491.i, i64 0
+  %3 = tail call i64 @llvm.smax.i64(i64 %storemerge940.i, i64 1)
+  %scevgep98.i = getelementptr i8, ptr %arg.narrow, i64 4
+  %4 = icmp slt i64 %arg.n_scratch, 1
+  %.537.i.i.i = getelementptr i8, ptr %arg.contents, i64 64
+  %.1157.i.i.i = getelementptr i8, ptr %arg.contents, i64 8
+  %.1676.i.i.i = getelementptr i8, ptr %arg.contents, i64 32
+  %.758.i.i = getelementptr i8, ptr %arg.contents, i64 88
+  %.98.i.not.i.i = icmp slt i64 %.582.i, 1
+  %.183.i.i.i.i = getelementptr i8, ptr %arg.series, i64 16
+  %.308.i.i.i.i = getelementptr i8, ptr %arg.series, i64 24
+  %.413.i.i.i.i = getelementptr i8, ptr %arg.series, i64 32
+  %.561.i.i.i.i = getelementptr i8, ptr %arg.series, i64 168
+  %.686.i.i.i.i = getelementptr i8, ptr %arg.series, i64 48
+  %.865.i.i.i.i = getelementptr i8, ptr %arg.series, i64 176
+  %.970.i.i.i.i = getelementptr i8, ptr %arg.series, i64 56
+  %.1118.i.i.i.i = getelementptr i8, ptr %arg.series, i64 192
+  %.1336.i.i.i.i = getelementptr i8, ptr %arg.series, i64 320
+  %.1461.i.i.i.i = getelementptr i8, ptr %arg.series, i64 72
+  %.1640.i.i.i.i = getelementptr i8, ptr %arg.series, i64 200
+  %.1867.i.i.i.i = getelementptr i8, ptr %arg.series, i64 80
+  %.2145.i.i.i.i = getelementptr i8, ptr %arg.series, i64 208
+  %.2256.i.i.i.i = getelementptr i8, ptr %arg.series, i64 88
+  %.2474.i.i.i.i = getelementptr i8, ptr %arg.series, i64 216
+  %5 = getelementptr i8, ptr %arg.series, i64 128
+  %.211.i.i.i.i = getelementptr i8, ptr %arg.series, i64 96
+  %.328.i123.i.i.i = getelementptr i8, ptr %arg.series, i64 104
+  %.442.i.i.i.i = getelementptr i8, ptr %arg.series, i64 112
+  %.559.i.i.i.i = getelementptr i8, ptr %arg.series, i64 120
+  %6 = getelementptr i8, ptr %arg.series, i64 8
+  %7 = getelementptr i8, ptr %arg.series, i64 40
+  %8 = getelementptr i8, ptr %arg.series, i64 64
+  %9 = getelementptr i8, ptr %arg.series, i64 136
+  %10 = getelementptr i8, ptr %arg.series, i64 144
+  %11 = getelementptr i8, ptr %arg.series, i64 152
+  %12 = getelementptr i8, ptr %arg.series, i64 160
+  %13 = getelementptr i8, ptr %arg.series, i64 184
+  %14 = getelementptr i8, ptr %arg.series, i64 224
+  %15 = getelementptr i8, ptr %arg.series, i64 232
+  %16 = getelementptr i8, ptr %arg.series, i64 240
+  %17 = getelementptr i8, ptr %arg.series, i64 248
+  %18 = getelementptr i8, ptr %arg.series, i64 256
+  %19 = getelementptr i8, ptr %arg.series, i64 264
+  %20 = getelementptr i8, ptr %arg.series, i64 272
+  %21 = getelementptr i8, ptr %arg.series, i64 280
+  %22 = getelementptr i8, ptr %arg.series, i64 288
+  %23 = getelementptr i8, ptr %arg.series, i64 296
+  %24 = getelementptr i8, ptr %arg.series, i64 304
+  %25 = getelementptr i8, ptr %arg.series, i64 312
+  %26 = getelementptr i8, ptr %arg.series, i64 328
+  %27 = getelementptr i8, ptr %arg.series, i64 336
+  %28 = getelementptr i8, ptr %arg.series, i64 344
+  %29 = getelementptr i8, ptr %arg.series, i64 352
+  %30 = getelementptr i8, ptr %arg.series, i64 360
+  %31 = getelementptr i8, ptr %arg.series, i64 368
+  %32 = getelementptr i8, ptr %arg.series, i64 376
+  %.138.i.i.i = getelementptr i8, ptr %.779.i, i64 8
+  %.169.i.i.i = getelementptr i8, ptr %.779.i, i64 16
+  %.203.i.i.i = getelementptr i8, ptr %.779.i, i64 24
+  %.236.i.i.i = getelementptr i8, ptr %.779.i, i64 32
+  %.427.i.i.i = getelementptr i8, ptr %.779.i, i64 40
+  %.548.i.i.i = getelementptr i8, ptr %.779.i, i64 48
+  %.948.i.i.i = getelementptr i8, ptr %.779.i, i64 56
+  %33 = icmp eq i64 %storemerge940.i, 0
+  %.1189.i.i.i = getelementptr i8, ptr %arg.contents, i64 72
+  %.1421.i.i.i = getelementptr i8, ptr %arg.contents, i64 16
+  %.1709.i.i.i = getelementptr i8, ptr %arg.contents, i64 80
+  %sunkaddr104.i.i.i.i = getelementptr i8, ptr %arg.contents, i64 40
+  %xtraiter.i.i.i = and i64 %.591.i, 3
+  %34 = icmp slt i64 %.582.i, 4
+  %35 = add nsw i64 %.591.i, -4
+  %36 = lshr i64 %35, 2
+  %37 = icmp eq i64 %36, 0
+  %38 = add nuw nsw i64 %36, 1
+  %39 = and i64 %38, 9223372036854775806
+  %40 = and i64 %35, 4
+  %lcmp.mod.not.not.i.i = icmp eq i64 %40, 0
+  %lcmp.mod.not.i.i.i = icmp eq i64 %xtraiter.i.i.i, 0
+  %unroll_iter6.i.i.i = and i64 %.591.i, 9223372036854775806
+  %41 = add nsw i64 %unroll_iter6.i.i.i, -2
+  %42 = lshr exact i64 %41, 1
+  %43 = add nuw i64 %42, 1
+  %44 = and i64 %43, -2
+  %trunc.i.i = trunc nuw i64 %.591.i to i63
+  %45 = icmp eq i64 %41, 0
+  %46 = and i64 %41, 2
+  %47 = icmp eq i64 %46, 0
+  %48 = and i64 %.591.i, 1
+  %49 = icmp eq i64 %48, 0
+  %50 = icmp sgt i64 %arg.n_polar, 0
+  %.243.i.i = getelementptr i8, ptr %arg.contents, i64 112
+  %51 = icmp slt i64 %.2223.i, 0
+  %52 = icmp slt i64 %.2223.i, %arg.n_scratch
+  %.1732.i.i = getelementptr i8, ptr %arg.contents, i64 96
+  %.2531.i.i = getelementptr i8, ptr %arg.contents, i64 104
+  %.3602.i.i = icmp slt i64 %arg.alignment, 0
+  %.idx.i.i = shl i64 %arg.alignment, 4
+  %53 = icmp sgt i64 %arg.n_wide, 0
+  %54 = icmp sgt i64 %arg.n_narrow, 0
+  br label %B344.if.i
+
+B344.if.i:                                        ; preds = %B344.if.preheader.i, %B1058.i
+  %.925.017.i = phi i64 [ %.997.i, %B1058.i ], [ 0, %B344.if.preheader.i ]
+  %.997.i = add nuw nsw i64 %.925.017.i, 1
+  %.1026.i = mul nuw nsw i64 %.925.017.i, 10
+  %.1076.not.i = icmp slt i64 %.1026.i, %arg.n_parameters
+  br i1 %.1076.not.i, label %B346.else.endif.endif.i, label %B346.else.endif.if.i, !prof !4
+
+B346.else.endif.if.i:                             ; preds = %B344.if.i
+  br label %B346.else.endif.endif.i
+
+B346.else.endif.endif.i:                          ; preds = %B346.else.endif.if.i, %B344.if.i
+  %.1056.sroa.0.3.i = phi i64 [ %arg.n_parameters, %B346.else.endif.if.i ], [ %.1026.i, %B344.if.i ]
+  %.1169.i = getelementptr double, ptr %arg.parameters, i64 %.1056.sroa.0.3.i
+  br i1 %4, label %B346.endif.else.endif.if.i, label %B346.endif.else.endif.endif.i, !prof !3
+
+B346.endif.else.endif.if.i:                       ; preds = %B346.else.endif.endif.i
+  br label %B346.endif.else.endif.endif.i
+
+B346.endif.else.endif.endif.i:                    ; preds = %B346.endif.else.endif.if.i, %B346.else.endif.endif.i
+  %.1235.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B346.endif.else.endif.if.i ], [ 0, %B346.else.endif.endif.i ]
+  br i1 %.509.i, label %B346.endif.else.endif.endif.if.i, label %B346.endif.else.endif.endif.endif.i, !prof !3
+
+B346.endif.else.endif.endif.if.i:                 ; preds = %B346.endif.else.endif.endif.i
+  br label %B346.endif.else.endif.endif.endif.i
+
+B346.endif.else.endif.endif.endif.i:              ; preds = %B346.endif.else.endif.endif.if.i, %B346.endif.else.endif.endif.i
+  %.1235.sroa.13.1.i = phi i64 [ 0, %B346.endif.else.endif.endif.if.i ], [ %.506.i, %B346.endif.else.endif.endif.i ]
+  br i1 %.514.not.i, label %B346.endif.else.endif.endif.endif.endif.i, label %B346.endif.else.endif.endif.endif.if.i, !prof !4
+
+B346.endif.else.endif.endif.endif.if.i:           ; preds = %B346.endif.else.endif.endif.endif.i
+  br label %B346.endif.else.endif.endif.endif.endif.i
+
+B346.endif.else.endif.endif.endif.endif.i:        ; preds = %B346.endif.else.endif.endif.endif.if.i, %B346.endif.else.endif.endif.endif.i
+  %.1235.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B346.endif.else.endif.endif.endif.if.i ], [ %.1235.sroa.13.1.i, %B346.endif.else.endif.endif.endif.i ]
+  %.1323.i = sub i64 %.1235.sroa.13.2.i, %.1235.sroa.0.3.i
+  %.1332.i = tail call i64 @llvm.smax.i64(i64 %.1323.i, i64 0)
+  %.1348.i = getelementptr double, ptr %arg.scratch, i64 %.1235.sroa.0.3.i
+  %.136.i.i = load double, ptr %.1169.i, align 8, !noalias !5
+  %.164.i.i = getelementptr i8, ptr %.1169.i, i64 24
+  %.165.i.i = load double, ptr %.164.i.i, align 8, !noalias !5
+  %.193.i.i = getelementptr i8, ptr %.1169.i, i64 32
+  %.194.i.i = load double, ptr %.193.i.i, align 8, !noalias !5
+  %.222.i.i = getelementptr i8, ptr %.1169.i, i64 8
+  %.223.i.i = load double, ptr %.222.i.i, align 8, !noalias !5
+  %.251.i.i = getelementptr i8, ptr %.1169.i, i64 16
+  %.252.i.i = load double, ptr %.251.i.i, align 8, !noalias !5
+  %.314.i2.i = load i64, ptr %.392.i, align 8, !noalias !5
+  %.367.i.i = icmp slt i64 %.314.i2.i, 0
+  %.368.i.i = select i1 %.367.i.i, i64 %.1332.i, i64 0
+  %.369.i.i = add i64 %.368.i.i, %.314.i2.i
+  %.372.i.i = icmp slt i64 %.369.i.i, 0
+  br i1 %.372.i.i, label %B0.else.endif.endif.if.i.i, label %B0.else.endif.endif.endif.i.i, !prof !3
+
+B0.else.endif.endif.if.i.i:                       ; preds = %B346.endif.else.endif.endif.endif.endif.i
+  br label %B0.else.endif.endif.endif.i.i
+
+B0.else.endif.endif.endif.i.i:                    ; preds = %B0.else.endif.endif.if.i.i, %B346.endif.else.endif.endif.endif.endif.i
+  %.340.sroa.13.1.i.i = phi i64 [ 0, %B0.else.endif.endif.if.i.i ], [ %.369.i.i, %B346.endif.else.endif.endif.endif.endif.i ]
+  %.377.not.i.i = icmp slt i64 %.369.i.i, %.1332.i
+  br i1 %.377.not.i.i, label %B0.else.endif.endif.endif.endif.i.i, label %B0.else.endif.endif.endif.if.i.i, !prof !4
+
+B0.else.endif.endif.endif.if.i.i:                 ; preds = %B0.else.endif.endif.endif.i.i
+  br label %B0.else.endif.endif.endif.endif.i.i
+
+B0.else.endif.endif.endif.endif.i.i:              ; preds = %B0.else.endif.endif.endif.if.i.i, %B0.else.endif.endif.endif.i.i
+  %.340.sroa.13.2.i.i = phi i64 [ %.1332.i, %B0.else.endif.endif.endif.if.i.i ], [ %.340.sroa.13.1.i.i, %B0.else.endif.endif.endif.i.i ]
+  br i1 %.372.i.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !3
+
+B0.endif.else.if.i.i:                             ; preds = %B0.else.endif.endif.endif.endif.i.i
+  br label %B0.endif.else.endif.i.i
+
+B0.endif.else.endif.i.i:                          ; preds = %B0.endif.else.if.i.i, %B0.else.endif.endif.endif.endif.i.i
+  %.539.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.else.if.i.i ], [ %.369.i.i, %B0.else.endif.endif.endif.endif.i.i ]
+  br i1 %.377.not.i.i, label %B0.endif.else.endif.endif.i.i, label %B0.endif.else.endif.if.i.i, !prof !4
+
+B0.endif.else.endif.if.i.i:                       ; preds = %B0.endif.else.endif.i.i
+  br label %B0.endif.else.endif.endif.i.i
+
+B0.endif.else.endif.endif.i.i:                    ; preds = %B0.endif.else.endif.if.i.i, %B0.endif.else.endif.i.i
+  %.539.sroa.0.3.i.i = phi i64 [ %.1332.i, %B0.endif.else.endif.if.i.i ], [ %.539.sroa.0.1.i.i, %B0.endif.else.endif.i.i ]
+  %.627.i.i = sub nsw i64 %.1332.i, %.539.sroa.0.3.i.i
+  %.636.i.i = tail call i64 @llvm.smax.i64(i64 %.627.i.i, i64 0)
+  %.652.i.i = getelementptr double, ptr %.1348.i, i64 %.539.sroa.0.3.i.i
+  %.295.i.i.i = load i64, ptr %arg.contents, align 8, !noalias !8
+  %.296.not.i.i.i = icmp eq i64 %.295.i.i.i, 0
+  br i1 %.296.not.i.i.i, label %B100.i.i.i, label %B58.i.i.i
+
+B58.i.i.i:                                        ; preds = %B0.endif.else.endif.endif.i.i
+  %.38.le.i.i.i.i = tail call contract double @llvm.log.f64(double %.136.i.i)
+  %.21.i.i.i.i = fadd contract double %.136.i.i, 1.000000e+00
+  %.30.i.i.i.i = fdiv contract double 1.000000e+00, %.21.i.i.i.i
+  %.25.i.i.i.i = fdiv contract double %.136.i.i, %.21.i.i.i.i
+  store double %.38.le.i.i.i.i, ptr %.652.i.i, align 8, !noalias !11
+  %.72.i.i.i.i = tail call contract double @llvm.pow.f64(double %.223.i.i, double 4.000000e-01)
+  %.73.i.i.i.i = fmul contract double %.25.i.i.i.i, %.72.i.i.i.i
+  %.101.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 8
+  store double %.73.i.i.i.i, ptr %.101.i.i.i.i, align 8, !noalias !11
+  %.103.i.i.i.i = tail call contract double @llvm.pow.f64(double %.252.i.i, double 4.000000e-01)
+  %.104.i.i.i.i = fmul contract double %.30.i.i.i.i, %.103.i.i.i.i
+  %.132.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 16
+  store double %.104.i.i.i.i, ptr %.132.i.i.i.i, align 8, !noalias !11
+  %.134.i.i.i.i = fmul contract double %.165.i.i, %.25.i.i.i.i
+  %.135.i.i.i.i = fmul contract double %.30.i.i.i.i, %.194.i.i
+  %.136.i.i.i.i = fadd contract double %.134.i.i.i.i, %.135.i.i.i.i
+  %.137.i.i.i.i = fmul contract double %.25.i.i.i.i, 0x3FD585A9E9585A9F
+  %.138.i.i.i.i = fmul contract double %.30.i.i.i.i, %.137.i.i.i.i
+  %.139.i.i.i.i = fadd contract double %.165.i.i, %.194.i.i
+  %.140.i.i.i.i = fmul contract double %.139.i.i.i.i, %.138.i.i.i.i
+  %.141.i.i.i.i = fsub contract double %.136.i.i.i.i, %.140.i.i.i.i
+  %.169.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 24
+  store double %.141.i.i.i.i, ptr %.169.i.i.i.i, align 8, !noalias !11
+  %.171.i.i.i.i = fsub contract double %.165.i.i, %.194.i.i
+  %.172.i.i.i.i = fmul contract double %.171.i.i.i.i, 5.000000e-01
+  br label %B150.i.i.i
+
+B100.i.i.i:                                       ; preds = %B0.endif.else.endif.endif.i.i
+  store double %.136.i.i, ptr %.652.i.i, align 8, !noalias !8
+  %.405.i.i.i = getelementptr i8, ptr %.652.i.i, i64 8
+  store double %.165.i.i, ptr %.405.i.i.i, align 8, !noalias !8
+  %.438.i.i.i = getelementptr i8, ptr %.652.i.i, i64 16
+  store double %.194.i.i, ptr %.438.i.i.i, align 8, !noalias !8
+  %.471.i.i.i = getelementptr i8, ptr %.652.i.i, i64 24
+  store double %.223.i.i, ptr %.471.i.i.i, align 8, !noalias !8
+  br label %B150.i.i.i
+
+B150.i.i.i:                                       ; preds = %B100.i.i.i, %B58.i.i.i
+  %.172.i.sink.i.i.i = phi double [ %.172.i.i.i.i, %B58.i.i.i ], [ %.252.i.i, %B100.i.i.i ]
+  %.200.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 32
+  store double %.172.i.sink.i.i.i, ptr %.200.i.i.i.i, align 8, !noalias !8
+  %.538.i.i.i = load i64, ptr %.537.i.i.i, align 8, !noalias !8
+  %.575.i.i.i = icmp slt i64 %.538.i.i.i, 0
+  %.576.i.i.i = select i1 %.575.i.i.i, i64 %arg.n_weights, i64 0
+  %.577.i.i.i = add i64 %.576.i.i.i, %.538.i.i.i
+  %.580.i.i.i = icmp slt i64 %.577.i.i.i, 0
+  br i1 %.580.i.i.i, label %B150.else.if.i.i.i, label %B150.else.endif.i.i.i, !prof !3
+
+B360.i.i.i:                                       ; preds = %B344.if.preheader.i.i.i, %B150.else.endif.endif.i.i.i
+  %.1158.i.i.i = load i64, ptr %.1157.i.i.i, align 8, !noalias !8
+  %.1159.i.i.i = icmp sgt i64 %.1158.i.i.i, 0
+  br i1 %.1159.i.i.i, label %B394.i.i.i, label %B538.i.i.i
+
+B394.i.i.i:                                       ; preds = %B360.i.i.i
+  %.1190.i.i.i = load i64, ptr %.1189.i.i.i, align 8, !noalias !8
+  %.1227.i.i.i = icmp slt i64 %.1190.i.i.i, 0
+  %.1228.i.i.i = select i1 %.1227.i.i.i, i64 %arg.n_weights, i64 0
+  %.1229.i.i.i = add i64 %.1228.i.i.i, %.1190.i.i.i
+  %.1232.i.i.i = icmp slt i64 %.1229.i.i.i, 0
+  br i1 %.1232.i.i.i, label %B394.else.if.i.i.i, label %B394.else.endif.i.i.i, !prof !3
+
+B538.i.i.i:                                       ; preds = %B540.i.i.i.i, %B360.i.i.i
+  %.1677.i.i.i = load i64, ptr %.1676.i.i.i, align 8, !noalias !8
+  %.1678.i.i.i = icmp sgt i64 %.1677.i.i.i, 0
+  br i1 %.1678.i.i.i, label %B572.i.i.i, label %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+B572.i.i.i:                                       ; preds = %B538.i.i.i
+  %.1710.i.i.i = load i64, ptr %.1709.i.i.i, align 8, !noalias !8
+  %.1747.i.i.i = icmp slt i64 %.1710.i.i.i, 0
+  %.1748.i.i.i = select i1 %.1747.i.i.i, i64 %arg.n_weights, i64 0
+  %.1749.i.i.i = add i64 %.1748.i.i.i, %.1710.i.i.i
+  %.1752.i.i.i = icmp slt i64 %.1749.i.i.i, 0
+  br i1 %.1752.i.i.i, label %B572.else.if.i.i.i, label %B572.else.endif.i.i.i, !prof !3
+
+B150.else.if.i.i.i:                               ; preds = %B150.i.i.i
+  br label %B150.else.endif.i.i.i
+
+B150.else.endif.i.i.i:                            ; preds = %B150.else.if.i.i.i, %B150.i.i.i
+  %.565.sroa.0.1.i.i.i = phi i64 [ 0, %B150.else.if.i.i.i ], [ %.577.i.i.i, %B150.i.i.i ]
+  %.585.not.i.i.i = icmp slt i64 %.577.i.i.i, %arg.n_weights
+  br i1 %.585.not.i.i.i, label %B150.else.endif.endif.i.i.i, label %B150.else.endif.if.i.i.i, !prof !4
+
+B150.else.endif.if.i.i.i:                         ; preds = %B150.else.endif.i.i.i
+  br label %B150.else.endif.endif.i.i.i
+
+B150.else.endif.endif.i.i.i:                      ; preds = %B150.else.endif.if.i.i.i, %B150.else.endif.i.i.i
+  %.565.sroa.0.3.i.i.i = phi i64 [ %arg.n_weights, %B150.else.endif.if.i.i.i ], [ %.565.sroa.0.1.i.i.i, %B150.else.endif.i.i.i ]
+  %.678.i.i.i = getelementptr double, ptr %arg.weights, i64 %.565.sroa.0.3.i.i.i
+  %.862.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !8
+  %.892.i.i.i = load double, ptr %.678.i.i.i, align 8, !noalias !8
+  %.893.i.i.i = fsub contract double %.862.i.i.i, %.892.i.i.i
+  %55 = getelementptr i8, ptr %.678.i.i.i, i64 40
+  %.924.i.i.i = load double, ptr %55, align 8, !noalias !8
+  %.925.i.i.i = fmul contract double %.893.i.i.i, %.924.i.i.i
+  store double %.925.i.i.i, ptr %.652.i.i, align 8, !noalias !8
+  %56 = getelementptr i8, ptr %.652.i.i, i64 8
+  %.862.1.i.i.i = load double, ptr %56, align 8, !noalias !8
+  %57 = getelementptr i8, ptr %.678.i.i.i, i64 8
+  %.892.1.i.i.i = load double, ptr %57, align 8, !noalias !8
+  %.893.1.i.i.i = fsub contract double %.862.1.i.i.i, %.892.1.i.i.i
+  %58 = getelementptr i8, ptr %.678.i.i.i, i64 48
+  %.924.1.i.i.i = load double, ptr %58, align 8, !noalias !8
+  %.925.1.i.i.i = fmul contract double %.893.1.i.i.i, %.924.1.i.i.i
+  store double %.925.1.i.i.i, ptr %56, align 8, !noalias !8
+  %59 = getelementptr i8, ptr %.652.i.i, i64 16
+  %.862.2.i.i.i = load double, ptr %59, align 8, !noalias !8
+  %60 = getelementptr i8, ptr %.678.i.i.i, i64 16
+  %.892.2.i.i.i = load double, ptr %60, align 8, !noalias !8
+  %.893.2.i.i.i = fsub contract double %.862.2.i.i.i, %.892.2.i.i.i
+  %61 = getelementptr i8, ptr %.678.i.i.i, i64 56
+  %.924.2.i.i.i = load double, ptr %61, align 8, !noalias !8
+  %.925.2.i.i.i = fmul contract double %.893.2.i.i.i, %.924.2.i.i.i
+  store double %.925.2.i.i.i, ptr %59, align 8, !noalias !8
+  %62 = getelementptr i8, ptr %.652.i.i, i64 24
+  %.862.3.i.i.i = load double, ptr %62, align 8, !noalias !8
+  %63 = getelementptr i8, ptr %.678.i.i.i, i64 24
+  %.892.3.i.i.i = load double, ptr %63, align 8, !noalias !8
+  %.893.3.i.i.i = fsub contract double %.862.3.i.i.i, %.892.3.i.i.i
+  %64 = getelementptr i8, ptr %.678.i.i.i, i64 64
+  %.924.3.i.i.i = load double, ptr %64, align 8, !noalias !8
+  %.925.3.i.i.i = fmul contract double %.893.3.i.i.i, %.924.3.i.i.i
+  store double %.925.3.i.i.i, ptr %62, align 8, !noalias !8
+  %65 = getelementptr i8, ptr %.678.i.i.i, i64 32
+  %.892.4.i.i.i = load double, ptr %65, align 8, !noalias !8
+  %.893.4.i.i.i = fsub contract double %.172.i.sink.i.i.i, %.892.4.i.i.i
+  %66 = getelementptr i8, ptr %.678.i.i.i, i64 72
+  %.924.4.i.i.i = load double, ptr %66, align 8, !noalias !8
+  %.925.4.i.i.i = fmul contract double %.893.4.i.i.i, %.924.4.i.i.i
+  store double %.925.4.i.i.i, ptr %.200.i.i.i.i, align 8, !noalias !8
+  %.1056673.not.i.i.i = icmp eq i64 %.340.sroa.13.2.i.i, 0
+  br i1 %.1056673.not.i.i.i, label %B360.i.i.i, label %B344.if.preheader.i.i.i
+
+B344.if.preheader.i.i.i:                          ; preds = %B150.else.endif.endif.i.i.i
+  %67 = shl nuw i64 %.340.sroa.13.2.i.i, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.1348.i, i8 0, i64 %67, i1 false), !noalias !8
+  br label %B360.i.i.i
+
+B394.else.if.i.i.i:                               ; preds = %B394.i.i.i
+  br label %B394.else.endif.i.i.i
+
+B394.else.endif.i.i.i:                            ; preds = %B394.else.if.i.i.i, %B394.i.i.i
+  %.1217.sroa.0.1.i.i.i = phi i64 [ 0, %B394.else.if.i.i.i ], [ %.1229.i.i.i, %B394.i.i.i ]
+  %.1237.not.i.i.i = icmp slt i64 %.1229.i.i.i, %arg.n_weights
+  br i1 %.1237.not.i.i.i, label %B394.else.endif.endif.i.i.i, label %B394.else.endif.if.i.i.i, !prof !4
+
+B394.else.endif.if.i.i.i:                         ; preds = %B394.else.endif.i.i.i
+  br label %B394.else.endif.endif.i.i.i
+
+B394.else.endif.endif.i.i.i:                      ; preds = %B394.else.endif.if.i.i.i, %B394.else.endif.i.i.i
+  %.1217.sroa.0.3.i.i.i = phi i64 [ %arg.n_weights, %B394.else.endif.if.i.i.i ], [ %.1217.sroa.0.1.i.i.i, %B394.else.endif.i.i.i ]
+  %.1305.i.i.i = sub i64 %arg.n_weights, %.1217.sroa.0.3.i.i.i
+  %.1314.i.i.i = tail call i64 @llvm.smax.i64(i64 %.1305.i.i.i, i64 0)
+  %.1330.i.i.i = getelementptr double, ptr %arg.weights, i64 %.1217.sroa.0.3.i.i.i
+  %.1422.i.i.i = load i64, ptr %.1421.i.i.i, align 8, !noalias !8
+  %.1469.i.i.i = icmp slt i64 %.627.i.i, 6
+  br i1 %.1469.i.i.i, label %B394.endif.else.endif.if.i.i.i, label %B394.endif.else.endif.endif.i.i.i, !prof !3
+
+B394.endif.else.endif.if.i.i.i:                   ; preds = %B394.else.endif.endif.i.i.i
+  br label %B394.endif.else.endif.endif.i.i.i
+
+B394.endif.else.endif.endif.i.i.i:                ; preds = %B394.endif.else.endif.if.i.i.i, %B394.else.endif.endif.i.i.i
+  %.1449.sroa.0.3.i.i.i = phi i64 [ %.636.i.i, %B394.endif.else.endif.if.i.i.i ], [ 5, %B394.else.endif.endif.i.i.i ]
+  %.1537.i.i.i = sub nsw i64 %.636.i.i, %.1449.sroa.0.3.i.i.i
+  %.1546.i.i.i = tail call i64 @llvm.smax.i64(i64 %.1537.i.i.i, i64 0)
+  %.1562.i.i.i = getelementptr double, ptr %.652.i.i, i64 %.1449.sroa.0.3.i.i.i
+  %.81.i.i.i.i = add nsw i64 %.1422.i.i.i, 1
+  %.518.i.i.i.i = add i64 %.1422.i.i.i, -1
+  %..518.i.i.i.i = tail call i64 @llvm.smax.i64(i64 %.518.i.i.i.i, i64 0)
+  %68 = and i64 %..518.i.i.i.i, 9223372036854775806
+  %69 = icmp sgt i64 %.1422.i.i.i, 0
+  %70 = icmp slt i64 %.518.i.i.i.i, 1
+  %71 = icmp eq i64 %.518.i.i.i.i, 1
+  %72 = and i64 %..518.i.i.i.i, 1
+  %73 = icmp eq i64 %72, 0
+  br label %B44.if.i.i.i.i
+
+B112.i.i.i.i:                                     ; preds = %B46.else.endif.endif.i.i.i.i
+  %.478.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 8
+  store double %.233.i.i.i.i, ptr %.478.i.i.i.i, align 8, !noalias !14
+  br label %B122.i.i.i.i
+
+B122.i.i.i.i:                                     ; preds = %B46.else.endif.endif.i.i.i.i, %B112.i.i.i.i
+  br i1 %70, label %B224.i.i.i.i, label %B154.if.lr.ph.i.i.i.i
+
+B154.if.lr.ph.i.i.i.i:                            ; preds = %B122.i.i.i.i
+  %.600.i.i.i.i = fmul contract double %.233.i.i.i.i, 2.000000e+00
+  br i1 %71, label %.thread16.i.i.i.i, label %B154.if.preheader.i.i.i.i
+
+B154.if.preheader.i.i.i.i:                        ; preds = %B154.if.lr.ph.i.i.i.i
+  %74 = shl i64 %.362.i.i.i.i, 3
+  br label %B154.if.i.i.i.i
+
+.thread16.i.i.i.i:                                ; preds = %B154.if.lr.ph.i.i.i.i
+  %75 = getelementptr i8, ptr %.378.i.i.i.i, i64 8
+  %.631.epil10.i.i.i.i = load double, ptr %75, align 8, !noalias !14
+  %.632.epil11.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.epil10.i.i.i.i
+  %.663.epil20.i.i.i.i = load double, ptr %.378.i.i.i.i, align 8, !noalias !14
+  %.664.epil21.i.i.i.i = fsub contract double %.632.epil11.i.i.i.i, %.663.epil20.i.i.i.i
+  br label %80
+
+B224.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B154.if.i.i.i.i
+  br i1 %73, label %B224.i.i.i.i, label %B154.if.epil.preheader.i.i.i.i
+
+B154.if.epil.preheader.i.i.i.i:                   ; preds = %B224.loopexit.unr-lcssa.i.i.i.i
+  %76 = add i64 %lsr.iv57.i.i.i.i, 1
+  %.615.inv.epil.i.i.i.i = icmp ult i64 %lsr.iv57.i.i.i.i, 9223372036854775807
+  %77 = select i1 %.615.inv.epil.i.i.i.i, i64 0, i64 %74
+  %scevgep65.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %77
+  %78 = shl i64 %lsr.iv.next58.i.i.i.i, 3
+  %scevgep66.i.i.i.i = getelementptr i8, ptr %scevgep65.i.i.i.i, i64 %78
+  %scevgep67.i.i.i.i = getelementptr i8, ptr %scevgep66.i.i.i.i, i64 -16
+  %.631.epil.i.i.i.i = load double, ptr %scevgep67.i.i.i.i, align 8, !noalias !14
+  %.632.epil.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.epil.i.i.i.i
+  %.647.epil.i.i.i.i = icmp slt i64 %76, 2
+  %79 = select i1 %.647.epil.i.i.i.i, i64 %74, i64 0
+  %scevgep59.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %79
+  %scevgep20.i.i.i.i = getelementptr i8, ptr %scevgep59.i.i.i.i, i64 %78
+  %scevgep21.i.i.i.i = getelementptr i8, ptr %scevgep20.i.i.i.i, i64 -24
+  %.663.epil.i.i.i.i = load double, ptr %scevgep21.i.i.i.i, align 8, !noalias !14
+  %.664.epil.i.i.i.i = fsub contract double %.632.epil.i.i.i.i, %.663.epil.i.i.i.i
+  %.678.epil.i.i.i.i = icmp slt i64 %76, 0
+  %spec.select25.i.i.i.i = select i1 %.678.epil.i.i.i.i, i64 %.362.i.i.i.i, i64 0
+  br label %80
+
+80:                                               ; preds = %B154.if.epil.preheader.i.i.i.i, %.thread16.i.i.i.i
+  %.664.epil24.i.i.i.i = phi double [ %.664.epil21.i.i.i.i, %.thread16.i.i.i.i ], [ %.664.epil.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
+  %81 = phi i64 [ 16, %.thread16.i.i.i.i ], [ %lsr.iv.next.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
+  %82 = phi i64 [ 0, %.thread16.i.i.i.i ], [ %spec.select25.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
+  %83 = getelementptr i8, ptr %.378.i.i.i.i, i64 %81
+  %.693.epil.i.i.i.i = getelementptr double, ptr %83, i64 %82
+  store double %.664.epil24.i.i.i.i, ptr %.693.epil.i.i.i.i, align 8, !noalias !14
+  br label %B224.i.i.i.i
+
+B224.i.i.i.i:                                     ; preds = %80, %B224.loopexit.unr-lcssa.i.i.i.i, %B122.i.i.i.i
+  %exitcond545.not.i.i.i.i = icmp eq i64 %.179.i.i.i.i, 5
+  br i1 %exitcond545.not.i.i.i.i, label %B282.if.lr.ph.i.i.i.i, label %B44.if.i.i.i.i
+
+B282.if.lr.ph.i.i.i.i:                            ; preds = %B224.i.i.i.i
+  %.1039.1.i.i.i.i = shl nsw i64 %.81.i.i.i.i, 1
+  %.1039.2.i.i.i.i = mul nsw i64 %.81.i.i.i.i, 3
+  %.1039.3.i.i.i.i = shl nsw i64 %.81.i.i.i.i, 2
+  %unroll_iter5.i.i.i.i = and i64 %.340.sroa.13.2.i.i, 9223372036854775806
+  %scevgep11.i.i.i.i = getelementptr i8, ptr %.1330.i.i.i, i64 8
+  %84 = add nsw i64 %unroll_iter5.i.i.i.i, -2
+  %85 = lshr exact i64 %84, 1
+  %86 = add nuw i64 %85, 1
+  %scevgep49.i.i.i.i = getelementptr i8, ptr %.1330.i.i.i, i64 24
+  %87 = lshr i64 %86, 1
+  %88 = mul nsw i64 %87, -2
+  %trunc.i.i.i.i = trunc nuw i64 %.340.sroa.13.2.i.i to i63
+  %89 = icmp eq i64 %84, 0
+  %90 = and i64 %84, 2
+  %91 = icmp eq i64 %90, 0
+  %92 = and i64 %.340.sroa.13.2.i.i, 1
+  %93 = icmp eq i64 %92, 0
+  br label %B282.if.i.i.i.i
+
+B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i:        ; preds = %B484.if.i.i.i.i
+  br i1 %91, label %B484.if.epil.preheader27.i.i.i.i, label %B540.loopexit.unr-lcssa.i.i.i.i
+
+B484.if.epil.preheader27.i.i.i.i:                 ; preds = %B484.if.preheader7.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
+  %.1385520522.epil.init32.i.i.i.i = phi i64 [ 0, %B484.if.preheader7.i.i.i.i ], [ %.1392.1.1.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
+  %94 = shl i64 %.1385520522.epil.init32.i.i.i.i, 3
+  %sunkaddr33.epil.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %94
+  %.1446.epil28.i.i.i.i = load double, ptr %sunkaddr33.epil.i.i.i.i, align 8, !noalias !14
+  %scevgep14.epil.i.i.i.i = getelementptr i8, ptr %scevgep12.i.i.i.i, i64 %94
+  %scevgep15.epil.i.i.i.i = getelementptr i8, ptr %scevgep14.epil.i.i.i.i, i64 -8
+  %.1476.epil29.i.i.i.i = load double, ptr %scevgep15.epil.i.i.i.i, align 8, !noalias !14
+  %.1478.epil30.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.epil29.i.i.i.i
+  %.1479.epil31.i.i.i.i = fadd contract double %.1446.epil28.i.i.i.i, %.1478.epil30.i.i.i.i
+  store double %.1479.epil31.i.i.i.i, ptr %sunkaddr33.epil.i.i.i.i, align 8, !noalias !14
+  %.1392.1.epil.i.i.i.i = add nuw i64 %.1385520522.epil.init32.i.i.i.i, 2
+  %sunkaddr36.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr33.epil.i.i.i.i, i64 8
+  %.1446.1.epil.i.i.i.i = load double, ptr %sunkaddr36.epil.i.i.i.i, align 8, !noalias !14
+  %.1476.1.epil.i.i.i.i = load double, ptr %scevgep14.epil.i.i.i.i, align 8, !noalias !14
+  %.1478.1.epil.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.1.epil.i.i.i.i
+  %.1479.1.epil.i.i.i.i = fadd contract double %.1446.1.epil.i.i.i.i, %.1478.1.epil.i.i.i.i
+  store double %.1479.1.epil.i.i.i.i, ptr %sunkaddr36.epil.i.i.i.i, align 8, !noalias !14
+  br label %B540.loopexit.unr-lcssa.i.i.i.i
+
+B540.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B484.if.epil.preheader27.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
+  %.1392.1.lcssa.i.i.i.i = phi i64 [ %.1392.1.epil.i.i.i.i, %B484.if.epil.preheader27.i.i.i.i ], [ %.1392.1.1.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
+  br i1 %93, label %B540.i.i.i.i, label %B484.if.epil.preheader.i.i.i.i
+
+B484.if.epil.preheader.i.i.i.i:                   ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i
+  %.1385520522.epil.init.i.i.i.i = phi i64 [ 0, %B416.else.endif.endif.endif.endif.i.i.i.i ], [ %.1392.1.lcssa.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i ]
+  %95 = getelementptr double, ptr %.1348.i, i64 %.1385520522.epil.init.i.i.i.i
+  %.1446.epil.i.i.i.i = load double, ptr %95, align 8, !noalias !14
+  %96 = getelementptr double, ptr %.1261.i.i.i.i, i64 %.1385520522.epil.init.i.i.i.i
+  %.1476.epil.i.i.i.i = load double, ptr %96, align 8, !noalias !14
+  %.1478.epil.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.epil.i.i.i.i
+  %.1479.epil.i.i.i.i = fadd contract double %.1446.epil.i.i.i.i, %.1478.epil.i.i.i.i
+  store double %.1479.epil.i.i.i.i, ptr %95, align 8, !noalias !14
+  br label %B540.i.i.i.i
+
+B540.i.i.i.i:                                     ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i, %B484.if.epil.preheader.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i
+  %exitcond548.not.i.i.i.i = icmp eq i64 %.828.i.i.i.i, %.1158.i.i.i
+  br i1 %exitcond548.not.i.i.i.i, label %B538.i.i.i, label %B282.if.i.i.i.i
+
+B44.if.i.i.i.i:                                   ; preds = %B224.i.i.i.i, %B394.endif.else.endif.endif.i.i.i
+  %.172498504.i.i.i.i = phi i64 [ 0, %B394.endif.else.endif.endif.i.i.i ], [ %.179.i.i.i.i, %B224.i.i.i.i ]
+  %.179.i.i.i.i = add nuw nsw i64 %.172498504.i.i.i.i, 1
+  %97 = getelementptr double, ptr %.652.i.i, i64 %.172498504.i.i.i.i
+  %.233.i.i.i.i = load double, ptr %97, align 8, !noalias !14
+  %.238.i.i.i.i = mul nsw i64 %.172498504.i.i.i.i, %.81.i.i.i.i
+  %.275.i.i.i.i = icmp slt i64 %.238.i.i.i.i, 0
+  %.276.i.i.i.i = select i1 %.275.i.i.i.i, i64 %.1546.i.i.i, i64 0
+  %.277.i.i.i.i = add i64 %.276.i.i.i.i, %.238.i.i.i.i
+  %.280.i.i.i.i = icmp slt i64 %.277.i.i.i.i, 0
+  br i1 %.280.i.i.i.i, label %B46.else.if.i.i.i.i, label %B46.else.endif.i.i.i.i, !prof !3
+
+B46.else.if.i.i.i.i:                              ; preds = %B44.if.i.i.i.i
+  br label %B46.else.endif.i.i.i.i
+
+B46.else.endif.i.i.i.i:                           ; preds = %B46.else.if.i.i.i.i, %B44.if.i.i.i.i
+  %.265.sroa.0.1.i.i.i.i = phi i64 [ 0, %B46.else.if.i.i.i.i ], [ %.277.i.i.i.i, %B44.if.i.i.i.i ]
+  %.285.not.i.i.i.i = icmp slt i64 %.277.i.i.i.i, %.1546.i.i.i
+  br i1 %.285.not.i.i.i.i, label %B46.else.endif.endif.i.i.i.i, label %B46.else.endif.if.i.i.i.i, !prof !4
+
+B46.else.endif.if.i.i.i.i:                        ; preds = %B46.else.endif.i.i.i.i
+  br label %B46.else.endif.endif.i.i.i.i
+
+B46.else.endif.endif.i.i.i.i:                     ; preds = %B46.else.endif.if.i.i.i.i, %B46.else.endif.i.i.i.i
+  %.265.sroa.0.3.i.i.i.i = phi i64 [ %.1546.i.i.i, %B46.else.endif.if.i.i.i.i ], [ %.265.sroa.0.1.i.i.i.i, %B46.else.endif.i.i.i.i ]
+  %.353.i.i.i.i = sub nsw i64 %.1546.i.i.i, %.265.sroa.0.3.i.i.i.i
+  %.362.i.i.i.i = tail call i64 @llvm.smax.i64(i64 %.353.i.i.i.i, i64 0)
+  %.378.i.i.i.i = getelementptr double, ptr %.1562.i.i.i, i64 %.265.sroa.0.3.i.i.i.i
+  store double 1.000000e+00, ptr %.378.i.i.i.i, align 8, !noalias !14
+  br i1 %69, label %B112.i.i.i.i, label %B122.i.i.i.i
+
+B154.if.i.i.i.i:                                  ; preds = %B154.if.i.i.i.i, %B154.if.preheader.i.i.i.i
+  %lsr.iv.i.i.i.i = phi i64 [ %lsr.iv.next.i.i.i.i, %B154.if.i.i.i.i ], [ 16, %B154.if.preheader.i.i.i.i ]
+  %lsr.iv57.i.i.i.i = phi i64 [ %lsr.iv.next58.i.i.i.i, %B154.if.i.i.i.i ], [ 3, %B154.if.preheader.i.i.i.i ]
+  %.615.inv.i.i.i.i = icmp sgt i64 %lsr.iv57.i.i.i.i, 1
+  %98 = select i1 %.615.inv.i.i.i.i, i64 0, i64 %74
+  %scevgep30.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %98
+  %99 = shl i64 %lsr.iv57.i.i.i.i, 3
+  %scevgep76.i.i.i.i = getelementptr i8, ptr %scevgep30.i.i.i.i, i64 %99
+  %scevgep77.i.i.i.i = getelementptr i8, ptr %scevgep76.i.i.i.i, i64 -16
+  %.631.i.i.i.i = load double, ptr %scevgep77.i.i.i.i, align 8, !noalias !14
+  %.632.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.i.i.i.i
+  %100 = add i64 %lsr.iv57.i.i.i.i, 9223372036854775807
+  %.647.i.i.i.i = icmp ult i64 %100, -9223372036854775806
+  %101 = select i1 %.647.i.i.i.i, i64 %74, i64 0
+  %scevgep28.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %101
+  %scevgep27.i.i.i.i = getelementptr i8, ptr %scevgep28.i.i.i.i, i64 %99
+  %scevgep29.i.i.i.i = getelementptr i8, ptr %scevgep27.i.i.i.i, i64 -24
+  %.663.i.i.i.i = load double, ptr %scevgep29.i.i.i.i, align 8, !noalias !14
+  %.664.i.i.i.i = fsub contract double %.632.i.i.i.i, %.663.i.i.i.i
+  %.678.inv.i.i.i.i = icmp sgt i64 %lsr.iv57.i.i.i.i, 0
+  %102 = select i1 %.678.inv.i.i.i.i, i64 0, i64 %74
+  %scevgep25.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %102
+  %scevgep24.i.i.i.i = getelementptr i8, ptr %scevgep25.i.i.i.i, i64 %99
+  %scevgep26.i.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i.i, i64 -8
+  store double %.664.i.i.i.i, ptr %scevgep26.i.i.i.i, align 8, !noalias !14
+  %.632.1.i.i.i.i = fmul contract double %.600.i.i.i.i, %.664.i.i.i.i
+  %.647.1.i.i.i.i = icmp slt i64 %lsr.iv57.i.i.i.i, 2
+  %103 = select i1 %.647.1.i.i.i.i, i64 %74, i64 0
+  %scevgep19.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %103
+  %scevgep22.i.i.i.i = getelementptr i8, ptr %scevgep19.i.i.i.i, i64 %99
+  %scevgep23.i.i.i.i = getelementptr i8, ptr %scevgep22.i.i.i.i, i64 -16
+  %.663.1.i.i.i.i = load double, ptr %scevgep23.i.i.i.i, align 8, !noalias !14
+  %.664.1.i.i.i.i = fsub contract double %.632.1.i.i.i.i, %.663.1.i.i.i.i
+  store double %.664.1.i.i.i.i, ptr %scevgep24.i.i.i.i, align 8, !noalias !14
+  %lsr.iv.next58.i.i.i.i = add i64 %lsr.iv57.i.i.i.i, 2
+  %lsr.iv.next.i.i.i.i = add i64 %lsr.iv.i.i.i.i, 16
+  %104 = sub i64 %lsr.iv.next58.i.i.i.i, %68
+  %niter.ncmp.1.i.i.i.i = icmp eq i64 %104, 3
+  br i1 %niter.ncmp.1.i.i.i.i, label %B224.loopexit.unr-lcssa.i.i.i.i, label %B154.if.i.i.i.i
+
+B282.if.i.i.i.i:                                  ; preds = %B540.i.i.i.i, %B282.if.lr.ph.i.i.i.i
+  %.821527537.i.i.i.i = phi i64 [ 0, %B282.if.lr.ph.i.i.i.i ], [ %.828.i.i.i.i, %B540.i.i.i.i ]
+  %.828.i.i.i.i = add nuw nsw i64 %.821527537.i.i.i.i, 1
+  %.idx.i.i.i.i = mul i64 %.821527537.i.i.i.i, 40
+  %105 = getelementptr i8, ptr %arg.exponents, i64 %.idx.i.i.i.i
+  %.887.i.i.i.i = load i64, ptr %105, align 8, !noalias !14
+  %.901.i.i.i.i = icmp slt i64 %.887.i.i.i.i, 0
+  %.902.i.i.i.i = select i1 %.901.i.i.i.i, i64 %.1546.i.i.i, i64 0
+  %106 = getelementptr double, ptr %.1562.i.i.i, i64 %.887.i.i.i.i
+  %.916.i.i.i.i = getelementptr double, ptr %106, i64 %.902.i.i.i.i
+  %.917.i.i.i.i = load double, ptr %.916.i.i.i.i, align 8, !noalias !14
+  %107 = getelementptr i8, ptr %105, i64 8
+  %.1072.i.i.i.i = load i64, ptr %107, align 8, !noalias !14
+  %.1073.i.i.i.i = add nsw i64 %.1072.i.i.i.i, %.81.i.i.i.i
+  %.1087.i.i.i.i = icmp slt i64 %.1073.i.i.i.i, 0
+  %.1088.i.i.i.i = select i1 %.1087.i.i.i.i, i64 %.1546.i.i.i, i64 0
+  %108 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.i.i.i.i
+  %.1102.i.i.i.i = getelementptr double, ptr %108, i64 %.1088.i.i.i.i
+  %.1103.i.i.i.i = load double, ptr %.1102.i.i.i.i, align 8, !noalias !14
+  %.1105.i.i.i.i = fmul contract double %.917.i.i.i.i, %.1103.i.i.i.i
+  %109 = getelementptr i8, ptr %105, i64 16
+  %.1072.1.i.i.i.i = load i64, ptr %109, align 8, !noalias !14
+  %.1073.1.i.i.i.i = add nsw i64 %.1072.1.i.i.i.i, %.1039.1.i.i.i.i
+  %.1087.1.i.i.i.i = icmp slt i64 %.1073.1.i.i.i.i, 0
+  %.1088.1.i.i.i.i = select i1 %.1087.1.i.i.i.i, i64 %.1546.i.i.i, i64 0
+  %110 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.1.i.i.i.i
+  %.1102.1.i.i.i.i = getelementptr double, ptr %110, i64 %.1088.1.i.i.i.i
+  %.1103.1.i.i.i.i = load double, ptr %.1102.1.i.i.i.i, align 8, !noalias !14
+  %.1105.1.i.i.i.i = fmul contract double %.1105.i.i.i.i, %.1103.1.i.i.i.i
+  %111 = getelementptr i8, ptr %105, i64 24
+  %.1072.2.i.i.i.i = load i64, ptr %111, align 8, !noalias !14
+  %.1073.2.i.i.i.i = add nsw i64 %.1072.2.i.i.i.i, %.1039.2.i.i.i.i
+  %.1087.2.i.i.i.i = icmp slt i64 %.1073.2.i.i.i.i, 0
+  %.1088.2.i.i.i.i = select i1 %.1087.2.i.i.i.i, i64 %.1546.i.i.i, i64 0
+  %112 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.2.i.i.i.i
+  %.1102.2.i.i.i.i = getelementptr double, ptr %112, i64 %.1088.2.i.i.i.i
+  %.1103.2.i.i.i.i = load double, ptr %.1102.2.i.i.i.i, align 8, !noalias !14
+  %.1105.2.i.i.i.i = fmul contract double %.1105.1.i.i.i.i, %.1103.2.i.i.i.i
+  %113 = getelementptr i8, ptr %105, i64 32
+  %.1072.3.i.i.i.i = load i64, ptr %113, align 8, !noalias !14
+  %.1073.3.i.i.i.i = add nsw i64 %.1072.3.i.i.i.i, %.1039.3.i.i.i.i
+  %.1087.3.i.i.i.i = icmp slt i64 %.1073.3.i.i.i.i, 0
+  %.1088.3.i.i.i.i = select i1 %.1087.3.i.i.i.i, i64 %.1546.i.i.i, i64 0
+  %114 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.3.i.i.i.i
+  %.1102.3.i.i.i.i = getelementptr double, ptr %114, i64 %.1088.3.i.i.i.i
+  %.1103.3.i.i.i.i = load double, ptr %.1102.3.i.i.i.i, align 8, !noalias !14
+  %.1105.3.i.i.i.i = fmul contract double %.1105.2.i.i.i.i, %.1103.3.i.i.i.i
+  %.1115.i.i.i.i = mul nuw nsw i64 %.821527537.i.i.i.i, %.340.sroa.13.2.i.i
+  %.1168.not.i.i.i.i = icmp sgt i64 %.1305.i.i.i, %.1115.i.i.i.i
+  br i1 %.1168.not.i.i.i.i, label %B416.else.endif.endif.endif.endif.i.i.i.i, label %B416.else.endif.if.i.i.i.i, !prof !4
+
+B416.else.endif.if.i.i.i.i:                       ; preds = %B282.if.i.i.i.i
+  br label %B416.else.endif.endif.endif.endif.i.i.i.i
+
+B416.else.endif.endif.endif.endif.i.i.i.i:        ; preds = %B416.else.endif.if.i.i.i.i, %B282.if.i.i.i.i
+  %.1148.sroa.0.3.i.i.i.i = phi i64 [ %.1314.i.i.i, %B416.else.endif.if.i.i.i.i ], [ %.1115.i.i.i.i, %B282.if.i.i.i.i ]
+  %.1261.i.i.i.i = getelementptr double, ptr %.1330.i.i.i, i64 %.1148.sroa.0.3.i.i.i.i
+  switch i63 %trunc.i.i.i.i, label %B484.if.preheader7.i.i.i.i [
+    i63 0, label %B540.i.i.i.i
+    i63 1, label %B484.if.epil.preheader.i.i.i.i
+  ]
+
+B484.if.preheader7.i.i.i.i:                       ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i
+  %115 = shl i64 %.1148.sroa.0.3.i.i.i.i, 3
+  %scevgep12.i.i.i.i = getelementptr i8, ptr %scevgep11.i.i.i.i, i64 %115
+  br i1 %89, label %B484.if.epil.preheader27.i.i.i.i, label %B484.if.preheader41.i.i.i.i
+
+B484.if.preheader41.i.i.i.i:                      ; preds = %B484.if.preheader7.i.i.i.i
+  %scevgep50.i.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i.i, i64 %115
+  br label %B484.if.i.i.i.i
+
+B484.if.i.i.i.i:                                  ; preds = %B484.if.i.i.i.i, %B484.if.preheader41.i.i.i.i
+  %lsr.iv1.i.i.i.i = phi i64 [ %lsr.iv.next2.i.i.i.i, %B484.if.i.i.i.i ], [ %88, %B484.if.preheader41.i.i.i.i ]
+  %.1385520522.i.i.i.i = phi i64 [ %.1392.1.1.i.i.i.i, %B484.if.i.i.i.i ], [ 0, %B484.if.preheader41.i.i.i.i ]
+  %116 = shl i64 %.1385520522.i.i.i.i, 3
+  %sunkaddr31.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %116
+  %.1446.i.i.i.i = load double, ptr %sunkaddr31.i.i.i.i, align 8, !noalias !14
+  %scevgep53.i.i.i.i = getelementptr i8, ptr %scevgep50.i.i.i.i, i64 %116
+  %scevgep18.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -16
+  %scevgep15.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -24
+  %.1476.i.i.i.i = load double, ptr %scevgep15.i.i.i.i, align 8, !noalias !14
+  %.1478.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.i.i.i.i
+  %.1479.i.i.i.i = fadd contract double %.1446.i.i.i.i, %.1478.i.i.i.i
+  store double %.1479.i.i.i.i, ptr %sunkaddr31.i.i.i.i, align 8, !noalias !14
+  %sunkaddr34.i.i.i.i = getelementptr i8, ptr %sunkaddr31.i.i.i.i, i64 8
+  %.1446.1.i.i.i.i = load double, ptr %sunkaddr34.i.i.i.i, align 8, !noalias !14
+  %.1476.1.i.i.i.i = load double, ptr %scevgep18.i.i.i.i, align 8, !noalias !14
+  %.1478.1.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.1.i.i.i.i
+  %.1479.1.i.i.i.i = fadd contract double %.1446.1.i.i.i.i, %.1478.1.i.i.i.i
+  store double %.1479.1.i.i.i.i, ptr %sunkaddr34.i.i.i.i, align 8, !noalias !14
+  %sunkaddr37.i.i.i.i = getelementptr i8, ptr %sunkaddr31.i.i.i.i, i64 16
+  %.1446.137.i.i.i.i = load double, ptr %sunkaddr37.i.i.i.i, align 8, !noalias !14
+  %scevgep13.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -8
+  %.1476.138.i.i.i.i = load double, ptr %scevgep13.i.i.i.i, align 8, !noalias !14
+  %.1478.139.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.138.i.i.i.i
+  %.1479.140.i.i.i.i = fadd contract double %.1446.137.i.i.i.i, %.1478.139.i.i.i.i
+  store double %.1479.140.i.i.i.i, ptr %sunkaddr37.i.i.i.i, align 8, !noalias !14
+  %.1392.1.1.i.i.i.i = add i64 %.1385520522.i.i.i.i, 4
+  %sunkaddr38.i.i.i.i = shl i64 %.1392.1.1.i.i.i.i, 3
+  %sunkaddr39.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %sunkaddr38.i.i.i.i
+  %sunkaddr40.i.i.i.i = getelementptr i8, ptr %sunkaddr39.i.i.i.i, i64 -8
+  %.1446.1.1.i.i.i.i = load double, ptr %sunkaddr40.i.i.i.i, align 8, !noalias !14
+  %.1476.1.1.i.i.i.i = load double, ptr %scevgep53.i.i.i.i, align 8, !noalias !14
+  %.1478.1.1.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.1.1.i.i.i.i
+  %.1479.1.1.i.i.i.i = fadd contract double %.1446.1.1.i.i.i.i, %.1478.1.1.i.i.i.i
+  store double %.1479.1.1.i.i.i.i, ptr %sunkaddr40.i.i.i.i, align 8, !noalias !14
+  %lsr.iv.next2.i.i.i.i = add i64 %lsr.iv1.i.i.i.i, 2
+  %niter36.ncmp.1.i.i.i.i = icmp eq i64 %lsr.iv.next2.i.i.i.i, 0
+  br i1 %niter36.ncmp.1.i.i.i.i, label %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i, label %B484.if.i.i.i.i
+
+B572.else.if.i.i.i:                               ; preds = %B572.i.i.i
+  br label %B572.else.endif.i.i.i
+
+B572.else.endif.i.i.i:                            ; preds = %B572.else.if.i.i.i, %B572.i.i.i
+  %.1737.sroa.0.1.i.i.i = phi i64 [ 0, %B572.else.if.i.i.i ], [ %.1749.i.i.i, %B572.i.i.i ]
+  %.1757.not.i.i.i = icmp slt i64 %.1749.i.i.i, %arg.n_weights
+  br i1 %.1757.not.i.i.i, label %B572.else.endif.endif.i.i.i, label %B572.else.endif.if.i.i.i, !prof !4
+
+B572.else.endif.if.i.i.i:                         ; preds = %B572.else.endif.i.i.i
+  br label %B572.else.endif.endif.i.i.i
+
+B572.else.endif.endif.i.i.i:                      ; preds = %B572.else.endif.if.i.i.i, %B572.else.endif.i.i.i
+  %.1737.sroa.0.3.i.i.i = phi i64 [ %arg.n_weights, %B572.else.endif.if.i.i.i ], [ %.1737.sroa.0.1.i.i.i, %B572.else.endif.i.i.i ]
+  %.1825.i.i.i = sub i64 %arg.n_weights, %.1737.sroa.0.3.i.i.i
+  %.1834.i.i.i = tail call i64 @llvm.smax.i64(i64 %.1825.i.i.i, i64 0)
+  %.1850.i.i.i = getelementptr double, ptr %arg.weights, i64 %.1737.sroa.0.3.i.i.i
+  %.1933.i.i.i = icmp slt i64 %.627.i.i, 6
+  br i1 %.1933.i.i.i, label %B572.endif.else.endif.if.i.i.i, label %B572.endif.else.endif.endif.i.i.i, !prof !3
+
+B572.endif.else.endif.if.i.i.i:                   ; preds = %B572.else.endif.endif.i.i.i
+  br label %B572.endif.else.endif.endif.i.i.i
+
+B572.endif.else.endif.endif.i.i.i:                ; preds = %B572.endif.else.endif.if.i.i.i, %B572.else.endif.endif.i.i.i
+  %.1913.sroa.0.3.i.i.i = phi i64 [ %.636.i.i, %B572.endif.else.endif.if.i.i.i ], [ 5, %B572.else.endif.endif.i.i.i ]
+  %.2026.i.i.i = getelementptr double, ptr %.652.i.i, i64 %.1913.sroa.0.3.i.i.i
+  %.576.i.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !17
+  store double %.576.i.i.i.i, ptr %.2026.i.i.i, align 8, !noalias !17
+  %.576.1.i.i.i.i = load double, ptr %56, align 8, !noalias !17
+  %117 = getelementptr i8, ptr %.2026.i.i.i, i64 8
+  store double %.576.1.i.i.i.i, ptr %117, align 8, !noalias !17
+  %.576.2.i.i.i.i = load double, ptr %59, align 8, !noalias !17
+  %118 = getelementptr i8, ptr %.2026.i.i.i, i64 16
+  store double %.576.2.i.i.i.i, ptr %118, align 8, !noalias !17
+  %.576.3.i.i.i.i = load double, ptr %62, align 8, !noalias !17
+  %119 = getelementptr i8, ptr %.2026.i.i.i, i64 24
+  store double %.576.3.i.i.i.i, ptr %119, align 8, !noalias !17
+  %.576.4.i.i.i.i = load double, ptr %.200.i.i.i.i, align 8, !noalias !17
+  %120 = getelementptr i8, ptr %.2026.i.i.i, i64 32
+  store double %.576.4.i.i.i.i, ptr %120, align 8, !noalias !17
+  %.679.i.i.i.i = load i64, ptr %.1676.i.i.i, align 8, !noalias !17
+  %.680.i.i.i.i = add nsw i64 %.679.i.i.i.i, -1
+  %.765771.not.i.i.i.i = icmp slt i64 %.679.i.i.i.i, 1
+  br i1 %.765771.not.i.i.i.i, label %B696.i.i.i.i, label %B210.if.lr.ph.i.i.i.i
+
+B210.if.lr.ph.i.i.i.i:                            ; preds = %B572.endif.else.endif.endif.i.i.i
+  %.2001.i.i.i = sub nsw i64 %.636.i.i, %.1913.sroa.0.3.i.i.i
+  %.2010.i.i.i = tail call i64 @llvm.smax.i64(i64 %.2001.i.i.i, i64 0)
+  %.274.sroa.0.39.i.i.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 0, -9223372036854775808) %.2010.i.i.i, i64 1024)
+  %.387.i.i.i.i = getelementptr double, ptr %.2026.i.i.i, i64 %.274.sroa.0.39.i.i.i.i
+  %scevgep49.i1.i.i.i = getelementptr i8, ptr %.1850.i.i.i, i64 24
+  %scevgep74.i.i.i.i = getelementptr i8, ptr %.1850.i.i.i, i64 8
+  %scevgep54.i.i.i.i = getelementptr i8, ptr %.1850.i.i.i, i64 56
+  br label %B210.if.i.i.i.i
+
+B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i:        ; preds = %B346.if.i.i.i.i
+  %121 = and i64 %150, 4
+  %lcmp.mod.not28.not.i.i.i.i = icmp eq i64 %121, 0
+  br i1 %lcmp.mod.not28.not.i.i.i.i, label %B346.if.epil.preheader1.i.i.i.i, label %B374.loopexit.unr-lcssa.i.i.i.i
+
+B346.if.epil.preheader1.i.i.i.i:                  ; preds = %B346.if.preheader.new.i.i.i.i, %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
+  %.1083.0.epil.init6.i.i.i.i = phi i64 [ 0, %B346.if.preheader.new.i.i.i.i ], [ %.1152.3.1.i.i.i.i, %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
+  %122 = shl i64 %.1083.0.epil.init6.i.i.i.i, 3
+  %scevgep56.epil.i.i.i.i = getelementptr i8, ptr %scevgep50.i2.i.i.i, i64 %122
+  %scevgep57.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -24
+  %.1206.epil4.i.i.i.i = load double, ptr %scevgep57.epil.i.i.i.i, align 8, !noalias !17
+  %sunkaddr81.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %122
+  store double %.1206.epil4.i.i.i.i, ptr %sunkaddr81.epil.i.i.i.i, align 8, !noalias !17
+  %scevgep55.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -16
+  %.1206.1.epil.i.i.i.i = load double, ptr %scevgep55.epil.i.i.i.i, align 8, !noalias !17
+  %sunkaddr84.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr81.epil.i.i.i.i, i64 8
+  store double %.1206.1.epil.i.i.i.i, ptr %sunkaddr84.epil.i.i.i.i, align 8, !noalias !17
+  %scevgep53.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -8
+  %.1206.2.epil.i.i.i.i = load double, ptr %scevgep53.epil.i.i.i.i, align 8, !noalias !17
+  %sunkaddr87.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr81.epil.i.i.i.i, i64 16
+  store double %.1206.2.epil.i.i.i.i, ptr %sunkaddr87.epil.i.i.i.i, align 8, !noalias !17
+  %.1152.3.epil.i.i.i.i = add nuw nsw i64 %.1083.0.epil.init6.i.i.i.i, 4
+  %.1206.3.epil.i.i.i.i = load double, ptr %scevgep56.epil.i.i.i.i, align 8, !noalias !17
+  %sunkaddr90.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr81.epil.i.i.i.i, i64 24
+  store double %.1206.3.epil.i.i.i.i, ptr %sunkaddr90.epil.i.i.i.i, align 8, !noalias !17
+  br label %B374.loopexit.unr-lcssa.i.i.i.i
+
+B374.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B346.if.epil.preheader1.i.i.i.i, %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
+  %.1152.3.lcssa.i.i.i.i = phi i64 [ %.1152.3.epil.i.i.i.i, %B346.if.epil.preheader1.i.i.i.i ], [ %.1152.3.1.i.i.i.i, %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
+  %lcmp.mod.not.i.i.i.i = icmp eq i64 %xtraiter.i.i.i.i, 0
+  br i1 %lcmp.mod.not.i.i.i.i, label %B374.i.i.i.i, label %B346.if.epil.preheader.i.i.i.i
+
+B346.if.epil.preheader.i.i.i.i:                   ; preds = %B346.if.preheader.i.i.i.i, %B374.loopexit.unr-lcssa.i.i.i.i
+  %.1083.0.epil.init.i.i.i.i = phi i64 [ 0, %B346.if.preheader.i.i.i.i ], [ %.1152.3.lcssa.i.i.i.i, %B374.loopexit.unr-lcssa.i.i.i.i ]
+  %123 = shl i64 %.1083.0.epil.init.i.i.i.i, 3
+  %scevgep66.i7.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %123
+  %124 = add i64 %.1083.0.epil.init.i.i.i.i, %.908.sroa.0.3.i.i.i.i
+  %125 = shl i64 %124, 3
+  %scevgep68.i.i.i.i = getelementptr i8, ptr %.1850.i.i.i, i64 %125
+  br label %B346.if.epil.i.i.i.i
+
+B346.if.epil.i.i.i.i:                             ; preds = %B346.if.epil.i.i.i.i, %B346.if.epil.preheader.i.i.i.i
+  %epil.iter.i.i.i.i = phi i64 [ %epil.iter.next.i.i.i.i, %B346.if.epil.i.i.i.i ], [ 0, %B346.if.epil.preheader.i.i.i.i ]
+  %126 = shl i64 %epil.iter.i.i.i.i, 3
+  %scevgep98.i.i.i.i = getelementptr i8, ptr %scevgep68.i.i.i.i, i64 %126
+  %.1206.epil.i.i.i.i = load double, ptr %scevgep98.i.i.i.i, align 8, !noalias !17
+  %scevgep97.i.i.i.i = getelementptr i8, ptr %scevgep66.i7.i.i.i, i64 %126
+  store double %.1206.epil.i.i.i.i, ptr %scevgep97.i.i.i.i, align 8, !noalias !17
+  %epil.iter.next.i.i.i.i = add i64 %epil.iter.i.i.i.i, 1
+  %epil.iter.cmp.not.i.i.i.i = icmp eq i64 %xtraiter.i.i.i.i, %epil.iter.next.i.i.i.i
+  br i1 %epil.iter.cmp.not.i.i.i.i, label %B374.i.i.i.i, label %B346.if.epil.i.i.i.i, !llvm.loop !20
+
+B374.i.i.i.i:                                     ; preds = %B346.if.epil.i.i.i.i, %B212.else.endif.endif.i.i.i.i, %B374.loopexit.unr-lcssa.i.i.i.i
+  %.1327765.not.i.i.i.i = icmp slt i64 %.837.i.i.i.i, 1
+  br i1 %.1327765.not.i.i.i.i, label %B544.i.i.i.i, label %B404.if.lr.ph.i.i.i.i
+
+B404.if.lr.ph.i.i.i.i:                            ; preds = %B374.i.i.i.i
+  %unroll_iter21.i.i.i.i = and i64 %.870.i.i.i.i, 9223372036854775806
+  %127 = add nsw i64 %unroll_iter21.i.i.i.i, -2
+  %128 = lshr exact i64 %127, 1
+  %129 = add nuw i64 %128, 1
+  %130 = lshr i64 %129, 1
+  %131 = mul nsw i64 %130, -2
+  %132 = icmp slt i64 %.870.i.i.i.i, 1
+  %133 = icmp eq i64 %.870.i.i.i.i, 1
+  %134 = icmp eq i64 %127, 0
+  %135 = and i64 %127, 2
+  %136 = icmp eq i64 %135, 0
+  %137 = and i64 %.870.i.i.i.i, 1
+  %138 = icmp eq i64 %137, 0
+  br label %B404.if.i.i.i.i
+
+B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i:        ; preds = %B486.if.i.i.i.i
+  br i1 %136, label %B486.if.epil.preheader11.i.i.i.i, label %B542.loopexit.unr-lcssa.i.i.i.i
+
+B486.if.epil.preheader11.i.i.i.i:                 ; preds = %B486.if.preheader29.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
+  %.1603.0.epil.init18.i.i.i.i = phi i64 [ 0, %B486.if.preheader29.i.i.i.i ], [ %.1672.1.1.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
+  %139 = shl i64 %.1603.0.epil.init18.i.i.i.i, 3
+  %sunkaddr92.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %139
+  %.1726.epil13.i.i.i.i = load double, ptr %sunkaddr92.epil.i.i.i.i, align 8, !noalias !17
+  %scevgep77.epil.i.i.i.i = getelementptr i8, ptr %scevgep75.i.i.i.i, i64 %139
+  %scevgep78.epil.i.i.i.i = getelementptr i8, ptr %scevgep77.epil.i.i.i.i, i64 -8
+  %.1756.epil14.i.i.i.i = load double, ptr %scevgep78.epil.i.i.i.i, align 8, !noalias !17
+  %.1758.epil15.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.epil14.i.i.i.i
+  %.1759.epil16.i.i.i.i = fadd contract double %.1726.epil13.i.i.i.i, %.1758.epil15.i.i.i.i
+  store double %.1759.epil16.i.i.i.i, ptr %sunkaddr92.epil.i.i.i.i, align 8, !noalias !17
+  %.1672.1.epil.i.i.i.i = add nuw i64 %.1603.0.epil.init18.i.i.i.i, 2
+  %sunkaddr95.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr92.epil.i.i.i.i, i64 8
+  %.1726.1.epil.i.i.i.i = load double, ptr %sunkaddr95.epil.i.i.i.i, align 8, !noalias !17
+  %.1756.1.epil.i.i.i.i = load double, ptr %scevgep77.epil.i.i.i.i, align 8, !noalias !17
+  %.1758.1.epil.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.1.epil.i.i.i.i
+  %.1759.1.epil.i.i.i.i = fadd contract double %.1726.1.epil.i.i.i.i, %.1758.1.epil.i.i.i.i
+  store double %.1759.1.epil.i.i.i.i, ptr %sunkaddr95.epil.i.i.i.i, align 8, !noalias !17
+  br label %B542.loopexit.unr-lcssa.i.i.i.i
+
+B542.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B486.if.epil.preheader11.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
+  %.1672.1.lcssa.i.i.i.i = phi i64 [ %.1672.1.epil.i.i.i.i, %B486.if.epil.preheader11.i.i.i.i ], [ %.1672.1.1.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
+  br i1 %138, label %B542.i.i.i.i, label %B486.if.epil.preheader.i.i.i.i
+
+B486.if.epil.preheader.i.i.i.i:                   ; preds = %B486.if.preheader.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i
+  %.1603.0.epil.init.i.i.i.i = phi i64 [ 0, %B486.if.preheader.i.i.i.i ], [ %.1672.1.lcssa.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i ]
+  %140 = getelementptr double, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
+  %.1726.epil.i.i.i.i = load double, ptr %140, align 8, !noalias !17
+  %141 = getelementptr double, ptr %.1508.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
+  %.1756.epil.i.i.i.i = load double, ptr %141, align 8, !noalias !17
+  %.1758.epil.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.epil.i.i.i.i
+  %.1759.epil.i.i.i.i = fadd contract double %.1726.epil.i.i.i.i, %.1758.epil.i.i.i.i
+  store double %.1759.epil.i.i.i.i, ptr %140, align 8, !noalias !17
+  br label %B542.i.i.i.i
+
+B542.i.i.i.i:                                     ; preds = %B406.else.endif.endif.i.i.i.i, %B486.if.epil.preheader.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i
+  %exitcond12.not.i.i.i.i = icmp eq i64 %.1340.i.i.i.i, %.837.i.i.i.i
+  br i1 %exitcond12.not.i.i.i.i, label %B544.i.i.i.i, label %B404.if.i.i.i.i
+
+B544.i.i.i.i:                                     ; preds = %B542.i.i.i.i, %B374.i.i.i.i
+  %.1809.i.i.i.i = icmp sge i64 %.709.0.i.i.i.i, %.680.i.i.i.i
+  %.1893768.not.i.i.i.i = icmp slt i64 %.870.i.i.i.i, 1
+  %or.cond.i.i.i.i = or i1 %.1809.i.i.i.i, %.1893768.not.i.i.i.i
+  br i1 %or.cond.i.i.i.i, label %B664.i.i.i.i, label %B586.if.i.i.i.i
+
+B664.i.i.i.i:                                     ; preds = %B588.endif.i.i.i.i, %B544.i.i.i.i
+  %.2052.i.i.i.i = add nsw i64 %.837.i.i.i.i, 1
+  %.2056.i.i.i.i = mul nsw i64 %.2052.i.i.i.i, %.870.i.i.i.i
+  %.2060.i.i.i.i = add nsw i64 %.2056.i.i.i.i, %at.2.0776.i.i.i.i
+  %exitcond14.not.i.i.i.i = icmp eq i64 %.778.i.i.i.i, %.679.i.i.i.i
+  br i1 %exitcond14.not.i.i.i.i, label %B696.i.i.i.i, label %B210.if.i.i.i.i
+
+B696.i.i.i.i:                                     ; preds = %B664.i.i.i.i, %B572.endif.else.endif.endif.i.i.i
+  %current.2.sroa.40.0.lcssa.i.i.i.i = phi ptr [ %.2026.i.i.i, %B572.endif.else.endif.endif.i.i.i ], [ %following.2.sroa.52.0775.i.i.i.i, %B664.i.i.i.i ]
+  br i1 %.1056673.not.i.i.i, label %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B748.if.preheader.i.i.i.i
+
+B748.if.preheader.i.i.i.i:                        ; preds = %B696.i.i.i.i
+  %xtraiter23.i.i.i.i = and i64 %.340.sroa.13.2.i.i, 3
+  %142 = icmp samesign ult i64 %.340.sroa.13.2.i.i, 4
+  br i1 %142, label %B748.if.epil.preheader.i.i.i.i, label %B748.if.preheader.new.i.i.i.i
+
+B748.if.preheader.new.i.i.i.i:                    ; preds = %B748.if.preheader.i.i.i.i
+  %unroll_iter27.i.i.i.i = and i64 %.340.sroa.13.2.i.i, 9223372036854775804
+  br label %B748.if.i.i.i.i
+
+B798.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B748.if.i.i.i.i
+  %lcmp.mod25.not.i.i.i.i = icmp eq i64 %xtraiter23.i.i.i.i, 0
+  br i1 %lcmp.mod25.not.i.i.i.i, label %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B748.if.epil.preheader.i.i.i.i
+
+B748.if.epil.preheader.i.i.i.i:                   ; preds = %B798.loopexit.unr-lcssa.i.i.i.i, %B748.if.preheader.i.i.i.i
+  %.2219781783.epil.init.i.i.i.i = phi i64 [ 0, %B748.if.preheader.i.i.i.i ], [ %.2226.3.i.i.i.i, %B798.loopexit.unr-lcssa.i.i.i.i ]
+  %143 = shl i64 %.2219781783.epil.init.i.i.i.i, 3
+  %scevgep.i.i.i.i = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.i.i.i.i, i64 %143
+  %scevgep31.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %143
+  br label %B748.if.epil.i.i.i.i
+
+B748.if.epil.i.i.i.i:                             ; preds = %B748.if.epil.i.i.i.i, %B748.if.epil.preheader.i.i.i.i
+  %epil.iter24.i.i.i.i = phi i64 [ %epil.iter24.next.i.i.i.i, %B748.if.epil.i.i.i.i ], [ 0, %B748.if.epil.preheader.i.i.i.i ]
+  %144 = shl i64 %epil.iter24.i.i.i.i, 3
+  %scevgep34.i.i.i.i = getelementptr i8, ptr %scevgep31.i.i.i.i, i64 %144
+  %.2280.epil.i.i.i.i = load double, ptr %scevgep34.i.i.i.i, align 8, !noalias !17
+  %scevgep33.i.i.i.i = getelementptr i8, ptr %scevgep.i.i.i.i, i64 %144
+  %.2310.epil.i.i.i.i = load double, ptr %scevgep33.i.i.i.i, align 8, !noalias !17
+  %.2311.epil.i.i.i.i = fadd contract double %.2280.epil.i.i.i.i, %.2310.epil.i.i.i.i
+  store double %.2311.epil.i.i.i.i, ptr %scevgep34.i.i.i.i, align 8, !noalias !17
+  %epil.iter24.next.i.i.i.i = add i64 %epil.iter24.i.i.i.i, 1
+  %epil.iter24.cmp.not.i.i.i.i = icmp eq i64 %xtraiter23.i.i.i.i, %epil.iter24.next.i.i.i.i
+  br i1 %epil.iter24.cmp.not.i.i.i.i, label %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B748.if.epil.i.i.i.i, !llvm.loop !22
+
+B210.if.i.i.i.i:                                  ; preds = %B664.i.i.i.i, %B210.if.lr.ph.i.i.i.i
+  %.709.0.i.i.i.i = phi i64 [ 0, %B210.if.lr.ph.i.i.i.i ], [ %.778.i.i.i.i, %B664.i.i.i.i ]
+  %at.2.0776.i.i.i.i = phi i64 [ 0, %B210.if.lr.ph.i.i.i.i ], [ %.2060.i.i.i.i, %B664.i.i.i.i ]
+  %following.2.sroa.52.0775.i.i.i.i = phi ptr [ %.387.i.i.i.i, %B210.if.lr.ph.i.i.i.i ], [ %current.2.sroa.40.0773.i.i.i.i, %B664.i.i.i.i ]
+  %current.2.sroa.40.0773.i.i.i.i = phi ptr [ %.2026.i.i.i, %B210.if.lr.ph.i.i.i.i ], [ %following.2.sroa.52.0775.i.i.i.i, %B664.i.i.i.i ]
+  %.778.i.i.i.i = add nuw nsw i64 %.709.0.i.i.i.i, 1
+  %145 = getelementptr i64, ptr %arg.contents, i64 %.709.0.i.i.i.i
+  %146 = getelementptr i8, ptr %145, i64 120
+  %.837.i.i.i.i = load i64, ptr %146, align 8, !noalias !17
+  %147 = getelementptr i8, ptr %145, i64 128
+  %.870.i.i.i.i = load i64, ptr %147, align 8, !noalias !17
+  %.879.i.i.i.i = mul nsw i64 %.870.i.i.i.i, %.837.i.i.i.i
+  %.881.i.i.i.i = add nsw i64 %.879.i.i.i.i, %at.2.0776.i.i.i.i
+  %.918.i.i.i.i = icmp slt i64 %.881.i.i.i.i, 0
+  %.919.i.i.i.i = select i1 %.918.i.i.i.i, i64 %.1834.i.i.i, i64 0
+  %.920.i.i.i.i = add i64 %.919.i.i.i.i, %.881.i.i.i.i
+  %.923.i.i.i.i = icmp slt i64 %.920.i.i.i.i, 0
+  br i1 %.923.i.i.i.i, label %B212.else.if.i.i.i.i, label %B212.else.endif.i.i.i.i, !prof !3
+
+B212.else.if.i.i.i.i:                             ; preds = %B210.if.i.i.i.i
+  br label %B212.else.endif.i.i.i.i
+
+B212.else.endif.i.i.i.i:                          ; preds = %B212.else.if.i.i.i.i, %B210.if.i.i.i.i
+  %.908.sroa.0.1.i.i.i.i = phi i64 [ 0, %B212.else.if.i.i.i.i ], [ %.920.i.i.i.i, %B210.if.i.i.i.i ]
+  %.928.not.i.i.i.i = icmp slt i64 %.920.i.i.i.i, %.1834.i.i.i
+  br i1 %.928.not.i.i.i.i, label %B212.else.endif.endif.i.i.i.i, label %B212.else.endif.if.i.i.i.i, !prof !4
+
+B212.else.endif.if.i.i.i.i:                       ; preds = %B212.else.endif.i.i.i.i
+  br label %B212.else.endif.endif.i.i.i.i
+
+B212.else.endif.endif.i.i.i.i:                    ; preds = %B212.else.endif.if.i.i.i.i, %B212.else.endif.i.i.i.i
+  %.908.sroa.0.3.i.i.i.i = phi i64 [ %.1834.i.i.i, %B212.else.endif.if.i.i.i.i ], [ %.908.sroa.0.1.i.i.i.i, %B212.else.endif.i.i.i.i ]
+  %.1097.i.i.i.i = icmp sgt i64 %.870.i.i.i.i, 0
+  br i1 %.1097.i.i.i.i, label %B346.if.preheader.i.i.i.i, label %B374.i.i.i.i
+
+B346.if.preheader.i.i.i.i:                        ; preds = %B212.else.endif.endif.i.i.i.i
+  %xtraiter.i.i.i.i = and i64 %.870.i.i.i.i, 3
+  %148 = icmp ult i64 %.870.i.i.i.i, 4
+  br i1 %148, label %B346.if.epil.preheader.i.i.i.i, label %B346.if.preheader.new.i.i.i.i
+
+B346.if.preheader.new.i.i.i.i:                    ; preds = %B346.if.preheader.i.i.i.i
+  %149 = shl i64 %.908.sroa.0.3.i.i.i.i, 3
+  %scevgep50.i2.i.i.i = getelementptr i8, ptr %scevgep49.i1.i.i.i, i64 %149
+  %150 = add nsw i64 %.870.i.i.i.i, -4
+  %151 = lshr i64 %150, 2
+  %152 = icmp eq i64 %151, 0
+  br i1 %152, label %B346.if.epil.preheader1.i.i.i.i, label %B346.if.preheader.new.new.i.i.i.i
+
+B346.if.preheader.new.new.i.i.i.i:                ; preds = %B346.if.preheader.new.i.i.i.i
+  %153 = add nuw nsw i64 %151, 1
+  %scevgep58.i.i.i.i = getelementptr i8, ptr %scevgep54.i.i.i.i, i64 %149
+  %154 = lshr i64 %153, 1
+  %155 = mul nsw i64 %154, -2
+  br label %B346.if.i.i.i.i
+
+B346.if.i.i.i.i:                                  ; preds = %B346.if.i.i.i.i, %B346.if.preheader.new.new.i.i.i.i
+  %lsr.iv.i3.i.i.i = phi i64 [ %lsr.iv.next.i5.i.i.i, %B346.if.i.i.i.i ], [ %155, %B346.if.preheader.new.new.i.i.i.i ]
+  %.1083.0.i.i.i.i = phi i64 [ %.1152.3.1.i.i.i.i, %B346.if.i.i.i.i ], [ 0, %B346.if.preheader.new.new.i.i.i.i ]
+  %156 = shl i64 %.1083.0.i.i.i.i, 3
+  %scevgep65.i4.i.i.i = getelementptr i8, ptr %scevgep58.i.i.i.i, i64 %156
+  %scevgep70.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -32
+  %scevgep80.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -56
+  %.1206.i.i.i.i = load double, ptr %scevgep80.i.i.i.i, align 8, !noalias !17
+  %sunkaddr71.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %156
+  store double %.1206.i.i.i.i, ptr %sunkaddr71.i.i.i.i, align 8, !noalias !17
+  %scevgep48.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -48
+  %.1206.1.i.i.i.i = load double, ptr %scevgep48.i.i.i.i, align 8, !noalias !17
+  %sunkaddr74.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 8
+  store double %.1206.1.i.i.i.i, ptr %sunkaddr74.i.i.i.i, align 8, !noalias !17
+  %scevgep45.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -40
+  %.1206.2.i.i.i.i = load double, ptr %scevgep45.i.i.i.i, align 8, !noalias !17
+  %sunkaddr77.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 16
+  store double %.1206.2.i.i.i.i, ptr %sunkaddr77.i.i.i.i, align 8, !noalias !17
+  %.1206.3.i.i.i.i = load double, ptr %scevgep70.i.i.i.i, align 8, !noalias !17
+  %sunkaddr80.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 24
+  store double %.1206.3.i.i.i.i, ptr %sunkaddr80.i.i.i.i, align 8, !noalias !17
+  %scevgep42.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -24
+  %.1206.110.i.i.i.i = load double, ptr %scevgep42.i.i.i.i, align 8, !noalias !17
+  %sunkaddr83.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 32
+  store double %.1206.110.i.i.i.i, ptr %sunkaddr83.i.i.i.i, align 8, !noalias !17
+  %scevgep40.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -16
+  %.1206.1.1.i.i.i.i = load double, ptr %scevgep40.i.i.i.i, align 8, !noalias !17
+  %sunkaddr86.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 40
+  store double %.1206.1.1.i.i.i.i, ptr %sunkaddr86.i.i.i.i, align 8, !noalias !17
+  %scevgep38.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -8
+  %.1206.2.1.i.i.i.i = load double, ptr %scevgep38.i.i.i.i, align 8, !noalias !17
+  %sunkaddr89.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 48
+  store double %.1206.2.1.i.i.i.i, ptr %sunkaddr89.i.i.i.i, align 8, !noalias !17
+  %.1152.3.1.i.i.i.i = add i64 %.1083.0.i.i.i.i, 8
+  %.1206.3.1.i.i.i.i = load double, ptr %scevgep65.i4.i.i.i, align 8, !noalias !17
+  %sunkaddr90.i.i.i.i = shl i64 %.1152.3.1.i.i.i.i, 3
+  %sunkaddr91.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %sunkaddr90.i.i.i.i
+  %sunkaddr92.i.i.i.i = getelementptr i8, ptr %sunkaddr91.i.i.i.i, i64 -8
+  store double %.1206.3.1.i.i.i.i, ptr %sunkaddr92.i.i.i.i, align 8, !noalias !17
+  %lsr.iv.next.i5.i.i.i = add i64 %lsr.iv.i3.i.i.i, 2
+  %niter.ncmp.1.i6.i.i.i = icmp eq i64 %lsr.iv.next.i5.i.i.i, 0
+  br i1 %niter.ncmp.1.i6.i.i.i, label %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i, label %B346.if.i.i.i.i
+
+B404.if.i.i.i.i:                                  ; preds = %B542.i.i.i.i, %B404.if.lr.ph.i.i.i.i
+  %.1271.0.i.i.i.i = phi i64 [ 0, %B404.if.lr.ph.i.i.i.i ], [ %.1340.i.i.i.i, %B542.i.i.i.i ]
+  %.1340.i.i.i.i = add nuw nsw i64 %.1271.0.i.i.i.i, 1
+  %.1366.i.i.i.i = mul nsw i64 %.1271.0.i.i.i.i, %.870.i.i.i.i
+  %.1368.i.i.i.i = add nsw i64 %.1366.i.i.i.i, %at.2.0776.i.i.i.i
+  %.1405.i.i.i.i = icmp slt i64 %.1368.i.i.i.i, 0
+  %.1406.i.i.i.i = select i1 %.1405.i.i.i.i, i64 %.1834.i.i.i, i64 0
+  %.1407.i.i.i.i = add i64 %.1406.i.i.i.i, %.1368.i.i.i.i
+  %.1410.i.i.i.i = icmp slt i64 %.1407.i.i.i.i, 0
+  br i1 %.1410.i.i.i.i, label %B406.else.if.i.i.i.i, label %B406.else.endif.i.i.i.i, !prof !3
+
+B406.else.if.i.i.i.i:                             ; preds = %B404.if.i.i.i.i
+  br label %B406.else.endif.i.i.i.i
+
+B406.else.endif.i.i.i.i:                          ; preds = %B406.else.if.i.i.i.i, %B404.if.i.i.i.i
+  %.1395.sroa.0.1.i.i.i.i = phi i64 [ 0, %B406.else.if.i.i.i.i ], [ %.1407.i.i.i.i, %B404.if.i.i.i.i ]
+  %.1415.not.i.i.i.i = icmp slt i64 %.1407.i.i.i.i, %.1834.i.i.i
+  br i1 %.1415.not.i.i.i.i, label %B406.else.endif.endif.i.i.i.i, label %B406.else.endif.if.i.i.i.i, !prof !4
+
+B406.else.endif.if.i.i.i.i:                       ; preds = %B406.else.endif.i.i.i.i
+  br label %B406.else.endif.endif.i.i.i.i
+
+B406.else.endif.endif.i.i.i.i:                    ; preds = %B406.else.endif.if.i.i.i.i, %B406.else.endif.i.i.i.i
+  %.1395.sroa.0.3.i.i.i.i = phi i64 [ %.1834.i.i.i, %B406.else.endif.if.i.i.i.i ], [ %.1395.sroa.0.1.i.i.i.i, %B406.else.endif.i.i.i.i ]
+  %.1508.i.i.i.i = getelementptr double, ptr %.1850.i.i.i, i64 %.1395.sroa.0.3.i.i.i.i
+  %157 = getelementptr double, ptr %current.2.sroa.40.0773.i.i.i.i, i64 %.1271.0.i.i.i.i
+  %.1575.i.i.i.i = load double, ptr %157, align 8, !noalias !17
+  br i1 %132, label %B542.i.i.i.i, label %B486.if.preheader.i.i.i.i
+
+B486.if.preheader.i.i.i.i:                        ; preds = %B406.else.endif.endif.i.i.i.i
+  br i1 %133, label %B486.if.epil.preheader.i.i.i.i, label %B486.if.preheader29.i.i.i.i
+
+B486.if.preheader29.i.i.i.i:                      ; preds = %B486.if.preheader.i.i.i.i
+  %158 = shl i64 %.1395.sroa.0.3.i.i.i.i, 3
+  %scevgep75.i.i.i.i = getelementptr i8, ptr %scevgep74.i.i.i.i, i64 %158
+  br i1 %134, label %B486.if.epil.preheader11.i.i.i.i, label %B486.if.preheader30.i.i.i.i
+
+B486.if.preheader30.i.i.i.i:                      ; preds = %B486.if.preheader29.i.i.i.i
+  %scevgep108.i.i.i.i = getelementptr i8, ptr %scevgep49.i1.i.i.i, i64 %158
+  br label %B486.if.i.i.i.i
+
+B486.if.i.i.i.i:                                  ; preds = %B486.if.i.i.i.i, %B486.if.preheader30.i.i.i.i
+  %lsr.iv49.i.i.i.i = phi i64 [ %lsr.iv.next50.i.i.i.i, %B486.if.i.i.i.i ], [ %131, %B486.if.preheader30.i.i.i.i ]
+  %.1603.0.i.i.i.i = phi i64 [ %.1672.1.1.i.i.i.i, %B486.if.i.i.i.i ], [ 0, %B486.if.preheader30.i.i.i.i ]
+  %159 = shl i64 %.1603.0.i.i.i.i, 3
+  %sunkaddr94.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %159
+  %.1726.i.i.i.i = load double, ptr %sunkaddr94.i.i.i.i, align 8, !noalias !17
+  %scevgep111.i.i.i.i = getelementptr i8, ptr %scevgep108.i.i.i.i, i64 %159
+  %scevgep69.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -16
+  %scevgep64.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -24
+  %.1756.i.i.i.i = load double, ptr %scevgep64.i.i.i.i, align 8, !noalias !17
+  %.1758.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.i.i.i.i
+  %.1759.i.i.i.i = fadd contract double %.1726.i.i.i.i, %.1758.i.i.i.i
+  store double %.1759.i.i.i.i, ptr %sunkaddr94.i.i.i.i, align 8, !noalias !17
+  %sunkaddr97.i.i.i.i = getelementptr i8, ptr %sunkaddr94.i.i.i.i, i64 8
+  %.1726.1.i.i.i.i = load double, ptr %sunkaddr97.i.i.i.i, align 8, !noalias !17
+  %.1756.1.i.i.i.i = load double, ptr %scevgep69.i.i.i.i, align 8, !noalias !17
+  %.1758.1.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.1.i.i.i.i
+  %.1759.1.i.i.i.i = fadd contract double %.1726.1.i.i.i.i, %.1758.1.i.i.i.i
+  store double %.1759.1.i.i.i.i, ptr %sunkaddr97.i.i.i.i, align 8, !noalias !17
+  %sunkaddr100.i.i.i.i = getelementptr i8, ptr %sunkaddr94.i.i.i.i, i64 16
+  %.1726.124.i.i.i.i = load double, ptr %sunkaddr100.i.i.i.i, align 8, !noalias !17
+  %scevgep62.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -8
+  %.1756.125.i.i.i.i = load double, ptr %scevgep62.i.i.i.i, align 8, !noalias !17
+  %.1758.126.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.125.i.i.i.i
+  %.1759.127.i.i.i.i = fadd contract double %.1726.124.i.i.i.i, %.1758.126.i.i.i.i
+  store double %.1759.127.i.i.i.i, ptr %sunkaddr100.i.i.i.i, align 8, !noalias !17
+  %.1672.1.1.i.i.i.i = add i64 %.1603.0.i.i.i.i, 4
+  %sunkaddr101.i.i.i.i = shl i64 %.1672.1.1.i.i.i.i, 3
+  %sunkaddr102.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %sunkaddr101.i.i.i.i
+  %sunkaddr103.i.i.i.i = getelementptr i8, ptr %sunkaddr102.i.i.i.i, i64 -8
+  %.1726.1.1.i.i.i.i = load double, ptr %sunkaddr103.i.i.i.i, align 8, !noalias !17
+  %.1756.1.1.i.i.i.i = load double, ptr %scevgep111.i.i.i.i, align 8, !noalias !17
+  %.1758.1.1.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.1.1.i.i.i.i
+  %.1759.1.1.i.i.i.i = fadd contract double %.1726.1.1.i.i.i.i, %.1758.1.1.i.i.i.i
+  store double %.1759.1.1.i.i.i.i, ptr %sunkaddr103.i.i.i.i, align 8, !noalias !17
+  %lsr.iv.next50.i.i.i.i = add i64 %lsr.iv49.i.i.i.i, 2
+  %niter23.ncmp.1.i.i.i.i = icmp eq i64 %lsr.iv.next50.i.i.i.i, 0
+  br i1 %niter23.ncmp.1.i.i.i.i, label %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i, label %B486.if.i.i.i.i
+
+B586.if.i.i.i.i:                                  ; preds = %B544.i.i.i.i, %B588.endif.i.i.i.i
+  %.1837.0.i.i.i.i = phi i64 [ %.1906.i.i.i.i, %B588.endif.i.i.i.i ], [ 0, %B544.i.i.i.i ]
+  %160 = shl i64 %.1837.0.i.i.i.i, 3
+  %scevgep79.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %160
+  %.1961.i.i.i.i = load double, ptr %scevgep79.i.i.i.i, align 8, !noalias !17
+  %.1991.i.i.i.i = load i64, ptr %sunkaddr104.i.i.i.i, align 8, !noalias !17
+  switch i64 %.1991.i.i.i.i, label %B120.i.i.i.i.i [
+    i64 0, label %for.cond.preheader.i.i.i.i.i
+    i64 1, label %B88.i.i.i.i.i
+  ]
+
+for.cond.preheader.i.i.i.i.i:                     ; preds = %B586.if.i.i.i.i
+  %.23.i.i.i.i.i = tail call contract double @tanh(double %.1961.i.i.i.i)
+  br label %B588.endif.i.i.i.i
+
+B88.i.i.i.i.i:                                    ; preds = %B586.if.i.i.i.i
+  %.12.i.i.i.i.i.i = fcmp contract olt double %.1961.i.i.i.i, 0.000000e+00
+  %.13.i.i.i.i.i.i = select i1 %.12.i.i.i.i.i.i, double 0.000000e+00, double %.1961.i.i.i.i
+  br label %B588.endif.i.i.i.i
+
+B120.i.i.i.i.i:                                   ; preds = %B586.if.i.i.i.i
+  %.73.i.i.i.i.i = fneg contract double %.1961.i.i.i.i
+  %.83.le.i.i.i.i.i = tail call contract double @llvm.exp.f64(double %.73.i.i.i.i.i)
+  %.88.i.i.i.i.i = fadd contract double %.83.le.i.i.i.i.i, 1.000000e+00
+  %.92.i.i.i.i.i = fdiv contract double 1.000000e+00, %.88.i.i.i.i.i
+  br label %B588.endif.i.i.i.i
+
+B588.endif.i.i.i.i:                               ; preds = %B120.i.i.i.i.i, %B88.i.i.i.i.i, %for.cond.preheader.i.i.i.i.i
+  %.92.sink.i.i.i.i.i = phi double [ %.92.i.i.i.i.i, %B120.i.i.i.i.i ], [ %.13.i.i.i.i.i.i, %B88.i.i.i.i.i ], [ %.23.i.i.i.i.i, %for.cond.preheader.i.i.i.i.i ]
+  %.1906.i.i.i.i = add nuw nsw i64 %.1837.0.i.i.i.i, 1
+  store double %.92.sink.i.i.i.i.i, ptr %scevgep79.i.i.i.i, align 8, !noalias !17
+  %exitcond13.not.i.i.i.i = icmp eq i64 %.870.i.i.i.i, %.1906.i.i.i.i
+  br i1 %exitcond13.not.i.i.i.i, label %B664.i.i.i.i, label %B586.if.i.i.i.i
+
+B748.if.i.i.i.i:                                  ; preds = %B748.if.i.i.i.i, %B748.if.preheader.new.i.i.i.i
+  %.2219781783.i.i.i.i = phi i64 [ 0, %B748.if.preheader.new.i.i.i.i ], [ %.2226.3.i.i.i.i, %B748.if.i.i.i.i ]
+  %sunkaddr107.i.i.i.i = shl i64 %.2219781783.i.i.i.i, 3
+  %sunkaddr108.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %sunkaddr107.i.i.i.i
+  %.2280.i.i.i.i = load double, ptr %sunkaddr108.i.i.i.i, align 8, !noalias !17
+  %sunkaddr110.i.i.i.i = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.i.i.i.i, i64 %sunkaddr107.i.i.i.i
+  %.2310.i.i.i.i = load double, ptr %sunkaddr110.i.i.i.i, align 8, !noalias !17
+  %.2311.i.i.i.i = fadd contract double %.2280.i.i.i.i, %.2310.i.i.i.i
+  store double %.2311.i.i.i.i, ptr %sunkaddr108.i.i.i.i, align 8, !noalias !17
+  %sunkaddr113.i.i.i.i = getelementptr i8, ptr %sunkaddr108.i.i.i.i, i64 8
+  %.2280.1.i.i.i.i = load double, ptr %sunkaddr113.i.i.i.i, align 8, !noalias !17
+  %sunkaddr116.i.i.i.i = getelementptr i8, ptr %sunkaddr110.i.i.i.i, i64 8
+  %.2310.1.i.i.i.i = load double, ptr %sunkaddr116.i.i.i.i, align 8, !noalias !17
+  %.2311.1.i.i.i.i = fadd contract double %.2280.1.i.i.i.i, %.2310.1.i.i.i.i
+  store double %.2311.1.i.i.i.i, ptr %sunkaddr113.i.i.i.i, align 8, !noalias !17
+  %sunkaddr119.i.i.i.i = getelementptr i8, ptr %sunkaddr108.i.i.i.i, i64 16
+  %.2280.2.i.i.i.i = load double, ptr %sunkaddr119.i.i.i.i, align 8, !noalias !17
+  %sunkaddr122.i.i.i.i = getelementptr i8, ptr %sunkaddr110.i.i.i.i, i64 16
+  %.2310.2.i.i.i.i = load double, ptr %sunkaddr122.i.i.i.i, align 8, !noalias !17
+  %.2311.2.i.i.i.i = fadd contract double %.2280.2.i.i.i.i, %.2310.2.i.i.i.i
+  store double %.2311.2.i.i.i.i, ptr %sunkaddr119.i.i.i.i, align 8, !noalias !17
+  %.2226.3.i.i.i.i = add nuw nsw i64 %.2219781783.i.i.i.i, 4
+  %sunkaddr125.i.i.i.i = getelementptr i8, ptr %sunkaddr108.i.i.i.i, i64 24
+  %.2280.3.i.i.i.i = load double, ptr %sunkaddr125.i.i.i.i, align 8, !noalias !17
+  %sunkaddr128.i.i.i.i = getelementptr i8, ptr %sunkaddr110.i.i.i.i, i64 24
+  %.2310.3.i.i.i.i = load double, ptr %sunkaddr128.i.i.i.i, align 8, !noalias !17
+  %.2311.3.i.i.i.i = fadd contract double %.2280.3.i.i.i.i, %.2310.3.i.i.i.i
+  store double %.2311.3.i.i.i.i, ptr %sunkaddr125.i.i.i.i, align 8, !noalias !17
+  %niter28.ncmp.3.i.i.i.i = icmp eq i64 %unroll_iter27.i.i.i.i, %.2226.3.i.i.i.i
+  br i1 %niter28.ncmp.3.i.i.i.i, label %B798.loopexit.unr-lcssa.i.i.i.i, label %B748.if.i.i.i.i
+
+_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B748.if.epil.i.i.i.i, %B798.loopexit.unr-lcssa.i.i.i.i, %B696.i.i.i.i, %B538.i.i.i
+  %.759.i.i = load i64, ptr %.758.i.i, align 8, !noalias !5
+  %.798.i.i = icmp slt i64 %.759.i.i, 0
+  %.799.i.i = select i1 %.798.i.i, i64 %arg.n_weights, i64 0
+  %.800.i.i = add i64 %.799.i.i, %.759.i.i
+  %.803.i.i = icmp slt i64 %.800.i.i, 0
+  br i1 %.803.i.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.else.endif.i.i, !prof !3
+
+B0.endif.endif.endif.else.if.i.i:                 ; preds = %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br label %B0.endif.endif.endif.else.endif.i.i
+
+B0.endif.endif.endif.else.endif.i.i:              ; preds = %B0.endif.endif.endif.else.if.i.i, %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %.788.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.else.if.i.i ], [ %.800.i.i, %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %.808.not.i.i = icmp slt i64 %.800.i.i, %arg.n_weights
+  br i1 %.808.not.i.i, label %B0.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.else.endif.if.i.i, !prof !4
+
+B0.endif.endif.endif.else.endif.if.i.i:           ; preds = %B0.endif.endif.endif.else.endif.i.i
+  br label %B0.endif.endif.endif.else.endif.endif.i.i
+
+B0.endif.endif.endif.else.endif.endif.i.i:        ; preds = %B0.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.else.endif.i.i
+  %.788.sroa.0.3.i.i = phi i64 [ %arg.n_weights, %B0.endif.endif.endif.else.endif.if.i.i ], [ %.788.sroa.0.1.i.i, %B0.endif.endif.endif.else.endif.i.i ]
+  %.876.i.i = sub i64 %arg.n_weights, %.788.sroa.0.3.i.i
+  %.885.i.i = tail call i64 @llvm.smax.i64(i64 %.876.i.i, i64 0)
+  %.901.i.i = getelementptr double, ptr %arg.weights, i64 %.788.sroa.0.3.i.i
+  br i1 %.98.i.not.i.i, label %B88.i.i.i, label %B60.if.preheader.i.i.i
+
+B60.if.preheader.i.i.i:                           ; preds = %B0.endif.endif.endif.else.endif.endif.i.i
+  br i1 %34, label %B60.if.epil.preheader.i.i.i, label %B60.if.preheader.new.i.i.i
+
+B60.if.preheader.new.i.i.i:                       ; preds = %B60.if.preheader.i.i.i
+  br i1 %37, label %B60.if.i.epil.preheader.i.i, label %B60.if.preheader.new.i.new.i.i
+
+B60.if.preheader.new.i.new.i.i:                   ; preds = %B60.if.preheader.new.i.i.i
+  %161 = shl i64 %.788.sroa.0.3.i.i, 3
+  %162 = getelementptr i8, ptr %arg.weights, i64 %161
+  %scevgep28.i.i = getelementptr i8, ptr %162, i64 56
+  br label %B60.if.i.i.i
+
+B88.loopexit.unr-lcssa.i.unr-lcssa.i.i:           ; preds = %B60.if.i.i.i
+  br i1 %lcmp.mod.not.not.i.i, label %B60.if.i.epil.preheader.i.i, label %B88.loopexit.unr-lcssa.i.i.i
+
+B60.if.i.epil.preheader.i.i:                      ; preds = %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i, %B60.if.preheader.new.i.i.i
+  %.148276278.i.epil.init.i.i = phi i64 [ 0, %B60.if.preheader.new.i.i.i ], [ %.155.3.i.1.i.i, %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
+  %sunkaddr.i.epil.i.i = shl i64 %.148276278.i.epil.init.i.i, 3
+  %sunkaddr38.i.epil.i.i = getelementptr i8, ptr %.901.i.i, i64 %sunkaddr.i.epil.i.i
+  %.209.i.epil.i.i = load double, ptr %sunkaddr38.i.epil.i.i, align 8, !noalias !23
+  %sunkaddr40.i.epil.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr.i.epil.i.i
+  store double %.209.i.epil.i.i, ptr %sunkaddr40.i.epil.i.i, align 8, !noalias !23
+  %sunkaddr43.i.epil.i.i = getelementptr i8, ptr %sunkaddr38.i.epil.i.i, i64 8
+  %.209.1.i.epil.i.i = load double, ptr %sunkaddr43.i.epil.i.i, align 8, !noalias !23
+  %sunkaddr46.i.epil.i.i = getelementptr i8, ptr %sunkaddr40.i.epil.i.i, i64 8
+  store double %.209.1.i.epil.i.i, ptr %sunkaddr46.i.epil.i.i, align 8, !noalias !23
+  %sunkaddr49.i.epil.i.i = getelementptr i8, ptr %sunkaddr38.i.epil.i.i, i64 16
+  %.209.2.i.epil.i.i = load double, ptr %sunkaddr49.i.epil.i.i, align 8, !noalias !23
+  %sunkaddr52.i.epil.i.i = getelementptr i8, ptr %sunkaddr40.i.epil.i.i, i64 16
+  store double %.209.2.i.epil.i.i, ptr %sunkaddr52.i.epil.i.i, align 8, !noalias !23
+  %.155.3.i.epil.i.i = add nuw nsw i64 %.148276278.i.epil.init.i.i, 4
+  %sunkaddr55.i.epil.i.i = getelementptr i8, ptr %sunkaddr38.i.epil.i.i, i64 24
+  %.209.3.i.epil.i.i = load double, ptr %sunkaddr55.i.epil.i.i, align 8, !noalias !23
+  %sunkaddr58.i.epil.i.i = getelementptr i8, ptr %sunkaddr40.i.epil.i.i, i64 24
+  store double %.209.3.i.epil.i.i, ptr %sunkaddr58.i.epil.i.i, align 8, !noalias !23
+  br label %B88.loopexit.unr-lcssa.i.i.i
+
+B88.loopexit.unr-lcssa.i.i.i:                     ; preds = %B60.if.i.epil.preheader.i.i, %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i
+  %.155.3.i.lcssa.i.i = phi i64 [ %.155.3.i.epil.i.i, %B60.if.i.epil.preheader.i.i ], [ %.155.3.i.1.i.i, %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
+  br i1 %lcmp.mod.not.i.i.i, label %B88.i.i.i, label %B60.if.epil.preheader.i.i.i
+
+B60.if.epil.preheader.i.i.i:                      ; preds = %B88.loopexit.unr-lcssa.i.i.i, %B60.if.preheader.i.i.i
+  %.148276278.epil.init.i.i.i = phi i64 [ 0, %B60.if.preheader.i.i.i ], [ %.155.3.i.lcssa.i.i, %B88.loopexit.unr-lcssa.i.i.i ]
+  %163 = shl i64 %.148276278.epil.init.i.i.i, 3
+  %scevgep17.i.i.i = getelementptr i8, ptr %.607.i, i64 %163
+  %164 = add i64 %.148276278.epil.init.i.i.i, %.788.sroa.0.3.i.i
+  %165 = shl i64 %164, 3
+  %scevgep26.i.i = getelementptr i8, ptr %arg.weights, i64 %165
+  br label %B60.if.epil.i.i.i
+
+B60.if.epil.i.i.i:                                ; preds = %B60.if.epil.i.i.i, %B60.if.epil.preheader.i.i.i
+  %epil.iter.i.i.i = phi i64 [ %epil.iter.next.i.i.i, %B60.if.epil.i.i.i ], [ 0, %B60.if.epil.preheader.i.i.i ]
+  %166 = shl i64 %epil.iter.i.i.i, 3
+  %scevgep27.i.i = getelementptr i8, ptr %scevgep26.i.i, i64 %166
+  %.209.epil.i.i.i = load double, ptr %scevgep27.i.i, align 8, !noalias !23
+  %scevgep25.i.i = getelementptr i8, ptr %scevgep17.i.i.i, i64 %166
+  store double %.209.epil.i.i.i, ptr %scevgep25.i.i, align 8, !noalias !23
+  %epil.iter.next.i.i.i = add i64 %epil.iter.i.i.i, 1
+  %epil.iter.cmp.not.i.i.i = icmp eq i64 %xtraiter.i.i.i, %epil.iter.next.i.i.i
+  br i1 %epil.iter.cmp.not.i.i.i, label %B88.i.i.i, label %B60.if.epil.i.i.i, !llvm.loop !26
+
+B88.i.i.i:                                        ; preds = %B60.if.epil.i.i.i, %B88.loopexit.unr-lcssa.i.i.i, %B0.endif.endif.endif.else.endif.endif.i.i
+  %.335294.not.i.i.i = icmp slt i64 %.340.sroa.13.2.i.i, 1
+  br i1 %.335294.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B140.if.lr.ph.i.i.i
+
+B140.if.lr.ph.i.i.i:                              ; preds = %B88.i.i.i
+  %scevgep12.i.i.i = getelementptr i8, ptr %.901.i.i, i64 8
+  %167 = shl i64 %.788.sroa.0.3.i.i, 3
+  %168 = getelementptr i8, ptr %arg.weights, i64 %167
+  %scevgep17.i.i = getelementptr i8, ptr %168, i64 24
+  br label %B140.if.i.i.i
+
+B290.loopexit.unr-lcssa.i.unr-lcssa.i.i:          ; preds = %B234.if.i.i.i
+  br i1 %47, label %B234.if.i.epil.preheader.i.i, label %B290.loopexit.unr-lcssa.i.i.i
+
+B234.if.i.epil.preheader.i.i:                     ; preds = %B234.if.preheader8.i.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i
+  %.675282284.i.epil.init.i.i = phi i64 [ 0, %B234.if.preheader8.i.i.i ], [ %.682.1.i.1.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
+  %169 = shl i64 %.675282284.i.epil.init.i.i, 3
+  %sunkaddr60.i.epil.i.i = getelementptr i8, ptr %.607.i, i64 %169
+  %.736.i.epil.i.i = load double, ptr %sunkaddr60.i.epil.i.i, align 8, !noalias !23
+  %scevgep15.i.epil.i.i = getelementptr i8, ptr %scevgep13.i.i.i, i64 %169
+  %scevgep16.i.epil.i.i = getelementptr i8, ptr %scevgep15.i.epil.i.i, i64 -8
+  %.766.i.epil.i.i = load double, ptr %scevgep16.i.epil.i.i, align 8, !noalias !23
+  %.768.i.epil.i.i = fmul contract double %.585.i.i.i, %.766.i.epil.i.i
+  %.769.i.epil.i.i = fadd contract double %.736.i.epil.i.i, %.768.i.epil.i.i
+  store double %.769.i.epil.i.i, ptr %sunkaddr60.i.epil.i.i, align 8, !noalias !23
+  %.682.1.i.epil.i.i = add nuw i64 %.675282284.i.epil.init.i.i, 2
+  %sunkaddr63.i.epil.i.i = getelementptr i8, ptr %sunkaddr60.i.epil.i.i, i64 8
+  %.736.1.i.epil.i.i = load double, ptr %sunkaddr63.i.epil.i.i, align 8, !noalias !23
+  %.766.1.i.epil.i.i = load double, ptr %scevgep15.i.epil.i.i, align 8, !noalias !23
+  %.768.1.i.epil.i.i = fmul contract double %.585.i.i.i, %.766.1.i.epil.i.i
+  %.769.1.i.epil.i.i = fadd contract double %.736.1.i.epil.i.i, %.768.1.i.epil.i.i
+  store double %.769.1.i.epil.i.i, ptr %sunkaddr63.i.epil.i.i, align 8, !noalias !23
+  br label %B290.loopexit.unr-lcssa.i.i.i
+
+B290.loopexit.unr-lcssa.i.i.i:                    ; preds = %B234.if.i.epil.preheader.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i
+  %.682.1.i.lcssa.i.i = phi i64 [ %.682.1.i.epil.i.i, %B234.if.i.epil.preheader.i.i ], [ %.682.1.i.1.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
+  br i1 %49, label %B290.i.i.i, label %B234.if.epil.preheader.i.i.i
+
+B234.if.epil.preheader.i.i.i:                     ; preds = %B142.else.endif.endif.endif.endif.i.i.i, %B290.loopexit.unr-lcssa.i.i.i
+  %.675282284.epil.init.i.i.i = phi i64 [ 0, %B142.else.endif.endif.endif.endif.i.i.i ], [ %.682.1.i.lcssa.i.i, %B290.loopexit.unr-lcssa.i.i.i ]
+  %170 = getelementptr double, ptr %.607.i, i64 %.675282284.epil.init.i.i.i
+  %.736.epil.i.i.i = load double, ptr %170, align 8, !noalias !23
+  %171 = getelementptr double, ptr %.518.i.i.i, i64 %.675282284.epil.init.i.i.i
+  %.766.epil.i.i.i = load double, ptr %171, align 8, !noalias !23
+  %.768.epil.i.i.i = fmul contract double %.585.i.i.i, %.766.epil.i.i.i
+  %.769.epil.i.i.i = fadd contract double %.736.epil.i.i.i, %.768.epil.i.i.i
+  store double %.769.epil.i.i.i, ptr %170, align 8, !noalias !23
+  br label %B290.i.i.i
+
+B290.i.i.i:                                       ; preds = %B142.else.endif.endif.endif.endif.i.i.i, %B234.if.epil.preheader.i.i.i, %B290.loopexit.unr-lcssa.i.i.i
+  %exitcond302.not.i.i.i = icmp eq i64 %.340.sroa.13.2.i.i, %.348.i.i.i
+  br i1 %exitcond302.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B140.if.i.i.i
+
+B60.if.i.i.i:                                     ; preds = %B60.if.i.i.i, %B60.if.preheader.new.i.new.i.i
+  %lsr.iv24.i.i = phi i64 [ %lsr.iv.next25.i.i, %B60.if.i.i.i ], [ %39, %B60.if.preheader.new.i.new.i.i ]
+  %.148276278.i.i.i = phi i64 [ %.155.3.i.1.i.i, %B60.if.i.i.i ], [ 0, %B60.if.preheader.new.i.new.i.i ]
+  %sunkaddr.i.i.i = shl i64 %.148276278.i.i.i, 3
+  %scevgep42.i.i = getelementptr i8, ptr %scevgep28.i.i, i64 %sunkaddr.i.i.i
+  %scevgep43.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -56
+  %.209.i.i.i = load double, ptr %scevgep43.i.i, align 8, !noalias !23
+  %sunkaddr66.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr.i.i.i
+  store double %.209.i.i.i, ptr %sunkaddr66.i.i, align 8, !noalias !23
+  %scevgep64.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -48
+  %.209.1.i.i.i = load double, ptr %scevgep64.i.i, align 8, !noalias !23
+  %sunkaddr69.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 8
+  store double %.209.1.i.i.i, ptr %sunkaddr69.i.i, align 8, !noalias !23
+  %scevgep62.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -40
+  %.209.2.i.i.i = load double, ptr %scevgep62.i.i, align 8, !noalias !23
+  %sunkaddr72.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 16
+  store double %.209.2.i.i.i, ptr %sunkaddr72.i.i, align 8, !noalias !23
+  %scevgep60.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -32
+  %.209.3.i.i.i = load double, ptr %scevgep60.i.i, align 8, !noalias !23
+  %sunkaddr75.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 24
+  store double %.209.3.i.i.i, ptr %sunkaddr75.i.i, align 8, !noalias !23
+  %scevgep56.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -24
+  %.209.i.1.i.i = load double, ptr %scevgep56.i.i, align 8, !noalias !23
+  %sunkaddr78.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 32
+  store double %.209.i.1.i.i, ptr %sunkaddr78.i.i, align 8, !noalias !23
+  %scevgep52.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -16
+  %.209.1.i.1.i.i = load double, ptr %scevgep52.i.i, align 8, !noalias !23
+  %sunkaddr81.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 40
+  store double %.209.1.i.1.i.i, ptr %sunkaddr81.i.i, align 8, !noalias !23
+  %scevgep48.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -8
+  %.209.2.i.1.i.i = load double, ptr %scevgep48.i.i, align 8, !noalias !23
+  %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 48
+  store double %.209.2.i.1.i.i, ptr %sunkaddr84.i.i, align 8, !noalias !23
+  %.155.3.i.1.i.i = add i64 %.148276278.i.i.i, 8
+  %.209.3.i.1.i.i = load double, ptr %scevgep42.i.i, align 8, !noalias !23
+  %sunkaddr85.i.i = shl i64 %.155.3.i.1.i.i, 3
+  %sunkaddr86.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr85.i.i
+  %sunkaddr87.i.i = getelementptr i8, ptr %sunkaddr86.i.i, i64 -8
+  store double %.209.3.i.1.i.i, ptr %sunkaddr87.i.i, align 8, !noalias !23
+  %lsr.iv.next25.i.i = add i64 %lsr.iv24.i.i, -2
+  %niter.ncmp.1.i.i = icmp eq i64 %lsr.iv.next25.i.i, 0
+  br i1 %niter.ncmp.1.i.i, label %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i, label %B60.if.i.i.i
+
+B140.if.i.i.i:                                    ; preds = %B290.i.i.i, %B140.if.lr.ph.i.i.i
+  %.341289295.i.i.i = phi i64 [ 0, %B140.if.lr.ph.i.i.i ], [ %.348.i.i.i, %B290.i.i.i ]
+  %.348.i.i.i = add nuw nsw i64 %.341289295.i.i.i, 1
+  %.375.i.i.i = mul nuw nsw i64 %.348.i.i.i, %.591.i
+  %.425.not.i.i.i = icmp sgt i64 %.876.i.i, %.375.i.i.i
+  br i1 %.425.not.i.i.i, label %B142.else.endif.endif.endif.endif.i.i.i, label %B142.else.endif.if.i.i.i, !prof !4
+
+B142.else.endif.if.i.i.i:                         ; preds = %B140.if.i.i.i
+  br label %B142.else.endif.endif.endif.endif.i.i.i
+
+B142.else.endif.endif.endif.endif.i.i.i:          ; preds = %B142.else.endif.if.i.i.i, %B140.if.i.i.i
+  %.405.sroa.0.3.i.i.i = phi i64 [ %.885.i.i, %B142.else.endif.if.i.i.i ], [ %.375.i.i.i, %B140.if.i.i.i ]
+  %.518.i.i.i = getelementptr double, ptr %.901.i.i, i64 %.405.sroa.0.3.i.i.i
+  %172 = getelementptr double, ptr %.1348.i, i64 %.341289295.i.i.i
+  %.585.i.i.i = load double, ptr %172, align 8, !noalias !23
+  switch i63 %trunc.i.i, label %B234.if.preheader8.i.i.i [
+    i63 0, label %B290.i.i.i
+    i63 1, label %B234.if.epil.preheader.i.i.i
+  ]
+
+B234.if.preheader8.i.i.i:                         ; preds = %B142.else.endif.endif.endif.endif.i.i.i
+  %173 = shl i64 %.405.sroa.0.3.i.i.i, 3
+  %scevgep13.i.i.i = getelementptr i8, ptr %scevgep12.i.i.i, i64 %173
+  br i1 %45, label %B234.if.i.epil.preheader.i.i, label %B234.if.i.preheader.i.i
+
+B234.if.i.preheader.i.i:                          ; preds = %B234.if.preheader8.i.i.i
+  %scevgep18.i.i = getelementptr i8, ptr %scevgep17.i.i, i64 %173
+  br label %B234.if.i.i.i
+
+B234.if.i.i.i:                                    ; preds = %B234.if.i.i.i, %B234.if.i.preheader.i.i
+  %lsr.iv3.i.i = phi i64 [ %lsr.iv.next4.i.i, %B234.if.i.i.i ], [ %44, %B234.if.i.preheader.i.i ]
+  %.675282284.i.i.i = phi i64 [ %.682.1.i.1.i.i, %B234.if.i.i.i ], [ 0, %B234.if.i.preheader.i.i ]
+  %174 = shl i64 %.675282284.i.i.i, 3
+  %sunkaddr89.i.i = getelementptr i8, ptr %.607.i, i64 %174
+  %.736.i.i.i = load double, ptr %sunkaddr89.i.i, align 8, !noalias !23
+  %scevgep21.i.i = getelementptr i8, ptr %scevgep18.i.i, i64 %174
+  %scevgep23.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -16
+  %scevgep20.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -24
+  %.766.i.i.i = load double, ptr %scevgep20.i.i, align 8, !noalias !23
+  %.768.i.i.i = fmul contract double %.585.i.i.i, %.766.i.i.i
+  %.769.i.i.i = fadd contract double %.736.i.i.i, %.768.i.i.i
+  store double %.769.i.i.i, ptr %sunkaddr89.i.i, align 8, !noalias !23
+  %sunkaddr92.i.i = getelementptr i8, ptr %sunkaddr89.i.i, i64 8
+  %.736.1.i.i.i = load double, ptr %sunkaddr92.i.i, align 8, !noalias !23
+  %.766.1.i.i.i = load double, ptr %scevgep23.i.i, align 8, !noalias !23
+  %.768.1.i.i.i = fmul contract double %.585.i.i.i, %.766.1.i.i.i
+  %.769.1.i.i.i = fadd contract double %.736.1.i.i.i, %.768.1.i.i.i
+  store double %.769.1.i.i.i, ptr %sunkaddr92.i.i, align 8, !noalias !23
+  %sunkaddr95.i.i = getelementptr i8, ptr %sunkaddr89.i.i, i64 16
+  %.736.i.1.i.i = load double, ptr %sunkaddr95.i.i, align 8, !noalias !23
+  %scevgep15.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -8
+  %.766.i.1.i.i = load double, ptr %scevgep15.i.i, align 8, !noalias !23
+  %.768.i.1.i.i = fmul contract double %.585.i.i.i, %.766.i.1.i.i
+  %.769.i.1.i.i = fadd contract double %.736.i.1.i.i, %.768.i.1.i.i
+  store double %.769.i.1.i.i, ptr %sunkaddr95.i.i, align 8, !noalias !23
+  %.682.1.i.1.i.i = add i64 %.675282284.i.i.i, 4
+  %sunkaddr96.i.i = shl i64 %.682.1.i.1.i.i, 3
+  %sunkaddr97.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr96.i.i
+  %sunkaddr98.i.i = getelementptr i8, ptr %sunkaddr97.i.i, i64 -8
+  %.736.1.i.1.i.i = load double, ptr %sunkaddr98.i.i, align 8, !noalias !23
+  %.766.1.i.1.i.i = load double, ptr %scevgep21.i.i, align 8, !noalias !23
+  %.768.1.i.1.i.i = fmul contract double %.585.i.i.i, %.766.1.i.1.i.i
+  %.769.1.i.1.i.i = fadd contract double %.736.1.i.1.i.i, %.768.1.i.1.i.i
+  store double %.769.1.i.1.i.i, ptr %sunkaddr98.i.i, align 8, !noalias !23
+  %lsr.iv.next4.i.i = add i64 %lsr.iv3.i.i, -2
+  %niter9.ncmp.1.i.i = icmp eq i64 %lsr.iv.next4.i.i, 0
+  br i1 %niter9.ncmp.1.i.i, label %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i, label %B234.if.i.i.i
+
+_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B290.i.i.i, %B88.i.i.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(384) %arg.series, i8 0, i64 384, i1 false), !noalias !27
+  %.29.i.i.i = fadd contract double %.136.i.i, 1.000000e+00
+  %.33.i.i.i = fdiv contract double %.136.i.i, %.29.i.i.i
+  %.38.i.i.i = fdiv contract double 1.000000e+00, %.29.i.i.i
+  %.39.i2.i.i = fmul contract double %.33.i.i.i, %.38.i.i.i
+  store double 1.000000e+00, ptr %arg.series, align 8, !noalias !30
+  %.203.i.i.i.i = fmul contract double %.39.i2.i.i, 0x401871C71C71C71C
+  %.204.i.i.i.i = fadd contract double %.203.i.i.i.i, 0x4013A7F529FD4A7F
+  store double %.204.i.i.i.i, ptr %.183.i.i.i.i, align 8, !noalias !30
+  %.309.i.i.i.i = load double, ptr %.308.i.i.i.i, align 8, !noalias !30
+  %.310.i.i.i.i = fadd contract double %.309.i.i.i.i, 0xC04921FB54442D18
+  store double %.310.i.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !30
+  %.414.i.i.i.i = load double, ptr %.413.i.i.i.i, align 8, !noalias !30
+  %.454.i2.i.i.i = fmul contract double %.39.i2.i.i, 0x40456C71C71C71C7
+  %.455.i3.i.i.i = fadd contract double %.454.i2.i.i.i, 0x404AEDF7DF7DF7DF
+  %.456.i4.i.i.i = fmul contract double %.39.i2.i.i, %.455.i3.i.i.i
+  %.457.i.i.i.i = fadd contract double %.456.i4.i.i.i, 0x403E1A683B5702A5
+  %.458.i.i.i.i = fadd contract double %.457.i.i.i.i, %.414.i.i.i.i
+  store double %.458.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !30
+  %.562.i.i.i.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !30
+  %.581.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40510457810E2933
+  %175 = fsub contract double 0x407E1C5F0E074C89, %.581.i.i.i.i
+  %.583.i.i.i.i = fadd contract double %175, %.562.i.i.i.i
+  store double %.583.i.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !30
+  %.687.i.i.i.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !30
+  %.756.i.i.i.i = fmul contract double %.39.i2.i.i, 0x4058A8587E6B74F0
+  %176 = fsub contract double 0x404601B425ED097B, %.756.i.i.i.i
+  %.758.i.i.i.i = fmul contract double %.39.i2.i.i, %176
+  %.759.i.i.i.i = fadd contract double %.758.i.i.i.i, 0xC0A9D8A41ED3317E
+  %.760.i.i.i.i = fmul contract double %.39.i2.i.i, %.759.i.i.i.i
+  %.761.i.i.i.i = fadd contract double %.760.i.i.i.i, 0xC071640B49E85C3E
+  %.762.i.i.i.i = fadd contract double %.761.i.i.i.i, %.687.i.i.i.i
+  store double %.762.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !30
+  %.866.i.i.i.i = load double, ptr %.865.i.i.i.i, align 8, !noalias !30
+  %.867.i.i.i.i = fadd contract double %.866.i.i.i.i, 0xC074618618618618
+  store double %.867.i.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !30
+  %.971.i.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !30
+  %.1011.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40733B288412FE12
+  %177 = fsub contract double 0x408893BEE8443B83, %.1011.i.i.i.i
+  %.1013.i.i.i.i = fmul contract double %.39.i2.i.i, %177
+  %.1014.i.i.i.i = fadd contract double %.1013.i.i.i.i, 0x408DCC10DD757C0B
+  %.1015.i.i.i.i = fadd contract double %.1014.i.i.i.i, %.971.i.i.i.i
+  store double %.1015.i.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !30
+  %.1119.i.i.i.i = load double, ptr %.1118.i.i.i.i, align 8, !noalias !30
+  %.1225.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40514C5F3B7242FB
+  %.1226.i.i.i.i = fadd contract double %.1225.i.i.i.i, 0xC05D2FBB067D39F9
+  %.1227.i.i.i.i = fmul contract double %.39.i2.i.i, %.1226.i.i.i.i
+  %.1228.i.i.i.i = fadd contract double %.1227.i.i.i.i, 0xC091A4640F04B974
+  %.1229.i.i.i.i = fmul contract double %.39.i2.i.i, %.1228.i.i.i.i
+  %.1230.i.i.i.i = fadd contract double %.1229.i.i.i.i, 0x40CE3F8117DB38CA
+  %.1231.i.i.i.i = fmul contract double %.39.i2.i.i, %.1230.i.i.i.i
+  %.1232.i.i.i.i = fadd contract double %.1231.i.i.i.i, 0xC0A8D75E6BF57F9D
+  %.1233.i.i.i.i = fadd contract double %.1232.i.i.i.i, %.1119.i.i.i.i
+  store double %.1233.i.i.i.i, ptr %.1118.i.i.i.i, align 8, !noalias !30
+  %.1337.i.i.i.i = load double, ptr %.1336.i.i.i.i, align 8, !noalias !30
+  %.1356.i.i.i.i = fmul contract double %.39.i2.i.i, 0x409F6EC11CD4D97E
+  %.1357.i.i.i.i = fadd contract double %.1356.i.i.i.i, 0x4072428A28A28A29
+  %.1358.i.i.i.i = fadd contract double %.1357.i.i.i.i, %.1337.i.i.i.i
+  store double %.1358.i.i.i.i, ptr %.1336.i.i.i.i, align 8, !noalias !30
+  %.1462.i.i.i.i = load double, ptr %.1461.i.i.i.i, align 8, !noalias !30
+  %.1531.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40645019F9E83A77
+  %.1532.i.i.i.i = fadd contract double %.1531.i.i.i.i, 0x40918164C0B5D6FD
+  %.1533.i.i.i.i = fmul contract double %.39.i2.i.i, %.1532.i.i.i.i
+  %.1534.i.i.i.i = fadd contract double %.1533.i.i.i.i, 0xC0D6C519D7F78519
+  %.1535.i.i.i.i = fmul contract double %.39.i2.i.i, %.1534.i.i.i.i
+  %.1536.i.i.i.i = fadd contract double %.1535.i.i.i.i, 0x40BB4B9C657BC796
+  %.1537.i.i.i.i = fadd contract double %.1536.i.i.i.i, %.1462.i.i.i.i
+  store double %.1537.i.i.i.i, ptr %.1461.i.i.i.i, align 8, !noalias !30
+  %.1641.i.i.i.i = load double, ptr %.1640.i.i.i.i, align 8, !noalias !30
+  %.1642.i.i.i.i = fadd contract double %.1641.i.i.i.i, 0xC0A001D567F49087
+  store double %.1642.i.i.i.i, ptr %.1640.i.i.i.i, align 8, !noalias !30
+  %.1810.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40A619E547AE6DA3
+  %.1811.i.i.i.i = fadd contract double %.1810.i.i.i.i, 0xC0D25E7665446D0F
+  %.1812.i.i.i.i = fmul contract double %.39.i2.i.i, %.1811.i.i.i.i
+  %.1813.i.i.i.i = fadd contract double %.1812.i.i.i.i, 0x40E19BDA5330D73F
+  %.1814.i.i.i.i = fmul contract double %.39.i2.i.i, %.1813.i.i.i.i
+  %.1815.i.i.i.i = fadd contract double %.1814.i.i.i.i, 0xC0E154650FD9ACF1
+  %.1868.i.i.i.i = load double, ptr %.1867.i.i.i.i, align 8, !noalias !30
+  %.1956.i.i.i.i = fmul contract double %.39.i2.i.i, %.1815.i.i.i.i
+  %.1957.i.i.i.i = fadd contract double %.1956.i.i.i.i, 0xC0F5A16228D9F21A
+  %.1958.i.i.i.i = fmul contract double %.39.i2.i.i, %.1957.i.i.i.i
+  %.1959.i.i.i.i = fadd contract double %.1958.i.i.i.i, 0x40ECE30547C08F3B
+  %.1960.i.i.i.i = fmul contract double %.39.i2.i.i, %.1959.i.i.i.i
+  %.1961.i.i3.i.i = fadd contract double %.1960.i.i.i.i, 0xC0C172813AB99F84
+  %.1962.i.i.i.i = fmul contract double %.39.i2.i.i, 3.000000e+00
+  %.1963.i.i.i.i = fsub contract double 1.000000e+00, %.1962.i.i.i.i
+  %.1967.i.i.i.i = fdiv contract double %.1961.i.i3.i.i, %.1963.i.i.i.i
+  %.1968.i.i.i.i = fadd contract double %.1967.i.i.i.i, %.1868.i.i.i.i
+  store double %.1968.i.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !30
+  %.2088.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40C0712C540DB5CD
+  %.2089.i.i.i.i = fadd contract double %.2088.i.i.i.i, 0x40A79A477BF30A91
+  %.2090.i.i.i.i = fmul contract double %.39.i2.i.i, %.2089.i.i.i.i
+  %.2091.i.i.i.i = fadd contract double %.2090.i.i.i.i, 0xC0A4B055B758E414
+  %.2092.i.i.i.i = fmul contract double %.39.i2.i.i, %.2091.i.i.i.i
+  %.2093.i.i.i.i = fadd contract double %.2092.i.i.i.i, 0x406D67FD70A13797
+  %.2146.i.i.i.i = load double, ptr %.2145.i.i.i.i, align 8, !noalias !30
+  %.2152.i.i.i.i = fdiv contract double %.2093.i.i.i.i, %.1963.i.i.i.i
+  %.2153.i.i.i.i = fadd contract double %.2152.i.i.i.i, %.2146.i.i.i.i
+  store double %.2153.i.i.i.i, ptr %.2145.i.i.i.i, align 8, !noalias !30
+  %.2257.i.i.i.i = load double, ptr %.2256.i.i.i.i, align 8, !noalias !30
+  %.2363.i.i.i.i = fmul contract double %.39.i2.i.i, 0x402CA90C106318D7
+  %.2364.i.i.i.i = fadd contract double %.2363.i.i.i.i, 0xC06030460C29F3DF
+  %.2365.i.i.i.i = fmul contract double %.39.i2.i.i, %.2364.i.i.i.i
+  %.2366.i.i.i.i = fadd contract double %.2365.i.i.i.i, 0x40D015D04F4BC5D2
+  %.2367.i.i.i.i = fmul contract double %.39.i2.i.i, %.2366.i.i.i.i
+  %.2368.i.i.i.i = fadd contract double %.2367.i.i.i.i, 0xC0E536054A2E10AB
+  %.2369.i.i.i.i = fmul contract double %.39.i2.i.i, %.2368.i.i.i.i
+  %.2370.i.i.i.i = fadd contract double %.2369.i.i.i.i, 0x40C95DBCC2240A74
+  %.2371.i.i.i.i = fadd contract double %.2370.i.i.i.i, %.2257.i.i.i.i
+  store double %.2371.i.i.i.i, ptr %.2256.i.i.i.i, align 8, !noalias !30
+  %.2475.i.i.i.i = load double, ptr %.2474.i.i.i.i, align 8, !noalias !30
+  %.2494.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40BD257CD0AE1310
+  %178 = fsub contract double 0xC09600901EF7C9A4, %.2494.i.i.i.i
+  %.2496.i.i.i.i = fadd contract double %178, %.2475.i.i.i.i
+  store double %.2496.i.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !30
+  %.24.i.i.i.i = fsub contract double 1.000000e+00, %.33.i.i.i
+  %.25.i.i4.i.i = fmul contract double %.33.i.i.i, %.24.i.i.i.i
+  %.26.i.i.i.i = fmul contract double %.165.i.i, %.33.i.i.i
+  %.80.i.i.i.i = fmul contract double %.33.i.i.i, 0x4029555555555555
+  %.81.i.i5.i.i = fadd contract double %.80.i.i.i.i, 2.500000e+01
+  %.82.i.i.i.i = fmul contract double %.26.i.i.i.i, %.81.i.i5.i.i
+  %.83.i.i.i.i = fadd contract double %.82.i.i.i.i, %.310.i.i.i.i
+  store double %.83.i.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !33
+  %.188.i.i.i.i = fmul contract double %.26.i.i.i.i, 3.000000e+00
+  %.189.i.i.i.i = fmul contract double %.25.i.i4.i.i, 0x400AAAAAAAAAAAAB
+  %.190.i.i.i.i = fsub contract double 0x4064B4F3CF3CF3CF, %.189.i.i.i.i
+  %.191.i.i.i.i = fmul contract double %.25.i.i4.i.i, 0x4032E38E38E38E39
+  %.192.i.i.i.i = fadd contract double %.191.i.i.i.i, 0x4063B0FCD6E9E065
+  %.193.i.i.i.i = fmul contract double %.33.i.i.i, %.192.i.i.i.i
+  %.194.i.i.i.i = fadd contract double %.190.i.i.i.i, %.193.i.i.i.i
+  %.195.i.i.i.i = fmul contract double %.188.i.i.i.i, %.194.i.i.i.i
+  %179 = fsub contract double %.583.i.i.i.i, %.195.i.i.i.i
+  store double %179, ptr %.561.i.i.i.i, align 8, !noalias !33
+  %.301.i.i.i.i = fmul contract double %.26.i.i.i.i, 0x400921FB54442D18
+  %.302.i.i.i.i = fmul contract double %.33.i.i.i, 2.600000e+02
+  %.303.i.i.i.i = fadd contract double %.302.i.i.i.i, 0x407F0AAAAAAAAAAB
+  %.304.i.i.i.i = fmul contract double %.303.i.i.i.i, %.301.i.i.i.i
+  %.305.i.i.i.i = fadd contract double %.304.i.i.i.i, %.762.i.i.i.i
+  store double %.305.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !33
+  %.357.i.i.i.i = fmul contract double %.25.i.i4.i.i, 0x4020F1C71C71C71C
+  %.358.i.i.i.i = fsub contract double 0x40C10436B015AC05, %.357.i.i.i.i
+  %.359.i.i.i.i = fmul contract double %.25.i.i4.i.i, %.358.i.i.i.i
+  %.360.i.i.i.i = fadd contract double %.359.i.i.i.i, 0xC0C7044BD0923320
+  %.361.i.i.i.i = fmul contract double %.25.i.i4.i.i, 0x404070E38E38E38E
+  %.362.i.i6.i.i = fadd contract double %.361.i.i.i.i, 0x40B0B864F3CF3CF4
+  %.363.i.i.i.i = fmul contract double %.25.i.i4.i.i, %.362.i.i6.i.i
+  %.364.i.i.i.i = fsub contract double 0x40AB9B8B602B580B, %.363.i.i.i.i
+  %.418.i.i.i.i = fmul contract double %.33.i.i.i, %.360.i.i.i.i
+  %.419.i.i.i.i = fmul contract double %.33.i.i.i, 2.000000e+00
+  %.420.i.i.i.i = fadd contract double %.419.i.i.i.i, -1.000000e+00
+  %.421.i.i.i.i = fmul contract double %.420.i.i.i.i, %.364.i.i.i.i
+  %.422.i.i.i.i = fadd contract double %.418.i.i.i.i, %.421.i.i.i.i
+  %.423.i.i.i.i = fmul contract double %.26.i.i.i.i, %.422.i.i.i.i
+  %.424.i.i.i.i = fadd contract double %.423.i.i.i.i, %.1015.i.i.i.i
+  store double %.424.i.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !33
+  %.24.i7.i.i.i = fsub contract double 1.000000e+00, %.38.i.i.i
+  %.25.i8.i.i.i = fmul contract double %.38.i.i.i, %.24.i7.i.i.i
+  %.26.i9.i.i.i = fmul contract double %.38.i.i.i, %.194.i.i
+  %.80.i12.i.i.i = fmul contract double %.38.i.i.i, 0x4029555555555555
+  %.81.i13.i.i.i = fadd contract double %.80.i12.i.i.i, 2.500000e+01
+  %.82.i14.i.i.i = fmul contract double %.26.i9.i.i.i, %.81.i13.i.i.i
+  %.83.i15.i.i.i = fadd contract double %.82.i14.i.i.i, %.83.i.i.i.i
+  store double %.83.i15.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !36
+  %.188.i18.i.i.i = fmul contract double %.26.i9.i.i.i, 3.000000e+00
+  %.189.i19.i.i.i = fmul contract double %.25.i8.i.i.i, 0x400AAAAAAAAAAAAB
+  %.190.i20.i.i.i = fsub contract double 0x4064B4F3CF3CF3CF, %.189.i19.i.i.i
+  %.191.i21.i.i.i = fmul contract double %.25.i8.i.i.i, 0x4032E38E38E38E39
+  %.192.i22.i.i.i = fadd contract double %.191.i21.i.i.i, 0x4063B0FCD6E9E065
+  %.193.i23.i.i.i = fmul contract double %.38.i.i.i, %.192.i22.i.i.i
+  %.194.i24.i.i.i = fadd contract double %.190.i20.i.i.i, %.193.i23.i.i.i
+  %.195.i25.i.i.i = fmul contract double %.188.i18.i.i.i, %.194.i24.i.i.i
+  %180 = fsub contract double %179, %.195.i25.i.i.i
+  store double %180, ptr %.561.i.i.i.i, align 8, !noalias !36
+  %.301.i28.i.i.i = fmul contract double %.26.i9.i.i.i, 0x400921FB54442D18
+  %.302.i29.i.i.i = fmul contract double %.38.i.i.i, 2.600000e+02
+  %.303.i30.i.i.i = fadd contract double %.302.i29.i.i.i, 0x407F0AAAAAAAAAAB
+  %.304.i31.i.i.i = fmul contract double %.303.i30.i.i.i, %.301.i28.i.i.i
+  %.305.i32.i.i.i = fadd contract double %.304.i31.i.i.i, %.305.i.i.i.i
+  store double %.305.i32.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !36
+  %.357.i33.i.i.i = fmul contract double %.25.i8.i.i.i, 0x4020F1C71C71C71C
+  %.358.i34.i.i.i = fsub contract double 0x40C10436B015AC05, %.357.i33.i.i.i
+  %.359.i35.i.i.i = fmul contract double %.25.i8.i.i.i, %.358.i34.i.i.i
+  %.360.i36.i.i.i = fadd contract double %.359.i35.i.i.i, 0xC0C7044BD0923320
+  %.361.i37.i.i.i = fmul contract double %.25.i8.i.i.i, 0x404070E38E38E38E
+  %.362.i38.i.i.i = fadd contract double %.361.i37.i.i.i, 0x40B0B864F3CF3CF4
+  %.363.i39.i.i.i = fmul contract double %.25.i8.i.i.i, %.362.i38.i.i.i
+  %.364.i40.i.i.i = fsub contract double 0x40AB9B8B602B580B, %.363.i39.i.i.i
+  %.418.i43.i.i.i = fmul contract double %.38.i.i.i, %.360.i36.i.i.i
+  %.419.i44.i.i.i = fmul contract double %.38.i.i.i, 2.000000e+00
+  %.420.i45.i.i.i = fadd contract double %.419.i44.i.i.i, -1.000000e+00
+  %.421.i46.i.i.i = fmul contract double %.420.i45.i.i.i, %.364.i40.i.i.i
+  %.422.i47.i.i.i = fadd contract double %.418.i43.i.i.i, %.421.i46.i.i.i
+  %.423.i48.i.i.i = fmul contract double %.26.i9.i.i.i, %.422.i47.i.i.i
+  %.424.i49.i.i.i = fadd contract double %.423.i48.i.i.i, %.424.i.i.i.i
+  store double %.424.i49.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !36
+  %.15.le.i.i.i.i = fcmp contract uno double %.223.i.i, 0.000000e+00
+  %.17.le.i.i.i.i = fcmp contract oge double %.223.i.i, 1.000000e+00
+  %181 = or i1 %.15.le.i.i.i.i, %.17.le.i.i.i.i
+  %182 = tail call contract double @llvm.log.f64(double %.223.i.i)
+  %.31.le.i.i.i.i = select i1 %181, double %182, double 0.000000e+00
+  %.36.i.i.i.i = fmul contract double %.31.le.i.i.i.i, 1.230000e-04
+  %.37.i.i.i.i = fadd contract double %.36.i.i.i.i, -4.210000e-03
+  %.38.i.i.i.i = fmul contract double %.31.le.i.i.i.i, %.37.i.i.i.i
+  %.39.i.i.i.i = fadd contract double %.38.i.i.i.i, 4.740000e-02
+  %.40.i.i.i.i = fmul contract double %.31.le.i.i.i.i, %.39.i.i.i.i
+  %.41.i.i.i.i = fadd contract double %.40.i.i.i.i, 9.360000e-02
+  %.42.i.i.i.i = fmul contract double %.31.le.i.i.i.i, %.41.i.i.i.i
+  %.43.i.i.i.i = fadd contract double %.42.i.i.i.i, 1.940000e-01
+  %.44.i.i.i.i = fcmp contract ogt double %.223.i.i, 1.000000e+00
+  %.46.i.i.i.i = uitofp i1 %.44.i.i.i.i to double
+  %.47.i.i.i.i = fmul contract double %.43.i.i.i.i, %.46.i.i.i.i
+  %.55.le.i.i.i.i = tail call contract double @llvm.exp.f64(double %.47.i.i.i.i)
+  %.147.i.i.i7.i.i = fmul contract double %.26.i.i.i.i, %.26.i.i.i.i
+  %.106.i.i.i.i = fmul contract double %.55.le.i.i.i.i, 5.000000e+01
+  %.107.i.i.i.i = fadd contract double %.106.i.i.i.i, 6.250000e-01
+  %183 = fmul contract double %.147.i.i.i7.i.i, %.107.i.i.i.i
+  %.109.i.i.i.i = fsub contract double %.458.i.i.i.i, %183
+  store double %.109.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !39
+  %.214.i.i.i.i = fmul contract double %.33.i.i.i, 1.200000e+02
+  %.215.i.i.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i.i.i.i
+  %.216.i.i.i.i = fmul contract double %.33.i.i.i, %.215.i.i.i.i
+  %.217.i.i.i.i = fadd contract double %.216.i.i.i.i, 0x40817F8618618618
+  %.218.i.i.i.i = fmul contract double %.217.i.i.i.i, %.55.le.i.i.i.i
+  %.219.i.i.i.i = fmul contract double %.33.i.i.i, 0x40416E38E38E38E4
+  %.220.i.i.i.i = fsub contract double 0x40569AAAAAAAAAAB, %.219.i.i.i.i
+  %.221.i.i.i.i = fmul contract double %.33.i.i.i, %.220.i.i.i.i
+  %.222.i.i.i.i = fadd contract double %.221.i.i.i.i, 0x40831AC618618618
+  %.223.i.i.i.i = fsub contract double %.218.i.i.i.i, %.222.i.i.i.i
+  %.224.i.i.i.i = fmul contract double %.147.i.i.i7.i.i, %.223.i.i.i.i
+  %.225.i.i.i.i = fadd contract double %.224.i.i.i.i, %.305.i32.i.i.i
+  store double %.225.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !39
+  %.331.i.i.i.i = fmul contract double %.147.i.i.i7.i.i, 0x4093A28C59D5433B
+  %.332.i.i.i.i = fmul contract double %.331.i.i.i.i, %.55.le.i.i.i.i
+  %184 = fsub contract double %.424.i49.i.i.i, %.332.i.i.i.i
+  store double %184, ptr %.970.i.i.i.i, align 8, !noalias !39
+  %.15.le.i51.i.i.i = fcmp contract uno double %.252.i.i, 0.000000e+00
+  %.17.le.i52.i.i.i = fcmp contract oge double %.252.i.i, 1.000000e+00
+  %185 = or i1 %.15.le.i51.i.i.i, %.17.le.i52.i.i.i
+  %186 = tail call contract double @llvm.log.f64(double %.252.i.i)
+  %.31.le.i53.i.i.i = select i1 %185, double %186, double 0.000000e+00
+  %.36.i54.i.i.i = fmul contract double %.31.le.i53.i.i.i, 1.230000e-04
+  %.37.i55.i.i.i = fadd contract double %.36.i54.i.i.i, -4.210000e-03
+  %.38.i56.i.i.i = fmul contract double %.31.le.i53.i.i.i, %.37.i55.i.i.i
+  %.39.i57.i.i.i = fadd contract double %.38.i56.i.i.i, 4.740000e-02
+  %.40.i58.i.i.i = fmul contract double %.31.le.i53.i.i.i, %.39.i57.i.i.i
+  %.41.i59.i.i.i = fadd contract double %.40.i58.i.i.i, 9.360000e-02
+  %.42.i60.i.i.i = fmul contract double %.31.le.i53.i.i.i, %.41.i59.i.i.i
+  %.43.i61.i.i.i = fadd contract double %.42.i60.i.i.i, 1.940000e-01
+  %.44.i62.i.i.i = fcmp contract ogt double %.252.i.i, 1.000000e+00
+  %.46.i63.i.i.i = uitofp i1 %.44.i62.i.i.i to double
+  %.47.i64.i.i.i = fmul contract double %.43.i61.i.i.i, %.46.i63.i.i.i
+  %.55.le.i65.i.i.i = tail call contract double @llvm.exp.f64(double %.47.i64.i.i.i)
+  %.147.i.i67.i.i.i = fmul contract double %.26.i9.i.i.i, %.26.i9.i.i.i
+  %.106.i70.i.i.i = fmul contract double %.55.le.i65.i.i.i, 5.000000e+01
+  %.107.i71.i.i.i = fadd contract double %.106.i70.i.i.i, 6.250000e-01
+  %187 = fmul contract double %.147.i.i67.i.i.i, %.107.i71.i.i.i
+  %.109.i72.i.i.i = fsub contract double %.109.i.i.i.i, %187
+  store double %.109.i72.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !42
+  %.214.i75.i.i.i = fmul contract double %.38.i.i.i, 1.200000e+02
+  %.215.i76.i.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i75.i.i.i
+  %.216.i77.i.i.i = fmul contract double %.38.i.i.i, %.215.i76.i.i.i
+  %.217.i78.i.i.i = fadd contract double %.216.i77.i.i.i, 0x40817F8618618618
+  %.218.i79.i.i.i = fmul contract double %.217.i78.i.i.i, %.55.le.i65.i.i.i
+  %.219.i80.i.i.i = fmul contract double %.38.i.i.i, 0x40416E38E38E38E4
+  %.220.i81.i.i.i = fsub contract double 0x40569AAAAAAAAAAB, %.219.i80.i.i.i
+  %.221.i82.i.i.i = fmul contract double %.38.i.i.i, %.220.i81.i.i.i
+  %.222.i83.i.i.i = fadd contract double %.221.i82.i.i.i, 0x40831AC618618618
+  %.223.i84.i.i.i = fsub contract double %.218.i79.i.i.i, %.222.i83.i.i.i
+  %.224.i85.i.i.i = fmul contract double %.147.i.i67.i.i.i, %.223.i84.i.i.i
+  %.225.i86.i.i.i = fadd contract double %.224.i85.i.i.i, %.225.i.i.i.i
+  store double %.225.i86.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !42
+  %.331.i89.i.i.i = fmul contract double %.147.i.i67.i.i.i, 0x4093A28C59D5433B
+  %.332.i90.i.i.i = fmul contract double %.331.i89.i.i.i, %.55.le.i65.i.i.i
+  %188 = fsub contract double %184, %.332.i90.i.i.i
+  store double %188, ptr %.970.i.i.i.i, align 8, !noalias !42
+  %.27.i.i.i.i = fmul contract double %.165.i.i, %.25.i.i4.i.i
+  %.28.i.i.i.i = fmul contract double %.194.i.i, %.27.i.i.i.i
+  %.82.i95.i.i.i = fmul contract double %.28.i.i.i.i, 9.875000e+01
+  %189 = fsub contract double %.109.i72.i.i.i, %.82.i95.i.i.i
+  store double %189, ptr %.413.i.i.i.i, align 8, !noalias !45
+  %.188.i98.i.i.i = fmul contract double %.25.i.i4.i.i, 0x40735B8E38E38E39
+  %.189.i99.i.i.i = fadd contract double %.188.i98.i.i.i, 0x40723BDB6DB6DB6E
+  %.190.i100.i.i.i = fmul contract double %.28.i.i.i.i, %.189.i99.i.i.i
+  %.191.i101.i.i.i = fadd contract double %.190.i100.i.i.i, %.225.i86.i.i.i
+  store double %.191.i101.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !45
+  %.245.i.i.i.i = fmul contract double %.194.i.i, %.24.i.i.i.i
+  %.246.i.i.i.i = fsub contract double %.26.i.i.i.i, %.245.i.i.i.i
+  %.147.i.i103.i.i.i = fmul contract double %.246.i.i.i.i, %.246.i.i.i.i
+  %.301.i104.i.i.i = fmul contract double %.28.i.i.i.i, 8.000000e+02
+  %.328.i105.i.i.i = fmul contract double %.147.i.i103.i.i.i, 7.500000e+00
+  %.329.i106.i.i.i = fadd contract double %.301.i104.i.i.i, %.328.i105.i.i.i
+  %.330.i.i.i.i = fmul contract double %.329.i106.i.i.i, 0x400921FB54442D18
+  %190 = fsub contract double %188, %.330.i.i.i.i
+  store double %190, ptr %.970.i.i.i.i, align 8, !noalias !45
+  %.147.i.i107.i.i.i = fmul contract double %.33.i.i.i, %.33.i.i.i
+  %.147.i.1.i.i.i.i = fmul contract double %.147.i.i107.i.i.i, %.147.i.i107.i.i.i
+  %.50.i.i.i.i = fmul contract double %.147.i.1.i.i.i.i, -2.400000e+01
+  %.51.i.i.i.i = fmul contract double %.223.i.i, %.50.i.i.i.i
+  %.105.i.i.i.i = fmul contract double %.33.i.i.i, 1.100000e+01
+  %.106.i110.i.i.i = fsub contract double 1.200000e+01, %.105.i.i.i.i
+  %.107.i111.i.i.i = fmul contract double %.106.i110.i.i.i, %.51.i.i.i.i
+  %.108.i.i.i.i = fadd contract double %.107.i111.i.i.i, %.1968.i.i.i.i
+  store double %.108.i.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !48
+  %.212.i112.i.i.i = load double, ptr %.211.i.i.i.i, align 8, !noalias !48
+  %.213.i113.i.i.i = fmul contract double %.51.i.i.i.i, 5.000000e+00
+  %.217.i114.i.i.i = fdiv contract double %.213.i113.i.i.i, 6.720000e+02
+  %.219.i116.i.i.i = fsub contract double 2.286000e+03, %.302.i.i.i.i
+  %.220.i117.i.i.i = fmul contract double %.33.i.i.i, %.219.i116.i.i.i
+  %.221.i118.i.i.i = fadd contract double %.220.i117.i.i.i, 9.190000e+02
+  %.222.i119.i.i.i = fmul contract double %.33.i.i.i, %.221.i118.i.i.i
+  %.223.i120.i.i.i = fsub contract double 3.179000e+03, %.222.i119.i.i.i
+  %.224.i121.i.i.i = fmul contract double %.223.i120.i.i.i, %.217.i114.i.i.i
+  %.225.i122.i.i.i = fadd contract double %.224.i121.i.i.i, %.212.i112.i.i.i
+  store double %.225.i122.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !48
+  %.329.i124.i.i.i = load double, ptr %.328.i123.i.i.i, align 8, !noalias !48
+  %.331.i125.i.i.i = fmul contract double %.51.i.i.i.i, 0xC00921FB54442D18
+  %.334.i.i.i.i = fmul contract double %.106.i110.i.i.i, %.331.i125.i.i.i
+  %.335.i.i.i.i = fadd contract double %.334.i.i.i.i, %.329.i124.i.i.i
+  store double %.335.i.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !48
+  %.387.i.i8.i.i = fmul contract double %.33.i.i.i, 0x4151712000000000
+  %.388.i.i.i.i = fsub contract double 0x41737B1700000000, %.387.i.i8.i.i
+  %.389.i.i.i.i = fmul contract double %.33.i.i.i, %.388.i.i.i.i
+  %.390.i.i.i.i = fsub contract double 0x41A2E151D8000000, %.389.i.i.i.i
+  %.443.i.i.i.i = load double, ptr %.442.i.i.i.i, align 8, !noalias !48
+  %.448.i.i.i.i = fdiv contract double %.213.i113.i.i.i, 0x417A29B000000000
+  %.449.i.i.i.i = fmul contract double %.33.i.i.i, %.390.i.i.i.i
+  %.450.i.i.i.i = fadd contract double %.449.i.i.i.i, 0x41A4DB86E0000000
+  %.451.i.i.i.i = fmul contract double %.33.i.i.i, %.450.i.i.i.i
+  %.452.i.i.i.i = fadd contract double %.451.i.i.i.i, 0x41849F27B8000000
+  %.453.i.i.i.i = fmul contract double %.33.i.i.i, %.452.i.i.i.i
+  %.454.i.i.i.i = fsub contract double 0x41B72002EE000000, %.453.i.i.i.i
+  %.455.i.i.i.i = fmul contract double %.448.i.i.i.i, %.454.i.i.i.i
+  %.456.i.i.i.i = fadd contract double %.455.i.i.i.i, %.443.i.i.i.i
+  store double %.456.i.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !48
+  %.560.i.i.i.i = load double, ptr %.559.i.i.i.i, align 8, !noalias !48
+  %.566.i.i.i.i = fdiv contract double %.331.i125.i.i.i, 6.720000e+02
+  %.567.i.i.i.i = fmul contract double %.33.i.i.i, 1.052000e+04
+  %.568.i.i.i.i = fsub contract double 7.598000e+03, %.567.i.i.i.i
+  %.569.i.i.i.i = fmul contract double %.33.i.i.i, %.568.i.i.i.i
+  %.570.i.i.i.i = fsub contract double 2.241500e+04, %.569.i.i.i.i
+  %.571.i.i.i.i = fmul contract double %.33.i.i.i, %.570.i.i.i.i
+  %.572.i.i.i.i = fsub contract double 2.771900e+04, %.571.i.i.i.i
+  %.573.i.i.i.i = fmul contract double %.572.i.i.i.i, %.566.i.i.i.i
+  %.574.i.i.i.i = fadd contract double %.573.i.i.i.i, %.560.i.i.i.i
+  store double %.574.i.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !48
+  %.147.i.i126.i.i.i = fmul contract double %.38.i.i.i, %.38.i.i.i
+  %.147.i.1.i127.i.i.i = fmul contract double %.147.i.i126.i.i.i, %.147.i.i126.i.i.i
+  %.50.i128.i.i.i = fmul contract double %.147.i.1.i127.i.i.i, -2.400000e+01
+  %.51.i129.i.i.i = fmul contract double %.252.i.i, %.50.i128.i.i.i
+  %.105.i132.i.i.i = fmul contract double %.38.i.i.i, 1.100000e+01
+  %.106.i133.i.i.i = fsub contract double 1.200000e+01, %.105.i132.i.i.i
+  %.107.i134.i.i.i = fmul contract double %.106.i133.i.i.i, %.51.i129.i.i.i
+  %.108.i135.i.i.i = fadd contract double %.107.i134.i.i.i, %.108.i.i.i.i
+  store double %.108.i135.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !51
+  %.213.i138.i.i.i = fmul contract double %.51.i129.i.i.i, 5.000000e+00
+  %.217.i139.i.i.i = fdiv contract double %.213.i138.i.i.i, 6.720000e+02
+  %.219.i141.i.i.i = fsub contract double 2.286000e+03, %.302.i29.i.i.i
+  %.220.i142.i.i.i = fmul contract double %.38.i.i.i, %.219.i141.i.i.i
+  %.221.i143.i.i.i = fadd contract double %.220.i142.i.i.i, 9.190000e+02
+  %.222.i144.i.i.i = fmul contract double %.38.i.i.i, %.221.i143.i.i.i
+  %.223.i145.i.i.i = fsub contract double 3.179000e+03, %.222.i144.i.i.i
+  %.224.i146.i.i.i = fmul contract double %.223.i145.i.i.i, %.217.i139.i.i.i
+  %.225.i147.i.i.i = fadd contract double %.224.i146.i.i.i, %.225.i122.i.i.i
+  store double %.225.i147.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !51
+  %.331.i150.i.i.i = fmul contract double %.51.i129.i.i.i, 0xC00921FB54442D18
+  %.334.i151.i.i.i = fmul contract double %.106.i133.i.i.i, %.331.i150.i.i.i
+  %.335.i152.i.i.i = fadd contract double %.334.i151.i.i.i, %.335.i.i.i.i
+  store double %.335.i152.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !51
+  %.387.i153.i.i.i = fmul contract double %.38.i.i.i, 0x4151712000000000
+  %.388.i154.i.i.i = fsub contract double 0x41737B1700000000, %.387.i153.i.i.i
+  %.389.i155.i.i.i = fmul contract double %.38.i.i.i, %.388.i154.i.i.i
+  %.390.i156.i.i.i = fsub contract double 0x41A2E151D8000000, %.389.i155.i.i.i
+  %.448.i159.i.i.i = fdiv contract double %.213.i138.i.i.i, 0x417A29B000000000
+  %.449.i160.i.i.i = fmul contract double %.38.i.i.i, %.390.i156.i.i.i
+  %.450.i161.i.i.i = fadd contract double %.449.i160.i.i.i, 0x41A4DB86E0000000
+  %.451.i162.i.i.i = fmul contract double %.38.i.i.i, %.450.i161.i.i.i
+  %.452.i163.i.i.i = fadd contract double %.451.i162.i.i.i, 0x41849F27B8000000
+  %.453.i164.i.i.i = fmul contract double %.38.i.i.i, %.452.i163.i.i.i
+  %.454.i165.i.i.i = fsub contract double 0x41B72002EE000000, %.453.i164.i.i.i
+  %.455.i166.i.i.i = fmul contract double %.448.i159.i.i.i, %.454.i165.i.i.i
+  %.456.i167.i.i.i = fadd contract double %.455.i166.i.i.i, %.456.i.i.i.i
+  store double %.456.i167.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !51
+  %.566.i170.i.i.i = fdiv contract double %.331.i150.i.i.i, 6.720000e+02
+  %.567.i171.i.i.i = fmul contract double %.38.i.i.i, 1.052000e+04
+  %.568.i172.i.i.i = fsub contract double 7.598000e+03, %.567.i171.i.i.i
+  %.569.i173.i.i.i = fmul contract double %.38.i.i.i, %.568.i172.i.i.i
+  %.570.i174.i.i.i = fsub contract double 2.241500e+04, %.569.i173.i.i.i
+  %.571.i175.i.i.i = fmul contract double %.38.i.i.i, %.570.i174.i.i.i
+  %.572.i176.i.i.i = fsub contract double 2.771900e+04, %.571.i175.i.i.i
+  %.573.i177.i.i.i = fmul contract double %.572.i176.i.i.i, %.566.i170.i.i.i
+  %.574.i178.i.i.i = fadd contract double %.573.i177.i.i.i, %.574.i.i.i.i
+  store double %.574.i178.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !51
+  %.671.i.i.i = fmul contract double %.39.i2.i.i, 1.280000e+02
+  %.675.i.i.i = fdiv contract double 3.000000e+00, %.671.i.i.i
+  store double %.675.i.i.i, ptr %arg.series, align 8, !noalias !27
+  %.968.1.i.i.i = load double, ptr %6, align 8, !noalias !27
+  %.970.1.i.i.i = fmul contract double %.675.i.i.i, %.968.1.i.i.i
+  store double %.970.1.i.i.i, ptr %6, align 8, !noalias !27
+  %.970.2.i.i.i = fmul contract double %.675.i.i.i, %.204.i.i.i.i
+  store double %.970.2.i.i.i, ptr %.183.i.i.i.i, align 8, !noalias !27
+  %.970.3.i.i.i = fmul contract double %.675.i.i.i, %.83.i15.i.i.i
+  store double %.970.3.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !27
+  %.970.4.i.i.i = fmul contract double %.675.i.i.i, %189
+  store double %.970.4.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !27
+  %.968.5.i.i.i = load double, ptr %7, align 8, !noalias !27
+  %.970.5.i.i.i = fmul contract double %.675.i.i.i, %.968.5.i.i.i
+  store double %.970.5.i.i.i, ptr %7, align 8, !noalias !27
+  %.970.6.i.i.i = fmul contract double %.675.i.i.i, %.191.i101.i.i.i
+  store double %.970.6.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !27
+  %.970.7.i.i.i = fmul contract double %.675.i.i.i, %190
+  store double %.970.7.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !27
+  %.968.8.i.i.i = load double, ptr %8, align 8, !noalias !27
+  %.970.8.i.i.i = fmul contract double %.675.i.i.i, %.968.8.i.i.i
+  store double %.970.8.i.i.i, ptr %8, align 8, !noalias !27
+  %.970.9.i.i.i = fmul contract double %.675.i.i.i, %.1537.i.i.i.i
+  store double %.970.9.i.i.i, ptr %.1461.i.i.i.i, align 8, !noalias !27
+  %.970.10.i.i.i = fmul contract double %.675.i.i.i, %.108.i135.i.i.i
+  store double %.970.10.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !27
+  %.970.11.i.i.i = fmul contract double %.675.i.i.i, %.2371.i.i.i.i
+  store double %.970.11.i.i.i, ptr %.2256.i.i.i.i, align 8, !noalias !27
+  %.970.12.i.i.i = fmul contract double %.675.i.i.i, %.225.i147.i.i.i
+  store double %.970.12.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !27
+  %.970.13.i.i.i = fmul contract double %.675.i.i.i, %.335.i152.i.i.i
+  store double %.970.13.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !27
+  %.970.14.i.i.i = fmul contract double %.675.i.i.i, %.456.i167.i.i.i
+  store double %.970.14.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !27
+  %.970.15.i.i.i = fmul contract double %.675.i.i.i, %.574.i178.i.i.i
+  store double %.970.15.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !27
+  %.968.1276.i.i.i = load double, ptr %5, align 8, !noalias !27
+  %.970.1277.i.i.i = fmul contract double %.675.i.i.i, %.968.1276.i.i.i
+  store double %.970.1277.i.i.i, ptr %5, align 8, !noalias !27
+  %.968.1.1.i.i.i = load double, ptr %9, align 8, !noalias !27
+  %.970.1.1.i.i.i = fmul contract double %.675.i.i.i, %.968.1.1.i.i.i
+  store double %.970.1.1.i.i.i, ptr %9, align 8, !noalias !27
+  %.968.2.1.i.i.i = load double, ptr %10, align 8, !noalias !27
+  %.970.2.1.i.i.i = fmul contract double %.675.i.i.i, %.968.2.1.i.i.i
+  store double %.970.2.1.i.i.i, ptr %10, align 8, !noalias !27
+  %.968.3.1.i.i.i = load double, ptr %11, align 8, !noalias !27
+  %.970.3.1.i.i.i = fmul contract double %.675.i.i.i, %.968.3.1.i.i.i
+  store double %.970.3.1.i.i.i, ptr %11, align 8, !noalias !27
+  %.968.4.1.i.i.i = load double, ptr %12, align 8, !noalias !27
+  %.970.4.1.i.i.i = fmul contract double %.675.i.i.i, %.968.4.1.i.i.i
+  store double %.970.4.1.i.i.i, ptr %12, align 8, !noalias !27
+  %.970.5.1.i.i.i = fmul contract double %.675.i.i.i, %180
+  store double %.970.5.1.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !27
+  %.970.6.1.i.i.i = fmul contract double %.675.i.i.i, %.867.i.i.i.i
+  store double %.970.6.1.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !27
+  %.968.7.1.i.i.i = load double, ptr %13, align 8, !noalias !27
+  %.970.7.1.i.i.i = fmul contract double %.675.i.i.i, %.968.7.1.i.i.i
+  store double %.970.7.1.i.i.i, ptr %13, align 8, !noalias !27
+  %.970.8.1.i.i.i = fmul contract double %.675.i.i.i, %.1233.i.i.i.i
+  store double %.970.8.1.i.i.i, ptr %.1118.i.i.i.i, align 8, !noalias !27
+  %.970.9.1.i.i.i = fmul contract double %.675.i.i.i, %.1642.i.i.i.i
+  store double %.970.9.1.i.i.i, ptr %.1640.i.i.i.i, align 8, !noalias !27
+  %.970.10.1.i.i.i = fmul contract double %.675.i.i.i, %.2153.i.i.i.i
+  store double %.970.10.1.i.i.i, ptr %.2145.i.i.i.i, align 8, !noalias !27
+  %.970.11.1.i.i.i = fmul contract double %.675.i.i.i, %.2496.i.i.i.i
+  store double %.970.11.1.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !27
+  %.968.12.1.i.i.i = load double, ptr %14, align 8, !noalias !27
+  %.970.12.1.i.i.i = fmul contract double %.675.i.i.i, %.968.12.1.i.i.i
+  store double %.970.12.1.i.i.i, ptr %14, align 8, !noalias !27
+  %.968.13.1.i.i.i = load double, ptr %15, align 8, !noalias !27
+  %.970.13.1.i.i.i = fmul contract double %.675.i.i.i, %.968.13.1.i.i.i
+  store double %.970.13.1.i.i.i, ptr %15, align 8, !noalias !27
+  %.968.14.1.i.i.i = load double, ptr %16, align 8, !noalias !27
+  %.970.14.1.i.i.i = fmul contract double %.675.i.i.i, %.968.14.1.i.i.i
+  store double %.970.14.1.i.i.i, ptr %16, align 8, !noalias !27
+  %.968.15.1.i.i.i = load double, ptr %17, align 8, !noalias !27
+  %.970.15.1.i.i.i = fmul contract double %.675.i.i.i, %.968.15.1.i.i.i
+  store double %.970.15.1.i.i.i, ptr %17, align 8, !noalias !27
+  %.968.2278.i.i.i = load double, ptr %18, align 8, !noalias !27
+  %.970.2279.i.i.i = fmul contract double %.675.i.i.i, %.968.2278.i.i.i
+  store double %.970.2279.i.i.i, ptr %18, align 8, !noalias !27
+  %.968.1.2.i.i.i = load double, ptr %19, align 8, !noalias !27
+  %.970.1.2.i.i.i = fmul contract double %.675.i.i.i, %.968.1.2.i.i.i
+  store double %.970.1.2.i.i.i, ptr %19, align 8, !noalias !27
+  %.968.2.2.i.i.i = load double, ptr %20, align 8, !noalias !27
+  %.970.2.2.i.i.i = fmul contract double %.675.i.i.i, %.968.2.2.i.i.i
+  store double %.970.2.2.i.i.i, ptr %20, align 8, !noalias !27
+  %.968.3.2.i.i.i = load double, ptr %21, align 8, !noalias !27
+  %.970.3.2.i.i.i = fmul contract double %.675.i.i.i, %.968.3.2.i.i.i
+  store double %.970.3.2.i.i.i, ptr %21, align 8, !noalias !27
+  %.968.4.2.i.i.i = load double, ptr %22, align 8, !noalias !27
+  %.970.4.2.i.i.i = fmul contract double %.675.i.i.i, %.968.4.2.i.i.i
+  store double %.970.4.2.i.i.i, ptr %22, align 8, !noalias !27
+  %.968.5.2.i.i.i = load double, ptr %23, align 8, !noalias !27
+  %.970.5.2.i.i.i = fmul contract double %.675.i.i.i, %.968.5.2.i.i.i
+  store double %.970.5.2.i.i.i, ptr %23, align 8, !noalias !27
+  %.968.6.2.i.i.i = load double, ptr %24, align 8, !noalias !27
+  %.970.6.2.i.i.i = fmul contract double %.675.i.i.i, %.968.6.2.i.i.i
+  store double %.970.6.2.i.i.i, ptr %24, align 8, !noalias !27
+  %.968.7.2.i.i.i = load double, ptr %25, align 8, !noalias !27
+  %.970.7.2.i.i.i = fmul contract double %.675.i.i.i, %.968.7.2.i.i.i
+  store double %.970.7.2.i.i.i, ptr %25, align 8, !noalias !27
+  %.970.8.2.i.i.i = fmul contract double %.675.i.i.i, %.1358.i.i.i.i
+  store double %.970.8.2.i.i.i, ptr %.1336.i.i.i.i, align 8, !noalias !27
+  %.968.9.2.i.i.i = load double, ptr %26, align 8, !noalias !27
+  %.970.9.2.i.i.i = fmul contract double %.675.i.i.i, %.968.9.2.i.i.i
+  store double %.970.9.2.i.i.i, ptr %26, align 8, !noalias !27
+  %.968.10.2.i.i.i = load double, ptr %27, align 8, !noalias !27
+  %.970.10.2.i.i.i = fmul contract double %.675.i.i.i, %.968.10.2.i.i.i
+  store double %.970.10.2.i.i.i, ptr %27, align 8, !noalias !27
+  %.968.11.2.i.i.i = load double, ptr %28, align 8, !noalias !27
+  %.970.11.2.i.i.i = fmul contract double %.675.i.i.i, %.968.11.2.i.i.i
+  store double %.970.11.2.i.i.i, ptr %28, align 8, !noalias !27
+  %.968.12.2.i.i.i = load double, ptr %29, align 8, !noalias !27
+  %.970.12.2.i.i.i = fmul contract double %.675.i.i.i, %.968.12.2.i.i.i
+  store double %.970.12.2.i.i.i, ptr %29, align 8, !noalias !27
+  %.968.13.2.i.i.i = load double, ptr %30, align 8, !noalias !27
+  %.970.13.2.i.i.i = fmul contract double %.675.i.i.i, %.968.13.2.i.i.i
+  store double %.970.13.2.i.i.i, ptr %30, align 8, !noalias !27
+  %.968.14.2.i.i.i = load double, ptr %31, align 8, !noalias !27
+  %.970.14.2.i.i.i = fmul contract double %.675.i.i.i, %.968.14.2.i.i.i
+  store double %.970.14.2.i.i.i, ptr %31, align 8, !noalias !27
+  %.968.15.2.i.i.i = load double, ptr %32, align 8, !noalias !27
+  %.970.15.2.i.i.i = fmul contract double %.675.i.i.i, %.968.15.2.i.i.i
+  store double %.970.15.2.i.i.i, ptr %32, align 8, !noalias !27
+  %.54.i.i.i = fsub contract double %.165.i.i, %.194.i.i
+  %.147.i.i.i.i = fmul contract double %.54.i.i.i, %.54.i.i.i
+  %.147.i.i.i10.i.i = fmul contract double %.29.i.i.i, %.29.i.i.i
+  %.35.i.i11.i.i = fdiv contract double %.136.i.i, %.147.i.i.i10.i.i
+  %.45.i.i.i = fadd contract double %.136.i.i, -1.000000e+00
+  %.50.i.i.i = fdiv contract double %.45.i.i.i, %.29.i.i.i
+  %.51.i.i.i = fadd contract double %.165.i.i, %.194.i.i
+  %.52.i.i.i = fmul contract double %.51.i.i.i, 5.000000e-01
+  %.53.i.i.i = fmul contract double %.50.i.i.i, 5.000000e-01
+  %.55.i.i.i = fmul contract double %.53.i.i.i, %.54.i.i.i
+  %.81.i.i.i = fmul contract double %.147.i.i.i.i, 2.500000e-01
+  store double 1.000000e+00, ptr %.779.i, align 8, !noalias !54
+  store double 0.000000e+00, ptr %.138.i.i.i, align 8, !noalias !54
+  %.140.i.i.i = fmul contract double %.35.i.i11.i.i, 0x400579E79E79E79E
+  %.141.i.i.i = fadd contract double %.140.i.i.i, 0xBFF7124924924925
+  store double %.141.i.i.i, ptr %.169.i.i.i, align 8, !noalias !54
+  %.171.i.i.i = fmul contract double %.55.i.i.i, 3.375000e+00
+  %.172.i.i.i = fmul contract double %.35.i.i11.i.i, 0x3FFD555555555555
+  %.173.i.i.i = fsub contract double 3.375000e+00, %.172.i.i.i
+  %.174.i.i.i = fmul contract double %.52.i.i.i, %.173.i.i.i
+  %.175.i.i.i = fadd contract double %.171.i.i.i, %.174.i.i.i
+  store double %.175.i.i.i, ptr %.203.i.i.i, align 8, !noalias !54
+  %.205.i.i.i = fmul contract double %.35.i.i11.i.i, 0x401167EA53FA94FF
+  %.206.i.i.i = fadd contract double %.205.i.i.i, 0xC0175371959340D3
+  %.207.i.i.i = fmul contract double %.35.i.i11.i.i, %.206.i.i.i
+  %.208.i.i.i = fadd contract double %.207.i.i.i, 0xC00AE15A0AB4FC95
+  %.267.i.i.i = fmul contract double %.35.i.i11.i.i, 6.000000e+00
+  %.268.i.i.i = fadd contract double %.267.i.i.i, -1.531250e+00
+  %.269.i.i.i = fmul contract double %.268.i.i.i, %.81.i.i.i
+  %.270.i.i.i = fmul contract double %.55.i.i.i, 3.062500e+00
+  %.271.i.i.i = fmul contract double %.52.i.i.i, %.270.i.i.i
+  %.272.i.i.i = fsub contract double %.269.i.i.i, %.271.i.i.i
+  %.273.i.i.i = fadd contract double %.208.i.i.i, %.272.i.i.i
+  %.147.i15.i.i.i = fmul contract double %.52.i.i.i, %.52.i.i.i
+  %.335.i.i.i = fmul contract double %.35.i.i11.i.i, 1.250000e-01
+  %.336.i.i.i = fadd contract double %.335.i.i.i, -1.531250e+00
+  %.361.i.i.i = fmul contract double %.336.i.i.i, %.147.i15.i.i.i
+  %.362.i.i.i = fadd contract double %.361.i.i.i, %.273.i.i.i
+  store double %.362.i.i.i, ptr %.236.i.i.i, align 8, !noalias !54
+  %.393.i.i.i = fmul contract double %.35.i.i11.i.i, 4.000000e+00
+  %.394.i.i.i = fsub contract double 1.000000e+00, %.393.i.i.i
+  %.395.i.i.i = fmul contract double %.394.i.i.i, 0x4010B090E5F545F2
+  %.396.i.i.i = fmul contract double %.35.i.i11.i.i, 0x3FD9104104104104
+  %.397.i.i.i = fsub contract double 0x4031AEEFBEFBEFBF, %.396.i.i.i
+  %.398.i.i.i = fmul contract double %.55.i.i.i, %.397.i.i.i
+  %191 = fsub contract double %.398.i.i.i, %.395.i.i.i
+  %.458.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4001ACB2CB2CB2CB
+  %.459.i.i.i = fadd contract double %.458.i.i.i, 0x4036CB0C30C30C31
+  %.460.i.i.i = fmul contract double %.35.i.i11.i.i, %.459.i.i.i
+  %.461.i.i.i = fsub contract double 0x4031AEEFBEFBEFBF, %.460.i.i.i
+  %.462.i.i.i = fmul contract double %.52.i.i.i, %.461.i.i.i
+  %.463.i.i.i = fadd contract double %191, %.462.i.i.i
+  store double %.463.i.i.i, ptr %.427.i.i.i, align 8, !noalias !54
+  %.519.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4050B13F2FF5EE90
+  %.520.i.i.i = fadd contract double %.519.i.i.i, 0xC034AE5A84540D99
+  %.147.i39.i.i.i = fmul contract double %.35.i.i11.i.i, %.35.i.i11.i.i
+  %.603.i.i.i = fmul contract double %.35.i.i11.i.i, 0x401597306EFC97DE
+  %.604.i.i.i = fadd contract double %.603.i.i.i, 0xC0322AE304374842
+  %.605.i.i.i = fmul contract double %.147.i39.i.i.i, %.604.i.i.i
+  %.606.i.i.i = fadd contract double %.520.i.i.i, %.605.i.i.i
+  %.665.i.i.i = fmul contract double %.55.i.i.i, 0x4004AAAAAAAAAAAB
+  %.666.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4002AAAAAAAAAAAB
+  %.667.i.i.i = fsub contract double 0x4004AAAAAAAAAAAB, %.666.i.i.i
+  %.668.i.i.i = fmul contract double %.52.i.i.i, %.667.i.i.i
+  %.669.i.i.i = fadd contract double %.665.i.i.i, %.668.i.i.i
+  %.670.i.i.i = fmul contract double %.669.i.i.i, 0x400921FB54442D18
+  %.671.i12.i.i = fadd contract double %.606.i.i.i, %.670.i.i.i
+  %.730.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4017618618618618
+  %.731.i.i.i = fadd contract double %.730.i.i.i, 0x404C130E38E38E39
+  %.732.i.i.i = fmul contract double %.35.i.i11.i.i, %.731.i.i.i
+  %.733.i.i.i = fadd contract double %.732.i.i.i, 0xC02B20D145145145
+  %.734.i.i.i = fmul contract double %.81.i.i.i, %.733.i.i.i
+  %.735.i.i.i = fadd contract double %.734.i.i.i, %.671.i12.i.i
+  %.794.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4043F51861861862
+  %.795.i.i.i = fadd contract double %.794.i.i.i, 0xC03B20D145145145
+  %.796.i.i.i = fmul contract double %.55.i.i.i, %.795.i.i.i
+  %.797.i.i.i = fmul contract double %.52.i.i.i, %.796.i.i.i
+  %.798.i.i.i = fadd contract double %.797.i.i.i, %.735.i.i.i
+  %.857.i.i.i = fmul contract double %.35.i.i11.i.i, 0x402975F7DF7DF7DF
+  %.858.i.i.i = fsub contract double 0x404302DB6DB6DB6E, %.857.i.i.i
+  %.859.i.i.i = fmul contract double %.35.i.i11.i.i, %.858.i.i.i
+  %.860.i.i.i = fadd contract double %.859.i.i.i, 0xC02B20D145145145
+  %.885.i.i.i = fmul contract double %.147.i15.i.i.i, %.860.i.i.i
+  %.886.i.i.i = fadd contract double %.885.i.i.i, %.798.i.i.i
+  store double %.886.i.i.i, ptr %.548.i.i.i, align 8, !noalias !54
+  %.916.i.i.i = fmul contract double %.35.i.i11.i.i, 0x402001CC877321DD
+  %.917.i.i.i = fsub contract double 0x403044E0D8B8362E, %.916.i.i.i
+  %.918.i.i.i = fmul contract double %.35.i.i11.i.i, %.917.i.i.i
+  %.919.i.i.i = fsub contract double 0x400A4763546E2A71, %.918.i.i.i
+  %.920.i.i.i = fmul contract double %.919.i.i.i, 0x400921FB54442D18
+  store double %.920.i.i.i, ptr %.948.i.i.i, align 8, !noalias !54
+  %.39.i.i.i = fdiv contract double 0x3FE4F1A6C638D03F, %.35.i.i11.i.i
+  %.47.i.i.i = tail call contract double @sqrt(double %.39.i.i.i)
+  store double %.47.i.i.i, ptr %.779.i, align 8, !noalias !5
+  %.1210.1.i.i = fmul contract double %.47.i.i.i, 0.000000e+00
+  store double %.1210.1.i.i, ptr %.138.i.i.i, align 8, !noalias !5
+  %.1210.2.i.i = fmul contract double %.141.i.i.i, %.47.i.i.i
+  store double %.1210.2.i.i, ptr %.169.i.i.i, align 8, !noalias !5
+  %.1210.3.i.i = fmul contract double %.175.i.i.i, %.47.i.i.i
+  store double %.1210.3.i.i, ptr %.203.i.i.i, align 8, !noalias !5
+  %.1210.4.i.i = fmul contract double %.362.i.i.i, %.47.i.i.i
+  store double %.1210.4.i.i, ptr %.236.i.i.i, align 8, !noalias !5
+  %.1210.5.i.i = fmul contract double %.463.i.i.i, %.47.i.i.i
+  store double %.1210.5.i.i, ptr %.427.i.i.i, align 8, !noalias !5
+  %.1210.6.i.i = fmul contract double %.886.i.i.i, %.47.i.i.i
+  store double %.1210.6.i.i, ptr %.548.i.i.i, align 8, !noalias !5
+  %.1210.7.i.i = fmul contract double %.920.i.i.i, %.47.i.i.i
+  store double %.1210.7.i.i, ptr %.948.i.i.i, align 8, !noalias !5
+  %.1596.i = mul nsw i64 %.925.017.i, %arg.points
+  br i1 %33, label %B1058.i, label %B514.preheader.i
+
+B514.preheader.i:                                 ; preds = %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.209.i3.i = getelementptr i8, ptr %.1169.i, i64 56
+  %.3334.i.i = getelementptr i8, ptr %.1169.i, i64 40
+  %.3585.i.i = getelementptr i8, ptr %.1169.i, i64 64
+  %.3649.i.i = getelementptr i8, ptr %.1169.i, i64 72
+  br label %B514.i
+
+B594.else.if.i:                                   ; preds = %B594.i
+  br label %B594.else.endif.i
+
+B594.else.endif.i:                                ; preds = %B594.else.if.i, %B594.i
+  %.1638.sroa.0.1.i = phi i64 [ 0, %B594.else.if.i ], [ %.1650.i, %B594.i ]
+  %.1658.not.i = icmp slt i64 %.1650.i, %arg.n_polar
+  br i1 %.1658.not.i, label %B594.else.endif.endif.i, label %B594.else.endif.if.i, !prof !4
+
+B594.else.endif.if.i:                             ; preds = %B594.else.endif.i
+  br label %B594.else.endif.endif.i
+
+B594.else.endif.endif.i:                          ; preds = %B594.else.endif.if.i, %B594.else.endif.i
+  %.1638.sroa.0.3.i = phi i64 [ %arg.n_polar, %B594.else.endif.if.i ], [ %.1638.sroa.0.1.i, %B594.else.endif.i ]
+  %.1665.i = icmp slt i64 %.1611.i, 0
+  %.1666.i = select i1 %.1665.i, i64 %arg.n_polar, i64 0
+  %.1667.i = add i64 %.1666.i, %.1611.i
+  %.1670.i = icmp slt i64 %.1667.i, 0
+  br i1 %.1670.i, label %B594.else.endif.endif.if.i, label %B594.else.endif.endif.endif.i, !prof !3
+
+B594.else.endif.endif.if.i:                       ; preds = %B594.else.endif.endif.i
+  br label %B594.else.endif.endif.endif.i
+
+B594.else.endif.endif.endif.i:                    ; preds = %B594.else.endif.endif.if.i, %B594.else.endif.endif.i
+  %.1638.sroa.13.1.i = phi i64 [ 0, %B594.else.endif.endif.if.i ], [ %.1667.i, %B594.else.endif.endif.i ]
+  %.1675.not.i = icmp slt i64 %.1667.i, %arg.n_polar
+  br i1 %.1675.not.i, label %B594.else.endif.endif.endif.endif.i, label %B594.else.endif.endif.endif.if.i, !prof !4
+
+B594.else.endif.endif.endif.if.i:                 ; preds = %B594.else.endif.endif.endif.i
+  br label %B594.else.endif.endif.endif.endif.i
+
+B594.else.endif.endif.endif.endif.i:              ; preds = %B594.else.endif.endif.endif.if.i, %B594.else.endif.endif.endif.i
+  %.1638.sroa.13.2.i = phi i64 [ %arg.n_polar, %B594.else.endif.endif.endif.if.i ], [ %.1638.sroa.13.1.i, %B594.else.endif.endif.endif.i ]
+  %.1726.i = sub nsw i64 %.1638.sroa.13.2.i, %.1638.sroa.0.3.i
+  %.1735.i = tail call i64 @llvm.smax.i64(i64 %.1726.i, i64 0)
+  %.1751.i = getelementptr double, ptr %arg.amplitude, i64 %.1638.sroa.0.3.i
+  br i1 %.1653.i, label %B594.endif.else.if.i, label %B594.endif.else.endif.i, !prof !3
+
+B594.endif.else.if.i:                             ; preds = %B594.else.endif.endif.endif.endif.i
+  br label %B594.endif.else.endif.i
+
+B594.endif.else.endif.i:                          ; preds = %B594.endif.else.if.i, %B594.else.endif.endif.endif.endif.i
+  %.1832.sroa.0.1.i = phi i64 [ 0, %B594.endif.else.if.i ], [ %.1650.i, %B594.else.endif.endif.endif.endif.i ]
+  br i1 %.1658.not.i, label %B594.endif.else.endif.endif.i, label %B594.endif.else.endif.if.i, !prof !4
+
+B594.endif.else.endif.if.i:                       ; preds = %B594.endif.else.endif.i
+  br label %B594.endif.else.endif.endif.i
+
+B594.endif.else.endif.endif.i:                    ; preds = %B594.endif.else.endif.if.i, %B594.endif.else.endif.i
+  %.1832.sroa.0.3.i = phi i64 [ %arg.n_polar, %B594.endif.else.endif.if.i ], [ %.1832.sroa.0.1.i, %B594.endif.else.endif.i ]
+  br i1 %.1670.i, label %B594.endif.else.endif.endif.if.i, label %B594.endif.else.endif.endif.endif.i, !prof !3
+
+B594.endif.else.endif.endif.if.i:                 ; preds = %B594.endif.else.endif.endif.i
+  br label %B594.endif.else.endif.endif.endif.i
+
+B594.endif.else.endif.endif.endif.i:              ; preds = %B594.endif.else.endif.endif.if.i, %B594.endif.else.endif.endif.i
+  %.1832.sroa.13.1.i = phi i64 [ 0, %B594.endif.else.endif.endif.if.i ], [ %.1667.i, %B594.endif.else.endif.endif.i ]
+  br i1 %.1675.not.i, label %B594.endif.else.endif.endif.endif.endif.i, label %B594.endif.else.endif.endif.endif.if.i, !prof !4
+
+B594.endif.else.endif.endif.endif.if.i:           ; preds = %B594.endif.else.endif.endif.endif.i
+  br label %B594.endif.else.endif.endif.endif.endif.i
+
+B594.endif.else.endif.endif.endif.endif.i:        ; preds = %B594.endif.else.endif.endif.endif.if.i, %B594.endif.else.endif.endif.endif.i
+  %.1832.sroa.13.2.i = phi i64 [ %arg.n_polar, %B594.endif.else.endif.endif.endif.if.i ], [ %.1832.sroa.13.1.i, %B594.endif.else.endif.endif.endif.i ]
+  %.1920.i = sub nsw i64 %.1832.sroa.13.2.i, %.1832.sroa.0.3.i
+  %.1929.i = tail call i64 @llvm.smax.i64(i64 %.1920.i, i64 0)
+  %.1945.i = getelementptr double, ptr %arg.phase, i64 %.1832.sroa.0.3.i
+  br label %B756.i
+
+B672.else.if.i:                                   ; preds = %B672.i
+  br label %B672.else.endif.i
+
+B672.else.endif.i:                                ; preds = %B672.else.if.i, %B672.i
+  %.2023.sroa.0.1.i = phi i64 [ 0, %B672.else.if.i ], [ %.695.i, %B672.i ]
+  br i1 %.703.not.i, label %B672.else.endif.endif.i, label %B672.else.endif.if.i, !prof !4
+
+B672.else.endif.if.i:                             ; preds = %B672.else.endif.i
+  br label %B672.else.endif.endif.i
+
+B672.else.endif.endif.i:                          ; preds = %B672.else.endif.if.i, %B672.else.endif.i
+  %.2023.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B672.else.endif.if.i ], [ %.2023.sroa.0.1.i, %B672.else.endif.i ]
+  %.2050.i = icmp slt i64 %.1995.i, 0
+  %.2051.i = select i1 %.2050.i, i64 %arg.n_scratch, i64 0
+  %.2052.i = add i64 %.2051.i, %.1995.i
+  %.2055.i = icmp slt i64 %.2052.i, 0
+  br i1 %.2055.i, label %B672.else.endif.endif.if.i, label %B672.else.endif.endif.endif.i, !prof !3
+
+B672.else.endif.endif.if.i:                       ; preds = %B672.else.endif.endif.i
+  br label %B672.else.endif.endif.endif.i
+
+B672.else.endif.endif.endif.i:                    ; preds = %B672.else.endif.endif.if.i, %B672.else.endif.endif.i
+  %.2023.sroa.13.1.i = phi i64 [ 0, %B672.else.endif.endif.if.i ], [ %.2052.i, %B672.else.endif.endif.i ]
+  %.2060.not.i = icmp slt i64 %.2052.i, %arg.n_scratch
+  br i1 %.2060.not.i, label %B672.else.endif.endif.endif.endif.i, label %B672.else.endif.endif.endif.if.i, !prof !4
+
+B672.else.endif.endif.endif.if.i:                 ; preds = %B672.else.endif.endif.endif.i
+  br label %B672.else.endif.endif.endif.endif.i
+
+B672.else.endif.endif.endif.endif.i:              ; preds = %B672.else.endif.endif.endif.if.i, %B672.else.endif.endif.endif.i
+  %.2023.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B672.else.endif.endif.endif.if.i ], [ %.2023.sroa.13.1.i, %B672.else.endif.endif.endif.i ]
+  %.2111.i = sub i64 %.2023.sroa.13.2.i, %.2023.sroa.0.3.i
+  %.2120.i = tail call i64 @llvm.smax.i64(i64 %.2111.i, i64 0)
+  %.2136.i = getelementptr double, ptr %arg.scratch, i64 %.2023.sroa.0.3.i
+  %.2184.i = add nsw i64 %.1590.i, %.2180.i
+  br i1 %51, label %B672.endif.else.if.i, label %B672.endif.else.endif.i, !prof !3
+
+B672.endif.else.if.i:                             ; preds = %B672.else.endif.endif.endif.endif.i
+  br label %B672.endif.else.endif.i
+
+B672.endif.else.endif.i:                          ; preds = %B672.endif.else.if.i, %B672.else.endif.endif.endif.endif.i
+  %.2211.sroa.0.1.i = phi i64 [ 0, %B672.endif.else.if.i ], [ %.2223.i, %B672.else.endif.endif.endif.endif.i ]
+  br i1 %52, label %B672.endif.else.endif.endif.i, label %B672.endif.else.endif.if.i, !prof !4
+
+B672.endif.else.endif.if.i:                       ; preds = %B672.endif.else.endif.i
+  br label %B672.endif.else.endif.endif.i
+
+B672.endif.else.endif.endif.i:                    ; preds = %B672.endif.else.endif.if.i, %B672.endif.else.endif.i
+  %.2211.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B672.endif.else.endif.if.i ], [ %.2211.sroa.0.1.i, %B672.endif.else.endif.i ]
+  %.2238.i = icmp slt i64 %.2184.i, 0
+  %.2239.i = select i1 %.2238.i, i64 %arg.n_scratch, i64 0
+  %.2240.i = add i64 %.2239.i, %.2184.i
+  %.2243.i = icmp slt i64 %.2240.i, 0
+  br i1 %.2243.i, label %B672.endif.else.endif.endif.if.i, label %B672.endif.else.endif.endif.endif.i, !prof !3
+
+B672.endif.else.endif.endif.if.i:                 ; preds = %B672.endif.else.endif.endif.i
+  br label %B672.endif.else.endif.endif.endif.i
+
+B672.endif.else.endif.endif.endif.i:              ; preds = %B672.endif.else.endif.endif.if.i, %B672.endif.else.endif.endif.i
+  %.2211.sroa.13.1.i = phi i64 [ 0, %B672.endif.else.endif.endif.if.i ], [ %.2240.i, %B672.endif.else.endif.endif.i ]
+  %.2248.not.i = icmp slt i64 %.2240.i, %arg.n_scratch
+  br i1 %.2248.not.i, label %B672.endif.else.endif.endif.endif.endif.i, label %B672.endif.else.endif.endif.endif.if.i, !prof !4
+
+B672.endif.else.endif.endif.endif.if.i:           ; preds = %B672.endif.else.endif.endif.endif.i
+  br label %B672.endif.else.endif.endif.endif.endif.i
+
+B672.endif.else.endif.endif.endif.endif.i:        ; preds = %B672.endif.else.endif.endif.endif.if.i, %B672.endif.else.endif.endif.endif.i
+  %.2211.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B672.endif.else.endif.endif.endif.if.i ], [ %.2211.sroa.13.1.i, %B672.endif.else.endif.endif.endif.i ]
+  %.2299.i = sub i64 %.2211.sroa.13.2.i, %.2211.sroa.0.3.i
+  %.2308.i = tail call i64 @llvm.smax.i64(i64 %.2299.i, i64 0)
+  %.2324.i = getelementptr double, ptr %arg.scratch, i64 %.2211.sroa.0.3.i
+  br label %B756.i
+
+B756.else.if.i:                                   ; preds = %B756.i
+  br label %B756.else.endif.i
+
+B756.else.endif.i:                                ; preds = %B756.else.if.i, %B756.i
+  %.2396.sroa.0.1.i = phi i64 [ 0, %B756.else.if.i ], [ %.2408.i, %B756.i ]
+  %.2416.not.i = icmp slt i64 %.2408.i, %arg.points
+  br i1 %.2416.not.i, label %B756.else.endif.endif.i, label %B756.else.endif.if.i, !prof !4
+
+B756.else.endif.if.i:                             ; preds = %B756.else.endif.i
+  br label %B756.else.endif.endif.i
+
+B756.else.endif.endif.i:                          ; preds = %B756.else.endif.if.i, %B756.else.endif.i
+  %.2396.sroa.0.3.i = phi i64 [ %arg.points, %B756.else.endif.if.i ], [ %.2396.sroa.0.1.i, %B756.else.endif.i ]
+  %.2423.i = icmp slt i64 %.13.i.i, 0
+  %.2424.i = select i1 %.2423.i, i64 %arg.points, i64 0
+  %.2425.i = add i64 %.2424.i, %.13.i.i
+  %.2428.i = icmp slt i64 %.2425.i, 0
+  br i1 %.2428.i, label %B756.else.endif.endif.if.i, label %B756.else.endif.endif.endif.i, !prof !3
+
+B756.else.endif.endif.if.i:                       ; preds = %B756.else.endif.endif.i
+  br label %B756.else.endif.endif.endif.i
+
+B756.else.endif.endif.endif.i:                    ; preds = %B756.else.endif.endif.if.i, %B756.else.endif.endif.i
+  %.2396.sroa.13.1.i = phi i64 [ 0, %B756.else.endif.endif.if.i ], [ %.2425.i, %B756.else.endif.endif.i ]
+  %.2433.not.i = icmp slt i64 %.2425.i, %arg.points
+  br i1 %.2433.not.i, label %B756.else.endif.endif.endif.endif.i, label %B756.else.endif.endif.endif.if.i, !prof !4
+
+B756.else.endif.endif.endif.if.i:                 ; preds = %B756.else.endif.endif.endif.i
+  br label %B756.else.endif.endif.endif.endif.i
+
+B756.else.endif.endif.endif.endif.i:              ; preds = %B756.else.endif.endif.endif.if.i, %B756.else.endif.endif.endif.i
+  %.2396.sroa.13.2.i = phi i64 [ %arg.points, %B756.else.endif.endif.endif.if.i ], [ %.2396.sroa.13.1.i, %B756.else.endif.endif.endif.i ]
+  %.2484.i = sub i64 %.2396.sroa.13.2.i, %.2396.sroa.0.3.i
+  %.2493.i = tail call i64 @llvm.smax.i64(i64 %.2484.i, i64 0)
+  %.2509.i = getelementptr double, ptr %arg.f, i64 %.2396.sroa.0.3.i
+  br i1 %.2411.i, label %B756.endif.else.if.i, label %B756.endif.else.endif.i, !prof !3
+
+B756.endif.else.if.i:                             ; preds = %B756.else.endif.endif.endif.endif.i
+  br label %B756.endif.else.endif.i
+
+B756.endif.else.endif.i:                          ; preds = %B756.endif.else.if.i, %B756.else.endif.endif.endif.endif.i
+  %.2569.sroa.0.1.i = phi i64 [ 0, %B756.endif.else.if.i ], [ %.2408.i, %B756.else.endif.endif.endif.endif.i ]
+  br i1 %.2416.not.i, label %B756.endif.else.endif.endif.i, label %B756.endif.else.endif.if.i, !prof !4
+
+B756.endif.else.endif.if.i:                       ; preds = %B756.endif.else.endif.i
+  br label %B756.endif.else.endif.endif.i
+
+B756.endif.else.endif.endif.i:                    ; preds = %B756.endif.else.endif.if.i, %B756.endif.else.endif.i
+  %.2569.sroa.0.3.i = phi i64 [ %arg.points, %B756.endif.else.endif.if.i ], [ %.2569.sroa.0.1.i, %B756.endif.else.endif.i ]
+  br i1 %.2428.i, label %B756.endif.else.endif.endif.if.i, label %B756.endif.else.endif.endif.endif.i, !prof !3
+
+B756.endif.else.endif.endif.if.i:                 ; preds = %B756.endif.else.endif.endif.i
+  br label %B756.endif.else.endif.endif.endif.i
+
+B756.endif.else.endif.endif.endif.i:              ; preds = %B756.endif.else.endif.endif.if.i, %B756.endif.else.endif.endif.i
+  %.2569.sroa.13.1.i = phi i64 [ 0, %B756.endif.else.endif.endif.if.i ], [ %.2425.i, %B756.endif.else.endif.endif.i ]
+  br i1 %.2433.not.i, label %B756.endif.else.endif.endif.endif.endif.i, label %B756.endif.else.endif.endif.endif.if.i, !prof !4
+
+B756.endif.else.endif.endif.endif.if.i:           ; preds = %B756.endif.else.endif.endif.endif.i
+  br label %B756.endif.else.endif.endif.endif.endif.i
+
+B756.endif.else.endif.endif.endif.endif.i:        ; preds = %B756.endif.else.endif.endif.endif.if.i, %B756.endif.else.endif.endif.endif.i
+  %.2569.sroa.13.2.i = phi i64 [ %arg.points, %B756.endif.else.endif.endif.endif.if.i ], [ %.2569.sroa.13.1.i, %B756.endif.else.endif.endif.endif.i ]
+  %.2657.i = sub i64 %.2569.sroa.13.2.i, %.2569.sroa.0.3.i
+  %.2666.i = tail call i64 @llvm.smax.i64(i64 %.2657.i, i64 0)
+  %.2682.i = getelementptr double, ptr %arg.log_f, i64 %.2569.sroa.0.3.i
+  br i1 %.2411.i, label %B756.endif.endif.else.if.i, label %B756.endif.endif.else.endif.i, !prof !3
+
+B756.endif.endif.else.if.i:                       ; preds = %B756.endif.else.endif.endif.endif.endif.i
+  br label %B756.endif.endif.else.endif.i
+
+B756.endif.endif.else.endif.i:                    ; preds = %B756.endif.endif.else.if.i, %B756.endif.else.endif.endif.endif.endif.i
+  %.2746.sroa.0.1.i = phi i64 [ 0, %B756.endif.endif.else.if.i ], [ %.2408.i, %B756.endif.else.endif.endif.endif.endif.i ]
+  br i1 %.2416.not.i, label %B756.endif.endif.else.endif.endif.i, label %B756.endif.endif.else.endif.if.i, !prof !4
+
+B756.endif.endif.else.endif.if.i:                 ; preds = %B756.endif.endif.else.endif.i
+  br label %B756.endif.endif.else.endif.endif.i
+
+B756.endif.endif.else.endif.endif.i:              ; preds = %B756.endif.endif.else.endif.if.i, %B756.endif.endif.else.endif.i
+  %.2746.sroa.0.3.i = phi i64 [ %arg.points, %B756.endif.endif.else.endif.if.i ], [ %.2746.sroa.0.1.i, %B756.endif.endif.else.endif.i ]
+  br i1 %.2428.i, label %B756.endif.endif.else.endif.endif.if.i, label %B756.endif.endif.else.endif.endif.endif.i, !prof !3
+
+B756.endif.endif.else.endif.endif.if.i:           ; preds = %B756.endif.endif.else.endif.endif.i
+  br label %B756.endif.endif.else.endif.endif.endif.i
+
+B756.endif.endif.else.endif.endif.endif.i:        ; preds = %B756.endif.endif.else.endif.endif.if.i, %B756.endif.endif.else.endif.endif.i
+  %.2746.sroa.13.1.i = phi i64 [ 0, %B756.endif.endif.else.endif.endif.if.i ], [ %.2425.i, %B756.endif.endif.else.endif.endif.i ]
+  br i1 %.2433.not.i, label %B756.endif.endif.else.endif.endif.endif.endif.i, label %B756.endif.endif.else.endif.endif.endif.if.i, !prof !4
+
+B756.endif.endif.else.endif.endif.endif.if.i:     ; preds = %B756.endif.endif.else.endif.endif.endif.i
+  br label %B756.endif.endif.else.endif.endif.endif.endif.i
+
+B756.endif.endif.else.endif.endif.endif.endif.i:  ; preds = %B756.endif.endif.else.endif.endif.endif.if.i, %B756.endif.endif.else.endif.endif.endif.i
+  %.2746.sroa.13.2.i = phi i64 [ %arg.points, %B756.endif.endif.else.endif.endif.endif.if.i ], [ %.2746.sroa.13.1.i, %B756.endif.endif.else.endif.endif.endif.i ]
+  %.2834.i = sub i64 %.2746.sroa.13.2.i, %.2746.sroa.0.3.i
+  %.2843.i = tail call i64 @llvm.smax.i64(i64 %.2834.i, i64 0)
+  %.2859.i = getelementptr double, ptr %arg.cbrt_f, i64 %.2746.sroa.0.3.i
+  call void @llvm.lifetime.start.p0(ptr nonnull %.2457.i.i), !noalias !0
+  call void @llvm.lifetime.start.p0(ptr nonnull %.3111.i.i), !noalias !0
+  store ptr null, ptr %.2457.i.i, align 8, !noalias !57
+  store ptr null, ptr %.3111.i.i, align 8, !noalias !57
+  %.210.i.i = load double, ptr %.209.i3.i, align 8, !noalias !57
+  %.211.i.i = fmul contract double %.210.i.i, 0x3ED4A8B4A9ED04E3
+  %.244.i.i = load i64, ptr %.243.i.i, align 8, !noalias !57
+  %.258.i.i = icmp slt i64 %.244.i.i, 0
+  %.259.i.i = select i1 %.258.i.i, i64 %arg.n_weights, i64 0
+  %192 = getelementptr double, ptr %arg.weights, i64 %.244.i.i
+  %.273.i.i = getelementptr double, ptr %192, i64 %.259.i.i
+  %.274.i.i = load double, ptr %.273.i.i, align 8, !noalias !57
+  %.319.i4.i = icmp slt i64 %.244.i.i, -1
+  %.320.i.i = select i1 %.319.i4.i, i64 %arg.n_weights, i64 0
+  %193 = getelementptr i8, ptr %192, i64 8
+  %.334.i5.i = getelementptr double, ptr %193, i64 %.320.i.i
+  %.335.i6.i = load double, ptr %.334.i5.i, align 8, !noalias !57
+  %.342.i.i = fmul contract double %.274.i.i, 0x3FEFFFFFFF768FA1
+  %.347.i.i = fdiv contract double %.342.i.i, %.211.i.i
+  %.44.i.not.i.i = icmp slt i64 %.2484.i, 1
+  br i1 %.44.i.not.i.i, label %B118.i.i.i, label %B28.i.i.i
+
+B28.i.i.i:                                        ; preds = %B756.endif.endif.else.endif.endif.endif.endif.i
+  %.94.i.i.i = load double, ptr %.2509.i, align 8, !noalias !60
+  %.98.i.i.i = fcmp contract ugt double %.94.i.i.i, %.347.i.i
+  br i1 %.98.i.i.i, label %B118.i.i.i, label %B52.i.i.i
+
+B52.i.i.i:                                        ; preds = %B28.i.i.i, %B94.i.i.i
+  %step.2.1.i.i.i = phi i64 [ %.123.i.i.i, %B94.i.i.i ], [ 1, %B28.i.i.i ]
+  %high.4.1.i.i.i = phi i64 [ %.113.i.i.i, %B94.i.i.i ], [ 0, %B28.i.i.i ]
+  %.113.i.i.i = add nuw nsw i64 %high.4.1.i.i.i, %step.2.1.i.i.i
+  %.131.i.i.i = icmp slt i64 %.113.i.i.i, %.2493.i
+  br i1 %.131.i.i.i, label %B94.i.i.i, label %B118.loopexit.i.i.i
+
+B94.i.i.i:                                        ; preds = %B52.i.i.i
+  %.123.i.i.i = shl nsw i64 %step.2.1.i.i.i, 1
+  %.178.i.i.i = getelementptr double, ptr %.2509.i, i64 %.113.i.i.i
+  %.179.i.i.i = load double, ptr %.178.i.i.i, align 8, !noalias !60
+  %.183.i.i.i = fcmp contract ugt double %.179.i.i.i, %.347.i.i
+  br i1 %.183.i.i.i, label %B118.loopexit.i.i.i, label %B52.i.i.i
+
+B118.loopexit.i.i.i:                              ; preds = %B94.i.i.i, %B52.i.i.i
+  %.104.le.i.i.i = add nuw nsw i64 %high.4.1.i.i.i, 1
+  %194 = tail call i64 @llvm.smin.i64(i64 %.113.i.i.i, i64 range(i64 0, -9223372036854775808) %.2493.i)
+  br label %B118.i.i.i
+
+B118.i.i.i:                                       ; preds = %B118.loopexit.i.i.i, %B28.i.i.i, %B756.endif.endif.else.endif.endif.endif.endif.i
+  %low.3.0.i.i.i = phi i64 [ 0, %B28.i.i.i ], [ 0, %B756.endif.endif.else.endif.endif.endif.endif.i ], [ %.104.le.i.i.i, %B118.loopexit.i.i.i ]
+  %high.5.0.i.i.i = phi i64 [ 0, %B28.i.i.i ], [ 0, %B756.endif.endif.else.endif.endif.endif.endif.i ], [ %194, %B118.loopexit.i.i.i ]
+  %.238.i.i.i = icmp slt i64 %low.3.0.i.i.i, %high.5.0.i.i.i
+  br i1 %.238.i.i.i, label %B146.i.i.i, label %B0.endif.endif.i.i
+
+B146.i.i.i:                                       ; preds = %B118.i.i.i, %B146.i.i.i
+  %low.4.0.i.i.i = phi i64 [ %low.5.1.i.i.i, %B146.i.i.i ], [ %low.3.0.i.i.i, %B118.i.i.i ]
+  %high.7.0.i.i.i = phi i64 [ %high.8.1.i.i.i, %B146.i.i.i ], [ %high.5.0.i.i.i, %B118.i.i.i ]
+  %.251.i.i.i = add nsw i64 %high.7.0.i.i.i, %low.4.0.i.i.i
+  %.259.1.i.i.i = ashr i64 %.251.i.i.i, 1
+  %.309.i.i.i = icmp slt i64 %.259.1.i.i.i, 0
+  %.310.i.i.i = select i1 %.309.i.i.i, i64 %.2493.i, i64 0
+  %195 = getelementptr double, ptr %.2509.i, i64 %.259.1.i.i.i
+  %.324.i.i.i = getelementptr double, ptr %195, i64 %.310.i.i.i
+  %.325.i.i.i = load double, ptr %.324.i.i.i, align 8, !noalias !60
+  %.327.i.i.i = fcmp contract ole double %.325.i.i.i, %.347.i.i
+  %.338.i.i.i = add nsw i64 %.259.1.i.i.i, 1
+  %high.8.1.i.i.i = select i1 %.327.i.i.i, i64 %high.7.0.i.i.i, i64 %.259.1.i.i.i
+  %low.5.1.i.i.i = select i1 %.327.i.i.i, i64 %.338.i.i.i, i64 %low.4.0.i.i.i
+  %.369.i.i.i = icmp slt i64 %low.5.1.i.i.i, %high.8.1.i.i.i
+  br i1 %.369.i.i.i, label %B146.i.i.i, label %B0.endif.endif.i.i
+
+B554.i.i:                                         ; preds = %B154.i.i.i, %B416.else.endif.endif.endif.endif.i.i, %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i
+  %.1516.i.i = icmp slt i64 %low.6.1.i.i.i, %low.6.1.i7.i.i
+  br i1 %.1516.i.i, label %B566.i.i, label %B960.i.i
+
+B566.i.i:                                         ; preds = %B554.i.i
+  %.1556.i.i = icmp slt i64 %low.6.1.i.i.i, 0
+  %.1557.i.i = select i1 %.1556.i.i, i64 %.2666.i, i64 0
+  %.1558.i.i = add i64 %.1557.i.i, %low.6.1.i.i.i
+  %.1561.i.i = icmp slt i64 %.1558.i.i, 0
+  br i1 %.1561.i.i, label %B566.else.if.i.i, label %B566.else.endif.i.i, !prof !3
+
+B960.i.i:                                         ; preds = %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i, %B554.i.i
+  %.3218.i.i = load double, ptr %.1169.i, align 8, !noalias !57
+  %.5.i.i.i = fadd contract double %.3218.i.i, 1.000000e+00
+  %.147.i.i.i7.i = fmul contract double %.5.i.i.i, %.5.i.i.i
+  %.35.i.i.i = fdiv contract double %.3218.i.i, %.147.i.i.i7.i
+  %.3243.i.i = fmul contract double %.35.i.i.i, 0x3AD23C9F83511538
+  %.3273.i.i = load double, ptr %.209.i3.i, align 8, !noalias !57
+  %.3304.i.i = fmul contract double %.3273.i.i, %.3273.i.i
+  %.3305.i.i = fmul contract double %.3304.i.i, %.3243.i.i
+  %.3335.i.i = load double, ptr %.3334.i.i, align 8, !noalias !57
+  %.3339.i.i = fdiv contract double %.3305.i.i, %.3335.i.i
+  %.3395.i.i = icmp slt i64 %low.6.1.i7.i.i, 0
+  %.3396.i.i = select i1 %.3395.i.i, i64 %a.2.sroa.60.2.i, i64 0
+  %.3397.i.i = add i64 %.3396.i.i, %low.6.1.i7.i.i
+  %.3400.i.i = icmp slt i64 %.3397.i.i, 0
+  br i1 %.3400.i.i, label %B960.endif.endif.else.endif.endif.if.i.i, label %B960.endif.endif.else.endif.endif.endif.i.i, !prof !3
+
+B0.endif.endif.i.i:                               ; preds = %B146.i.i.i, %B118.i.i.i
+  %low.6.1.i.i.i = phi i64 [ %low.3.0.i.i.i, %B118.i.i.i ], [ %low.5.1.i.i.i, %B146.i.i.i ]
+  %.383.i.i = fmul contract double %.335.i6.i, 0x3FF000000044B830
+  %.388.i.i = fdiv contract double %.383.i.i, %.211.i.i
+  %.44.i1.i.i = icmp slt i64 %low.6.1.i.i.i, %.2493.i
+  br i1 %.44.i1.i.i, label %B28.i22.i.i, label %B118.i2.i.i
+
+B28.i22.i.i:                                      ; preds = %B0.endif.endif.i.i
+  %.78.i.i.i = icmp slt i64 %low.6.1.i.i.i, 0
+  %.79.i.i.i = select i1 %.78.i.i.i, i64 %.2493.i, i64 0
+  %196 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i
+  %.93.i.i.i = getelementptr double, ptr %196, i64 %.79.i.i.i
+  %.94.i23.i.i = load double, ptr %.93.i.i.i, align 8, !noalias !63
+  %.98.i24.i.i = fcmp contract ugt double %.94.i23.i.i, %.388.i.i
+  br i1 %.98.i24.i.i, label %B118.i2.i.i, label %B52.i25.i.i
+
+B52.i25.i.i:                                      ; preds = %B28.i22.i.i, %B94.i32.i.i
+  %step.2.1.i26.i.i = phi i64 [ %.123.i33.i.i, %B94.i32.i.i ], [ 1, %B28.i22.i.i ]
+  %high.4.1.i27.i.i = phi i64 [ %.113.i28.i.i, %B94.i32.i.i ], [ %low.6.1.i.i.i, %B28.i22.i.i ]
+  %.113.i28.i.i = add nsw i64 %high.4.1.i27.i.i, %step.2.1.i26.i.i
+  %.131.i29.i.i = icmp slt i64 %.113.i28.i.i, %.2493.i
+  br i1 %.131.i29.i.i, label %B94.i32.i.i, label %B118.loopexit.i30.i.i
+
+B94.i32.i.i:                                      ; preds = %B52.i25.i.i
+  %.123.i33.i.i = shl nsw i64 %step.2.1.i26.i.i, 1
+  %.163.i.i.i = icmp slt i64 %.113.i28.i.i, 0
+  %.164.i.i.i = select i1 %.163.i.i.i, i64 %.2493.i, i64 0
+  %197 = getelementptr double, ptr %.2509.i, i64 %.113.i28.i.i
+  %.178.i34.i.i = getelementptr double, ptr %197, i64 %.164.i.i.i
+  %.179.i35.i.i = load double, ptr %.178.i34.i.i, align 8, !noalias !63
+  %.183.i36.i.i = fcmp contract ugt double %.179.i35.i.i, %.388.i.i
+  br i1 %.183.i36.i.i, label %B118.loopexit.i30.i.i, label %B52.i25.i.i
+
+B118.loopexit.i30.i.i:                            ; preds = %B94.i32.i.i, %B52.i25.i.i
+  %.104.le.i31.i.i = add nsw i64 %high.4.1.i27.i.i, 1
+  br label %B118.i2.i.i
+
+B118.i2.i.i:                                      ; preds = %B118.loopexit.i30.i.i, %B28.i22.i.i, %B0.endif.endif.i.i
+  %low.3.0.i3.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i22.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.104.le.i31.i.i, %B118.loopexit.i30.i.i ]
+  %high.5.0.i4.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i22.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.113.i28.i.i, %B118.loopexit.i30.i.i ]
+  %spec.select.i5.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i4.i.i, i64 range(i64 0, -9223372036854775808) %.2493.i)
+  %.238.i6.i.i = icmp slt i64 %low.3.0.i3.i.i, %spec.select.i5.i.i
+  br i1 %.238.i6.i.i, label %B146.i8.i.i, label %B0.endif.endif.endif.endif.i.i
+
+B146.i8.i.i:                                      ; preds = %B118.i2.i.i, %B146.i8.i.i
+  %low.4.0.i9.i.i = phi i64 [ %low.5.1.i20.i.i, %B146.i8.i.i ], [ %low.3.0.i3.i.i, %B118.i2.i.i ]
+  %high.7.0.i10.i.i = phi i64 [ %high.8.1.i19.i.i, %B146.i8.i.i ], [ %spec.select.i5.i.i, %B118.i2.i.i ]
+  %.251.i11.i.i = add nsw i64 %high.7.0.i10.i.i, %low.4.0.i9.i.i
+  %.259.1.i12.i.i = ashr i64 %.251.i11.i.i, 1
+  %.309.i13.i.i = icmp slt i64 %.259.1.i12.i.i, 0
+  %.310.i14.i.i = select i1 %.309.i13.i.i, i64 %.2493.i, i64 0
+  %198 = getelementptr double, ptr %.2509.i, i64 %.259.1.i12.i.i
+  %.324.i15.i.i = getelementptr double, ptr %198, i64 %.310.i14.i.i
+  %.325.i16.i.i = load double, ptr %.324.i15.i.i, align 8, !noalias !63
+  %.327.i17.i.i = fcmp contract ole double %.325.i16.i.i, %.388.i.i
+  %.338.i18.i.i = add nsw i64 %.259.1.i12.i.i, 1
+  %high.8.1.i19.i.i = select i1 %.327.i17.i.i, i64 %high.7.0.i10.i.i, i64 %.259.1.i12.i.i
+  %low.5.1.i20.i.i = select i1 %.327.i17.i.i, i64 %.338.i18.i.i, i64 %low.4.0.i9.i.i
+  %.369.i21.i.i = icmp slt i64 %low.5.1.i20.i.i, %high.8.1.i19.i.i
+  br i1 %.369.i21.i.i, label %B146.i8.i.i, label %B0.endif.endif.endif.endif.i.i
+
+B0.endif.endif.endif.endif.i.i:                   ; preds = %B146.i8.i.i, %B118.i2.i.i
+  %low.6.1.i7.i.i = phi i64 [ %low.3.0.i3.i.i, %B118.i2.i.i ], [ %low.5.1.i20.i.i, %B146.i8.i.i ]
+  %.450.i.i = load i64, ptr %.426.i, align 8, !noalias !57
+  %.480.i.i = load i64, ptr %.456.i, align 8, !noalias !57
+  %.489.i.i = add nsw i64 %.480.i.i, %.450.i.i
+  %.490.i.i = shl nsw i64 %.489.i.i, 1
+  %.527.i.i = icmp slt i64 %.489.i.i, 0
+  %.528.i.i = select i1 %.527.i.i, i64 %.591.i, i64 0
+  %.529.i.i = add i64 %.528.i.i, %.490.i.i
+  %.532.i.i = icmp slt i64 %.529.i.i, 0
+  br i1 %.532.i.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !3
+
+B0.endif.endif.endif.endif.else.if.i.i:           ; preds = %B0.endif.endif.endif.endif.i.i
+  br label %B0.endif.endif.endif.endif.else.endif.i.i
+
+B0.endif.endif.endif.endif.else.endif.i.i:        ; preds = %B0.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endif.i.i
+  %.517.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.else.if.i.i ], [ %.529.i.i, %B0.endif.endif.endif.endif.i.i ]
+  %.537.not.i.i = icmp slt i64 %.529.i.i, %.591.i
+  br i1 %.537.not.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, !prof !4
+
+B0.endif.endif.endif.endif.else.endif.if.i.i:     ; preds = %B0.endif.endif.endif.endif.else.endif.i.i
+  br label %B0.endif.endif.endif.endif.else.endif.endif.i.i
+
+B0.endif.endif.endif.endif.else.endif.endif.i.i:  ; preds = %B0.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.else.endif.i.i
+  %.517.sroa.0.3.i.i = phi i64 [ %.591.i, %B0.endif.endif.endif.endif.else.endif.if.i.i ], [ %.517.sroa.0.1.i.i, %B0.endif.endif.endif.endif.else.endif.i.i ]
+  %.605.i.i = sub nsw i64 %.591.i, %.517.sroa.0.3.i.i
+  %.614.i.i = tail call i64 @llvm.smax.i64(i64 %.605.i.i, i64 0)
+  %.630.i.i = getelementptr double, ptr %.607.i, i64 %.517.sroa.0.3.i.i
+  %.669.i.i = shl nsw i64 %.450.i.i, 1
+  %.673.i.i = add nsw i64 %.669.i.i, %.480.i.i
+  %.710.i.i = icmp slt i64 %.450.i.i, 0
+  %.711.i.i = select i1 %.710.i.i, i64 %.591.i, i64 0
+  %.712.i.i = add i64 %.711.i.i, %.669.i.i
+  %.715.i.i = icmp slt i64 %.712.i.i, 0
+  br i1 %.715.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !3
+
+B0.endif.endif.endif.endif.endif.else.if.i.i:     ; preds = %B0.endif.endif.endif.endif.else.endif.endif.i.i
+  br label %B0.endif.endif.endif.endif.endif.else.endif.i.i
+
+B0.endif.endif.endif.endif.endif.else.endif.i.i:  ; preds = %B0.endif.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endif.else.endif.endif.i.i
+  %.700.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if.i.i ], [ %.712.i.i, %B0.endif.endif.endif.endif.else.endif.endif.i.i ]
+  %.720.not.i.i = icmp slt i64 %.712.i.i, %.591.i
+  br i1 %.720.not.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !4
+
+B0.endif.endif.endif.endif.endif.else.endif.if.i.i: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.i.i
+  br label %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i
+
+B0.endif.endif.endif.endif.endif.else.endif.endif.i.i: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i
+  %.700.sroa.0.3.i.i = phi i64 [ %.591.i, %B0.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.700.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.727.i.i = icmp slt i64 %.673.i.i, 0
+  %.728.i.i = select i1 %.727.i.i, i64 %.591.i, i64 0
+  %.729.i.i = add i64 %.728.i.i, %.673.i.i
+  %.732.i.i = icmp slt i64 %.729.i.i, 0
+  %.737.not.i.i = icmp slt i64 %.729.i.i, %.591.i
+  %.813.i.i = getelementptr double, ptr %.607.i, i64 %.700.sroa.0.3.i.i
+  %.852.i.i = icmp sgt i64 %low.6.1.i.i.i, 0
+  br i1 %.852.i.i, label %B416.else.endif.i.i, label %B554.i.i
+
+B416.else.endif.i.i:                              ; preds = %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i
+  %.918.not.i.i = icmp slt i64 %low.6.1.i.i.i, %a.2.sroa.60.2.i
+  br i1 %.918.not.i.i, label %B416.else.endif.endif.endif.endif.i.i, label %B416.else.endif.endif.endif.if.i.i, !prof !4
+
+B416.else.endif.endif.endif.if.i.i:               ; preds = %B416.else.endif.i.i
+  br label %B416.else.endif.endif.endif.endif.i.i
+
+B416.else.endif.endif.endif.endif.i.i:            ; preds = %B416.else.endif.endif.endif.if.i.i, %B416.else.endif.i.i
+  %.881.sroa.13.2.i.i = phi i64 [ %a.2.sroa.60.2.i, %B416.else.endif.endif.endif.if.i.i ], [ %low.6.1.i.i.i, %B416.else.endif.i.i ]
+  %.1406.i.i = load double, ptr %.607.i, align 8, !noalias !57
+  %.1436.i.i = load double, ptr %.813.i.i, align 8, !noalias !57
+  %.1465.i.i = getelementptr i8, ptr %.630.i.i, i64 8
+  %.1466.i.i = load double, ptr %.1465.i.i, align 8, !noalias !57
+  %.153112.not.i.i.i = icmp slt i64 %.881.sroa.13.2.i.i, 1
+  br i1 %.153112.not.i.i.i, label %B554.i.i, label %B56.if.i.i.i
+
+B116.i.i.i:                                       ; preds = %B56.if.i.i.i
+  %.6.i.i.i.i = fmul contract double %.237.i.i.i, 0x400921FB54442D18
+  %.7.i.i.i.i = fmul contract double %.6.i.i.i.i, 0x3FE45F306DC9C883
+  %.8.i.i.i.i = fadd contract double %.7.i.i.i.i, 0x4338000000000000
+  %.9.i.i.i.i = fadd contract double %.8.i.i.i.i, 0xC338000000000000
+  %.27.i.i.i34.i = fmul contract double %.9.i.i.i.i, 0x3FF921FA00000000
+  %.28.i.i.i35.i = fsub contract double %.6.i.i.i.i, %.27.i.i.i34.i
+  %.46.i.i.i36.i = fmul contract double %.9.i.i.i.i, 0x3EB5444200000000
+  %.47.i.i.i37.i = fsub contract double %.28.i.i.i35.i, %.46.i.i.i36.i
+  %.65.i.i.i.i = fmul contract double %.9.i.i.i.i, 0x3D6A308C00000000
+  %.66.i.i.i.i = fsub contract double %.47.i.i.i37.i, %.65.i.i.i.i
+  %.84.i.i.i.i = fmul contract double %.9.i.i.i.i, 0x3C2313198A2E0370
+  %.85.i.i.i.i = fsub contract double %.66.i.i.i.i, %.84.i.i.i.i
+  %.86.i.i.i.i = fmul contract double %.85.i.i.i.i, %.85.i.i.i.i
+  %.87.i.i.i.i = fmul contract double %.85.i.i.i.i, %.86.i.i.i.i
+  %.88.i.i.i.i = fmul contract double %.86.i.i.i.i, 0x3D6AE7F3E733B81F
+  %199 = fsub contract double 0x3DE6124613A86D09, %.88.i.i.i.i
+  %.90.i.i.i.i = fmul contract double %.86.i.i.i.i, %199
+  %.91.i.i.i.i = fadd contract double %.90.i.i.i.i, 0xBE5AE64567F544E4
+  %.92.i.i.i.i = fmul contract double %.86.i.i.i.i, %.91.i.i.i.i
+  %.93.i.i.i.i = fadd contract double %.92.i.i.i.i, 0x3EC71DE3A556C734
+  %.94.i.i.i.i = fmul contract double %.86.i.i.i.i, %.93.i.i.i.i
+  %.95.i.i.i.i = fadd contract double %.94.i.i.i.i, 0xBF2A01A01A01A01A
+  %.96.i.i.i.i = fmul contract double %.86.i.i.i.i, %.95.i.i.i.i
+  %.97.i.i.i.i = fadd contract double %.96.i.i.i.i, 0x3F81111111111111
+  %.98.i.i.i.i = fmul contract double %.86.i.i.i.i, %.97.i.i.i.i
+  %.99.i.i.i.i = fadd contract double %.98.i.i.i.i, 0xBFC5555555555555
+  %.100.i.i.i.i = fmul contract double %.87.i.i.i.i, %.99.i.i.i.i
+  %.101.i.i.i38.i = fadd contract double %.85.i.i.i.i, %.100.i.i.i.i
+  %.102.i.i.i.i = fmul contract double %.86.i.i.i.i, 0x3D2AE7F3E733B81F
+  %.103.i.i.i39.i = fadd contract double %.102.i.i.i.i, 0xBDA93974A8C07C9D
+  %.104.i.i.i40.i = fmul contract double %.86.i.i.i.i, %.103.i.i.i39.i
+  %.105.i.i.i41.i = fadd contract double %.104.i.i.i40.i, 0x3E21EED8EFF8D898
+  %.106.i.i.i42.i = fmul contract double %.86.i.i.i.i, %.105.i.i.i41.i
+  %.107.i.i.i43.i = fadd contract double %.106.i.i.i42.i, 0xBE927E4FB7789F5C
+  %.108.i.i.i44.i = fmul contract double %.86.i.i.i.i, %.107.i.i.i43.i
+  %.109.i.i.i45.i = fadd contract double %.108.i.i.i44.i, 0x3EFA01A01A01A01A
+  %.110.i.i.i.i = fmul contract double %.86.i.i.i.i, %.109.i.i.i45.i
+  %.111.i.i.i.i = fadd contract double %.110.i.i.i.i, 0xBF56C16C16C16C17
+  %.112.i.i.i.i = fmul contract double %.86.i.i.i.i, %.111.i.i.i.i
+  %.113.i.i.i.i = fadd contract double %.112.i.i.i.i, 0x3FA5555555555555
+  %.114.i.i.i.i = fmul contract double %.86.i.i.i.i, %.113.i.i.i.i
+  %.115.i.i.i.i = fadd contract double %.114.i.i.i.i, -5.000000e-01
+  %.116.i.i.i.i = fmul contract double %.86.i.i.i.i, %.115.i.i.i.i
+  %.117.i.i.i.i = fadd contract double %.116.i.i.i.i, 1.000000e+00
+  %.118.i.i.i.i = bitcast double %.8.i.i.i.i to i64
+  %.119.i.i.i.i = and i64 %.118.i.i.i.i, 1
+  %200 = icmp eq i64 %.119.i.i.i.i, 0
+  %.127.i.i.i.i = shl i64 %.118.i.i.i.i, 62
+  %.128.i.i.i.i = add i64 %.127.i.i.i.i, 4611686018427387904
+  %.129.i.i.i.i = and i64 %.128.i.i.i.i, -9223372036854775808
+  %.133.v.i.i.i.i = select i1 %200, double %.117.i.i.i.i, double %.101.i.i.i38.i
+  %.133.i.i.i.i = bitcast double %.133.v.i.i.i.i to i64
+  %.134.i.i.i46.i = xor i64 %.129.i.i.i.i, %.133.i.i.i.i
+  %.135.i.i.i47.i = bitcast i64 %.134.i.i.i46.i to double
+  %.151.i.i.i.i = fsub contract double 1.000000e+00, %.135.i.i.i47.i
+  %.152.i.i.i.i = fmul contract double %.151.i.i.i.i, 5.000000e-01
+  %.273.i.i48.i = fmul contract double %.1406.i.i, %.152.i.i.i.i
+  br label %B154.i.i.i
+
+B154.i.i.i:                                       ; preds = %B56.if.i.i.i, %B116.i.i.i
+  %"$phi154.1.2.1.i.i.i" = phi double [ %.273.i.i48.i, %B116.i.i.i ], [ 0.000000e+00, %B56.if.i.i.i ]
+  %scevgep6.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %202
+  store double %"$phi154.1.2.1.i.i.i", ptr %scevgep6.i.i, align 8, !noalias !66
+  %.319.i.i.i = fsub contract double %.226.i.i.i, %.274.i.i
+  %201 = fmul contract double %.1466.i.i, %.319.i.i.i
+  %.325.i37.i.i = fsub contract double %.1436.i.i, %201
+  %scevgep2.i33.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %202
+  store double %.325.i37.i.i, ptr %scevgep2.i33.i, align 8, !noalias !66
+  %exitcond.not.i.i.i = icmp eq i64 %.881.sroa.13.2.i.i, %.166.i.i.i
+  br i1 %exitcond.not.i.i.i, label %B554.i.i, label %B56.if.i.i.i
+
+B56.if.i.i.i:                                     ; preds = %B416.else.endif.endif.endif.endif.i.i, %B154.i.i.i
+  %.159111113.i.i.i = phi i64 [ %.166.i.i.i, %B154.i.i.i ], [ 0, %B416.else.endif.endif.endif.endif.i.i ]
+  %.166.i.i.i = add nuw nsw i64 %.159111113.i.i.i, 1
+  %202 = shl i64 %.159111113.i.i.i, 3
+  %scevgep2.i.i.i = getelementptr i8, ptr %.2509.i, i64 %202
+  %.224.i.i.i = load double, ptr %scevgep2.i.i.i, align 8, !noalias !66
+  %.226.i.i.i = fmul contract double %.211.i.i, %.224.i.i.i
+  %.231.i.i.i = fmul contract double %.226.i.i.i, 2.000000e+00
+  %.236.i.i32.i = fdiv contract double %.231.i.i.i, %.274.i.i
+  %.237.i.i.i = fadd contract double %.236.i.i32.i, -1.000000e+00
+  %.242.i.i.i = fcmp contract ogt double %.237.i.i.i, 0.000000e+00
+  br i1 %.242.i.i.i, label %B116.i.i.i, label %B154.i.i.i
+
+B566.else.if.i.i:                                 ; preds = %B566.i.i
+  br label %B566.else.endif.i.i
+
+B566.else.endif.i.i:                              ; preds = %B566.else.if.i.i, %B566.i.i
+  %.1546.sroa.0.1.i.i = phi i64 [ 0, %B566.else.if.i.i ], [ %.1558.i.i, %B566.i.i ]
+  %.1566.not.i.i = icmp slt i64 %.1558.i.i, %.2666.i
+  br i1 %.1566.not.i.i, label %B566.else.endif.endif.i.i, label %B566.else.endif.if.i.i, !prof !4
+
+B566.else.endif.if.i.i:                           ; preds = %B566.else.endif.i.i
+  br label %B566.else.endif.endif.i.i
+
+B566.else.endif.endif.i.i:                        ; preds = %B566.else.endif.if.i.i, %B566.else.endif.i.i
+  %.1546.sroa.0.3.i.i = phi i64 [ %.2666.i, %B566.else.endif.if.i.i ], [ %.1546.sroa.0.1.i.i, %B566.else.endif.i.i ]
+  %.1573.i.i = icmp slt i64 %low.6.1.i7.i.i, 0
+  %.1574.i.i = select i1 %.1573.i.i, i64 %.2666.i, i64 0
+  %.1575.i.i = add i64 %.1574.i.i, %low.6.1.i7.i.i
+  %.1578.i.i = icmp slt i64 %.1575.i.i, 0
+  br i1 %.1578.i.i, label %B566.else.endif.endif.if.i.i, label %B566.else.endif.endif.endif.i.i, !prof !3
+
+B566.else.endif.endif.if.i.i:                     ; preds = %B566.else.endif.endif.i.i
+  br label %B566.else.endif.endif.endif.i.i
+
+B566.else.endif.endif.endif.i.i:                  ; preds = %B566.else.endif.endif.if.i.i, %B566.else.endif.endif.i.i
+  %.1546.sroa.13.1.i.i = phi i64 [ 0, %B566.else.endif.endif.if.i.i ], [ %.1575.i.i, %B566.else.endif.endif.i.i ]
+  %.1583.not.i.i = icmp slt i64 %.1575.i.i, %.2666.i
+  br i1 %.1583.not.i.i, label %B566.else.endif.endif.endif.endif.i.i, label %B566.else.endif.endif.endif.if.i.i, !prof !4
+
+B566.else.endif.endif.endif.if.i.i:               ; preds = %B566.else.endif.endif.endif.i.i
+  br label %B566.else.endif.endif.endif.endif.i.i
+
+B566.else.endif.endif.endif.endif.i.i:            ; preds = %B566.else.endif.endif.endif.if.i.i, %B566.else.endif.endif.endif.i.i
+  %.1546.sroa.13.2.i.i = phi i64 [ %.2666.i, %B566.else.endif.endif.endif.if.i.i ], [ %.1546.sroa.13.1.i.i, %B566.else.endif.endif.endif.i.i ]
+  %.1634.i.i = sub nsw i64 %.1546.sroa.13.2.i.i, %.1546.sroa.0.3.i.i
+  %.1643.i.i = tail call i64 @llvm.smax.i64(i64 %.1634.i.i, i64 0)
+  %.1659.i.i = getelementptr double, ptr %.2682.i, i64 %.1546.sroa.0.3.i.i
+  %.1699.le.i.i = tail call contract double @llvm.log.f64(double %.211.i.i)
+  %.1733.i.i = load i64, ptr %.1732.i.i, align 8, !noalias !57
+  %.1765.i.i = add nsw i64 %.1733.i.i, %.450.i.i
+  %.1802.i.i = icmp slt i64 %.1733.i.i, 0
+  %.1803.i.i = select i1 %.1802.i.i, i64 %arg.n_weights, i64 0
+  %.1804.i.i = add i64 %.1803.i.i, %.1733.i.i
+  %.1807.i.i = icmp slt i64 %.1804.i.i, 0
+  br i1 %.1807.i.i, label %for.end.else.if.i.i, label %for.end.else.endif.i.i, !prof !3
+
+for.end.else.if.i.i:                              ; preds = %B566.else.endif.endif.endif.endif.i.i
+  br label %for.end.else.endif.i.i
+
+for.end.else.endif.i.i:                           ; preds = %for.end.else.if.i.i, %B566.else.endif.endif.endif.endif.i.i
+  %.1792.sroa.0.1.i.i = phi i64 [ 0, %for.end.else.if.i.i ], [ %.1804.i.i, %B566.else.endif.endif.endif.endif.i.i ]
+  %.1812.not.i.i = icmp slt i64 %.1804.i.i, %arg.n_weights
+  br i1 %.1812.not.i.i, label %for.end.else.endif.endif.i.i, label %for.end.else.endif.if.i.i, !prof !4
+
+for.end.else.endif.if.i.i:                        ; preds = %for.end.else.endif.i.i
+  br label %for.end.else.endif.endif.i.i
+
+for.end.else.endif.endif.i.i:                     ; preds = %for.end.else.endif.if.i.i, %for.end.else.endif.i.i
+  %.1792.sroa.0.3.i.i = phi i64 [ %arg.n_weights, %for.end.else.endif.if.i.i ], [ %.1792.sroa.0.1.i.i, %for.end.else.endif.i.i ]
+  %.1819.i.i = icmp slt i64 %.1765.i.i, 0
+  %.1820.i.i = select i1 %.1819.i.i, i64 %arg.n_weights, i64 0
+  %.1821.i.i = add i64 %.1820.i.i, %.1765.i.i
+  %.1824.i.i = icmp slt i64 %.1821.i.i, 0
+  br i1 %.1824.i.i, label %for.end.else.endif.endif.if.i.i, label %for.end.else.endif.endif.endif.i.i, !prof !3
+
+for.end.else.endif.endif.if.i.i:                  ; preds = %for.end.else.endif.endif.i.i
+  br label %for.end.else.endif.endif.endif.i.i
+
+for.end.else.endif.endif.endif.i.i:               ; preds = %for.end.else.endif.endif.if.i.i, %for.end.else.endif.endif.i.i
+  %.1792.sroa.13.1.i.i = phi i64 [ 0, %for.end.else.endif.endif.if.i.i ], [ %.1821.i.i, %for.end.else.endif.endif.i.i ]
+  %.1829.not.i.i = icmp slt i64 %.1821.i.i, %arg.n_weights
+  br i1 %.1829.not.i.i, label %for.end.else.endif.endif.endif.endif.i.i, label %for.end.else.endif.endif.endif.if.i.i, !prof !4
+
+for.end.else.endif.endif.endif.if.i.i:            ; preds = %for.end.else.endif.endif.endif.i.i
+  br label %for.end.else.endif.endif.endif.endif.i.i
+
+for.end.else.endif.endif.endif.endif.i.i:         ; preds = %for.end.else.endif.endif.endif.if.i.i, %for.end.else.endif.endif.endif.i.i
+  %.1792.sroa.13.2.i.i = phi i64 [ %arg.n_weights, %for.end.else.endif.endif.endif.if.i.i ], [ %.1792.sroa.13.1.i.i, %for.end.else.endif.endif.endif.i.i ]
+  %.1880.i.i = sub i64 %.1792.sroa.13.2.i.i, %.1792.sroa.0.3.i.i
+  %.1889.i.i = tail call i64 @llvm.smax.i64(i64 %.1880.i.i, i64 0)
+  %.1905.i.i = getelementptr double, ptr %arg.weights, i64 %.1792.sroa.0.3.i.i
+  %.1994.i.i = add i64 %.711.i.i, %.450.i.i
+  %.1997.i.i = icmp slt i64 %.1994.i.i, 0
+  %.2002.not.i.i = icmp slt i64 %.1994.i.i, %.591.i
+  br i1 %.1997.i.i, label %for.end.endif.endif.else.if.i.i, label %for.end.endif.endif.else.endif.i.i, !prof !3
+
+for.end.endif.endif.else.if.i.i:                  ; preds = %for.end.else.endif.endif.endif.endif.i.i
+  br label %for.end.endif.endif.else.endif.i.i
+
+for.end.endif.endif.else.endif.i.i:               ; preds = %for.end.endif.endif.else.if.i.i, %for.end.else.endif.endif.endif.endif.i.i
+  %.2139.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.else.if.i.i ], [ %.1994.i.i, %for.end.else.endif.endif.endif.endif.i.i ]
+  br i1 %.2002.not.i.i, label %for.end.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.else.endif.if.i.i, !prof !4
+
+for.end.endif.endif.else.endif.if.i.i:            ; preds = %for.end.endif.endif.else.endif.i.i
+  br label %for.end.endif.endif.else.endif.endif.i.i
+
+for.end.endif.endif.else.endif.endif.i.i:         ; preds = %for.end.endif.endif.else.endif.if.i.i, %for.end.endif.endif.else.endif.i.i
+  %.2139.sroa.0.3.i.i = phi i64 [ %.591.i, %for.end.endif.endif.else.endif.if.i.i ], [ %.2139.sroa.0.1.i.i, %for.end.endif.endif.else.endif.i.i ]
+  %.2252.i.i = getelementptr double, ptr %.607.i, i64 %.2139.sroa.0.3.i.i
+  %.2323.i.i = select i1 %.1556.i.i, i64 %a.2.sroa.60.2.i, i64 0
+  %.2324.i.i = add i64 %.2323.i.i, %low.6.1.i.i.i
+  %.2327.i.i = icmp slt i64 %.2324.i.i, 0
+  br i1 %.2327.i.i, label %for.end.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.else.endif.i.i, !prof !3
+
+for.end.endif.endif.endif.else.if.i.i:            ; preds = %for.end.endif.endif.else.endif.endif.i.i
+  br label %for.end.endif.endif.endif.else.endif.i.i
+
+for.end.endif.endif.endif.else.endif.i.i:         ; preds = %for.end.endif.endif.endif.else.if.i.i, %for.end.endif.endif.else.endif.endif.i.i
+  %.2312.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.else.if.i.i ], [ %.2324.i.i, %for.end.endif.endif.else.endif.endif.i.i ]
+  %.2332.not.i.i = icmp slt i64 %.2324.i.i, %a.2.sroa.60.2.i
+  br i1 %.2332.not.i.i, label %for.end.endif.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.endif.else.endif.if.i.i, !prof !4
+
+for.end.endif.endif.endif.else.endif.if.i.i:      ; preds = %for.end.endif.endif.endif.else.endif.i.i
+  br label %for.end.endif.endif.endif.else.endif.endif.i.i
+
+for.end.endif.endif.endif.else.endif.endif.i.i:   ; preds = %for.end.endif.endif.endif.else.endif.if.i.i, %for.end.endif.endif.endif.else.endif.i.i
+  %.2312.sroa.0.3.i.i = phi i64 [ %a.2.sroa.60.2.i, %for.end.endif.endif.endif.else.endif.if.i.i ], [ %.2312.sroa.0.1.i.i, %for.end.endif.endif.endif.else.endif.i.i ]
+  %.2340.i.i = select i1 %.1573.i.i, i64 %a.2.sroa.60.2.i, i64 0
+  %.2341.i.i = add i64 %.2340.i.i, %low.6.1.i7.i.i
+  %.2344.i.i = icmp slt i64 %.2341.i.i, 0
+  br i1 %.2344.i.i, label %for.end.endif.endif.endif.else.endif.endif.if.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.i.i, !prof !3
+
+for.end.endif.endif.endif.else.endif.endif.if.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.i.i
+  br label %for.end.endif.endif.endif.else.endif.endif.endif.i.i
+
+for.end.endif.endif.endif.else.endif.endif.endif.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.if.i.i, %for.end.endif.endif.endif.else.endif.endif.i.i
+  %.2312.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.else.endif.endif.if.i.i ], [ %.2341.i.i, %for.end.endif.endif.endif.else.endif.endif.i.i ]
+  %.2349.not.i.i = icmp slt i64 %.2341.i.i, %a.2.sroa.60.2.i
+  br i1 %.2349.not.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.if.i.i, !prof !4
+
+for.end.endif.endif.endif.else.endif.endif.endif.if.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.endif.i.i
+  br label %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i
+
+for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.endif.if.i.i, %for.end.endif.endif.endif.else.endif.endif.endif.i.i
+  %.2312.sroa.13.2.i.i = phi i64 [ %a.2.sroa.60.2.i, %for.end.endif.endif.endif.else.endif.endif.endif.if.i.i ], [ %.2312.sroa.13.1.i.i, %for.end.endif.endif.endif.else.endif.endif.endif.i.i ]
+  %.2400.i.i = sub nsw i64 %.2312.sroa.13.2.i.i, %.2312.sroa.0.3.i.i
+  %.2409.i.i = tail call i64 @llvm.smax.i64(i64 %.2400.i.i, i64 0)
+  %.2425.i.i = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %.2312.sroa.0.3.i.i
+  store ptr null, ptr %.2457.i.i, align 8, !noalias !57
+  call fastcc void @inner_0(ptr nonnull %.2457.i.i, ptr readonly %.1659.i.i, i64 %.1643.i.i, double %.1699.le.i.i, ptr readonly %.1905.i.i, i64 %.1889.i.i, ptr readonly %.607.i, ptr readonly %.2252.i.i, ptr %.2425.i.i, i64 %.2409.i.i)
+  %.2532.i.i = load i64, ptr %.2531.i.i, align 8, !noalias !57
+  %.2569.i.i = add nsw i64 %.2532.i.i, %.480.i.i
+  %.2606.i.i = icmp slt i64 %.2532.i.i, 0
+  %.2607.i.i = select i1 %.2606.i.i, i64 %arg.n_weights, i64 0
+  %.2608.i.i = add i64 %.2607.i.i, %.2532.i.i
+  %.2611.i.i = icmp slt i64 %.2608.i.i, 0
+  br i1 %.2611.i.i, label %for.end.endif.endif.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.i.i, !prof !3
+
+for.end.endif.endif.endif.endif.endif.else.if.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i
+  br label %for.end.endif.endif.endif.endif.endif.else.endif.i.i
+
+for.end.endif.endif.endif.endif.endif.else.endif.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.else.if.i.i, %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i
+  %.2596.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.endif.endif.else.if.i.i ], [ %.2608.i.i, %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i ]
+  %.2616.not.i.i = icmp slt i64 %.2608.i.i, %arg.n_weights
+  br i1 %.2616.not.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !4
+
+for.end.endif.endif.endif.endif.endif.else.endif.if.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.else.endif.i.i
+  br label %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i
+
+for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.i.i
+  %.2596.sroa.0.3.i.i = phi i64 [ %arg.n_weights, %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.2596.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.2623.i.i = icmp slt i64 %.2569.i.i, 0
+  %.2624.i.i = select i1 %.2623.i.i, i64 %arg.n_weights, i64 0
+  %.2625.i.i = add i64 %.2624.i.i, %.2569.i.i
+  %.2628.i.i = icmp slt i64 %.2625.i.i, 0
+  br i1 %.2628.i.i, label %for.end.endif.endif.endif...if.i.i, label %for.end.endif.endif.endif...endif.i.i, !prof !3
+
+for.end.endif.endif.endif...if.i.i:               ; preds = %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i
+  br label %for.end.endif.endif.endif...endif.i.i
+
+for.end.endif.endif.endif...endif.i.i:            ; preds = %for.end.endif.endif.endif...if.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i
+  %.2596.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...if.i.i ], [ %.2625.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i ]
+  %.2633.not.i.i = icmp slt i64 %.2625.i.i, %arg.n_weights
+  br i1 %.2633.not.i.i, label %for.end.endif.endif.endif...endif.endif.i.i, label %for.end.endif.endif.endif...endif.if.i.i, !prof !4
+
+for.end.endif.endif.endif...endif.if.i.i:         ; preds = %for.end.endif.endif.endif...endif.i.i
+  br label %for.end.endif.endif.endif...endif.endif.i.i
+
+for.end.endif.endif.endif...endif.endif.i.i:      ; preds = %for.end.endif.endif.endif...endif.if.i.i, %for.end.endif.endif.endif...endif.i.i
+  %.2596.sroa.13.2.i.i = phi i64 [ %arg.n_weights, %for.end.endif.endif.endif...endif.if.i.i ], [ %.2596.sroa.13.1.i.i, %for.end.endif.endif.endif...endif.i.i ]
+  %.2684.i.i = sub i64 %.2596.sroa.13.2.i.i, %.2596.sroa.0.3.i.i
+  %.2693.i.i = tail call i64 @llvm.smax.i64(i64 %.2684.i.i, i64 0)
+  %.2709.i.i = getelementptr double, ptr %arg.weights, i64 %.2596.sroa.0.3.i.i
+  br i1 %.732.i.i, label %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !3
+
+for.end.endif.endif.endif.endif.endif.endif.else.if.i.i: ; preds = %for.end.endif.endif.endif...endif.endif.i.i
+  br label %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i
+
+for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i, %for.end.endif.endif.endif...endif.endif.i.i
+  %.2784.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i ], [ %.729.i.i, %for.end.endif.endif.endif...endif.endif.i.i ]
+  br i1 %.737.not.i.i, label %for.end.endif.endif.endif...endif.2.i.i, label %for.end.endif.endif.endif...if.2.i.i, !prof !4
+
+for.end.endif.endif.endif...if.2.i.i:             ; preds = %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i
+  br label %for.end.endif.endif.endif...endif.2.i.i
+
+for.end.endif.endif.endif...endif.2.i.i:          ; preds = %for.end.endif.endif.endif...if.2.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i
+  %.2784.sroa.0.3.i.i = phi i64 [ %.591.i, %for.end.endif.endif.endif...if.2.i.i ], [ %.2784.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.2897.i.i = getelementptr double, ptr %.607.i, i64 %.2784.sroa.0.3.i.i
+  %.2976.i.i = select i1 %.1556.i.i, i64 %p.2.sroa.60.2.i, i64 0
+  %.2977.i.i = add i64 %.2976.i.i, %low.6.1.i.i.i
+  %.2980.i.i = icmp slt i64 %.2977.i.i, 0
+  br i1 %.2980.i.i, label %for.end.endif.endif.endif...if.4.i.i, label %for.end.endif.endif.endif...endif.4.i.i, !prof !3
+
+for.end.endif.endif.endif...if.4.i.i:             ; preds = %for.end.endif.endif.endif...endif.2.i.i
+  br label %for.end.endif.endif.endif...endif.4.i.i
+
+for.end.endif.endif.endif...endif.4.i.i:          ; preds = %for.end.endif.endif.endif...if.4.i.i, %for.end.endif.endif.endif...endif.2.i.i
+  %.2965.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...if.4.i.i ], [ %.2977.i.i, %for.end.endif.endif.endif...endif.2.i.i ]
+  %.2985.not.i.i = icmp slt i64 %.2977.i.i, %p.2.sroa.60.2.i
+  br i1 %.2985.not.i.i, label %for.end.endif.endif.endif...endif.4.endif.i.i, label %for.end.endif.endif.endif...endif.4.if.i.i, !prof !4
+
+for.end.endif.endif.endif...endif.4.if.i.i:       ; preds = %for.end.endif.endif.endif...endif.4.i.i
+  br label %for.end.endif.endif.endif...endif.4.endif.i.i
+
+for.end.endif.endif.endif...endif.4.endif.i.i:    ; preds = %for.end.endif.endif.endif...endif.4.if.i.i, %for.end.endif.endif.endif...endif.4.i.i
+  %.2965.sroa.0.3.i.i = phi i64 [ %p.2.sroa.60.2.i, %for.end.endif.endif.endif...endif.4.if.i.i ], [ %.2965.sroa.0.1.i.i, %for.end.endif.endif.endif...endif.4.i.i ]
+  %.2993.i.i = select i1 %.1573.i.i, i64 %p.2.sroa.60.2.i, i64 0
+  %.2994.i.i = add i64 %.2993.i.i, %low.6.1.i7.i.i
+  %.2997.i.i = icmp slt i64 %.2994.i.i, 0
+  br i1 %.2997.i.i, label %for.end.endif.endif.endif...endif.4.endif.if.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.i.i, !prof !3
+
+for.end.endif.endif.endif...endif.4.endif.if.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.i.i
+  br label %for.end.endif.endif.endif...endif.4.endif.endif.i.i
+
+for.end.endif.endif.endif...endif.4.endif.endif.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.if.i.i, %for.end.endif.endif.endif...endif.4.endif.i.i
+  %.2965.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...endif.4.endif.if.i.i ], [ %.2994.i.i, %for.end.endif.endif.endif...endif.4.endif.i.i ]
+  %.3002.not.i.i = icmp slt i64 %.2994.i.i, %p.2.sroa.60.2.i
+  br i1 %.3002.not.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i, !prof !4
+
+for.end.endif.endif.endif...endif.4.endif.endif.if.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.endif.i.i
+  br label %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i
+
+for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i, %for.end.endif.endif.endif...endif.4.endif.endif.i.i
+  %.2965.sroa.13.2.i.i = phi i64 [ %p.2.sroa.60.2.i, %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i ], [ %.2965.sroa.13.1.i.i, %for.end.endif.endif.endif...endif.4.endif.endif.i.i ]
+  %.3053.i.i = sub nsw i64 %.2965.sroa.13.2.i.i, %.2965.sroa.0.3.i.i
+  %.3062.i.i = tail call i64 @llvm.smax.i64(i64 %.3053.i.i, i64 0)
+  %.3078.i.i = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %.2965.sroa.0.3.i.i
+  store ptr null, ptr %.3111.i.i, align 8, !noalias !57
+  call fastcc void @inner_0(ptr nonnull %.3111.i.i, ptr readonly %.1659.i.i, i64 %.1643.i.i, double %.1699.le.i.i, ptr readonly %.2709.i.i, i64 %.2693.i.i, ptr readonly %.813.i.i, ptr readonly %.2897.i.i, ptr %.3078.i.i, i64 %.3062.i.i)
+  br label %B960.i.i
+
+B960.endif.endif.else.endif.endif.if.i.i:         ; preds = %B960.i.i
+  br label %B960.endif.endif.else.endif.endif.endif.i.i
+
+B960.endif.endif.else.endif.endif.endif.i.i:      ; preds = %B960.endif.endif.else.endif.endif.if.i.i, %B960.i.i
+  %.3368.sroa.13.1.i.i = phi i64 [ 0, %B960.endif.endif.else.endif.endif.if.i.i ], [ %.3397.i.i, %B960.i.i ]
+  %.3405.not.i.i = icmp slt i64 %.3397.i.i, %a.2.sroa.60.2.i
+  br i1 %.3405.not.i.i, label %B960.endif.endif.else.endif.endif.endif.endif.i.i, label %B960.endif.endif.else.endif.endif.endif.if.i.i, !prof !4
+
+B960.endif.endif.else.endif.endif.endif.if.i.i:   ; preds = %B960.endif.endif.else.endif.endif.endif.i.i
+  br label %B960.endif.endif.else.endif.endif.endif.endif.i.i
+
+B960.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %B960.endif.endif.else.endif.endif.endif.if.i.i, %B960.endif.endif.else.endif.endif.endif.i.i
+  %.3368.sroa.13.2.i.i = phi i64 [ %a.2.sroa.60.2.i, %B960.endif.endif.else.endif.endif.endif.if.i.i ], [ %.3368.sroa.13.1.i.i, %B960.endif.endif.else.endif.endif.endif.i.i ]
+  %.63.i.i.i = fmul contract double %.211.i.i, 0x400921FB54442D18
+  %.64.i.i.i = tail call contract double @llvm.pow.f64(double %.63.i.i.i, double 0x3FD5555555555555)
+  %.87.i.i.i = fdiv contract double 1.000000e-02, %.211.i.i
+  %.44.i.not.i.i.i = icmp eq i64 %.3368.sroa.13.2.i.i, 0
+  br i1 %.44.i.not.i.i.i, label %B118.i.i.i.i, label %B28.i.i.i.i
+
+B28.i.i.i.i:                                      ; preds = %B960.endif.endif.else.endif.endif.endif.endif.i.i
+  %.94.i.i1.i.i = load double, ptr %.2509.i, align 8, !noalias !69
+  %.98.i.i2.i.i = fcmp contract ugt double %.94.i.i1.i.i, %.87.i.i.i
+  br i1 %.98.i.i2.i.i, label %B118.i.i.i.i, label %B52.i.i.i.i
+
+B52.i.i.i.i:                                      ; preds = %B28.i.i.i.i, %B94.i.i.i.i
+  %step.2.1.i.i.i.i = phi i64 [ %.123.i.i.i.i, %B94.i.i.i.i ], [ 1, %B28.i.i.i.i ]
+  %high.4.1.i.i.i.i = phi i64 [ %.113.i.i3.i.i, %B94.i.i.i.i ], [ 0, %B28.i.i.i.i ]
+  %.113.i.i3.i.i = add nuw nsw i64 %high.4.1.i.i.i.i, %step.2.1.i.i.i.i
+  %.131.i.i.i.i = icmp slt i64 %.113.i.i3.i.i, %.3368.sroa.13.2.i.i
+  br i1 %.131.i.i.i.i, label %B94.i.i.i.i, label %B118.loopexit.i.i.i.i
+
+B94.i.i.i.i:                                      ; preds = %B52.i.i.i.i
+  %.123.i.i.i.i = shl nsw i64 %step.2.1.i.i.i.i, 1
+  %.178.i.i.i.i = getelementptr double, ptr %.2509.i, i64 %.113.i.i3.i.i
+  %.179.i.i.i30.i = load double, ptr %.178.i.i.i.i, align 8, !noalias !69
+  %.183.i.i.i31.i = fcmp contract ugt double %.179.i.i.i30.i, %.87.i.i.i
+  br i1 %.183.i.i.i31.i, label %B118.loopexit.i.i.i.i, label %B52.i.i.i.i
+
+B118.loopexit.i.i.i.i:                            ; preds = %B94.i.i.i.i, %B52.i.i.i.i
+  %.104.le.i.i.i.i = add nuw nsw i64 %high.4.1.i.i.i.i, 1
+  %203 = tail call i64 @llvm.smin.i64(i64 %.113.i.i3.i.i, i64 range(i64 0, -9223372036854775808) %.3368.sroa.13.2.i.i)
+  br label %B118.i.i.i.i
+
+B118.i.i.i.i:                                     ; preds = %B118.loopexit.i.i.i.i, %B28.i.i.i.i, %B960.endif.endif.else.endif.endif.endif.endif.i.i
+  %low.3.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %.104.le.i.i.i.i, %B118.loopexit.i.i.i.i ]
+  %high.5.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %203, %B118.loopexit.i.i.i.i ]
+  %.238.i.i.i8.i = icmp slt i64 %low.3.0.i.i.i.i, %high.5.0.i.i.i.i
+  br i1 %.238.i.i.i8.i, label %B146.i.i.i.i, label %B0.endif.endif.i.i.i
+
+B146.i.i.i.i:                                     ; preds = %B118.i.i.i.i, %B146.i.i.i.i
+  %low.4.0.i.i.i.i = phi i64 [ %low.5.1.i.i.i.i, %B146.i.i.i.i ], [ %low.3.0.i.i.i.i, %B118.i.i.i.i ]
+  %high.7.0.i.i.i.i = phi i64 [ %high.8.1.i.i.i.i, %B146.i.i.i.i ], [ %high.5.0.i.i.i.i, %B118.i.i.i.i ]
+  %.251.i.i.i.i = add nsw i64 %high.7.0.i.i.i.i, %low.4.0.i.i.i.i
+  %.259.1.i.i.i.i = ashr i64 %.251.i.i.i.i, 1
+  %.309.i.i.i28.i = icmp slt i64 %.259.1.i.i.i.i, 0
+  %.310.i.i.i29.i = select i1 %.309.i.i.i28.i, i64 %.2493.i, i64 0
+  %204 = getelementptr double, ptr %.2509.i, i64 %.259.1.i.i.i.i
+  %.324.i.i.i.i = getelementptr double, ptr %204, i64 %.310.i.i.i29.i
+  %.325.i.i.i.i = load double, ptr %.324.i.i.i.i, align 8, !noalias !69
+  %.327.i.i.i.i = fcmp contract ole double %.325.i.i.i.i, %.87.i.i.i
+  %.338.i.i.i.i = add nsw i64 %.259.1.i.i.i.i, 1
+  %high.8.1.i.i.i.i = select i1 %.327.i.i.i.i, i64 %high.7.0.i.i.i.i, i64 %.259.1.i.i.i.i
+  %low.5.1.i.i.i.i = select i1 %.327.i.i.i.i, i64 %.338.i.i.i.i, i64 %low.4.0.i.i.i.i
+  %.369.i.i.i.i = icmp slt i64 %low.5.1.i.i.i.i, %high.8.1.i.i.i.i
+  br i1 %.369.i.i.i.i, label %B146.i.i.i.i, label %B0.endif.endif.i.i.i
+
+B648.i.i.i:                                       ; preds = %B408.if.i.i.i, %B0.endif.endif.endif.endif.i.i.i
+  %.815.i.i.i = sub i64 %low.6.1.i8.i.i.i, %low.6.1.i.i.i.i
+  %.858404.not.i.i.i = icmp slt i64 %.815.i.i.i, 1
+  br i1 %.858404.not.i.i.i, label %B1038.i.i.i, label %B680.if.preheader.i.i.i
+
+B680.if.preheader.i.i.i:                          ; preds = %B648.i.i.i
+  %205 = add nuw i64 %.815.i.i.i, 1
+  %206 = shl i64 %.2843.i, 3
+  %207 = shl i64 %.2493.i, 3
+  %208 = shl i64 %.3368.sroa.13.2.i.i, 3
+  br label %B680.if.i.i.i
+
+B1038.i.i.i:                                      ; preds = %B680.if.i.i.i, %B648.i.i.i
+  %.1214.i.i.i = sub i64 %.3368.sroa.13.2.i.i, %low.6.1.i8.i.i.i
+  %.1257411.not.i.i.i = icmp slt i64 %.1214.i.i.i, 1
+  br i1 %.1257411.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B1070.if.preheader.i.i.i
+
+B1070.if.preheader.i.i.i:                         ; preds = %B1038.i.i.i
+  %209 = add nuw i64 %.3368.sroa.13.2.i.i, 1
+  %210 = sub i64 %209, %low.6.1.i8.i.i.i
+  %211 = shl i64 %.3368.sroa.13.2.i.i, 3
+  br label %B1070.if.i.i.i
+
+B0.endif.endif.i.i.i:                             ; preds = %B146.i.i.i.i, %B118.i.i.i.i
+  %low.6.1.i.i.i.i = phi i64 [ %low.3.0.i.i.i.i, %B118.i.i.i.i ], [ %low.5.1.i.i.i.i, %B146.i.i.i.i ]
+  %.126.i.i.i = fdiv contract double 2.000000e-02, %.211.i.i
+  %.44.i2.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, %.3368.sroa.13.2.i.i
+  br i1 %.44.i2.i.i.i, label %B28.i23.i.i.i, label %B118.i3.i.i.i
+
+B28.i23.i.i.i:                                    ; preds = %B0.endif.endif.i.i.i
+  %.78.i.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, 0
+  %.79.i.i.i.i = select i1 %.78.i.i.i.i, i64 %.2493.i, i64 0
+  %212 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i.i
+  %.93.i.i56.i.i = getelementptr double, ptr %212, i64 %.79.i.i.i.i
+  %.94.i24.i.i.i = load double, ptr %.93.i.i56.i.i, align 8, !noalias !74
+  %.98.i25.i.i.i = fcmp contract ugt double %.94.i24.i.i.i, %.126.i.i.i
+  br i1 %.98.i25.i.i.i, label %B118.i3.i.i.i, label %B52.i26.i.i.i
+
+B52.i26.i.i.i:                                    ; preds = %B28.i23.i.i.i, %B94.i33.i.i.i
+  %step.2.1.i27.i.i.i = phi i64 [ %.123.i34.i.i.i, %B94.i33.i.i.i ], [ 1, %B28.i23.i.i.i ]
+  %high.4.1.i28.i.i.i = phi i64 [ %.113.i29.i.i.i, %B94.i33.i.i.i ], [ %low.6.1.i.i.i.i, %B28.i23.i.i.i ]
+  %.113.i29.i.i.i = add nsw i64 %high.4.1.i28.i.i.i, %step.2.1.i27.i.i.i
+  %.131.i30.i.i.i = icmp slt i64 %.113.i29.i.i.i, %.3368.sroa.13.2.i.i
+  br i1 %.131.i30.i.i.i, label %B94.i33.i.i.i, label %B118.loopexit.i31.i.i.i
+
+B94.i33.i.i.i:                                    ; preds = %B52.i26.i.i.i
+  %.123.i34.i.i.i = shl nsw i64 %step.2.1.i27.i.i.i, 1
+  %.163.i.i.i.i = icmp slt i64 %.113.i29.i.i.i, 0
+  %.164.i.i.i.i = select i1 %.163.i.i.i.i, i64 %.2493.i, i64 0
+  %213 = getelementptr double, ptr %.2509.i, i64 %.113.i29.i.i.i
+  %.178.i35.i.i.i = getelementptr double, ptr %213, i64 %.164.i.i.i.i
+  %.179.i36.i.i.i = load double, ptr %.178.i35.i.i.i, align 8, !noalias !74
+  %.183.i37.i.i.i = fcmp contract ugt double %.179.i36.i.i.i, %.126.i.i.i
+  br i1 %.183.i37.i.i.i, label %B118.loopexit.i31.i.i.i, label %B52.i26.i.i.i
+
+B118.loopexit.i31.i.i.i:                          ; preds = %B94.i33.i.i.i, %B52.i26.i.i.i
+  %.104.le.i32.i.i.i = add nsw i64 %high.4.1.i28.i.i.i, 1
+  br label %B118.i3.i.i.i
+
+B118.i3.i.i.i:                                    ; preds = %B118.loopexit.i31.i.i.i, %B28.i23.i.i.i, %B0.endif.endif.i.i.i
+  %low.3.0.i4.i.i.i = phi i64 [ %low.6.1.i.i.i.i, %B28.i23.i.i.i ], [ %low.6.1.i.i.i.i, %B0.endif.endif.i.i.i ], [ %.104.le.i32.i.i.i, %B118.loopexit.i31.i.i.i ]
+  %high.5.0.i5.i.i.i = phi i64 [ %low.6.1.i.i.i.i, %B28.i23.i.i.i ], [ %low.6.1.i.i.i.i, %B0.endif.endif.i.i.i ], [ %.113.i29.i.i.i, %B118.loopexit.i31.i.i.i ]
+  %spec.select.i6.i.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i5.i.i.i, i64 range(i64 0, -9223372036854775808) %.3368.sroa.13.2.i.i)
+  %.238.i7.i.i.i = icmp slt i64 %low.3.0.i4.i.i.i, %spec.select.i6.i.i.i
+  br i1 %.238.i7.i.i.i, label %B146.i9.i.i.i, label %B0.endif.endif.endif.endif.i.i.i
+
+B146.i9.i.i.i:                                    ; preds = %B118.i3.i.i.i, %B146.i9.i.i.i
+  %low.4.0.i10.i.i.i = phi i64 [ %low.5.1.i21.i.i.i, %B146.i9.i.i.i ], [ %low.3.0.i4.i.i.i, %B118.i3.i.i.i ]
+  %high.7.0.i11.i.i.i = phi i64 [ %high.8.1.i20.i.i.i, %B146.i9.i.i.i ], [ %spec.select.i6.i.i.i, %B118.i3.i.i.i ]
+  %.251.i12.i.i.i = add nsw i64 %high.7.0.i11.i.i.i, %low.4.0.i10.i.i.i
+  %.259.1.i13.i.i.i = ashr i64 %.251.i12.i.i.i, 1
+  %.309.i14.i.i.i = icmp slt i64 %.259.1.i13.i.i.i, 0
+  %.310.i15.i.i.i = select i1 %.309.i14.i.i.i, i64 %.2493.i, i64 0
+  %214 = getelementptr double, ptr %.2509.i, i64 %.259.1.i13.i.i.i
+  %.324.i16.i.i.i = getelementptr double, ptr %214, i64 %.310.i15.i.i.i
+  %.325.i17.i.i.i = load double, ptr %.324.i16.i.i.i, align 8, !noalias !74
+  %.327.i18.i.i.i = fcmp contract ole double %.325.i17.i.i.i, %.126.i.i.i
+  %.338.i19.i.i.i = add nsw i64 %.259.1.i13.i.i.i, 1
+  %high.8.1.i20.i.i.i = select i1 %.327.i18.i.i.i, i64 %high.7.0.i11.i.i.i, i64 %.259.1.i13.i.i.i
+  %low.5.1.i21.i.i.i = select i1 %.327.i18.i.i.i, i64 %.338.i19.i.i.i, i64 %low.4.0.i10.i.i.i
+  %.369.i22.i.i.i = icmp slt i64 %low.5.1.i21.i.i.i, %high.8.1.i20.i.i.i
+  br i1 %.369.i22.i.i.i, label %B146.i9.i.i.i, label %B0.endif.endif.endif.endif.i.i.i
+
+B0.endif.endif.endif.endif.i.i.i:                 ; preds = %B146.i9.i.i.i, %B118.i3.i.i.i
+  %low.6.1.i8.i.i.i = phi i64 [ %low.3.0.i4.i.i.i, %B118.i3.i.i.i ], [ %low.5.1.i21.i.i.i, %B146.i9.i.i.i ]
+  %.187.i.i.i = load double, ptr %.779.i, align 8, !noalias !77
+  %.188.i.i.i = fmul contract double %.3339.i.i, %.187.i.i.i
+  %.217.i.i.i = load double, ptr %.138.i.i.i, align 8, !noalias !77
+  %.218.i.i.i = fmul contract double %.3339.i.i, %.217.i.i.i
+  %.247.i.i.i = load double, ptr %.169.i.i.i, align 8, !noalias !77
+  %.248.i.i.i = fmul contract double %.3339.i.i, %.247.i.i.i
+  %.277.i.i.i = load double, ptr %.203.i.i.i, align 8, !noalias !77
+  %.278.i.i.i = fmul contract double %.3339.i.i, %.277.i.i.i
+  %.343.i.i.i = load double, ptr %.236.i.i.i, align 8, !noalias !77
+  %.344.i.i.i = fmul contract double %.3339.i.i, %.343.i.i.i
+  %.373.i.i.i = load double, ptr %.427.i.i.i, align 8, !noalias !77
+  %.374.i.i.i = fmul contract double %.3339.i.i, %.373.i.i.i
+  %.403.i.i.i = load double, ptr %.548.i.i.i, align 8, !noalias !77
+  %.404.i.i.i = fmul contract double %.3339.i.i, %.403.i.i.i
+  %.433.i.i.i = load double, ptr %.948.i.i.i, align 8, !noalias !77
+  %.437.i.i.i = fmul contract double %.3339.i.i, %.433.i.i.i
+  %.474.i.i.i = fmul contract double %.3339.i.i, 2.000000e+01
+  %.558398.not.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, 1
+  br i1 %.558398.not.i.i.i, label %B648.i.i.i, label %B408.if.i.i.i
+
+B408.if.i.i.i:                                    ; preds = %B0.endif.endif.endif.endif.i.i.i, %B408.if.i.i.i
+  %.564397399.i.i.i = phi i64 [ %.571.i.i.i, %B408.if.i.i.i ], [ 0, %B0.endif.endif.endif.endif.i.i.i ]
+  %.571.i.i.i = add nuw nsw i64 %.564397399.i.i.i, 1
+  %215 = shl i64 %.564397399.i.i.i, 3
+  %scevgep52.i.i.i = getelementptr i8, ptr %.2859.i, i64 %215
+  %.625.i.i.i = load double, ptr %scevgep52.i.i.i, align 8, !noalias !77
+  %.627.i.i.i = fmul contract double %.64.i.i.i, %.625.i.i.i
+  %.631.i.i.i = fdiv contract double 1.000000e+00, %.627.i.i.i
+  %.633.i.i.i = fmul contract double %.437.i.i.i, %.627.i.i.i
+  %.635.i.i.i = fadd contract double %.404.i.i.i, %.633.i.i.i
+  %.636.i.i.i = fmul contract double %.627.i.i.i, %.635.i.i.i
+  %.638.i.i.i = fadd contract double %.374.i.i.i, %.636.i.i.i
+  %.639.i.i.i = fmul contract double %.627.i.i.i, %.638.i.i.i
+  %.641.i.i.i = fadd contract double %.344.i.i.i, %.639.i.i.i
+  %.642.i.i.i = fmul contract double %.627.i.i.i, %.641.i.i.i
+  %.644.i.i.i = fadd contract double %.278.i.i.i, %.642.i.i.i
+  %.645.i.i.i = fmul contract double %.627.i.i.i, %.644.i.i.i
+  %.647.i.i.i = fadd contract double %.248.i.i.i, %.645.i.i.i
+  %.648.i.i.i = fmul contract double %.627.i.i.i, %.647.i.i.i
+  %.650.i.i.i = fadd contract double %.218.i.i.i, %.648.i.i.i
+  %.651.i.i.i = fmul contract double %.627.i.i.i, %.650.i.i.i
+  %.653.i.i.i = fadd contract double %.188.i.i.i, %.651.i.i.i
+  %scevgep2.i4.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %215
+  %.684.i.i.i = load double, ptr %scevgep2.i4.i.i, align 8, !noalias !77
+  %.685.i.i.i = fmul contract double %.684.i.i.i, 0x3FF71547652B82FE
+  %.686.i.i.i = fadd contract double %.685.i.i.i, 0x4338000000000000
+  %.687.i.i.i = fadd contract double %.686.i.i.i, 0xC338000000000000
+  %.688.i.i.i = fmul contract double %.687.i.i.i, 0x3FE62E42FEE00000
+  %.689.i.i.i = fsub contract double %.684.i.i.i, %.688.i.i.i
+  %.690.i.i.i = fmul contract double %.687.i.i.i, 0x3DEA39EF35793C76
+  %.691.i.i.i = fsub contract double %.689.i.i.i, %.690.i.i.i
+  %.692.i.i.i = fmul contract double %.691.i.i.i, 0x3DE6124613A86D09
+  %.693.i.i.i = fadd contract double %.692.i.i.i, 0x3E21EED8EFF8D898
+  %.694.i.i.i = fmul contract double %.691.i.i.i, %.693.i.i.i
+  %.695.i.i.i = fadd contract double %.694.i.i.i, 0x3E5AE64567F544E4
+  %.696.i.i.i = fmul contract double %.691.i.i.i, %.695.i.i.i
+  %.697.i.i.i = fadd contract double %.696.i.i.i, 0x3E927E4FB7789F5C
+  %.698.i.i.i = fmul contract double %.691.i.i.i, %.697.i.i.i
+  %.699.i.i.i = fadd contract double %.698.i.i.i, 0x3EC71DE3A556C734
+  %.700.i.i.i = fmul contract double %.691.i.i.i, %.699.i.i.i
+  %.701.i.i.i = fadd contract double %.700.i.i.i, 0x3EFA01A01A01A01A
+  %.702.i.i.i = fmul contract double %.691.i.i.i, %.701.i.i.i
+  %.703.i.i.i = fadd contract double %.702.i.i.i, 0x3F2A01A01A01A01A
+  %.704.i.i.i = fmul contract double %.691.i.i.i, %.703.i.i.i
+  %.705.i.i.i = fadd contract double %.704.i.i.i, 0x3F56C16C16C16C17
+  %.706.i.i.i = fmul contract double %.691.i.i.i, %.705.i.i.i
+  %.707.i.i.i = fadd contract double %.706.i.i.i, 0x3F81111111111111
+  %.708.i.i.i = fmul contract double %.691.i.i.i, %.707.i.i.i
+  %.709.i.i.i = fadd contract double %.708.i.i.i, 0x3FA5555555555555
+  %.710.i.i.i = fmul contract double %.691.i.i.i, %.709.i.i.i
+  %.711.i.i.i = fadd contract double %.710.i.i.i, 0x3FC5555555555555
+  %.712.i.i.i = fmul contract double %.691.i.i.i, %.711.i.i.i
+  %.713.i.i.i = fadd contract double %.712.i.i.i, 5.000000e-01
+  %.714.i.i.i = fmul contract double %.691.i.i.i, %.691.i.i.i
+  %.715.i.i.i = fmul contract double %.714.i.i.i, %.713.i.i.i
+  %.716.i.i.i = fadd contract double %.691.i.i.i, %.715.i.i.i
+  %.717.i.i.i = fadd contract double %.716.i.i.i, 1.000000e+00
+  %.718.i.i.i = bitcast double %.686.i.i.i to i64
+  %.719.i.i.i = shl i64 %.718.i.i.i, 52
+  %.720.i.i.i = add i64 %.719.i.i.i, 4607182418800017408
+  %.721.i.i.i = bitcast i64 %.720.i.i.i to double
+  %.722.i.i.i = fmul contract double %.717.i.i.i, %.721.i.i.i
+  %.723.i.i.i = fmul contract double %.631.i.i.i, %.631.i.i.i
+  %.724.i.i.i = fmul contract double %.631.i.i.i, %.723.i.i.i
+  %.732.i.i9.i = tail call contract double @sqrt(double %.631.i.i.i)
+  %.737.i.i.i = fmul contract double %.732.i.i9.i, %.724.i.i.i
+  %.738.i.i.i = fmul contract double %.737.i.i.i, %.653.i.i.i
+  %.739.i.i.i = fmul contract double %.738.i.i.i, %.722.i.i.i
+  store double %.739.i.i.i, ptr %scevgep2.i4.i.i, align 8, !noalias !77
+  %exitcond.not.i5.i.i = icmp eq i64 %low.6.1.i.i.i.i, %.571.i.i.i
+  br i1 %exitcond.not.i5.i.i, label %B648.i.i.i, label %B408.if.i.i.i
+
+B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B680.if.preheader.i.i.i
+  %lsr.iv43.i.i.i = phi i64 [ %205, %B680.if.preheader.i.i.i ], [ %lsr.iv.next44.i.i.i, %B680.if.i.i.i ]
+  %.864403405.i.i.i = phi i64 [ %low.6.1.i.i.i.i, %B680.if.preheader.i.i.i ], [ %.871.i.i.i, %B680.if.i.i.i ]
+  %.909.i.i.i = icmp slt i64 %.864403405.i.i.i, 0
+  %216 = select i1 %.909.i.i.i, i64 %206, i64 0
+  %scevgep49.i.i.i = getelementptr i8, ptr %.2859.i, i64 %216
+  %217 = shl i64 %.864403405.i.i.i, 3
+  %scevgep50.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i, i64 %217
+  %.925.i.i10.i = load double, ptr %scevgep50.i.i.i, align 8, !noalias !77
+  %218 = select i1 %.909.i.i.i, i64 %207, i64 0
+  %scevgep47.i.i.i = getelementptr i8, ptr %.2509.i, i64 %218
+  %scevgep48.i.i.i = getelementptr i8, ptr %scevgep47.i.i.i, i64 %217
+  %.1000.i.i.i = load double, ptr %scevgep48.i.i.i, align 8, !noalias !77
+  %.1002.i.i.i = fmul contract double %.211.i.i, %.1000.i.i.i
+  %.1003.i.i.i = fadd contract double %.1002.i.i.i, -1.000000e-02
+  %.1008.i.i.i = fdiv contract double %.1003.i.i.i, 1.000000e-02
+  %.6.i.i6.i.i = fmul contract double %.1008.i.i.i, 0x400921FB54442D18
+  %.7.i.i7.i.i = fmul contract double %.6.i.i6.i.i, 0x3FE45F306DC9C883
+  %.8.i.i8.i.i = fadd contract double %.7.i.i7.i.i, 0x4338000000000000
+  %.9.i.i9.i.i = fadd contract double %.8.i.i8.i.i, 0xC338000000000000
+  %.27.i.i10.i.i = fmul contract double %.9.i.i9.i.i, 0x3FF921FA00000000
+  %.28.i.i11.i.i = fsub contract double %.6.i.i6.i.i, %.27.i.i10.i.i
+  %.46.i.i12.i.i = fmul contract double %.9.i.i9.i.i, 0x3EB5444200000000
+  %.47.i.i13.i.i = fsub contract double %.28.i.i11.i.i, %.46.i.i12.i.i
+  %.65.i.i14.i.i = fmul contract double %.9.i.i9.i.i, 0x3D6A308C00000000
+  %.66.i.i15.i.i = fsub contract double %.47.i.i13.i.i, %.65.i.i14.i.i
+  %.84.i.i16.i.i = fmul contract double %.9.i.i9.i.i, 0x3C2313198A2E0370
+  %.85.i.i17.i.i = fsub contract double %.66.i.i15.i.i, %.84.i.i16.i.i
+  %.86.i.i18.i.i = fmul contract double %.85.i.i17.i.i, %.85.i.i17.i.i
+  %.87.i.i19.i.i = fmul contract double %.85.i.i17.i.i, %.86.i.i18.i.i
+  %.88.i.i20.i.i = fmul contract double %.86.i.i18.i.i, 0x3D6AE7F3E733B81F
+  %219 = fsub contract double 0x3DE6124613A86D09, %.88.i.i20.i.i
+  %.90.i.i21.i.i = fmul contract double %.86.i.i18.i.i, %219
+  %.91.i.i22.i.i = fadd contract double %.90.i.i21.i.i, 0xBE5AE64567F544E4
+  %.92.i.i23.i.i = fmul contract double %.86.i.i18.i.i, %.91.i.i22.i.i
+  %.93.i38.i.i.i = fadd contract double %.92.i.i23.i.i, 0x3EC71DE3A556C734
+  %.94.i39.i.i.i = fmul contract double %.86.i.i18.i.i, %.93.i38.i.i.i
+  %.95.i.i24.i.i = fadd contract double %.94.i39.i.i.i, 0xBF2A01A01A01A01A
+  %.96.i.i25.i.i = fmul contract double %.86.i.i18.i.i, %.95.i.i24.i.i
+  %.97.i.i26.i.i = fadd contract double %.96.i.i25.i.i, 0x3F81111111111111
+  %.98.i40.i.i.i = fmul contract double %.86.i.i18.i.i, %.97.i.i26.i.i
+  %.99.i.i27.i.i = fadd contract double %.98.i40.i.i.i, 0xBFC5555555555555
+  %.100.i.i28.i.i = fmul contract double %.87.i.i19.i.i, %.99.i.i27.i.i
+  %.101.i.i29.i.i = fadd contract double %.85.i.i17.i.i, %.100.i.i28.i.i
+  %.102.i.i30.i.i = fmul contract double %.86.i.i18.i.i, 0x3D2AE7F3E733B81F
+  %.103.i.i31.i.i = fadd contract double %.102.i.i30.i.i, 0xBDA93974A8C07C9D
+  %.104.i.i32.i.i = fmul contract double %.86.i.i18.i.i, %.103.i.i31.i.i
+  %.105.i.i33.i.i = fadd contract double %.104.i.i32.i.i, 0x3E21EED8EFF8D898
+  %.106.i.i34.i.i = fmul contract double %.86.i.i18.i.i, %.105.i.i33.i.i
+  %.107.i.i35.i.i = fadd contract double %.106.i.i34.i.i, 0xBE927E4FB7789F5C
+  %.108.i.i36.i.i = fmul contract double %.86.i.i18.i.i, %.107.i.i35.i.i
+  %.109.i.i37.i.i = fadd contract double %.108.i.i36.i.i, 0x3EFA01A01A01A01A
+  %.110.i.i38.i.i = fmul contract double %.86.i.i18.i.i, %.109.i.i37.i.i
+  %.111.i.i39.i.i = fadd contract double %.110.i.i38.i.i, 0xBF56C16C16C16C17
+  %.112.i.i40.i.i = fmul contract double %.86.i.i18.i.i, %.111.i.i39.i.i
+  %.113.i41.i.i.i = fadd contract double %.112.i.i40.i.i, 0x3FA5555555555555
+  %.114.i.i41.i.i = fmul contract double %.86.i.i18.i.i, %.113.i41.i.i.i
+  %.115.i.i42.i.i = fadd contract double %.114.i.i41.i.i, -5.000000e-01
+  %.116.i.i43.i.i = fmul contract double %.86.i.i18.i.i, %.115.i.i42.i.i
+  %.117.i.i44.i.i = fadd contract double %.116.i.i43.i.i, 1.000000e+00
+  %.118.i.i45.i.i = bitcast double %.8.i.i8.i.i to i64
+  %.119.i.i46.i.i = and i64 %.118.i.i45.i.i, 1
+  %220 = icmp eq i64 %.119.i.i46.i.i, 0
+  %.127.i.i47.i.i = shl i64 %.118.i.i45.i.i, 62
+  %.128.i.i48.i.i = add i64 %.127.i.i47.i.i, 4611686018427387904
+  %.129.i.i49.i.i = and i64 %.128.i.i48.i.i, -9223372036854775808
+  %.133.v.i.i50.i.i = select i1 %220, double %.117.i.i44.i.i, double %.101.i.i29.i.i
+  %.133.i.i51.i.i = bitcast double %.133.v.i.i50.i.i to i64
+  %.134.i.i52.i.i = xor i64 %.129.i.i49.i.i, %.133.i.i51.i.i
+  %.135.i.i53.i.i = bitcast i64 %.134.i.i52.i.i to double
+  %.151.i.i54.i.i = fsub contract double 1.000000e+00, %.135.i.i53.i.i
+  %.152.i.i55.i.i = fmul contract double %.151.i.i54.i.i, 5.000000e-01
+  %.927.i.i.i = fmul contract double %.64.i.i.i, %.925.i.i10.i
+  %.931.i.i.i = fdiv contract double 1.000000e+00, %.927.i.i.i
+  %.963.i.i.i = tail call contract double @sqrt(double %.931.i.i.i)
+  %.954.i.i.i = fmul contract double %.931.i.i.i, %.931.i.i.i
+  %.955.i.i.i = fmul contract double %.931.i.i.i, %.954.i.i.i
+  %.933.i.i.i = fmul contract double %.437.i.i.i, %.927.i.i.i
+  %.935.i.i.i = fadd contract double %.404.i.i.i, %.933.i.i.i
+  %.936.i.i.i = fmul contract double %.927.i.i.i, %.935.i.i.i
+  %.938.i.i.i = fadd contract double %.374.i.i.i, %.936.i.i.i
+  %.939.i.i.i = fmul contract double %.927.i.i.i, %.938.i.i.i
+  %.941.i.i.i = fadd contract double %.344.i.i.i, %.939.i.i.i
+  %.942.i.i.i = fmul contract double %.927.i.i.i, %.941.i.i.i
+  %.944.i.i.i = fadd contract double %.278.i.i.i, %.942.i.i.i
+  %.945.i.i.i = fmul contract double %.927.i.i.i, %.944.i.i.i
+  %.947.i.i.i = fadd contract double %.248.i.i.i, %.945.i.i.i
+  %.948.i.i11.i = fmul contract double %.927.i.i.i, %.947.i.i.i
+  %.950.i.i.i = fadd contract double %.218.i.i.i, %.948.i.i11.i
+  %.951.i.i.i = fmul contract double %.927.i.i.i, %.950.i.i.i
+  %.953.i.i.i = fadd contract double %.188.i.i.i, %.951.i.i.i
+  %.871.i.i.i = add i64 %.864403405.i.i.i, 1
+  %.968.i.i.i = fmul contract double %.963.i.i.i, %.955.i.i.i
+  %.969.i.i.i = fmul contract double %.968.i.i.i, %.953.i.i.i
+  %221 = select i1 %.909.i.i.i, i64 %208, i64 0
+  %scevgep45.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %221
+  %scevgep1.i.i.i = getelementptr i8, ptr %scevgep45.i.i.i, i64 %217
+  %.1063.i.i.i = load double, ptr %scevgep1.i.i.i, align 8, !noalias !77
+  %.1064.i.i.i = fmul contract double %.1063.i.i.i, 0x3FF71547652B82FE
+  %.1065.i.i.i = fadd contract double %.1064.i.i.i, 0x4338000000000000
+  %.1066.i.i.i = fadd contract double %.1065.i.i.i, 0xC338000000000000
+  %.1067.i.i.i = fmul contract double %.1066.i.i.i, 0x3FE62E42FEE00000
+  %.1068.i.i.i = fsub contract double %.1063.i.i.i, %.1067.i.i.i
+  %.1069.i.i.i = fmul contract double %.1066.i.i.i, 0x3DEA39EF35793C76
+  %.1070.i.i.i = fsub contract double %.1068.i.i.i, %.1069.i.i.i
+  %.1071.i.i.i = fmul contract double %.1070.i.i.i, 0x3DE6124613A86D09
+  %.1072.i.i.i = fadd contract double %.1071.i.i.i, 0x3E21EED8EFF8D898
+  %.1073.i.i.i = fmul contract double %.1070.i.i.i, %.1072.i.i.i
+  %.1074.i.i.i = fadd contract double %.1073.i.i.i, 0x3E5AE64567F544E4
+  %.1075.i.i.i = fmul contract double %.1070.i.i.i, %.1074.i.i.i
+  %.1076.i.i.i = fadd contract double %.1075.i.i.i, 0x3E927E4FB7789F5C
+  %.1077.i.i.i = fmul contract double %.1070.i.i.i, %.1076.i.i.i
+  %.1078.i.i.i = fadd contract double %.1077.i.i.i, 0x3EC71DE3A556C734
+  %.1079.i.i.i = fmul contract double %.1070.i.i.i, %.1078.i.i.i
+  %.1080.i.i.i = fadd contract double %.1079.i.i.i, 0x3EFA01A01A01A01A
+  %.1081.i.i.i = fmul contract double %.1070.i.i.i, %.1080.i.i.i
+  %.1082.i.i.i = fadd contract double %.1081.i.i.i, 0x3F2A01A01A01A01A
+  %.1083.i.i.i = fmul contract double %.1070.i.i.i, %.1082.i.i.i
+  %.1084.i.i.i = fadd contract double %.1083.i.i.i, 0x3F56C16C16C16C17
+  %.1085.i.i.i = fmul contract double %.1070.i.i.i, %.1084.i.i.i
+  %.1086.i.i.i = fadd contract double %.1085.i.i.i, 0x3F81111111111111
+  %.1087.i.i.i = fmul contract double %.1070.i.i.i, %.1086.i.i.i
+  %.1088.i.i.i = fadd contract double %.1087.i.i.i, 0x3FA5555555555555
+  %.1089.i.i.i = fmul contract double %.1070.i.i.i, %.1088.i.i.i
+  %.1090.i.i.i = fadd contract double %.1089.i.i.i, 0x3FC5555555555555
+  %.1091.i.i.i = fmul contract double %.1070.i.i.i, %.1090.i.i.i
+  %.1092.i.i.i = fadd contract double %.1091.i.i.i, 5.000000e-01
+  %.1093.i.i.i = fmul contract double %.1070.i.i.i, %.1070.i.i.i
+  %.1094.i.i.i = fmul contract double %.1093.i.i.i, %.1092.i.i.i
+  %.1095.i.i.i = fadd contract double %.1070.i.i.i, %.1094.i.i.i
+  %.1096.i.i.i = fadd contract double %.1095.i.i.i, 1.000000e+00
+  %.1097.i.i.i = bitcast double %.1065.i.i.i to i64
+  %.1098.i.i.i = shl i64 %.1097.i.i.i, 52
+  %.1099.i.i.i = add i64 %.1098.i.i.i, 4607182418800017408
+  %.1100.i.i.i = bitcast i64 %.1099.i.i.i to double
+  %.1101.i.i.i = fmul contract double %.1096.i.i.i, %.1100.i.i.i
+  %.1103.i.i.i = fsub contract double %.474.i.i.i, %.969.i.i.i
+  %.1104.i.i.i = fmul contract double %.1103.i.i.i, %.152.i.i55.i.i
+  %.1105.i.i.i = fadd contract double %.969.i.i.i, %.1104.i.i.i
+  %.1106.i.i.i = fmul contract double %.1101.i.i.i, %.1105.i.i.i
+  store double %.1106.i.i.i, ptr %scevgep1.i.i.i, align 8, !noalias !77
+  %lsr.iv.next44.i.i.i = add i64 %lsr.iv43.i.i.i, -1
+  %.858.i.i12.i = icmp sgt i64 %lsr.iv.next44.i.i.i, 1
+  br i1 %.858.i.i12.i, label %B680.if.i.i.i, label %B1038.i.i.i
+
+B1070.if.i.i.i:                                   ; preds = %B1070.if.i.i.i, %B1070.if.preheader.i.i.i
+  %lsr.iv.i.i.i = phi i64 [ %210, %B1070.if.preheader.i.i.i ], [ %lsr.iv.next.i.i.i, %B1070.if.i.i.i ]
+  %.1263410412.i.i.i = phi i64 [ %low.6.1.i8.i.i.i, %B1070.if.preheader.i.i.i ], [ %.1270.i.i.i, %B1070.if.i.i.i ]
+  %.1270.i.i.i = add i64 %.1263410412.i.i.i, 1
+  %.1309.i.i.i = icmp slt i64 %.1263410412.i.i.i, 0
+  %222 = select i1 %.1309.i.i.i, i64 %211, i64 0
+  %scevgep.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %222
+  %223 = shl i64 %.1263410412.i.i.i, 3
+  %scevgep42.i.i.i = getelementptr i8, ptr %scevgep.i.i.i, i64 %223
+  %.1325.i.i.i = load double, ptr %scevgep42.i.i.i, align 8, !noalias !77
+  %.1326.i.i.i = fmul contract double %.1325.i.i.i, 0x3FF71547652B82FE
+  %.1327.i.i.i = fadd contract double %.1326.i.i.i, 0x4338000000000000
+  %.1328.i.i.i = fadd contract double %.1327.i.i.i, 0xC338000000000000
+  %.1329.i.i.i = fmul contract double %.1328.i.i.i, 0x3FE62E42FEE00000
+  %.1330.i.i13.i = fsub contract double %.1325.i.i.i, %.1329.i.i.i
+  %.1331.i.i.i = fmul contract double %.1328.i.i.i, 0x3DEA39EF35793C76
+  %.1332.i.i.i = fsub contract double %.1330.i.i13.i, %.1331.i.i.i
+  %.1333.i.i.i = fmul contract double %.1332.i.i.i, 0x3DE6124613A86D09
+  %.1334.i.i.i = fadd contract double %.1333.i.i.i, 0x3E21EED8EFF8D898
+  %.1335.i.i.i = fmul contract double %.1332.i.i.i, %.1334.i.i.i
+  %.1336.i.i.i = fadd contract double %.1335.i.i.i, 0x3E5AE64567F544E4
+  %.1337.i.i.i = fmul contract double %.1332.i.i.i, %.1336.i.i.i
+  %.1338.i.i.i = fadd contract double %.1337.i.i.i, 0x3E927E4FB7789F5C
+  %.1339.i.i.i = fmul contract double %.1332.i.i.i, %.1338.i.i.i
+  %.1340.i.i.i = fadd contract double %.1339.i.i.i, 0x3EC71DE3A556C734
+  %.1341.i.i.i = fmul contract double %.1332.i.i.i, %.1340.i.i.i
+  %.1342.i.i.i = fadd contract double %.1341.i.i.i, 0x3EFA01A01A01A01A
+  %.1343.i.i.i = fmul contract double %.1332.i.i.i, %.1342.i.i.i
+  %.1344.i.i.i = fadd contract double %.1343.i.i.i, 0x3F2A01A01A01A01A
+  %.1345.i.i.i = fmul contract double %.1332.i.i.i, %.1344.i.i.i
+  %.1346.i.i.i = fadd contract double %.1345.i.i.i, 0x3F56C16C16C16C17
+  %.1347.i.i.i = fmul contract double %.1332.i.i.i, %.1346.i.i.i
+  %.1348.i.i.i = fadd contract double %.1347.i.i.i, 0x3F81111111111111
+  %.1349.i.i.i = fmul contract double %.1332.i.i.i, %.1348.i.i.i
+  %.1350.i.i.i = fadd contract double %.1349.i.i.i, 0x3FA5555555555555
+  %.1351.i.i.i = fmul contract double %.1332.i.i.i, %.1350.i.i.i
+  %.1352.i.i.i = fadd contract double %.1351.i.i.i, 0x3FC5555555555555
+  %.1353.i.i.i = fmul contract double %.1332.i.i.i, %.1352.i.i.i
+  %.1354.i.i.i = fadd contract double %.1353.i.i.i, 5.000000e-01
+  %.1355.i.i.i = fmul contract double %.1332.i.i.i, %.1332.i.i.i
+  %.1356.i.i.i = fmul contract double %.1355.i.i.i, %.1354.i.i.i
+  %.1357.i.i.i = fadd contract double %.1332.i.i.i, %.1356.i.i.i
+  %.1358.i.i.i = fadd contract double %.1357.i.i.i, 1.000000e+00
+  %.1359.i.i.i = bitcast double %.1327.i.i.i to i64
+  %.1360.i.i.i = shl i64 %.1359.i.i.i, 52
+  %.1361.i.i.i = add i64 %.1360.i.i.i, 4607182418800017408
+  %.1362.i.i.i = bitcast i64 %.1361.i.i.i to double
+  %.1363.i.i.i = fmul contract double %.1358.i.i.i, %.1362.i.i.i
+  %.1365.i.i.i = fmul contract double %.474.i.i.i, %.1363.i.i.i
+  store double %.1365.i.i.i, ptr %scevgep42.i.i.i, align 8, !noalias !77
+  %lsr.iv.next.i.i.i = add i64 %lsr.iv.i.i.i, -1
+  %.1257.i.i.i = icmp sgt i64 %lsr.iv.next.i.i.i, 1
+  br i1 %.1257.i.i.i, label %B1070.if.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B1070.if.i.i.i, %B1038.i.i.i
+  %.3586.i.i = load double, ptr %.3585.i.i, align 8, !noalias !57
+  %.3603.i.i = select i1 %.3602.i.i, i64 %.614.i.i, i64 0
+  %224 = getelementptr i8, ptr %.630.i.i, i64 %.idx.i.i
+  %.3617.i.i = getelementptr double, ptr %224, i64 %.3603.i.i
+  %.3618.i.i = load double, ptr %.3617.i.i, align 8, !noalias !57
+  %.3619.i.i = fsub contract double %.3586.i.i, %.3618.i.i
+  %.3650.i.i = load double, ptr %.3649.i.i, align 8, !noalias !57
+  %.3656.i.i = fmul contract double %.3650.i.i, 0x401921FB54442D18
+  %225 = getelementptr i8, ptr %224, i64 8
+  %.3690.i.i = getelementptr double, ptr %225, i64 %.3603.i.i
+  %.3691.i.i = load double, ptr %.3690.i.i, align 8, !noalias !57
+  %.3698.i.i = fmul contract double %.211.i.i, %.3691.i.i
+  %.3699.i.i = fsub contract double %.3656.i.i, %.3698.i.i
+  %.3756.i.i = select i1 %.3395.i.i, i64 %p.2.sroa.60.2.i, i64 0
+  %.3757.i.i = add i64 %.3756.i.i, %low.6.1.i7.i.i
+  %.3760.i.i = icmp slt i64 %.3757.i.i, 0
+  br i1 %.3760.i.i, label %B960.endif.endif.endif.endif.else.endif.endif.if.i.i, label %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i, !prof !3
+
+B960.endif.endif.endif.endif.else.endif.endif.if.i.i: ; preds = %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br label %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i
+
+B960.endif.endif.endif.endif.else.endif.endif.endif.i.i: ; preds = %B960.endif.endif.endif.endif.else.endif.endif.if.i.i, %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %.3728.sroa.13.1.i.i = phi i64 [ 0, %B960.endif.endif.endif.endif.else.endif.endif.if.i.i ], [ %.3757.i.i, %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %.3765.not.i.i = icmp slt i64 %.3757.i.i, %p.2.sroa.60.2.i
+  br i1 %.3765.not.i.i, label %B960.endif.endif.endif.en...endif.i.i, label %B960.endif.endif.endif.en...if.i.i, !prof !4
+
+B960.endif.endif.endif.en...if.i.i:               ; preds = %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i
+  br label %B960.endif.endif.endif.en...endif.i.i
+
+B960.endif.endif.endif.en...endif.i.i:            ; preds = %B960.endif.endif.endif.en...if.i.i, %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i
+  %.3728.sroa.13.2.i.i = phi i64 [ %p.2.sroa.60.2.i, %B960.endif.endif.endif.en...if.i.i ], [ %.3728.sroa.13.1.i.i, %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i ]
+  %.97.le.i.i.i = tail call contract double @llvm.log.f64(double %.211.i.i)
+  %.105.i.i.i = fdiv contract double %.97.le.i.i.i, 3.000000e+00
+  %.106.i.i.i = fadd contract double %.105.i.i.i, 0x3FD86BC06134D7A7
+  %.164.i57.i.i = load double, ptr %arg.series, align 8, !noalias !78
+  %.219.i.i.i = load double, ptr %6, align 8, !noalias !78
+  %.272.i.i15.i = load double, ptr %.183.i.i.i.i, align 8, !noalias !78
+  %.325.i60.i.i = load double, ptr %.308.i.i.i.i, align 8, !noalias !78
+  %.414.i.i.i = load double, ptr %.413.i.i.i.i, align 8, !noalias !78
+  %.467.i.i.i = load double, ptr %7, align 8, !noalias !78
+  %.520.i.i17.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !78
+  %.573.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !78
+  %.662.i.i.i = load double, ptr %8, align 8, !noalias !78
+  %.715.i62.i.i = load double, ptr %.1461.i.i.i.i, align 8, !noalias !78
+  %.768.i.i18.i = load double, ptr %.1867.i.i.i.i, align 8, !noalias !78
+  %.821.i.i.i = load double, ptr %.2256.i.i.i.i, align 8, !noalias !78
+  %.910.i.i.i = load double, ptr %.211.i.i.i.i, align 8, !noalias !78
+  %.963.i64.i.i = load double, ptr %.328.i123.i.i.i, align 8, !noalias !78
+  %.1016.i.i.i = load double, ptr %.442.i.i.i.i, align 8, !noalias !78
+  %.1069.i66.i.i = load double, ptr %.559.i.i.i.i, align 8, !noalias !78
+  %.1158.i.i20.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !78
+  %.1211.i.i.i = load double, ptr %.865.i.i.i.i, align 8, !noalias !78
+  %.1264.i.i.i = load double, ptr %13, align 8, !noalias !78
+  %.1317.i.i.i = load double, ptr %.1118.i.i.i.i, align 8, !noalias !78
+  %.1406.i.i.i = load double, ptr %.1640.i.i.i.i, align 8, !noalias !78
+  %.1459.i.i.i = load double, ptr %.2145.i.i.i.i, align 8, !noalias !78
+  %.1512.i.i.i = load double, ptr %.2474.i.i.i.i, align 8, !noalias !78
+  %.1574.i.i.i = load double, ptr %.1336.i.i.i.i, align 8, !noalias !78
+  %.1675660.not.i.i.i = icmp eq i64 %.3728.sroa.13.2.i.i, 0
+  br i1 %.1675660.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B568.if.i.i.i
+
+B568.if.i.i.i:                                    ; preds = %B960.endif.endif.endif.en...endif.i.i, %B568.if.i.i.i
+  %.1681659661.i.i.i = phi i64 [ %.1688.i.i.i, %B568.if.i.i.i ], [ 0, %B960.endif.endif.endif.en...endif.i.i ]
+  %.1688.i.i.i = add nuw nsw i64 %.1681659661.i.i.i, 1
+  %226 = shl i64 %.1681659661.i.i.i, 3
+  %scevgep3.i.i.i = getelementptr i8, ptr %.2859.i, i64 %226
+  %.1742.i.i.i = load double, ptr %scevgep3.i.i.i, align 8, !noalias !78
+  %.1744.i.i.i = fmul contract double %.64.i.i.i, %.1742.i.i.i
+  %scevgep2.i67.i.i = getelementptr i8, ptr %.2682.i, i64 %226
+  %.1774.i.i.i = load double, ptr %scevgep2.i67.i.i, align 8, !noalias !78
+  %.1775.i.i.i = fmul contract double %.1774.i.i.i, 0x3FD5555555555555
+  %.1777.i.i.i = fadd contract double %.106.i.i.i, %.1775.i.i.i
+  %.1779.i.i.i = fmul contract double %.1069.i66.i.i, %.1744.i.i.i
+  %.1781.i.i.i = fadd contract double %.1016.i.i.i, %.1779.i.i.i
+  %.1782.i.i.i = fmul contract double %.1744.i.i.i, %.1781.i.i.i
+  %.1784.i.i.i = fadd contract double %.963.i64.i.i, %.1782.i.i.i
+  %.1785.i.i.i = fmul contract double %.1744.i.i.i, %.1784.i.i.i
+  %.1787.i.i.i = fadd contract double %.910.i.i.i, %.1785.i.i.i
+  %.1788.i.i.i = fmul contract double %.1744.i.i.i, %.1787.i.i.i
+  %.1790.i.i.i = fadd contract double %.821.i.i.i, %.1788.i.i.i
+  %.1791.i.i.i = fmul contract double %.1744.i.i.i, %.1790.i.i.i
+  %.1793.i.i.i = fadd contract double %.768.i.i18.i, %.1791.i.i.i
+  %.1794.i.i.i = fmul contract double %.1744.i.i.i, %.1793.i.i.i
+  %.1796.i.i.i = fadd contract double %.715.i62.i.i, %.1794.i.i.i
+  %.1797.i.i.i = fmul contract double %.1744.i.i.i, %.1796.i.i.i
+  %.1799.i.i.i = fadd contract double %.662.i.i.i, %.1797.i.i.i
+  %.1801.i.i.i = fmul contract double %.573.i.i.i, %.1744.i.i.i
+  %.1803.i.i.i = fadd contract double %.520.i.i17.i, %.1801.i.i.i
+  %.1804.i.i.i = fmul contract double %.1744.i.i.i, %.1803.i.i.i
+  %.1806.i.i.i = fadd contract double %.467.i.i.i, %.1804.i.i.i
+  %.1807.i.i.i = fmul contract double %.1744.i.i.i, %.1806.i.i.i
+  %.1809.i.i.i = fadd contract double %.414.i.i.i, %.1807.i.i.i
+  %.1810.i.i.i = fmul contract double %.1744.i.i.i, %.1809.i.i.i
+  %.1812.i.i.i = fadd contract double %.325.i60.i.i, %.1810.i.i.i
+  %.1813.i.i.i = fmul contract double %.1744.i.i.i, %.1812.i.i.i
+  %.1815.i.i.i = fadd contract double %.272.i.i15.i, %.1813.i.i.i
+  %.1816.i.i.i = fmul contract double %.1744.i.i.i, %.1815.i.i.i
+  %.1818.i.i.i = fadd contract double %.219.i.i.i, %.1816.i.i.i
+  %.1819.i.i.i = fmul contract double %.1744.i.i.i, %.1818.i.i.i
+  %.1821.i.i.i = fadd contract double %.164.i57.i.i, %.1819.i.i.i
+  %.1823.i.i.i = fmul contract double %.1512.i.i.i, %.1744.i.i.i
+  %.1825.i.i21.i = fadd contract double %.1459.i.i.i, %.1823.i.i.i
+  %.1826.i.i.i = fmul contract double %.1744.i.i.i, %.1825.i.i21.i
+  %.1828.i.i.i = fadd contract double %.1406.i.i.i, %.1826.i.i.i
+  %.1829.i.i.i = fmul contract double %.1744.i.i.i, %.1828.i.i.i
+  %.1831.i.i.i = fadd contract double %.1317.i.i.i, %.1829.i.i.i
+  %.1832.i.i.i = fmul contract double %.1744.i.i.i, %.1831.i.i.i
+  %.1834.i.i22.i = fadd contract double %.1264.i.i.i, %.1832.i.i.i
+  %.1835.i.i.i = fmul contract double %.1744.i.i.i, %.1834.i.i22.i
+  %.1837.i.i.i = fadd contract double %.1211.i.i.i, %.1835.i.i.i
+  %.1838.i.i.i = fmul contract double %.1744.i.i.i, %.1837.i.i.i
+  %.1840.i.i.i = fadd contract double %.1158.i.i20.i, %.1838.i.i.i
+  %.1841.i.i.i = fmul contract double %.1744.i.i.i, %.1744.i.i.i
+  %.1842.i.i.i = fmul contract double %.1744.i.i.i, %.1841.i.i.i
+  %.1846.i.i.i = fdiv contract double 1.000000e+00, %.1744.i.i.i
+  %.1847.i.i.i = fmul contract double %.1846.i.i.i, %.1846.i.i.i
+  %.1848.i.i.i = fmul contract double %.1847.i.i.i, %.1847.i.i.i
+  %.1849.i.i.i = fmul contract double %.1846.i.i.i, %.1848.i.i.i
+  %.1850.i.i23.i = fmul contract double %.1849.i.i.i, %.1821.i.i.i
+  %.1851.i.i.i = fmul contract double %.1842.i.i.i, %.1799.i.i.i
+  %.1852.i.i.i = fadd contract double %.1850.i.i23.i, %.1851.i.i.i
+  %.1854.i.i.i = fmul contract double %.1574.i.i.i, %.1842.i.i.i
+  %.1855.i.i.i = fmul contract double %.1777.i.i.i, %.1854.i.i.i
+  %.1856.i.i.i = fadd contract double %.1855.i.i.i, %.1840.i.i.i
+  %.1857.i.i.i = fmul contract double %.1777.i.i.i, %.1856.i.i.i
+  %.1858.i.i.i = fadd contract double %.1857.i.i.i, %.1852.i.i.i
+  %scevgep5.i.i.i = getelementptr i8, ptr %.2509.i, i64 %226
+  %.1888.i.i.i = load double, ptr %scevgep5.i.i.i, align 8, !noalias !78
+  %.1890.i.i.i = fmul contract double %.3699.i.i, %.1888.i.i.i
+  %.1892.i.i.i = fadd contract double %.3619.i.i, %.1890.i.i.i
+  %scevgep4.i.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %226
+  %.1922.i.i.i = load double, ptr %scevgep4.i.i.i, align 8, !noalias !78
+  %.1923.i.i.i = fadd contract double %.1922.i.i.i, %.1858.i.i.i
+  %.1924.i.i.i = fsub contract double %.1892.i.i.i, %.1923.i.i.i
+  store double %.1924.i.i.i, ptr %scevgep4.i.i.i, align 8, !noalias !78
+  %exitcond.not.i68.i.i = icmp eq i64 %.3728.sroa.13.2.i.i, %.1688.i.i.i
+  br i1 %exitcond.not.i68.i.i, label %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B568.if.i.i.i
+
+_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B568.if.i.i.i, %B960.endif.endif.endif.en...endif.i.i
+  %.3983.i.i = sub i64 %.2493.i, %low.6.1.i7.i.i
+  %.40261093.not.i.i = icmp slt i64 %.3983.i.i, 1
+  br i1 %.40261093.not.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1404.if.preheader.i.i
+
+B1404.if.preheader.i.i:                           ; preds = %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %.neg.i.i = add i64 %low.6.1.i7.i.i, 1
+  %xtraiter.i.i = and i64 %.3983.i.i, 1
+  %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
+  br i1 %lcmp.mod.not.i.i, label %B1404.if.prol.loopexit.i.i, label %B1404.if.prol.i.i
+
+B1404.if.prol.i.i:                                ; preds = %B1404.if.preheader.i.i
+  %.4035.prol.i.i = add nsw i64 %.3983.i.i, -1
+  %227 = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %low.6.1.i7.i.i
+  %.4092.prol.i.i = getelementptr double, ptr %227, i64 %.3396.i.i
+  store double 0.000000e+00, ptr %.4092.prol.i.i, align 8, !noalias !57
+  %228 = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %low.6.1.i7.i.i
+  %.4122.prol.i.i = getelementptr double, ptr %228, i64 %.3756.i.i
+  store double 0.000000e+00, ptr %.4122.prol.i.i, align 8, !noalias !57
+  br label %B1404.if.prol.loopexit.i.i
+
+B1404.if.prol.loopexit.i.i:                       ; preds = %B1404.if.prol.i.i, %B1404.if.preheader.i.i
+  %.402510911095.unr.i.i = phi i64 [ %.3983.i.i, %B1404.if.preheader.i.i ], [ %.4035.prol.i.i, %B1404.if.prol.i.i ]
+  %.403210921094.unr.i.i = phi i64 [ %low.6.1.i7.i.i, %B1404.if.preheader.i.i ], [ %.neg.i.i, %B1404.if.prol.i.i ]
+  %229 = icmp eq i64 %.2493.i, %.neg.i.i
+  br i1 %229, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1404.if.preheader38.i.i
+
+B1404.if.preheader38.i.i:                         ; preds = %B1404.if.prol.loopexit.i.i
+  %230 = add nuw i64 %.402510911095.unr.i.i, 2
+  %231 = shl i64 %a.2.sroa.60.2.i, 3
+  %232 = shl i64 %p.2.sroa.60.2.i, 3
+  %233 = shl i64 %.403210921094.unr.i.i, 3
+  %scevgep1.i24.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %233
+  %scevgep5.i25.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %233
+  %234 = add i64 %231, 8
+  %235 = add i64 %232, 8
+  br label %B1404.if.i.i
+
+B1404.if.i.i:                                     ; preds = %B1404.if.i.i, %B1404.if.preheader38.i.i
+  %lsr.iv6.i.i = phi ptr [ %scevgep7.i.i, %B1404.if.i.i ], [ %scevgep5.i25.i, %B1404.if.preheader38.i.i ]
+  %lsr.iv2.i.i = phi ptr [ %scevgep3.i.i, %B1404.if.i.i ], [ %scevgep1.i24.i, %B1404.if.preheader38.i.i ]
+  %lsr.iv.i26.i = phi i64 [ %lsr.iv.next.i.i, %B1404.if.i.i ], [ %230, %B1404.if.preheader38.i.i ]
+  %.403210921094.i.i = phi i64 [ %241, %B1404.if.i.i ], [ %.403210921094.unr.i.i, %B1404.if.preheader38.i.i ]
+  %.4077.i.i = icmp slt i64 %.403210921094.i.i, 0
+  %236 = select i1 %.4077.i.i, i64 %231, i64 0
+  %scevgep10.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %236
+  store double 0.000000e+00, ptr %scevgep10.i.i, align 8, !noalias !57
+  %237 = select i1 %.4077.i.i, i64 %232, i64 0
+  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %237
+  store double 0.000000e+00, ptr %scevgep9.i.i, align 8, !noalias !57
+  %238 = add i64 %.403210921094.i.i, 1
+  %.4077.1.i.i = icmp slt i64 %238, 0
+  %239 = select i1 %.4077.1.i.i, i64 %234, i64 8
+  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %239
+  store double 0.000000e+00, ptr %scevgep8.i.i, align 8, !noalias !57
+  %240 = select i1 %.4077.1.i.i, i64 %235, i64 8
+  %scevgep4.i27.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %240
+  store double 0.000000e+00, ptr %scevgep4.i27.i, align 8, !noalias !57
+  %lsr.iv.next.i.i = add i64 %lsr.iv.i26.i, -2
+  %scevgep3.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 16
+  %scevgep7.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 16
+  %.4026.1.i.i = icmp sgt i64 %lsr.iv.next.i.i, 2
+  %241 = add i64 %.403210921094.i.i, 2
+  br i1 %.4026.1.i.i, label %B1404.if.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+
+_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1404.if.i.i, %B1404.if.prol.loopexit.i.i, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  call void @llvm.lifetime.end.p0(ptr nonnull %.2457.i.i), !noalias !0
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3111.i.i), !noalias !0
+  br i1 %53, label %B908.i, label %B964.i
+
+B908.else.if.i:                                   ; preds = %B908.i
+  br label %B908.else.endif.i
+
+B908.else.endif.i:                                ; preds = %B908.else.if.i, %B908.i
+  %.3320.sroa.0.1.i = phi i64 [ 0, %B908.else.if.i ], [ %.3332.i, %B908.i ]
+  %.3340.not.i = icmp slt i64 %.3332.i, %arg.n_wide
+  br i1 %.3340.not.i, label %B908.else.endif.endif.i, label %B908.else.endif.if.i, !prof !4
+
+B908.else.endif.if.i:                             ; preds = %B908.else.endif.i
+  br label %B908.else.endif.endif.i
+
+B908.else.endif.endif.i:                          ; preds = %B908.else.endif.if.i, %B908.else.endif.i
+  %.3320.sroa.0.3.i = phi i64 [ %arg.n_wide, %B908.else.endif.if.i ], [ %.3320.sroa.0.1.i, %B908.else.endif.i ]
+  %.3347.i = icmp slt i64 %.3292.i, 0
+  %.3348.i = select i1 %.3347.i, i64 %arg.n_wide, i64 0
+  %.3349.i = add i64 %.3348.i, %.3292.i
+  %.3352.i = icmp slt i64 %.3349.i, 0
+  br i1 %.3352.i, label %B908.else.endif.endif.if.i, label %B908.else.endif.endif.endif.i, !prof !3
+
+B908.else.endif.endif.if.i:                       ; preds = %B908.else.endif.endif.i
+  br label %B908.else.endif.endif.endif.i
+
+B908.else.endif.endif.endif.i:                    ; preds = %B908.else.endif.endif.if.i, %B908.else.endif.endif.i
+  %.3320.sroa.13.1.i = phi i64 [ 0, %B908.else.endif.endif.if.i ], [ %.3349.i, %B908.else.endif.endif.i ]
+  %.3357.not.i = icmp slt i64 %.3349.i, %arg.n_wide
+  br i1 %.3357.not.i, label %B908.else.endif.endif.endif.endif.i, label %B908.else.endif.endif.endif.if.i, !prof !4
+
+B908.else.endif.endif.endif.if.i:                 ; preds = %B908.else.endif.endif.endif.i
+  br label %B908.else.endif.endif.endif.endif.i
+
+B908.else.endif.endif.endif.endif.i:              ; preds = %B908.else.endif.endif.endif.if.i, %B908.else.endif.endif.endif.i
+  %.3320.sroa.13.2.i = phi i64 [ %arg.n_wide, %B908.else.endif.endif.endif.if.i ], [ %.3320.sroa.13.1.i, %B908.else.endif.endif.endif.i ]
+  %.3408.i = sub nsw i64 %.3320.sroa.13.2.i, %.3320.sroa.0.3.i
+  %.138124.not.i.i = icmp slt i64 %.3408.i, 1
+  br i1 %.138124.not.i.i, label %B964.i, label %B56.if.preheader.i.i
+
+B56.if.preheader.i.i:                             ; preds = %B908.else.endif.endif.endif.endif.i
+  %.3433.i = getelementptr { double, double }, ptr %arg.wide, i64 %.3320.sroa.0.3.i
+  %scevgep.i.i = getelementptr i8, ptr %.3433.i, i64 8
+  br label %B56.if.i.i
+
+B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if.preheader.i.i
+  %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B56.if.preheader.i.i ], [ %scevgep1.i.i, %B56.if.i.i ]
+  %.144123125.i.i = phi i64 [ 0, %B56.if.preheader.i.i ], [ %.151.i.i, %B56.if.i.i ]
+  %.151.i.i = add nuw nsw i64 %.144123125.i.i, 1
+  %242 = shl i64 %.144123125.i.i, 3
+  %scevgep4.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %242
+  %.206.i.i = load double, ptr %scevgep4.i.i, align 8, !noalias !81
+  %.207.i.i = fmul contract double %.206.i.i, 0x3FE45F306DC9C883
+  %.208.i.i = fadd contract double %.207.i.i, 0x4338000000000000
+  %.209.i.i = fadd contract double %.208.i.i, 0xC338000000000000
+  %.227.i.i = fmul contract double %.209.i.i, 0x3FF921FA00000000
+  %.228.i.i = fsub contract double %.206.i.i, %.227.i.i
+  %.246.i.i = fmul contract double %.209.i.i, 0x3EB5444200000000
+  %.247.i.i = fsub contract double %.228.i.i, %.246.i.i
+  %.265.i.i = fmul contract double %.209.i.i, 0x3D6A308C00000000
+  %.266.i.i = fsub contract double %.247.i.i, %.265.i.i
+  %.284.i.i = fmul contract double %.209.i.i, 0x3C2313198A2E0370
+  %.285.i.i = fsub contract double %.266.i.i, %.284.i.i
+  %.286.i.i = fmul contract double %.285.i.i, %.285.i.i
+  %.287.i.i = fmul contract double %.285.i.i, %.286.i.i
+  %.288.i.i = fmul contract double %.286.i.i, 0x3D6AE7F3E733B81F
+  %243 = fsub contract double 0x3DE6124613A86D09, %.288.i.i
+  %.290.i.i = fmul contract double %.286.i.i, %243
+  %.291.i.i = fadd contract double %.290.i.i, 0xBE5AE64567F544E4
+  %.292.i.i = fmul contract double %.286.i.i, %.291.i.i
+  %.293.i.i = fadd contract double %.292.i.i, 0x3EC71DE3A556C734
+  %.294.i.i = fmul contract double %.286.i.i, %.293.i.i
+  %.295.i.i = fadd contract double %.294.i.i, 0xBF2A01A01A01A01A
+  %.296.i.i = fmul contract double %.286.i.i, %.295.i.i
+  %.297.i.i = fadd contract double %.296.i.i, 0x3F81111111111111
+  %.298.i.i = fmul contract double %.286.i.i, %.297.i.i
+  %.299.i.i = fadd contract double %.298.i.i, 0xBFC5555555555555
+  %.300.i.i = fmul contract double %.287.i.i, %.299.i.i
+  %.301.i.i = fadd contract double %.285.i.i, %.300.i.i
+  %.302.i.i = fmul contract double %.286.i.i, 0x3D2AE7F3E733B81F
+  %.303.i.i = fadd contract double %.302.i.i, 0xBDA93974A8C07C9D
+  %.304.i.i = fmul contract double %.286.i.i, %.303.i.i
+  %.305.i.i = fadd contract double %.304.i.i, 0x3E21EED8EFF8D898
+  %.306.i.i = fmul contract double %.286.i.i, %.305.i.i
+  %.307.i.i = fadd contract double %.306.i.i, 0xBE927E4FB7789F5C
+  %.308.i.i = fmul contract double %.286.i.i, %.307.i.i
+  %.309.i.i = fadd contract double %.308.i.i, 0x3EFA01A01A01A01A
+  %.310.i.i = fmul contract double %.286.i.i, %.309.i.i
+  %.311.i.i = fadd contract double %.310.i.i, 0xBF56C16C16C16C17
+  %.312.i.i = fmul contract double %.286.i.i, %.311.i.i
+  %.313.i.i = fadd contract double %.312.i.i, 0x3FA5555555555555
+  %.314.i.i = fmul contract double %.286.i.i, %.313.i.i
+  %.315.i.i = fadd contract double %.314.i.i, -5.000000e-01
+  %.316.i.i = fmul contract double %.286.i.i, %.315.i.i
+  %.317.i.i = fadd contract double %.316.i.i, 1.000000e+00
+  %.318.i.i = bitcast double %.208.i.i to i64
+  %.319.i.i = and i64 %.318.i.i, 1
+  %.321.i.i = bitcast double %.301.i.i to i64
+  %.322.i.i = bitcast double %.317.i.i to i64
+  %.323.i.i = xor i64 %.322.i.i, %.321.i.i
+  %244 = icmp eq i64 %.319.i.i, 0
+  %.324.i.i = select i1 %244, i64 0, i64 %.323.i.i
+  %.325.i.i = shl i64 %.318.i.i, 62
+  %.326.i.i = and i64 %.325.i.i, -9223372036854775808
+  %.328.i.i = add i64 %.325.i.i, 4611686018427387904
+  %.329.i.i = and i64 %.328.i.i, -9223372036854775808
+  %245 = xor i64 %.326.i.i, %.321.i.i
+  %.331.i.i = xor i64 %245, %.324.i.i
+  %.332.i.i = bitcast i64 %.331.i.i to double
+  %246 = xor i64 %.329.i.i, %.322.i.i
+  %.334.i.i = xor i64 %246, %.324.i.i
+  %.335.i.i = bitcast i64 %.334.i.i to double
+  %scevgep19.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %242
+  %.385.i.i = load double, ptr %scevgep19.i, align 8, !noalias !81
+  %.386.i.i = fmul contract double %.385.i.i, %.335.i.i
+  %.417.i.i = fmul contract double %.385.i.i, %.332.i.i
+  %scevgep2.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
+  store double %.386.i.i, ptr %scevgep2.i.i, align 8, !noalias !81
+  store double %.417.i.i, ptr %lsr.iv.i.i, align 8, !noalias !81
+  %scevgep1.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 16
+  %exitcond.not.i.i = icmp eq i64 %.3408.i, %.151.i.i
+  br i1 %exitcond.not.i.i, label %B964.i, label %B56.if.i.i
+
+B998.else.if.i:                                   ; preds = %B998.i
+  br label %B998.else.endif.i
+
+B998.else.endif.i:                                ; preds = %B998.else.if.i, %B998.i
+  %.3549.sroa.0.1.i = phi i64 [ 0, %B998.else.if.i ], [ %.3561.i, %B998.i ]
+  %.3569.not.i = icmp slt i64 %.3561.i, %arg.n_narrow
+  br i1 %.3569.not.i, label %B998.else.endif.endif.i, label %B998.else.endif.if.i, !prof !4
+
+B998.else.endif.if.i:                             ; preds = %B998.else.endif.i
+  br label %B998.else.endif.endif.i
+
+B998.else.endif.endif.i:                          ; preds = %B998.else.endif.if.i, %B998.else.endif.i
+  %.3549.sroa.0.3.i = phi i64 [ %arg.n_narrow, %B998.else.endif.if.i ], [ %.3549.sroa.0.1.i, %B998.else.endif.i ]
+  %.3576.i = icmp slt i64 %.3517.i, 0
+  %.3577.i = select i1 %.3576.i, i64 %arg.n_narrow, i64 0
+  %.3578.i = add i64 %.3577.i, %.3517.i
+  %.3581.i = icmp slt i64 %.3578.i, 0
+  br i1 %.3581.i, label %B998.else.endif.endif.if.i, label %B998.else.endif.endif.endif.i, !prof !3
+
+B998.else.endif.endif.if.i:                       ; preds = %B998.else.endif.endif.i
+  br label %B998.else.endif.endif.endif.i
+
+B998.else.endif.endif.endif.i:                    ; preds = %B998.else.endif.endif.if.i, %B998.else.endif.endif.i
+  %.3549.sroa.13.1.i = phi i64 [ 0, %B998.else.endif.endif.if.i ], [ %.3578.i, %B998.else.endif.endif.i ]
+  %.3586.not.i = icmp slt i64 %.3578.i, %arg.n_narrow
+  br i1 %.3586.not.i, label %B998.else.endif.endif.endif.endif.i, label %B998.else.endif.endif.endif.if.i, !prof !4
+
+B998.else.endif.endif.endif.if.i:                 ; preds = %B998.else.endif.endif.endif.i
+  br label %B998.else.endif.endif.endif.endif.i
+
+B998.else.endif.endif.endif.endif.i:              ; preds = %B998.else.endif.endif.endif.if.i, %B998.else.endif.endif.endif.i
+  %.3549.sroa.13.2.i = phi i64 [ %arg.n_narrow, %B998.else.endif.endif.endif.if.i ], [ %.3549.sroa.13.1.i, %B998.else.endif.endif.endif.i ]
+  %.3637.i = sub nsw i64 %.3549.sroa.13.2.i, %.3549.sroa.0.3.i
+  %.138128.not.i.i = icmp slt i64 %.3637.i, 1
+  br i1 %.138128.not.i.i, label %B1054.i, label %B56.if.i19.preheader.i
+
+B56.if.i19.preheader.i:                           ; preds = %B998.else.endif.endif.endif.endif.i
+  %247 = shl i64 %.3549.sroa.0.3.i, 3
+  %scevgep99.i = getelementptr i8, ptr %scevgep98.i, i64 %247
+  br label %B56.if.i19.i
+
+B56.if.i19.i:                                     ; preds = %B56.if.i19.i, %B56.if.i19.preheader.i
+  %.144127129.i.i = phi i64 [ %.151.i20.i, %B56.if.i19.i ], [ 0, %B56.if.i19.preheader.i ]
+  %.151.i20.i = add nuw nsw i64 %.144127129.i.i, 1
+  %248 = shl i64 %.144127129.i.i, 3
+  %scevgep5.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %248
+  %.206.i21.i = load double, ptr %scevgep5.i.i, align 8, !noalias !84
+  %.207.i22.i = fmul contract double %.206.i21.i, 0x3FE45F306DC9C883
+  %.208.i23.i = fadd contract double %.207.i22.i, 0x4338000000000000
+  %.209.i24.i = fadd contract double %.208.i23.i, 0xC338000000000000
+  %.227.i25.i = fmul contract double %.209.i24.i, 0x3FF921FA00000000
+  %.228.i26.i = fsub contract double %.206.i21.i, %.227.i25.i
+  %.246.i27.i = fmul contract double %.209.i24.i, 0x3EB5444200000000
+  %.247.i28.i = fsub contract double %.228.i26.i, %.246.i27.i
+  %.265.i29.i = fmul contract double %.209.i24.i, 0x3D6A308C00000000
+  %.266.i30.i = fsub contract double %.247.i28.i, %.265.i29.i
+  %.284.i31.i = fmul contract double %.209.i24.i, 0x3C2313198A2E0370
+  %.285.i32.i = fsub contract double %.266.i30.i, %.284.i31.i
+  %.286.i33.i = fmul contract double %.285.i32.i, %.285.i32.i
+  %.287.i34.i = fmul contract double %.285.i32.i, %.286.i33.i
+  %.288.i35.i = fmul contract double %.286.i33.i, 0x3D6AE7F3E733B81F
+  %249 = fsub contract double 0x3DE6124613A86D09, %.288.i35.i
+  %.290.i36.i = fmul contract double %.286.i33.i, %249
+  %.291.i37.i = fadd contract double %.290.i36.i, 0xBE5AE64567F544E4
+  %.292.i38.i = fmul contract double %.286.i33.i, %.291.i37.i
+  %.293.i39.i = fadd contract double %.292.i38.i, 0x3EC71DE3A556C734
+  %.294.i40.i = fmul contract double %.286.i33.i, %.293.i39.i
+  %.295.i41.i = fadd contract double %.294.i40.i, 0xBF2A01A01A01A01A
+  %.296.i42.i = fmul contract double %.286.i33.i, %.295.i41.i
+  %.297.i43.i = fadd contract double %.296.i42.i, 0x3F81111111111111
+  %.298.i44.i = fmul contract double %.286.i33.i, %.297.i43.i
+  %.299.i45.i = fadd contract double %.298.i44.i, 0xBFC5555555555555
+  %.300.i46.i = fmul contract double %.287.i34.i, %.299.i45.i
+  %.301.i47.i = fadd contract double %.285.i32.i, %.300.i46.i
+  %.302.i48.i = fmul contract double %.286.i33.i, 0x3D2AE7F3E733B81F
+  %.303.i49.i = fadd contract double %.302.i48.i, 0xBDA93974A8C07C9D
+  %.304.i50.i = fmul contract double %.286.i33.i, %.303.i49.i
+  %.305.i51.i = fadd contract double %.304.i50.i, 0x3E21EED8EFF8D898
+  %.306.i52.i = fmul contract double %.286.i33.i, %.305.i51.i
+  %.307.i53.i = fadd contract double %.306.i52.i, 0xBE927E4FB7789F5C
+  %.308.i54.i = fmul contract double %.286.i33.i, %.307.i53.i
+  %.309.i55.i = fadd contract double %.308.i54.i, 0x3EFA01A01A01A01A
+  %.310.i56.i = fmul contract double %.286.i33.i, %.309.i55.i
+  %.311.i57.i = fadd contract double %.310.i56.i, 0xBF56C16C16C16C17
+  %.312.i58.i = fmul contract double %.286.i33.i, %.311.i57.i
+  %.313.i59.i = fadd contract double %.312.i58.i, 0x3FA5555555555555
+  %.314.i60.i = fmul contract double %.286.i33.i, %.313.i59.i
+  %.315.i61.i = fadd contract double %.314.i60.i, -5.000000e-01
+  %.316.i62.i = fmul contract double %.286.i33.i, %.315.i61.i
+  %.317.i63.i = fadd contract double %.316.i62.i, 1.000000e+00
+  %.318.i64.i = bitcast double %.208.i23.i to i64
+  %.319.i65.i = and i64 %.318.i64.i, 1
+  %.321.i66.i = bitcast double %.301.i47.i to i64
+  %.322.i67.i = bitcast double %.317.i63.i to i64
+  %.323.i68.i = xor i64 %.322.i67.i, %.321.i66.i
+  %250 = icmp eq i64 %.319.i65.i, 0
+  %.324.i69.i = select i1 %250, i64 0, i64 %.323.i68.i
+  %.325.i70.i = shl i64 %.318.i64.i, 62
+  %.326.i71.i = and i64 %.325.i70.i, -9223372036854775808
+  %.328.i72.i = add i64 %.325.i70.i, 4611686018427387904
+  %.329.i73.i = and i64 %.328.i72.i, -9223372036854775808
+  %251 = xor i64 %.326.i71.i, %.321.i66.i
+  %.331.i74.i = xor i64 %251, %.324.i69.i
+  %.332.i75.i = bitcast i64 %.331.i74.i to double
+  %252 = xor i64 %.329.i73.i, %.322.i67.i
+  %.334.i76.i = xor i64 %252, %.324.i69.i
+  %.335.i77.i = bitcast i64 %.334.i76.i to double
+  %scevgep21.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %248
+  %.385.i79.i = load double, ptr %scevgep21.i, align 8, !noalias !84
+  %.386.i80.i = fmul contract double %.385.i79.i, %.335.i77.i
+  %.417.i81.i = fmul contract double %.385.i79.i, %.332.i75.i
+  %.464.i.i = fptrunc double %.386.i80.i to float
+  %.469.i.i = fptrunc double %.417.i81.i to float
+  %scevgep.i = getelementptr i8, ptr %scevgep99.i, i64 %248
+  %scevgep20.i = getelementptr i8, ptr %scevgep.i, i64 -4
+  store float %.464.i.i, ptr %scevgep20.i, align 4, !noalias !84
+  store float %.469.i.i, ptr %scevgep.i, align 4, !noalias !84
+  %exitcond.not.i82.i = icmp eq i64 %.3637.i, %.151.i20.i
+  br i1 %exitcond.not.i82.i, label %B1054.i, label %B56.if.i19.i
+
+_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE.exit: ; preds = %B1058.i, %B0.endif.else.endif.endif.i
+  store ptr null, ptr %retptr, align 8
+  ret i32 0
+}
+
+; Function Attrs: mustprogress nocallback nofree nounwind willreturn memory(argmem: write)
+declare void @llvm.memset.p0.i64(ptr writeonly captures(none), i8, i64, i1 immarg) #1
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare i64 @llvm.smin.i64(i64, i64) #2
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare i64 @llvm.smax.i64(i64, i64) #2
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.log.f64(double) #2
+
+; Function Attrs: nofree norecurse nosync nounwind memory(argmem: readwrite)
+define internal fastcc void @inner_0(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.log_f.4, i64 range(i64 0, -9223372036854775808) %arg.log_f.5.0, double %arg.shift, ptr readonly captures(none) %arg.knots.4, i64 range(i64 0, -9223372036854775808) %arg.knots.5.0, ptr readonly captures(none) %arg.values.4, ptr readonly captures(none) %arg.curvatures.4, ptr writeonly captures(none) %arg.out.4, i64 range(i64 0, -9223372036854775808) %arg.out.5.0) unnamed_addr #3 {
+entry:
+  %.192550 = icmp samesign ugt i64 %arg.knots.5.0, 1
+  br i1 %.192550, label %B98.if.lr.ph, label %common.ret
+
+B98.if.lr.ph:                                     ; preds = %entry
+  %.277 = add nsw i64 %arg.knots.5.0, -2
+  %scevgep = getelementptr i8, ptr %arg.log_f.4, i64 8
+  %scevgep6 = getelementptr i8, ptr %arg.out.4, i64 8
+  br label %B98.if
+
+common.ret:                                       ; preds = %B98.if, %B675, %entry
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B120:                                             ; preds = %B98.if
+  %.279 = icmp slt i64 %.198538553, %.277
+  br i1 %.279, label %B138, label %B254
+
+B138:                                             ; preds = %B120
+  %.295 = icmp slt i64 %start.2.0555, 0
+  %.296 = select i1 %.295, i64 %arg.log_f.5.0, i64 0
+  %0 = getelementptr double, ptr %arg.log_f.4, i64 %start.2.0555
+  %.310 = getelementptr double, ptr %0, i64 %.296
+  %.311 = load double, ptr %.310, align 8
+  %1 = getelementptr double, ptr %arg.knots.4, i64 %.198538553
+  %2 = getelementptr i8, ptr %1, i64 8
+  %.343 = load double, ptr %2, align 8
+  %.345 = fsub contract double %.343, %arg.shift
+  %.346 = fcmp contract ogt double %.311, %.345
+  br i1 %.346, label %B675, label %B188
+
+B188:                                             ; preds = %B138
+  %.44.i = icmp sge i64 %start.2.0555, %arg.log_f.5.0
+  %.98.i = fcmp contract ugt double %.311, %.345
+  %or.cond = or i1 %.44.i, %.98.i
+  br i1 %or.cond, label %B118.i, label %B52.i
+
+B52.i:                                            ; preds = %B188, %B94.i
+  %step.2.1.i = phi i64 [ %.123.i, %B94.i ], [ 1, %B188 ]
+  %high.4.1.i = phi i64 [ %.113.i, %B94.i ], [ %start.2.0555, %B188 ]
+  %.113.i = add nsw i64 %high.4.1.i, %step.2.1.i
+  %.131.i = icmp slt i64 %.113.i, %arg.log_f.5.0
+  br i1 %.131.i, label %B94.i, label %B118.loopexit.i
+
+B94.i:                                            ; preds = %B52.i
+  %.123.i = shl nsw i64 %step.2.1.i, 1
+  %.163.i = icmp slt i64 %.113.i, 0
+  %.164.i = select i1 %.163.i, i64 %arg.log_f.5.0, i64 0
+  %3 = getelementptr double, ptr %arg.log_f.4, i64 %.113.i
+  %.178.i = getelementptr double, ptr %3, i64 %.164.i
+  %.179.i = load double, ptr %.178.i, align 8, !noalias !87
+  %.183.i = fcmp contract ugt double %.179.i, %.345
+  br i1 %.183.i, label %B118.loopexit.i, label %B52.i
+
+B118.loopexit.i:                                  ; preds = %B94.i, %B52.i
+  %.104.le.i = add nsw i64 %high.4.1.i, 1
+  br label %B118.i
+
+B118.i:                                           ; preds = %B118.loopexit.i, %B188
+  %low.3.0.i = phi i64 [ %.104.le.i, %B118.loopexit.i ], [ %start.2.0555, %B188 ]
+  %high.5.0.i = phi i64 [ %.113.i, %B118.loopexit.i ], [ %start.2.0555, %B188 ]
+  %spec.select.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i, i64 %arg.log_f.5.0)
+  %.238.i = icmp slt i64 %low.3.0.i, %spec.select.i
+  br i1 %.238.i, label %B146.i, label %B254
+
+B146.i:                                           ; preds = %B118.i, %B146.i
+  %low.4.0.i = phi i64 [ %low.5.1.i, %B146.i ], [ %low.3.0.i, %B118.i ]
+  %high.7.0.i = phi i64 [ %high.8.1.i, %B146.i ], [ %spec.select.i, %B118.i ]
+  %.251.i = add nsw i64 %high.7.0.i, %low.4.0.i
+  %.259.1.i = ashr i64 %.251.i, 1
+  %.309.i = icmp slt i64 %.259.1.i, 0
+  %.310.i = select i1 %.309.i, i64 %arg.log_f.5.0, i64 0
+  %4 = getelementptr double, ptr %arg.log_f.4, i64 %.259.1.i
+  %.324.i = getelementptr double, ptr %4, i64 %.310.i
+  %.325.i = load double, ptr %.324.i, align 8, !noalias !87
+  %.327.i = fcmp contract ole double %.325.i, %.345
+  %.338.i = add nsw i64 %.259.1.i, 1
+  %high.8.1.i = select i1 %.327.i, i64 %high.7.0.i, i64 %.259.1.i
+  %low.5.1.i = select i1 %.327.i, i64 %.338.i, i64 %low.4.0.i
+  %.369.i = icmp slt i64 %low.5.1.i, %high.8.1.i
+  br i1 %.369.i, label %B146.i, label %B254
+
+B254:                                             ; preds = %B146.i, %B118.i, %B120
+  %end.2.2 = phi i64 [ %arg.log_f.5.0, %B120 ], [ %low.3.0.i, %B118.i ], [ %low.5.1.i, %B146.i ]
+  %5 = getelementptr double, ptr %arg.knots.4, i64 %.205
+  %.460 = load double, ptr %5, align 8
+  %6 = getelementptr double, ptr %arg.knots.4, i64 %.198538553
+  %.491 = load double, ptr %6, align 8
+  %.492 = fsub contract double %.460, %.491
+  %7 = getelementptr double, ptr %arg.values.4, i64 %.198538553
+  %.523 = load double, ptr %7, align 8
+  %8 = getelementptr double, ptr %arg.values.4, i64 %.205
+  %.558 = load double, ptr %8, align 8
+  %.560 = fsub contract double %.558, %.523
+  %.564 = fdiv contract double %.560, %.492
+  %9 = getelementptr double, ptr %arg.curvatures.4, i64 %.198538553
+  %.595 = load double, ptr %9, align 8
+  %.596 = fmul contract double %.595, 2.000000e+00
+  %10 = getelementptr double, ptr %arg.curvatures.4, i64 %.205
+  %.628 = load double, ptr %10, align 8
+  %.629 = fadd contract double %.596, %.628
+  %.630 = fmul contract double %.492, %.629
+  %.634 = fdiv contract double %.630, 6.000000e+00
+  %.635 = fsub contract double %.564, %.634
+  %.670 = fmul contract double %.595, 5.000000e-01
+  %.737 = fsub contract double %.628, %.595
+  %.738 = fmul contract double %.492, 6.000000e+00
+  %.742 = fdiv contract double %.737, %.738
+  %.780 = fsub contract double %arg.shift, %.491
+  %.822 = icmp slt i64 %start.2.0555, 0
+  %.823 = select i1 %.822, i64 %arg.log_f.5.0, i64 0
+  %.824 = add i64 %.823, %start.2.0555
+  %.827 = icmp slt i64 %.824, 0
+  br i1 %.827, label %B254.endif.endif.endif.else.if, label %B254.endif.endif.endif.else.endif, !prof !3
+
+B675.loopexit.unr-lcssa:                          ; preds = %B592.if
+  %11 = and i64 %.1081, 1
+  %lcmp.mod.not = icmp eq i64 %11, 0
+  br i1 %lcmp.mod.not, label %B675, label %B592.if.epil.preheader
+
+B592.if.epil.preheader:                           ; preds = %B592.if.preheader, %B675.loopexit.unr-lcssa
+  %.1240531533.epil.init = phi i64 [ 0, %B592.if.preheader ], [ %.1247.1, %B675.loopexit.unr-lcssa ]
+  %12 = getelementptr double, ptr %.925, i64 %.1240531533.epil.init
+  %.1301.epil = load double, ptr %12, align 8
+  %.1303.epil = fadd contract double %.780, %.1301.epil
+  %.1305.epil = fmul contract double %.742, %.1303.epil
+  %.1307.epil = fadd contract double %.670, %.1305.epil
+  %.1308.epil = fmul contract double %.1303.epil, %.1307.epil
+  %.1310.epil = fadd contract double %.635, %.1308.epil
+  %.1311.epil = fmul contract double %.1303.epil, %.1310.epil
+  %.1313.epil = fadd contract double %.523, %.1311.epil
+  %13 = getelementptr double, ptr %.1106, i64 %.1240531533.epil.init
+  store double %.1313.epil, ptr %13, align 8
+  br label %B675
+
+B675:                                             ; preds = %B254.endif.endif.endif.en...endif, %B592.if.epil.preheader, %B675.loopexit.unr-lcssa, %B138
+  %start.3.1 = phi i64 [ %start.2.0555, %B138 ], [ %end.2.2, %B254.endif.endif.endif.en...endif ], [ %end.2.2, %B675.loopexit.unr-lcssa ], [ %end.2.2, %B592.if.epil.preheader ]
+  %exitcond564.not = icmp eq i64 %.198538553, %.277
+  br i1 %exitcond564.not, label %common.ret, label %B98.if
+
+B98.if:                                           ; preds = %B675, %B98.if.lr.ph
+  %start.2.0555 = phi i64 [ 0, %B98.if.lr.ph ], [ %start.3.1, %B675 ]
+  %.198538553 = phi i64 [ 0, %B98.if.lr.ph ], [ %.205, %B675 ]
+  %.205 = add nuw nsw i64 %.198538553, 1
+  %.235 = icmp eq i64 %start.2.0555, %arg.log_f.5.0
+  br i1 %.235, label %common.ret, label %B120
+
+B254.endif.endif.endif.else.if:                   ; preds = %B254
+  br label %B254.endif.endif.endif.else.endif
+
+B254.endif.endif.endif.else.endif:                ; preds = %B254.endif.endif.endif.else.if, %B254
+  %.812.sroa.0.1 = phi i64 [ 0, %B254.endif.endif.endif.else.if ], [ %.824, %B254 ]
+  %.832.not = icmp slt i64 %.824, %arg.log_f.5.0
+  br i1 %.832.not, label %B254.endif.endif.endif.else.endif.endif.endif.endif, label %B254.endif.endif.endif.else.endif.if, !prof !4
+
+B254.endif.endif.endif.else.endif.if:             ; preds = %B254.endif.endif.endif.else.endif
+  br label %B254.endif.endif.endif.else.endif.endif.endif.endif
+
+B254.endif.endif.endif.else.endif.endif.endif.endif: ; preds = %B254.endif.endif.endif.else.endif.if, %B254.endif.endif.endif.else.endif
+  %.812.sroa.0.3 = phi i64 [ %arg.log_f.5.0, %B254.endif.endif.endif.else.endif.if ], [ %.812.sroa.0.1, %B254.endif.endif.endif.else.endif ]
+  %.925 = getelementptr double, ptr %arg.log_f.4, i64 %.812.sroa.0.3
+  %.1004 = select i1 %.822, i64 %arg.out.5.0, i64 0
+  %.1005 = add i64 %.1004, %start.2.0555
+  %.1008 = icmp slt i64 %.1005, 0
+  br i1 %.1008, label %B254.endif.endif.endif.endif.else.if, label %B254.endif.endif.endif.endif.else.endif, !prof !3
+
+B254.endif.endif.endif.endif.else.if:             ; preds = %B254.endif.endif.endif.else.endif.endif.endif.endif
+  br label %B254.endif.endif.endif.endif.else.endif
+
+B254.endif.endif.endif.endif.else.endif:          ; preds = %B254.endif.endif.endif.endif.else.if, %B254.endif.endif.endif.else.endif.endif.endif.endif
+  %.993.sroa.0.1 = phi i64 [ 0, %B254.endif.endif.endif.endif.else.if ], [ %.1005, %B254.endif.endif.endif.else.endif.endif.endif.endif ]
+  %.1013.not = icmp slt i64 %.1005, %arg.out.5.0
+  br i1 %.1013.not, label %B254.endif.endif.endif.endif.else.endif.endif, label %B254.endif.endif.endif.endif.else.endif.if, !prof !4
+
+B254.endif.endif.endif.endif.else.endif.if:       ; preds = %B254.endif.endif.endif.endif.else.endif
+  br label %B254.endif.endif.endif.endif.else.endif.endif
+
+B254.endif.endif.endif.endif.else.endif.endif:    ; preds = %B254.endif.endif.endif.endif.else.endif.if, %B254.endif.endif.endif.endif.else.endif
+  %.993.sroa.0.3 = phi i64 [ %arg.out.5.0, %B254.endif.endif.endif.endif.else.endif.if ], [ %.993.sroa.0.1, %B254.endif.endif.endif.endif.else.endif ]
+  %.1020 = icmp slt i64 %end.2.2, 0
+  %.1021 = select i1 %.1020, i64 %arg.out.5.0, i64 0
+  %.1022 = add i64 %.1021, %end.2.2
+  %.1025 = icmp slt i64 %.1022, 0
+  br i1 %.1025, label %B254.endif.endif.endif.endif.else.endif.endif.if, label %B254.endif.endif.endif.endif.else.endif.endif.endif, !prof !3
+
+B254.endif.endif.endif.endif.else.endif.endif.if: ; preds = %B254.endif.endif.endif.endif.else.endif.endif
+  br label %B254.endif.endif.endif.endif.else.endif.endif.endif
+
+B254.endif.endif.endif.endif.else.endif.endif.endif: ; preds = %B254.endif.endif.endif.endif.else.endif.endif.if, %B254.endif.endif.endif.endif.else.endif.endif
+  %.993.sroa.13.1 = phi i64 [ 0, %B254.endif.endif.endif.endif.else.endif.endif.if ], [ %.1022, %B254.endif.endif.endif.endif.else.endif.endif ]
+  %.1030.not = icmp slt i64 %.1022, %arg.out.5.0
+  br i1 %.1030.not, label %B254.endif.endif.endif.en...endif, label %B254.endif.endif.endif.en...if, !prof !4
+
+B254.endif.endif.endif.en...if:                   ; preds = %B254.endif.endif.endif.endif.else.endif.endif.endif
+  br label %B254.endif.endif.endif.en...endif
+
+B254.endif.endif.endif.en...endif:                ; preds = %B254.endif.endif.endif.en...if, %B254.endif.endif.endif.endif.else.endif.endif.endif
+  %.993.sroa.13.2 = phi i64 [ %arg.out.5.0, %B254.endif.endif.endif.en...if ], [ %.993.sroa.13.1, %B254.endif.endif.endif.endif.else.endif.endif.endif ]
+  %.1081 = sub nsw i64 %.993.sroa.13.2, %.993.sroa.0.3
+  %.1106 = getelementptr double, ptr %arg.out.4, i64 %.993.sroa.0.3
+  %.1234532.not = icmp slt i64 %.1081, 1
+  br i1 %.1234532.not, label %B675, label %B592.if.preheader
+
+B592.if.preheader:                                ; preds = %B254.endif.endif.endif.en...endif
+  %.neg = add nuw i64 %.993.sroa.0.3, 1
+  %14 = icmp eq i64 %.993.sroa.13.2, %.neg
+  br i1 %14, label %B592.if.epil.preheader, label %B592.if.preheader.new
+
+B592.if.preheader.new:                            ; preds = %B592.if.preheader
+  %unroll_iter = and i64 %.1081, 9223372036854775806
+  %15 = shl i64 %.812.sroa.0.3, 3
+  %scevgep2 = getelementptr i8, ptr %scevgep, i64 %15
+  %16 = shl i64 %.993.sroa.0.3, 3
+  %scevgep7 = getelementptr i8, ptr %scevgep6, i64 %16
+  br label %B592.if
+
+B592.if:                                          ; preds = %B592.if, %B592.if.preheader.new
+  %.1240531533 = phi i64 [ 0, %B592.if.preheader.new ], [ %.1247.1, %B592.if ]
+  %17 = shl i64 %.1240531533, 3
+  %scevgep4 = getelementptr i8, ptr %scevgep2, i64 %17
+  %scevgep5 = getelementptr i8, ptr %scevgep4, i64 -8
+  %.1301 = load double, ptr %scevgep5, align 8
+  %.1303 = fadd contract double %.780, %.1301
+  %.1305 = fmul contract double %.742, %.1303
+  %.1307 = fadd contract double %.670, %.1305
+  %.1308 = fmul contract double %.1303, %.1307
+  %.1310 = fadd contract double %.635, %.1308
+  %.1311 = fmul contract double %.1303, %.1310
+  %.1313 = fadd contract double %.523, %.1311
+  %scevgep1 = getelementptr i8, ptr %scevgep7, i64 %17
+  %scevgep3 = getelementptr i8, ptr %scevgep1, i64 -8
+  store double %.1313, ptr %scevgep3, align 8
+  %.1247.1 = add nuw i64 %.1240531533, 2
+  %.1301.1 = load double, ptr %scevgep4, align 8
+  %.1303.1 = fadd contract double %.780, %.1301.1
+  %.1305.1 = fmul contract double %.742, %.1303.1
+  %.1307.1 = fadd contract double %.670, %.1305.1
+  %.1308.1 = fmul contract double %.1303.1, %.1307.1
+  %.1310.1 = fadd contract double %.635, %.1308.1
+  %.1311.1 = fmul contract double %.1303.1, %.1310.1
+  %.1313.1 = fadd contract double %.523, %.1311.1
+  store double %.1313.1, ptr %scevgep1, align 8
+  %niter.ncmp.1 = icmp eq i64 %unroll_iter, %.1247.1
+  br i1 %niter.ncmp.1, label %B675.loopexit.unr-lcssa, label %B592.if
+}
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.pow.f64(double, double) #2
+
+; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
+declare double @sqrt(double) local_unnamed_addr #4
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.exp.f64(double) #2
+
+; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
+declare double @tanh(double) local_unnamed_addr #4
+
+; Function Attrs: nocallback nofree nosync nounwind willreturn memory(argmem: readwrite)
+declare void @llvm.lifetime.start.p0(ptr captures(none)) #5
+
+; Function Attrs: nocallback nofree nosync nounwind willreturn memory(argmem: readwrite)
+declare void @llvm.lifetime.end.p0(ptr captures(none)) #5
+
+attributes #0 = { nofree norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none) }
+attributes #1 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
+attributes #2 = { mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none) }
+attributes #3 = { nofree norecurse nosync nounwind memory(argmem: readwrite) }
+attributes #4 = { mustprogress nocallback nofree nosync nounwind willreturn memory(none) }
+attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
+
+!0 = !{!1}
+!1 = distinct !{!1, !2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
+!2 = distinct !{!2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
+!3 = !{!"branch_weights", i32 1, i32 99}
+!4 = !{!"branch_weights", i32 99, i32 1}
+!5 = !{!6, !1}
+!6 = distinct !{!6, !7, !"_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!7 = distinct !{!7, !"_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!8 = !{!9, !6, !1}
+!9 = distinct !{!9, !10, !"_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!10 = distinct !{!10, !"_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!11 = !{!12, !9, !6, !1}
+!12 = distinct !{!12, !13, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v10B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!13 = distinct !{!13, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v10B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!14 = !{!15, !9, !6, !1}
+!15 = distinct !{!15, !16, !"_ZN17bnserve_surrogate6kernel11_regression15_add_polynomialB3v11B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!16 = distinct !{!16, !"_ZN17bnserve_surrogate6kernel11_regression15_add_polynomialB3v11B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!17 = !{!18, !9, !6, !1}
+!18 = distinct !{!18, !19, !"_ZN17bnserve_surrogate6kernel11_regression12_add_networkB3v12B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!19 = distinct !{!19, !"_ZN17bnserve_surrogate6kernel11_regression12_add_networkB3v12B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!20 = distinct !{!20, !21}
+!21 = !{!"llvm.loop.unroll.disable"}
+!22 = distinct !{!22, !21}
+!23 = !{!24, !6, !1}
+!24 = distinct !{!24, !25, !"_ZN17bnserve_surrogate6kernel7_source11_synthesizeB3v15B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!25 = distinct !{!25, !"_ZN17bnserve_surrogate6kernel7_source11_synthesizeB3v15B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!26 = distinct !{!26, !21}
+!27 = !{!28, !6, !1}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB3v16B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB3v16B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!30 = !{!31, !28, !6, !1}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB3v17B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB3v17B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!33 = !{!34, !28, !6, !1}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!36 = !{!37, !28, !6, !1}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!39 = !{!40, !28, !6, !1}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!42 = !{!43, !28, !6, !1}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!45 = !{!46, !28, !6, !1}
+!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB3v22B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!47 = distinct !{!47, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB3v22B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!48 = !{!49, !28, !6, !1}
+!49 = distinct !{!49, !50, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!50 = distinct !{!50, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!51 = !{!52, !28, !6, !1}
+!52 = distinct !{!52, !53, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!53 = distinct !{!53, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!54 = !{!55, !6, !1}
+!55 = distinct !{!55, !56, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!56 = distinct !{!56, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!57 = !{!58, !1}
+!58 = distinct !{!58, !59, !"_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!59 = distinct !{!59, !"_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!60 = !{!61, !58, !1}
+!61 = distinct !{!61, !62, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd: %retptr"}
+!62 = distinct !{!62, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd"}
+!63 = !{!64, !58, !1}
+!64 = distinct !{!64, !65, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
+!65 = distinct !{!65, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}
+!66 = !{!67, !58, !1}
+!67 = distinct !{!67, !68, !"_ZN17bnserve_surrogate6kernel7_source13_extend_belowB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!68 = distinct !{!68, !"_ZN17bnserve_surrogate6kernel7_source13_extend_belowB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!69 = !{!70, !72, !58, !1}
+!70 = distinct !{!70, !71, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd: %retptr"}
+!71 = distinct !{!71, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd"}
+!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE"}
+!74 = !{!75, !72, !58, !1}
+!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
+!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}
+!77 = !{!72, !58, !1}
+!78 = !{!79, !58, !1}
+!79 = distinct !{!79, !80, !"_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!80 = distinct !{!80, !"_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!81 = !{!82, !1}
+!82 = distinct !{!82, !83, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v41B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE: %retptr"}
+!83 = distinct !{!83, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v41B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE"}
+!84 = !{!85, !1}
+!85 = distinct !{!85, !86, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE: %retptr"}
+!86 = distinct !{!86, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE"}
+!87 = !{!88}
+!88 = distinct !{!88, !89, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
+!89 = distinct !{!89, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}

@@ -1,0 +1,84 @@
+"""When it is tried again, and where: the policy without a network."""
+
+import pytest
+
+from bnserve_client._addresses import parse_addresses
+from bnserve_client._patience import Patience
+from bnserve_client._replicas import Replicas
+from bnserve_client._settings import Settings
+from bnserve_protocol import (
+    AnswerCorrupted,
+    ConnectionFailed,
+    InternalError,
+    NotBnserve,
+    OutOfDomain,
+    Overloaded,
+    ShareExceeded,
+)
+
+
+def patience(addresses="http://a, http://b", **settings):
+    chosen = Settings(addresses=parse_addresses(addresses), **settings)
+    return Patience(chosen, Replicas(chosen.addresses))
+
+
+@pytest.mark.parametrize("error", [ConnectionFailed("gone"), Overloaded("full", retry_after=9.0), AnswerCorrupted("x")])
+def test_another_replica_is_asked_at_once(error):
+    trying = patience()
+    first = trying.address
+    assert trying.pause_after(error) == 0.0
+    assert trying.address != first
+
+
+def test_when_all_replicas_have_failed_there_is_a_pause():
+    trying = patience()
+    assert trying.pause_after(ConnectionFailed("gone")) == 0.0
+    assert trying.pause_after(ConnectionFailed("gone")) > 0.0
+
+
+def test_a_callers_own_excess_is_waited_for_even_where_there_are_other_replicas():
+    trying = patience()
+    first = trying.address
+    assert trying.pause_after(ShareExceeded("slow down", retry_after=2.0)) >= 2.0
+    assert trying.address == first
+
+
+def test_retry_after_is_a_lower_bound_with_jitter():
+    pauses = {patience("http://a").pause_after(Overloaded("full", retry_after=4.0)) for _ in range(20)}
+    assert all(4.0 <= pause <= 5.0 for pause in pauses)
+    assert len(pauses) == 20
+
+
+def test_pauses_grow_to_a_limit():
+    trying = patience("http://a")
+    pauses = [trying.pause_after(ConnectionFailed("gone")) for _ in range(30)]
+    assert pauses[0] <= 0.1
+    assert all(2.5 <= pause <= 5.0 for pause in pauses[10:])
+
+
+@pytest.mark.parametrize("error", [OutOfDomain("no"), InternalError("no")])
+def test_what_cannot_get_better_is_raised(error):
+    with pytest.raises(type(error)):
+        patience().pause_after(error)
+
+
+@pytest.mark.parametrize("error", [AnswerCorrupted("x"), NotBnserve("x")])
+def test_answers_that_cannot_be_trusted_are_given_three_chances(error):
+    trying = patience()
+    for _ in range(2):
+        trying.pause_after(error)
+    with pytest.raises(type(error)):
+        trying.pause_after(error)
+
+
+def test_retries_are_counted():
+    trying = patience(retries=2)
+    for _ in range(2):
+        trying.pause_after(ConnectionFailed("gone"))
+    with pytest.raises(ConnectionFailed):
+        trying.pause_after(ConnectionFailed("gone"))
+
+
+def test_a_pause_beyond_the_deadline_is_not_begun():
+    with pytest.raises(Overloaded):
+        patience("http://a", timeout=3.0).pause_after(Overloaded("full", retry_after=4.0))
