@@ -87,7 +87,7 @@ check() {
 check format ruff format --check .
 check lint ruff check .
 check types mypy
-check imports lint-imports
+check imports lint-imports --no-logo
 check tests pytest "$@"
 
 say "Summary"

@@ -25,6 +25,7 @@ from bnserve_protocol import (
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
+    check_dtype,
 )
 
 _CONNECT_RETRIES = 3
@@ -104,5 +105,6 @@ class RemoteModel:
     def _question(
         self, frequencies: GridLike, batch: BatchLike, output: OutputName, options: EvaluationOptions, dtype: DtypeName
     ) -> Question:
+        check_dtype(dtype)
         grid = self._grids.recall(frequencies)
         return Question(ParameterBatch.coerce(batch), grid, output, dtype, options)

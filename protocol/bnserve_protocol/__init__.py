@@ -63,6 +63,7 @@ from bnserve_protocol._model import (
     Polarizations,
     RowStatus,
     WaveformModel,
+    check_dtype,
 )
 from bnserve_protocol._parameters import (
     INTRINSIC_NAMES,
@@ -157,6 +158,7 @@ __all__ = [
     "WaveformRequest",
     "__version__",
     "as_frequencies",
+    "check_dtype",
     "decode_answer",
     "decode_array",
     "decode_request",

@@ -59,7 +59,5 @@ class MergerStencil:
 def time_until_merger(model: WaveformModel, frequency: float, parameters: ParametersWithExtrinsic) -> float:
     """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger; see :class:`MergerStencil`."""
     stencil = MergerStencil(frequency)
-    answer = model.predict_amplitude_phase(
-        stencil.frequencies, stencil.unshifted(parameters), options=stencil.options
-    )
+    answer = model.predict_amplitude_phase(stencil.frequencies, stencil.unshifted(parameters), options=stencil.options)
     return stencil.seconds(answer.phase)

@@ -5,17 +5,29 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol, TypeAlias, runtime_checkable
+from typing import Any, Literal, Protocol, TypeAlias, get_args, runtime_checkable
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
 from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
 
 ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
 DtypeName: TypeAlias = Literal["complex128", "complex64"]
+
+
+def check_dtype(dtype: str) -> None:
+    """Refuse a precision that is not offered.
+
+    Raises
+    ------
+    InvalidRequest
+    """
+    if dtype not in get_args(DtypeName):
+        raise InvalidRequest(f"dtype must be one of {', '.join(get_args(DtypeName))}; got {str(dtype)[:40]!r}.")
 
 
 class RowStatus(enum.IntEnum):

@@ -161,6 +161,7 @@ def create_app(
     health = Health(registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds)
     maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
     waveforms = WaveformService(settings, registry, grids, queue, lifecycle)
+    metrics.watch("bnserve_ready", "1 when the ready path answers 200", lambda: float(health.reason_unready() is None))
     metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
     metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.waiting)
     metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: settings.queue_samples)

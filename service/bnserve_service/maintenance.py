@@ -88,6 +88,7 @@ class Maintenance:
                 await self.refresh(force)
             except Exception:
                 logger.exception("looking at the model stores failed; what was served goes on being served")
+                self.last_report = RefreshReport(failures={"store": "it cannot be read; the log says why."})
             self._first_look.set()
             try:
                 async with asyncio.timeout(self._poll_seconds):
@@ -102,7 +103,6 @@ class Maintenance:
         await self._first_look.wait()
         while True:
             await loop.run_in_executor(self._threads, self._health.check_models)
-            self._metrics.ready.set(self._health.reason_unready() is None)
             await asyncio.sleep(self._check_seconds)
 
     def _tell(self, report: RefreshReport) -> None:

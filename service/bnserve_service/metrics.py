@@ -56,7 +56,6 @@ class Metrics:
         )
         self.reloads = Counter("bnserve_reloads", "Looks at the stores by outcome", ["outcome"], registry=registry)
         self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
-        self.ready = Gauge("bnserve_ready", "1 when the ready path answers 200", registry=registry)
         self._request_child = cache(self._requests.labels)
         self._seconds_child = cache(self._seconds.labels)
 

@@ -67,6 +67,18 @@ def answers_with_flag(name: str) -> dict[int | str, dict[str, Any]]:
     )
 
 
+def answers_with_text(media_type: str) -> dict[int | str, dict[str, Any]]:
+    """The ``responses`` of a route that answers with text."""
+    return {200: {"description": "The text", "content": {media_type: {"schema": {"type": "string"}}}}} | _PROBLEMS
+
+
+FOUND_OR_NOT: dict[int | str, dict[str, Any]] = {
+    200: {"description": "It is here"},
+    404: {"description": "It is not"},
+    "default": {"description": "Any error; without a body, as always with HEAD"},
+}
+"""The ``responses`` of a question without a body."""
+
 GRID_BODY: dict[str, Any] = {
     "requestBody": {
         "required": True,
@@ -83,13 +95,15 @@ def _first_line(struct: type[msgspec.Struct]) -> str:
 _NUMBERS = {"type": "array", "items": {"type": "number"}}
 _VECTOR = {"oneOf": [{"type": "number"}, _NUMBERS, {"$ref": _REF.format(name="Array")}]}
 _MATRIX = {"type": "array", "items": _NUMBERS}
+_PART = {"type": "array", "items": {"type": "array", "items": {"type": ["number", "null"]}}}
+"""In JSON, NaN is null."""
 _COMPLEX = {
     "oneOf": [
-        {"type": "object", "properties": {"re": _MATRIX, "im": _MATRIX}, "required": ["re", "im"]},
+        {"type": "object", "properties": {"re": _PART, "im": _PART}, "required": ["re", "im"]},
         {"$ref": _REF.format(name="Array")},
     ]
 }
-_REAL = {"oneOf": [_MATRIX, {"$ref": _REF.format(name="Array")}]}
+_REAL = {"oneOf": [_PART, {"$ref": _REF.format(name="Array")}]}
 
 _ARRAY = {
     "type": "object",

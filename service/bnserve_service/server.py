@@ -10,7 +10,7 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Generator
-from typing import Any, Self
+from typing import Any
 
 import uvicorn
 from prometheus_client import start_http_server
@@ -53,6 +53,8 @@ class BnserveServer:
         self._failed: RefreshReport | None = None
         self._drain: asyncio.Task[None] | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
+        self.metrics_address: str | None = None
+        """Where the metrics are, when they have a port of their own."""
         self.ready = threading.Event()
         """Set when models are served."""
         self._uvicorn = _Uvicorn(
@@ -79,7 +81,7 @@ class BnserveServer:
             Not one model could be loaded at start.
         """
         factory = self._uvicorn.config.get_loop_factory()
-        with asyncio.Runner(loop_factory=factory) as runner:
+        with _metrics_server(self._app) as self.metrics_address, asyncio.Runner(loop_factory=factory) as runner:
             runner.run(self._serve(listener, with_signals))
         if self._failed is not None:
             reasons = " ".join(f"{what}: {reason}" for what, reason in self._failed.failures.items())
@@ -96,6 +98,8 @@ class BnserveServer:
                 loop.add_signal_handler(number, self.stop)
             loop.add_signal_handler(signal.SIGHUP, self._app.parts.maintenance.poke)
         self._announce(f"bnserve listens on {address_of(listener)}")
+        if self.metrics_address is not None:
+            self._announce(f"bnserve metrics on {self.metrics_address}")
         watch = loop.create_task(self._watch_loading())
         try:
             await self._uvicorn.serve(sockets=[listener])
@@ -128,7 +132,6 @@ class BnserveServer:
     async def _drain_and_exit(self) -> None:
         lifecycle = self._app.parts.lifecycle
         lifecycle.begin_grace()
-        self._app.parts.metrics.ready.set(0)
         until = time.monotonic() + self._settings.drain_grace
         while time.monotonic() < until and self._uvicorn.server_state.connections:
             await asyncio.sleep(_TICK)
@@ -136,56 +139,13 @@ class BnserveServer:
         self._uvicorn.should_exit = True
 
 
-class BackgroundServer:
-    """A server in a thread of this process, for notebooks and tests: a context manager, ready when entered.
-
-    Parameters
-    ----------
-    settings:
-        How; port 0 is a good choice.
-    **parts:
-        ``source`` and ``factory`` of :func:`bnserve_service.create_app`.
+def open_listener(settings: Settings) -> socket.socket:
+    """The socket that the settings ask for.
 
     Raises
     ------
-    CannotListen, StoreUnknown, ModelLoading
-        When entered, as :func:`serve`.
+    CannotListen
     """
-
-    def __init__(self, settings: Settings, **parts: Any) -> None:
-        self.settings = settings
-        self.app = create_app(settings, wait_for_models=False, **parts)
-        self.address = ""
-        """What a client connects to, once entered."""
-        self._failure: Exception | None = None
-        self._server = BnserveServer(self.app, logger.info)
-        self._thread = threading.Thread(target=self._run, name="bnserve-server", daemon=True)
-
-    def __enter__(self) -> Self:
-        self._listener = _listen(self.settings)
-        self.address = address_of(self._listener)
-        self._thread.start()
-        self._server.ready.wait()
-        if self._failure is not None:
-            self._thread.join()
-            raise self._failure
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._server.stop_from_thread()
-        self._thread.join()
-
-    def _run(self) -> None:
-        try:
-            with self._listener:
-                self._server.run(self._listener, with_signals=False)
-        except Exception as error:
-            self._failure = error
-        finally:
-            self._server.ready.set()
-
-
-def _listen(settings: Settings) -> socket.socket:
     return listen_unix(settings.uds) if settings.uds is not None else listen_tcp(settings.host, settings.port)
 
 
@@ -197,7 +157,7 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     settings:
         How.
     announce:
-        Gets two lines: the address when the server listens, the models when it is ready.
+        Gets a line with the address when the server listens, and one with the models when it is ready.
     **parts:
         ``source`` and ``factory`` of :func:`bnserve_service.create_app`.
 
@@ -210,12 +170,10 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     ModelLoading
         Not one model could be loaded.
     """
-    listener = _listen(settings)
+    listener = open_listener(settings)
     with listener:
         app = create_app(settings, wait_for_models=False, **parts)
         app.parts.maintenance.source_is_there()
-        if settings.metrics_port is not None:
-            announce(f"bnserve metrics on port {_serve_metrics(app, settings)}")
         try:
             BnserveServer(app, announce).run(listener)
         finally:
@@ -223,9 +181,23 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
                 settings.uds.unlink(missing_ok=True)
 
 
-def _serve_metrics(app: Application, settings: Settings) -> int:
+@contextlib.contextmanager
+def _metrics_server(app: Application) -> Generator[str | None, None, None]:
+    """Serve the metrics on a port of their own, if the settings ask for one; yields its address."""
+    settings = app.parts.settings
+    if settings.metrics_port is None:
+        yield None
+        return
     try:
-        server, _ = start_http_server(settings.metrics_port or 0, settings.host, app.parts.metrics.registry)
+        server, thread = start_http_server(settings.metrics_port, settings.host, app.parts.metrics.registry)
     except OSError as error:
-        raise CannotListen(f"The metrics port {settings.metrics_port} cannot be used: {error.strerror}.") from error
-    return int(server.server_port)
+        raise CannotListen(
+            f"The metrics port {settings.metrics_port} cannot be used: {error.strerror or error}; choose another with "
+            "--metrics-port."
+        ) from error
+    try:
+        yield f"http://{settings.host}:{server.server_port}/metrics"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()

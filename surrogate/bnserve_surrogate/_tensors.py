@@ -70,6 +70,7 @@ def _read_mode(
         physical_coordinates=metadata.coordinates == "physical",
         activation=metadata.activation,
         mf_band=band,
+        merger_start_mf=metadata.merger_start_mf,
     )
 
 

@@ -92,7 +92,8 @@ def test_it_holds_neither_training_nor_pip(image):
 
 
 def test_it_becomes_ready_answers_and_changes_no_file(image, server):
-    port, _ = server
+    port, process = server
+    assert Path(f"/proc/{process.pid}").stat().st_uid == (image.user[0] if os.getuid() == 0 else os.getuid())
     before = files(image.root)
     parameters, frequencies = ParametersWithExtrinsic.gw170817(), [20.0, 100.0, 1000.0]
     body = {"parameters": asdict(parameters), "grid": {"frequencies": frequencies}}

@@ -67,7 +67,7 @@ def test_in_the_grace_period_all_is_answered_and_readiness_is_gone(start):
     with closing_connection(server.address) as connection, closing_connection(server.address) as other:
         assert ask_on(connection, "GET", READY).status == 200
         assert ask_on(other, "GET", READY).status == 200
-        server._server.stop_from_thread()
+        server.stop()
         until(lambda: server.app.parts.lifecycle.draining, "draining")
         probe = ask(server.address, "GET", READY)
         assert probe.code == "draining"
@@ -76,7 +76,7 @@ def test_in_the_grace_period_all_is_answered_and_readiness_is_gone(start):
         assert answer.headers["connection"] == "close"
         answer = ask_on(connection, "GET", "/v1/limits")
         assert answer.headers["connection"] == "close", "open connections are told, not cut"
-        server._server.stop_from_thread()  # a second signal does not wait
+        server.stop()  # a second signal does not wait
 
 
 def test_new_work_is_refused_at_the_end_and_work_in_flight_is_finished(start):
@@ -86,14 +86,13 @@ def test_new_work_is_refused_at_the_end_and_work_in_flight_is_finished(start):
     with ThreadPoolExecutor(1) as caller:
         call = caller.submit(evaluate, server.address, question())
         model.wait_until_entered()
-        server._server.stop_from_thread()
+        server.stop()
         until(lambda: server.app.parts.lifecycle.phase is Phase.REFUSING, "refusing")
         threading.Timer(0.2, model.gate.set).start()
         answer = call.result()
     assert answer.status == 200
     assert len(answer.body) > 100
-    server._thread.join(30.0)
-    assert not server._thread.is_alive()
+    assert server.join(30.0)
 
 
 def test_503_draining(start):

@@ -133,3 +133,11 @@ def test_differences_at_nodes_are_splined_to_the_dense_grid():
 def test_nonsense_is_refused_with_a_reason(frequencies, weights, amplitude, phase, complaint):
     with pytest.raises(ValueError, match=complaint):
         mismatch(frequencies, weights, amplitude, phase)
+
+
+def test_failed_waveforms_at_nodes_are_refused_before_they_spread():
+    measure = NodeMismatch(FREQUENCIES, FREQUENCIES, FREQUENCIES, WEIGHTS)
+    with pytest.raises(ValueError, match="screen failed waveforms"):
+        measure(np.full((1, 700), -np.inf), np.zeros((1, 700)))
+    with pytest.raises(ValueError, match="2 amplitude differences and 3"):
+        measure(np.zeros((2, 700)), np.zeros((3, 700)))

@@ -8,7 +8,7 @@ from bnserve_protocol import UnsupportedMediaType
 from bnserve_service.answering import WaveformService
 from bnserve_service.documents import GridDocument
 from bnserve_service.grids import GridCache
-from bnserve_service.openapi import GRID_BODY, answers_with
+from bnserve_service.openapi import FOUND_OR_NOT, GRID_BODY, answers_with
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import data_response
 from bnserve_service.transport.body import read_body
@@ -18,7 +18,7 @@ from bnserve_service.transport.negotiation import OCTETS, media_type_of, refuse_
 
 def grid_router(grids: GridCache, service: WaveformService, settings: Settings) -> APIRouter:
     """The paths of uploaded grids."""
-    router = APIRouter(tags=["grids"])
+    router = APIRouter(tags=["grids"], default_response_class=Response)
     limit = min(settings.max_body_bytes, 8 * settings.max_frequencies)
 
     @router.put(
@@ -38,7 +38,7 @@ def grid_router(grids: GridCache, service: WaveformService, settings: Settings) 
         points, is_new = await service.large_or_small(len(body), grids.put, sha256.lower(), body)
         return data_response(request, GridDocument(sha256.lower(), points), 201 if is_new else 200)
 
-    @router.head("/v1/grids/{sha256}", responses={200: {"description": "The grid is here.", "content": {}}})
+    @router.head("/v1/grids/{sha256}", responses=FOUND_OR_NOT)
     async def find_grid(sha256: str) -> Response:
         """Whether a grid is here; 404 when it has to be uploaded."""
         grids.get(sha256.lower())

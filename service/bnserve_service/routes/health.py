@@ -12,7 +12,7 @@ from bnserve_service.transport.answers import data_response
 
 def health_router(health: Health) -> APIRouter:
     """The paths of the probes."""
-    router = APIRouter(tags=["health"])
+    router = APIRouter(tags=["health"], default_response_class=Response)
 
     @router.get("/v2/health/live", responses=answers_with_flag("live"))
     async def live(request: Request) -> Response:

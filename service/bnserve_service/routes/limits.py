@@ -11,7 +11,7 @@ from bnserve_service.transport.answers import data_response
 
 def limits_router(limits: ServiceLimits) -> APIRouter:
     """The path of the limits."""
-    router = APIRouter(tags=["limits"])
+    router = APIRouter(tags=["limits"], default_response_class=Response)
 
     @router.get("/v1/limits", responses=answers_with(ServiceLimits))
     async def show_limits(request: Request) -> Response:

@@ -5,14 +5,15 @@ from __future__ import annotations
 from fastapi import APIRouter, Response
 
 from bnserve_service.metrics import CONTENT_TYPE, Metrics
+from bnserve_service.openapi import answers_with_text
 from bnserve_service.transport.answers import plain_response
 
 
 def metrics_router(metrics: Metrics) -> APIRouter:
     """The path of the metrics."""
-    router = APIRouter(tags=["metrics"])
+    router = APIRouter(tags=["metrics"], default_response_class=Response)
 
-    @router.get("/metrics", responses={200: {"content": {"text/plain": {"schema": {"type": "string"}}}}})
+    @router.get("/metrics", responses=answers_with_text("text/plain"))
     async def show_metrics() -> Response:
         """The instruments of this server in Prometheus' text format."""
         return plain_response(metrics.exposition(), CONTENT_TYPE)

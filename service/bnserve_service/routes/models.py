@@ -13,7 +13,7 @@ from bnserve_service.transport.answers import data_response
 
 def model_router(registry: Registry, limits: ServiceLimits) -> APIRouter:
     """The paths of models and versions."""
-    router = APIRouter(tags=["models"])
+    router = APIRouter(tags=["models"], default_response_class=Response)
 
     @router.get("/v1/models", responses=answers_with(ModelList))
     async def list_models(request: Request) -> Response:

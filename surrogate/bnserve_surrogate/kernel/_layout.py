@@ -51,7 +51,8 @@ class KernelModel:
         int64, ``(5 * terms,)``: degrees of the Chebyshev products, term by term.
     weights:
         float64: coordinate offset and scale; polynomial coefficients; network layers (weights, then biases); the
-        synthesis matrix; knots of amplitude and phase in log(M f); the band in M f. The synthesis matrix maps the
+        synthesis matrix; knots of amplitude and phase in log(M f); the band in M f, and
+        the M f at which the generator's phase starts. The synthesis matrix maps the
         regressor's outputs (after a leading one, for the mean) to everything linear: amplitude residuals at the knots
         and their second derivatives, the same of the phase, and for each alignment the constant and the slope in M f
         that the phase gets.
@@ -81,7 +82,12 @@ BLOCK = 1024
 
 
 def build_kernel_model(
-    tensors: dict[str, NDArray[Any]], *, physical_coordinates: bool, activation: str, mf_band: tuple[float, float]
+    tensors: dict[str, NDArray[Any]],
+    *,
+    physical_coordinates: bool,
+    activation: str,
+    mf_band: tuple[float, float],
+    merger_start_mf: float = 0.0,
 ) -> KernelModel:
     """Arrange the checked tensors of one mode (see :mod:`bnserve_surrogate._tensors`) for the kernel."""
     outputs = tensors["basis"].shape[0]
@@ -95,7 +101,7 @@ def build_kernel_model(
         (Entry.SYNTHESIS_AT, _synthesis(tensors, *knots)),
         (Entry.AMPLITUDE_KNOTS_AT, knots[0]),
         (Entry.PHASE_KNOTS_AT, knots[1]),
-        (Entry.BAND_AT, np.array(mf_band)),
+        (Entry.BAND_AT, np.array([*mf_band, merger_start_mf])),
     ]
     contents = np.zeros(Entry.LAYER_SIZES + len(sizes), dtype=np.int64)
     contents[Entry.PHYSICAL_COORDINATES] = physical_coordinates

@@ -172,6 +172,25 @@ def _finish_phase(
 
 
 @njit(**JIT_OPTIONS)
+def _legendre(mf: float, series: Any) -> float:
+    """Psi - f dPsi/df of the baseline: what a phase that starts from zero at ``mf`` has for a constant.
+
+    In the stationary-phase approximation Psi(f) = 2 pi f t(f) - phi(t(f)), where 2 pi t(f) = dPsi/df, so the
+    signal's phase phi is f dPsi/df - Psi.
+    """
+    v = (np.pi * mf) ** (1.0 / 3.0)
+    log_v = np.log(v)
+    result = 0.0
+    power = v**-5
+    for k in range(16):
+        plain = series[0, k] + log_v * (series[1, k] + log_v * series[2, k])
+        slope = (k - 5) * plain + series[1, k] + 2.0 * log_v * series[2, k]
+        result += power * (plain - slope / 3.0)
+        power *= v
+    return result
+
+
+@njit(**JIT_OPTIONS)
 def _extend_below(
     f: Floats, mass: float, mf_min: float, edge_amplitude: float, edge_phase: float, slope: float, a: Floats, p: Floats
 ) -> None:
@@ -221,6 +240,9 @@ def _block(
     scale = _STRAIN * mass_scale(row[_MASS_RATIO]) * (row[_TOTAL_MASS] * row[_TOTAL_MASS]) / row[_DISTANCE]
     _scale_amplitude(f, cbrt_f, mass, amplitude_series, scale, amplitude[:band_stop])
     constant = row[_REFERENCE_PHASE] - gauge[2 * alignment]
+    start_mf = weights[contents[_BAND_AT] + 2]
+    if alignment == 1 and start_mf > 0.0:
+        constant += _legendre(start_mf, phase_series)
     slope = 2.0 * np.pi * row[_TIME_SHIFT] - gauge[2 * alignment + 1] * mass
     _finish_phase(f, log_f, cbrt_f, mass, phase_series, constant, slope, phase[:band_stop])
     for j in range(band_stop, stop):

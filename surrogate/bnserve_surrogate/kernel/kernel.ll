@@ -1,13 +1,16 @@
-; sources: 6cca6f94f44963dcea1a2155414e6825af5735ea4737d5a142b00e8b79c7ef56
+; sources: c52acd0aa8eb64781b7e2f4a9e13e10f7f6681070988c51b2243ed6a927c63d0
 ; ModuleID = '<string>'
 source_filename = "<string>"
 
+@.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366 = internal constant [69 x i8] c"\80\04\95:\00\00\00\00\00\00\00\8C\08builtins\94\8C\11ZeroDivisionError\94\93\94\8C\10division by zero\94\85\94N\87\94."
+@.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366.sha1 = internal constant [20 x i8] c"\B2\80\08\A0\F8\8B\AD_\F0\F0$>\84\DA\B9\0C\AB\19\B3f"
+@.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366, i32 69, ptr @.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366.sha1, ptr null, i32 0 }
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define noundef i32 @bnserve_evaluate(ptr noalias writeonly captures(none) %retptr, ptr noalias readnone captures(none) %excinfo, ptr readonly captures(none) %arg.parameters, i64 %arg.n_parameters, ptr readonly captures(none) %arg.f, ptr readonly captures(none) %arg.log_f, ptr readonly captures(none) %arg.cbrt_f, i64 %arg.points, ptr readonly captures(none) %arg.contents, i64 %arg.n_contents, ptr readonly captures(none) %arg.exponents, i64 %arg.n_exponents, ptr readonly captures(none) %arg.weights, i64 %arg.n_weights, i64 %arg.alignment, ptr captures(none) %arg.scratch, i64 %arg.n_scratch, ptr %arg.series, ptr writeonly captures(none) %arg.wide, i64 %arg.n_wide, ptr writeonly captures(none) %arg.narrow, i64 %arg.n_narrow, ptr captures(none) %arg.amplitude, ptr captures(none) %arg.phase, i64 %arg.n_polar) local_unnamed_addr #0 {
+define noundef range(i32 0, 2) i32 @bnserve_evaluate(ptr noalias writeonly captures(none) %retptr, ptr noalias writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.parameters, i64 %arg.n_parameters, ptr readonly captures(none) %arg.f, ptr readonly captures(none) %arg.log_f, ptr readonly captures(none) %arg.cbrt_f, i64 %arg.points, ptr readonly captures(none) %arg.contents, i64 %arg.n_contents, ptr readonly captures(none) %arg.exponents, i64 %arg.n_exponents, ptr readonly captures(none) %arg.weights, i64 %arg.n_weights, i64 %arg.alignment, ptr captures(none) %arg.scratch, i64 %arg.n_scratch, ptr %arg.series, ptr writeonly captures(none) %arg.wide, i64 %arg.n_wide, ptr writeonly captures(none) %arg.narrow, i64 %arg.n_narrow, ptr captures(none) %arg.amplitude, ptr captures(none) %arg.phase, i64 %arg.n_polar) local_unnamed_addr #0 {
 entry:
   %.2457.i.i = alloca ptr, align 8
-  %.3111.i.i = alloca ptr, align 8
+  %.3101.i.i = alloca ptr, align 8
   %.392.i = getelementptr i8, ptr %arg.contents, i64 24
   %.393.i = load i64, ptr %.392.i, align 8, !noalias !0
   %.394.i = add nsw i64 %.393.i, 2378
@@ -24,9 +27,10 @@ entry:
   %.505.i = select i1 %.504.i, i64 %arg.n_scratch, i64 0
   %.506.i = add i64 %.505.i, %.394.i
   %.509.i = icmp slt i64 %.506.i, 0
-  br i1 %.509.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !3
+  br i1 %.509.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !4
 
 B514.i:                                           ; preds = %B514.preheader.i, %B1054.i
+  %excinfo.3.0.i = phi ptr [ %excinfo.3.3.i, %B1054.i ], [ %excinfo.3.2.i, %B514.preheader.i ]
   %.1503.sroa.0.015.i = phi i64 [ %.1503.sroa.0.0.i, %B1054.i ], [ 0, %B514.preheader.i ]
   %.1459.114.in.i = phi i64 [ %1, %B1054.i ], [ %3, %B514.preheader.i ]
   %.1456.113.i = phi i64 [ %.1456.1.i, %B1054.i ], [ 1024, %B514.preheader.i ]
@@ -42,11 +46,11 @@ B594.i:                                           ; preds = %B514.i
   %.1649.i = select i1 %.1648.i, i64 %arg.n_polar, i64 0
   %.1650.i = add i64 %.1649.i, %.1598.i
   %.1653.i = icmp slt i64 %.1650.i, 0
-  br i1 %.1653.i, label %B594.else.if.i, label %B594.else.endif.i, !prof !3
+  br i1 %.1653.i, label %B594.else.if.i, label %B594.else.endif.i, !prof !4
 
 B672.i:                                           ; preds = %B514.i
   %.1995.i = add nsw i64 %.1590.i, %.463.i
-  br i1 %.698.i, label %B672.else.if.i, label %B672.else.endif.i, !prof !3
+  br i1 %.698.i, label %B672.else.if.i, label %B672.else.endif.i, !prof !4
 
 B756.i:                                           ; preds = %B672.endif.else.endif.endif.endif.endif.i, %B594.endif.else.endif.endif.endif.endif.i
   %a.2.sroa.60.2.i = phi i64 [ %.1735.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2120.i, %B672.endif.else.endif.endif.endif.endif.i ]
@@ -57,17 +61,17 @@ B756.i:                                           ; preds = %B672.endif.else.end
   %.2407.i = select i1 %.2406.i, i64 %arg.points, i64 0
   %.2408.i = add i64 %.2407.i, %.1503.sroa.0.015.i
   %.2411.i = icmp slt i64 %.2408.i, 0
-  br i1 %.2411.i, label %B756.else.if.i, label %B756.else.endif.i, !prof !3
+  br i1 %.2411.i, label %B756.else.if.i, label %B756.else.endif.i, !prof !4
 
-B908.i:                                           ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B908.i:                                           ; preds = %B756.endif.endif.endif.endif.i
   %.3292.i = add i64 %.13.i.i, %.1596.i
   %.3330.i = icmp slt i64 %.1598.i, 0
   %.3331.i = select i1 %.3330.i, i64 %arg.n_wide, i64 0
   %.3332.i = add i64 %.3331.i, %.1598.i
   %.3335.i = icmp slt i64 %.3332.i, 0
-  br i1 %.3335.i, label %B908.else.if.i, label %B908.else.endif.i, !prof !3
+  br i1 %.3335.i, label %B908.else.if.i, label %B908.else.endif.i, !prof !4
 
-B964.i:                                           ; preds = %B56.if.i.i, %B908.else.endif.endif.endif.endif.i, %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B964.i:                                           ; preds = %B56.if.i.i, %B908.else.endif.endif.endif.endif.i, %B756.endif.endif.endif.endif.i
   br i1 %54, label %B998.i, label %B1054.i
 
 B998.i:                                           ; preds = %B964.i
@@ -76,7 +80,7 @@ B998.i:                                           ; preds = %B964.i
   %.3560.i = select i1 %.3559.i, i64 %arg.n_narrow, i64 0
   %.3561.i = add i64 %.3560.i, %.1598.i
   %.3564.i = icmp slt i64 %.3561.i, 0
-  br i1 %.3564.i, label %B998.else.if.i, label %B998.else.endif.i, !prof !3
+  br i1 %.3564.i, label %B998.else.if.i, label %B998.else.endif.i, !prof !4
 
 B1054.i:                                          ; preds = %B56.if.i19.i, %B998.else.endif.endif.endif.endif.i, %B964.i
   %.1513.i = icmp samesign ugt i64 %.1459.114.in.i, 1
@@ -88,8 +92,9 @@ B1054.i:                                          ; preds = %B56.if.i19.i, %B998
   br i1 %.1513.i, label %B514.i, label %B1058.i
 
 B1058.i:                                          ; preds = %B1054.i, %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %excinfo.3.1.i = phi ptr [ %excinfo.3.2.i, %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %excinfo.3.3.i, %B1054.i ]
   %exitcond.not.i = icmp eq i64 %.997.i, %.869.1.i
-  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE.exit, label %B344.if.i
+  br i1 %exitcond.not.i, label %B0.endif.endif.endif.endi...endif.2, label %B344.if.i
 
 B0.else.if.i:                                     ; preds = %entry
   br label %B0.else.endif.i
@@ -97,7 +102,7 @@ B0.else.if.i:                                     ; preds = %entry
 B0.else.endif.i:                                  ; preds = %B0.else.if.i, %entry
   %.494.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.506.i, %entry ]
   %.514.not.i = icmp slt i64 %.506.i, %arg.n_scratch
-  br i1 %.514.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !4
+  br i1 %.514.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !5
 
 B0.else.endif.if.i:                               ; preds = %B0.else.endif.i
   br label %B0.else.endif.endif.i
@@ -108,7 +113,7 @@ B0.else.endif.endif.i:                            ; preds = %B0.else.endif.if.i,
   %.522.i = select i1 %.521.i, i64 %arg.n_scratch, i64 0
   %.523.i = add i64 %.462.i, %.522.i
   %.526.i = icmp slt i64 %.523.i, 0
-  br i1 %.526.i, label %B0.else.endif.endif.if.i, label %B0.else.endif.endif.endif.i, !prof !3
+  br i1 %.526.i, label %B0.else.endif.endif.if.i, label %B0.else.endif.endif.endif.i, !prof !4
 
 B0.else.endif.endif.if.i:                         ; preds = %B0.else.endif.endif.i
   br label %B0.else.endif.endif.endif.i
@@ -116,7 +121,7 @@ B0.else.endif.endif.if.i:                         ; preds = %B0.else.endif.endif
 B0.else.endif.endif.endif.i:                      ; preds = %B0.else.endif.endif.if.i, %B0.else.endif.endif.i
   %.494.sroa.13.1.i = phi i64 [ 0, %B0.else.endif.endif.if.i ], [ %.523.i, %B0.else.endif.endif.i ]
   %.531.not.i = icmp slt i64 %.523.i, %arg.n_scratch
-  br i1 %.531.not.i, label %B0.else.endif.endif.endif.endif.i, label %B0.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.531.not.i, label %B0.else.endif.endif.endif.endif.i, label %B0.else.endif.endif.endif.if.i, !prof !5
 
 B0.else.endif.endif.endif.if.i:                   ; preds = %B0.else.endif.endif.endif.i
   br label %B0.else.endif.endif.endif.endif.i
@@ -126,14 +131,14 @@ B0.else.endif.endif.endif.endif.i:                ; preds = %B0.else.endif.endif
   %.582.i = sub i64 %.494.sroa.13.2.i, %.494.sroa.0.3.i
   %.591.i = tail call i64 @llvm.smax.i64(i64 %.582.i, i64 0)
   %.607.i = getelementptr double, ptr %arg.scratch, i64 %.494.sroa.0.3.i
-  br i1 %.526.i, label %B0.endif.else.if.i, label %B0.endif.else.endif.i, !prof !3
+  br i1 %.526.i, label %B0.endif.else.if.i, label %B0.endif.else.endif.i, !prof !4
 
 B0.endif.else.if.i:                               ; preds = %B0.else.endif.endif.endif.endif.i
   br label %B0.endif.else.endif.i
 
 B0.endif.else.endif.i:                            ; preds = %B0.endif.else.if.i, %B0.else.endif.endif.endif.endif.i
   %.666.sroa.0.1.i = phi i64 [ 0, %B0.endif.else.if.i ], [ %.523.i, %B0.else.endif.endif.endif.endif.i ]
-  br i1 %.531.not.i, label %B0.endif.else.endif.endif.i, label %B0.endif.else.endif.if.i, !prof !4
+  br i1 %.531.not.i, label %B0.endif.else.endif.endif.i, label %B0.endif.else.endif.if.i, !prof !5
 
 B0.endif.else.endif.if.i:                         ; preds = %B0.endif.else.endif.i
   br label %B0.endif.else.endif.endif.i
@@ -155,7 +160,7 @@ B0.endif.else.endif.endif.i:                      ; preds = %B0.endif.else.endif
   %.2222.i = select i1 %.2221.i, i64 %arg.n_scratch, i64 0
   %.2223.i = add i64 %.2222.i, %.2180.i
   %.98416.not.i = icmp slt i64 %.869.1.i, 1
-  br i1 %.98416.not.i, label %_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE.exit, label %B344.if.preheader.i
+  br i1 %.98416.not.i, label %B0.endif.endif.endif.endi...endif.2, label %B344.if.preheader.i
 
 B344.if.preheader.i:                              ; preds = %B0.endif.else.endif.endif.i
   %.1470.inv.i = icmp sgt i64 %arg.points, 0
@@ -256,18 +261,20 @@ B344.if.preheader.i:                              ; preds = %B0.endif.else.endif
   %52 = icmp slt i64 %.2223.i, %arg.n_scratch
   %.1732.i.i = getelementptr i8, ptr %arg.contents, i64 96
   %.2531.i.i = getelementptr i8, ptr %arg.contents, i64 104
-  %.3602.i.i = icmp slt i64 %arg.alignment, 0
+  %.3582.i.i = icmp slt i64 %arg.alignment, 0
   %.idx.i.i = shl i64 %arg.alignment, 4
+  %.3682.i.i = icmp eq i64 %arg.alignment, 1
   %53 = icmp sgt i64 %arg.n_wide, 0
   %54 = icmp sgt i64 %arg.n_narrow, 0
   br label %B344.if.i
 
 B344.if.i:                                        ; preds = %B344.if.preheader.i, %B1058.i
-  %.925.017.i = phi i64 [ %.997.i, %B1058.i ], [ 0, %B344.if.preheader.i ]
+  %excinfo.3.2.i = phi ptr [ null, %B344.if.preheader.i ], [ %excinfo.3.1.i, %B1058.i ]
+  %.925.017.i = phi i64 [ 0, %B344.if.preheader.i ], [ %.997.i, %B1058.i ]
   %.997.i = add nuw nsw i64 %.925.017.i, 1
   %.1026.i = mul nuw nsw i64 %.925.017.i, 10
   %.1076.not.i = icmp slt i64 %.1026.i, %arg.n_parameters
-  br i1 %.1076.not.i, label %B346.else.endif.endif.i, label %B346.else.endif.if.i, !prof !4
+  br i1 %.1076.not.i, label %B346.else.endif.endif.i, label %B346.else.endif.if.i, !prof !5
 
 B346.else.endif.if.i:                             ; preds = %B344.if.i
   br label %B346.else.endif.endif.i
@@ -275,21 +282,21 @@ B346.else.endif.if.i:                             ; preds = %B344.if.i
 B346.else.endif.endif.i:                          ; preds = %B346.else.endif.if.i, %B344.if.i
   %.1056.sroa.0.3.i = phi i64 [ %arg.n_parameters, %B346.else.endif.if.i ], [ %.1026.i, %B344.if.i ]
   %.1169.i = getelementptr double, ptr %arg.parameters, i64 %.1056.sroa.0.3.i
-  br i1 %4, label %B346.endif.else.endif.if.i, label %B346.endif.else.endif.endif.i, !prof !3
+  br i1 %4, label %B346.endif.else.endif.if.i, label %B346.endif.else.endif.endif.i, !prof !4
 
 B346.endif.else.endif.if.i:                       ; preds = %B346.else.endif.endif.i
   br label %B346.endif.else.endif.endif.i
 
 B346.endif.else.endif.endif.i:                    ; preds = %B346.endif.else.endif.if.i, %B346.else.endif.endif.i
   %.1235.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B346.endif.else.endif.if.i ], [ 0, %B346.else.endif.endif.i ]
-  br i1 %.509.i, label %B346.endif.else.endif.endif.if.i, label %B346.endif.else.endif.endif.endif.i, !prof !3
+  br i1 %.509.i, label %B346.endif.else.endif.endif.if.i, label %B346.endif.else.endif.endif.endif.i, !prof !4
 
 B346.endif.else.endif.endif.if.i:                 ; preds = %B346.endif.else.endif.endif.i
   br label %B346.endif.else.endif.endif.endif.i
 
 B346.endif.else.endif.endif.endif.i:              ; preds = %B346.endif.else.endif.endif.if.i, %B346.endif.else.endif.endif.i
   %.1235.sroa.13.1.i = phi i64 [ 0, %B346.endif.else.endif.endif.if.i ], [ %.506.i, %B346.endif.else.endif.endif.i ]
-  br i1 %.514.not.i, label %B346.endif.else.endif.endif.endif.endif.i, label %B346.endif.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.514.not.i, label %B346.endif.else.endif.endif.endif.endif.i, label %B346.endif.else.endif.endif.endif.if.i, !prof !5
 
 B346.endif.else.endif.endif.endif.if.i:           ; preds = %B346.endif.else.endif.endif.endif.i
   br label %B346.endif.else.endif.endif.endif.endif.i
@@ -299,21 +306,21 @@ B346.endif.else.endif.endif.endif.endif.i:        ; preds = %B346.endif.else.end
   %.1323.i = sub i64 %.1235.sroa.13.2.i, %.1235.sroa.0.3.i
   %.1332.i = tail call i64 @llvm.smax.i64(i64 %.1323.i, i64 0)
   %.1348.i = getelementptr double, ptr %arg.scratch, i64 %.1235.sroa.0.3.i
-  %.136.i.i = load double, ptr %.1169.i, align 8, !noalias !5
+  %.136.i.i = load double, ptr %.1169.i, align 8, !noalias !6
   %.164.i.i = getelementptr i8, ptr %.1169.i, i64 24
-  %.165.i.i = load double, ptr %.164.i.i, align 8, !noalias !5
+  %.165.i.i = load double, ptr %.164.i.i, align 8, !noalias !6
   %.193.i.i = getelementptr i8, ptr %.1169.i, i64 32
-  %.194.i.i = load double, ptr %.193.i.i, align 8, !noalias !5
+  %.194.i.i = load double, ptr %.193.i.i, align 8, !noalias !6
   %.222.i.i = getelementptr i8, ptr %.1169.i, i64 8
-  %.223.i.i = load double, ptr %.222.i.i, align 8, !noalias !5
+  %.223.i.i = load double, ptr %.222.i.i, align 8, !noalias !6
   %.251.i.i = getelementptr i8, ptr %.1169.i, i64 16
-  %.252.i.i = load double, ptr %.251.i.i, align 8, !noalias !5
-  %.314.i2.i = load i64, ptr %.392.i, align 8, !noalias !5
+  %.252.i.i = load double, ptr %.251.i.i, align 8, !noalias !6
+  %.314.i2.i = load i64, ptr %.392.i, align 8, !noalias !6
   %.367.i.i = icmp slt i64 %.314.i2.i, 0
   %.368.i.i = select i1 %.367.i.i, i64 %.1332.i, i64 0
   %.369.i.i = add i64 %.368.i.i, %.314.i2.i
   %.372.i.i = icmp slt i64 %.369.i.i, 0
-  br i1 %.372.i.i, label %B0.else.endif.endif.if.i.i, label %B0.else.endif.endif.endif.i.i, !prof !3
+  br i1 %.372.i.i, label %B0.else.endif.endif.if.i.i, label %B0.else.endif.endif.endif.i.i, !prof !4
 
 B0.else.endif.endif.if.i.i:                       ; preds = %B346.endif.else.endif.endif.endif.endif.i
   br label %B0.else.endif.endif.endif.i.i
@@ -321,21 +328,21 @@ B0.else.endif.endif.if.i.i:                       ; preds = %B346.endif.else.end
 B0.else.endif.endif.endif.i.i:                    ; preds = %B0.else.endif.endif.if.i.i, %B346.endif.else.endif.endif.endif.endif.i
   %.340.sroa.13.1.i.i = phi i64 [ 0, %B0.else.endif.endif.if.i.i ], [ %.369.i.i, %B346.endif.else.endif.endif.endif.endif.i ]
   %.377.not.i.i = icmp slt i64 %.369.i.i, %.1332.i
-  br i1 %.377.not.i.i, label %B0.else.endif.endif.endif.endif.i.i, label %B0.else.endif.endif.endif.if.i.i, !prof !4
+  br i1 %.377.not.i.i, label %B0.else.endif.endif.endif.endif.i.i, label %B0.else.endif.endif.endif.if.i.i, !prof !5
 
 B0.else.endif.endif.endif.if.i.i:                 ; preds = %B0.else.endif.endif.endif.i.i
   br label %B0.else.endif.endif.endif.endif.i.i
 
 B0.else.endif.endif.endif.endif.i.i:              ; preds = %B0.else.endif.endif.endif.if.i.i, %B0.else.endif.endif.endif.i.i
   %.340.sroa.13.2.i.i = phi i64 [ %.1332.i, %B0.else.endif.endif.endif.if.i.i ], [ %.340.sroa.13.1.i.i, %B0.else.endif.endif.endif.i.i ]
-  br i1 %.372.i.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !3
+  br i1 %.372.i.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !4
 
 B0.endif.else.if.i.i:                             ; preds = %B0.else.endif.endif.endif.endif.i.i
   br label %B0.endif.else.endif.i.i
 
 B0.endif.else.endif.i.i:                          ; preds = %B0.endif.else.if.i.i, %B0.else.endif.endif.endif.endif.i.i
   %.539.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.else.if.i.i ], [ %.369.i.i, %B0.else.endif.endif.endif.endif.i.i ]
-  br i1 %.377.not.i.i, label %B0.endif.else.endif.endif.i.i, label %B0.endif.else.endif.if.i.i, !prof !4
+  br i1 %.377.not.i.i, label %B0.endif.else.endif.endif.i.i, label %B0.endif.else.endif.if.i.i, !prof !5
 
 B0.endif.else.endif.if.i.i:                       ; preds = %B0.endif.else.endif.i.i
   br label %B0.endif.else.endif.endif.i.i
@@ -345,7 +352,7 @@ B0.endif.else.endif.endif.i.i:                    ; preds = %B0.endif.else.endif
   %.627.i.i = sub nsw i64 %.1332.i, %.539.sroa.0.3.i.i
   %.636.i.i = tail call i64 @llvm.smax.i64(i64 %.627.i.i, i64 0)
   %.652.i.i = getelementptr double, ptr %.1348.i, i64 %.539.sroa.0.3.i.i
-  %.295.i.i.i = load i64, ptr %arg.contents, align 8, !noalias !8
+  %.295.i.i.i = load i64, ptr %arg.contents, align 8, !noalias !9
   %.296.not.i.i.i = icmp eq i64 %.295.i.i.i, 0
   br i1 %.296.not.i.i.i, label %B100.i.i.i, label %B58.i.i.i
 
@@ -354,15 +361,15 @@ B58.i.i.i:                                        ; preds = %B0.endif.else.endif
   %.21.i.i.i.i = fadd contract double %.136.i.i, 1.000000e+00
   %.30.i.i.i.i = fdiv contract double 1.000000e+00, %.21.i.i.i.i
   %.25.i.i.i.i = fdiv contract double %.136.i.i, %.21.i.i.i.i
-  store double %.38.le.i.i.i.i, ptr %.652.i.i, align 8, !noalias !11
+  store double %.38.le.i.i.i.i, ptr %.652.i.i, align 8, !noalias !12
   %.72.i.i.i.i = tail call contract double @llvm.pow.f64(double %.223.i.i, double 4.000000e-01)
   %.73.i.i.i.i = fmul contract double %.25.i.i.i.i, %.72.i.i.i.i
   %.101.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 8
-  store double %.73.i.i.i.i, ptr %.101.i.i.i.i, align 8, !noalias !11
+  store double %.73.i.i.i.i, ptr %.101.i.i.i.i, align 8, !noalias !12
   %.103.i.i.i.i = tail call contract double @llvm.pow.f64(double %.252.i.i, double 4.000000e-01)
   %.104.i.i.i.i = fmul contract double %.30.i.i.i.i, %.103.i.i.i.i
   %.132.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 16
-  store double %.104.i.i.i.i, ptr %.132.i.i.i.i, align 8, !noalias !11
+  store double %.104.i.i.i.i, ptr %.132.i.i.i.i, align 8, !noalias !12
   %.134.i.i.i.i = fmul contract double %.165.i.i, %.25.i.i.i.i
   %.135.i.i.i.i = fmul contract double %.30.i.i.i.i, %.194.i.i
   %.136.i.i.i.i = fadd contract double %.134.i.i.i.i, %.135.i.i.i.i
@@ -372,57 +379,57 @@ B58.i.i.i:                                        ; preds = %B0.endif.else.endif
   %.140.i.i.i.i = fmul contract double %.139.i.i.i.i, %.138.i.i.i.i
   %.141.i.i.i.i = fsub contract double %.136.i.i.i.i, %.140.i.i.i.i
   %.169.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 24
-  store double %.141.i.i.i.i, ptr %.169.i.i.i.i, align 8, !noalias !11
+  store double %.141.i.i.i.i, ptr %.169.i.i.i.i, align 8, !noalias !12
   %.171.i.i.i.i = fsub contract double %.165.i.i, %.194.i.i
   %.172.i.i.i.i = fmul contract double %.171.i.i.i.i, 5.000000e-01
   br label %B150.i.i.i
 
 B100.i.i.i:                                       ; preds = %B0.endif.else.endif.endif.i.i
-  store double %.136.i.i, ptr %.652.i.i, align 8, !noalias !8
+  store double %.136.i.i, ptr %.652.i.i, align 8, !noalias !9
   %.405.i.i.i = getelementptr i8, ptr %.652.i.i, i64 8
-  store double %.165.i.i, ptr %.405.i.i.i, align 8, !noalias !8
+  store double %.165.i.i, ptr %.405.i.i.i, align 8, !noalias !9
   %.438.i.i.i = getelementptr i8, ptr %.652.i.i, i64 16
-  store double %.194.i.i, ptr %.438.i.i.i, align 8, !noalias !8
+  store double %.194.i.i, ptr %.438.i.i.i, align 8, !noalias !9
   %.471.i.i.i = getelementptr i8, ptr %.652.i.i, i64 24
-  store double %.223.i.i, ptr %.471.i.i.i, align 8, !noalias !8
+  store double %.223.i.i, ptr %.471.i.i.i, align 8, !noalias !9
   br label %B150.i.i.i
 
 B150.i.i.i:                                       ; preds = %B100.i.i.i, %B58.i.i.i
   %.172.i.sink.i.i.i = phi double [ %.172.i.i.i.i, %B58.i.i.i ], [ %.252.i.i, %B100.i.i.i ]
   %.200.i.i.i.i = getelementptr i8, ptr %.652.i.i, i64 32
-  store double %.172.i.sink.i.i.i, ptr %.200.i.i.i.i, align 8, !noalias !8
-  %.538.i.i.i = load i64, ptr %.537.i.i.i, align 8, !noalias !8
+  store double %.172.i.sink.i.i.i, ptr %.200.i.i.i.i, align 8, !noalias !9
+  %.538.i.i.i = load i64, ptr %.537.i.i.i, align 8, !noalias !9
   %.575.i.i.i = icmp slt i64 %.538.i.i.i, 0
   %.576.i.i.i = select i1 %.575.i.i.i, i64 %arg.n_weights, i64 0
   %.577.i.i.i = add i64 %.576.i.i.i, %.538.i.i.i
   %.580.i.i.i = icmp slt i64 %.577.i.i.i, 0
-  br i1 %.580.i.i.i, label %B150.else.if.i.i.i, label %B150.else.endif.i.i.i, !prof !3
+  br i1 %.580.i.i.i, label %B150.else.if.i.i.i, label %B150.else.endif.i.i.i, !prof !4
 
 B360.i.i.i:                                       ; preds = %B344.if.preheader.i.i.i, %B150.else.endif.endif.i.i.i
-  %.1158.i.i.i = load i64, ptr %.1157.i.i.i, align 8, !noalias !8
+  %.1158.i.i.i = load i64, ptr %.1157.i.i.i, align 8, !noalias !9
   %.1159.i.i.i = icmp sgt i64 %.1158.i.i.i, 0
   br i1 %.1159.i.i.i, label %B394.i.i.i, label %B538.i.i.i
 
 B394.i.i.i:                                       ; preds = %B360.i.i.i
-  %.1190.i.i.i = load i64, ptr %.1189.i.i.i, align 8, !noalias !8
+  %.1190.i.i.i = load i64, ptr %.1189.i.i.i, align 8, !noalias !9
   %.1227.i.i.i = icmp slt i64 %.1190.i.i.i, 0
   %.1228.i.i.i = select i1 %.1227.i.i.i, i64 %arg.n_weights, i64 0
   %.1229.i.i.i = add i64 %.1228.i.i.i, %.1190.i.i.i
   %.1232.i.i.i = icmp slt i64 %.1229.i.i.i, 0
-  br i1 %.1232.i.i.i, label %B394.else.if.i.i.i, label %B394.else.endif.i.i.i, !prof !3
+  br i1 %.1232.i.i.i, label %B394.else.if.i.i.i, label %B394.else.endif.i.i.i, !prof !4
 
 B538.i.i.i:                                       ; preds = %B540.i.i.i.i, %B360.i.i.i
-  %.1677.i.i.i = load i64, ptr %.1676.i.i.i, align 8, !noalias !8
+  %.1677.i.i.i = load i64, ptr %.1676.i.i.i, align 8, !noalias !9
   %.1678.i.i.i = icmp sgt i64 %.1677.i.i.i, 0
   br i1 %.1678.i.i.i, label %B572.i.i.i, label %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 B572.i.i.i:                                       ; preds = %B538.i.i.i
-  %.1710.i.i.i = load i64, ptr %.1709.i.i.i, align 8, !noalias !8
+  %.1710.i.i.i = load i64, ptr %.1709.i.i.i, align 8, !noalias !9
   %.1747.i.i.i = icmp slt i64 %.1710.i.i.i, 0
   %.1748.i.i.i = select i1 %.1747.i.i.i, i64 %arg.n_weights, i64 0
   %.1749.i.i.i = add i64 %.1748.i.i.i, %.1710.i.i.i
   %.1752.i.i.i = icmp slt i64 %.1749.i.i.i, 0
-  br i1 %.1752.i.i.i, label %B572.else.if.i.i.i, label %B572.else.endif.i.i.i, !prof !3
+  br i1 %.1752.i.i.i, label %B572.else.if.i.i.i, label %B572.else.endif.i.i.i, !prof !4
 
 B150.else.if.i.i.i:                               ; preds = %B150.i.i.i
   br label %B150.else.endif.i.i.i
@@ -430,7 +437,7 @@ B150.else.if.i.i.i:                               ; preds = %B150.i.i.i
 B150.else.endif.i.i.i:                            ; preds = %B150.else.if.i.i.i, %B150.i.i.i
   %.565.sroa.0.1.i.i.i = phi i64 [ 0, %B150.else.if.i.i.i ], [ %.577.i.i.i, %B150.i.i.i ]
   %.585.not.i.i.i = icmp slt i64 %.577.i.i.i, %arg.n_weights
-  br i1 %.585.not.i.i.i, label %B150.else.endif.endif.i.i.i, label %B150.else.endif.if.i.i.i, !prof !4
+  br i1 %.585.not.i.i.i, label %B150.else.endif.endif.i.i.i, label %B150.else.endif.if.i.i.i, !prof !5
 
 B150.else.endif.if.i.i.i:                         ; preds = %B150.else.endif.i.i.i
   br label %B150.else.endif.endif.i.i.i
@@ -438,53 +445,53 @@ B150.else.endif.if.i.i.i:                         ; preds = %B150.else.endif.i.i
 B150.else.endif.endif.i.i.i:                      ; preds = %B150.else.endif.if.i.i.i, %B150.else.endif.i.i.i
   %.565.sroa.0.3.i.i.i = phi i64 [ %arg.n_weights, %B150.else.endif.if.i.i.i ], [ %.565.sroa.0.1.i.i.i, %B150.else.endif.i.i.i ]
   %.678.i.i.i = getelementptr double, ptr %arg.weights, i64 %.565.sroa.0.3.i.i.i
-  %.862.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !8
-  %.892.i.i.i = load double, ptr %.678.i.i.i, align 8, !noalias !8
+  %.862.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !9
+  %.892.i.i.i = load double, ptr %.678.i.i.i, align 8, !noalias !9
   %.893.i.i.i = fsub contract double %.862.i.i.i, %.892.i.i.i
   %55 = getelementptr i8, ptr %.678.i.i.i, i64 40
-  %.924.i.i.i = load double, ptr %55, align 8, !noalias !8
+  %.924.i.i.i = load double, ptr %55, align 8, !noalias !9
   %.925.i.i.i = fmul contract double %.893.i.i.i, %.924.i.i.i
-  store double %.925.i.i.i, ptr %.652.i.i, align 8, !noalias !8
+  store double %.925.i.i.i, ptr %.652.i.i, align 8, !noalias !9
   %56 = getelementptr i8, ptr %.652.i.i, i64 8
-  %.862.1.i.i.i = load double, ptr %56, align 8, !noalias !8
+  %.862.1.i.i.i = load double, ptr %56, align 8, !noalias !9
   %57 = getelementptr i8, ptr %.678.i.i.i, i64 8
-  %.892.1.i.i.i = load double, ptr %57, align 8, !noalias !8
+  %.892.1.i.i.i = load double, ptr %57, align 8, !noalias !9
   %.893.1.i.i.i = fsub contract double %.862.1.i.i.i, %.892.1.i.i.i
   %58 = getelementptr i8, ptr %.678.i.i.i, i64 48
-  %.924.1.i.i.i = load double, ptr %58, align 8, !noalias !8
+  %.924.1.i.i.i = load double, ptr %58, align 8, !noalias !9
   %.925.1.i.i.i = fmul contract double %.893.1.i.i.i, %.924.1.i.i.i
-  store double %.925.1.i.i.i, ptr %56, align 8, !noalias !8
+  store double %.925.1.i.i.i, ptr %56, align 8, !noalias !9
   %59 = getelementptr i8, ptr %.652.i.i, i64 16
-  %.862.2.i.i.i = load double, ptr %59, align 8, !noalias !8
+  %.862.2.i.i.i = load double, ptr %59, align 8, !noalias !9
   %60 = getelementptr i8, ptr %.678.i.i.i, i64 16
-  %.892.2.i.i.i = load double, ptr %60, align 8, !noalias !8
+  %.892.2.i.i.i = load double, ptr %60, align 8, !noalias !9
   %.893.2.i.i.i = fsub contract double %.862.2.i.i.i, %.892.2.i.i.i
   %61 = getelementptr i8, ptr %.678.i.i.i, i64 56
-  %.924.2.i.i.i = load double, ptr %61, align 8, !noalias !8
+  %.924.2.i.i.i = load double, ptr %61, align 8, !noalias !9
   %.925.2.i.i.i = fmul contract double %.893.2.i.i.i, %.924.2.i.i.i
-  store double %.925.2.i.i.i, ptr %59, align 8, !noalias !8
+  store double %.925.2.i.i.i, ptr %59, align 8, !noalias !9
   %62 = getelementptr i8, ptr %.652.i.i, i64 24
-  %.862.3.i.i.i = load double, ptr %62, align 8, !noalias !8
+  %.862.3.i.i.i = load double, ptr %62, align 8, !noalias !9
   %63 = getelementptr i8, ptr %.678.i.i.i, i64 24
-  %.892.3.i.i.i = load double, ptr %63, align 8, !noalias !8
+  %.892.3.i.i.i = load double, ptr %63, align 8, !noalias !9
   %.893.3.i.i.i = fsub contract double %.862.3.i.i.i, %.892.3.i.i.i
   %64 = getelementptr i8, ptr %.678.i.i.i, i64 64
-  %.924.3.i.i.i = load double, ptr %64, align 8, !noalias !8
+  %.924.3.i.i.i = load double, ptr %64, align 8, !noalias !9
   %.925.3.i.i.i = fmul contract double %.893.3.i.i.i, %.924.3.i.i.i
-  store double %.925.3.i.i.i, ptr %62, align 8, !noalias !8
+  store double %.925.3.i.i.i, ptr %62, align 8, !noalias !9
   %65 = getelementptr i8, ptr %.678.i.i.i, i64 32
-  %.892.4.i.i.i = load double, ptr %65, align 8, !noalias !8
+  %.892.4.i.i.i = load double, ptr %65, align 8, !noalias !9
   %.893.4.i.i.i = fsub contract double %.172.i.sink.i.i.i, %.892.4.i.i.i
   %66 = getelementptr i8, ptr %.678.i.i.i, i64 72
-  %.924.4.i.i.i = load double, ptr %66, align 8, !noalias !8
+  %.924.4.i.i.i = load double, ptr %66, align 8, !noalias !9
   %.925.4.i.i.i = fmul contract double %.893.4.i.i.i, %.924.4.i.i.i
-  store double %.925.4.i.i.i, ptr %.200.i.i.i.i, align 8, !noalias !8
+  store double %.925.4.i.i.i, ptr %.200.i.i.i.i, align 8, !noalias !9
   %.1056673.not.i.i.i = icmp eq i64 %.340.sroa.13.2.i.i, 0
   br i1 %.1056673.not.i.i.i, label %B360.i.i.i, label %B344.if.preheader.i.i.i
 
 B344.if.preheader.i.i.i:                          ; preds = %B150.else.endif.endif.i.i.i
   %67 = shl nuw i64 %.340.sroa.13.2.i.i, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.1348.i, i8 0, i64 %67, i1 false), !noalias !8
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.1348.i, i8 0, i64 %67, i1 false), !noalias !9
   br label %B360.i.i.i
 
 B394.else.if.i.i.i:                               ; preds = %B394.i.i.i
@@ -493,7 +500,7 @@ B394.else.if.i.i.i:                               ; preds = %B394.i.i.i
 B394.else.endif.i.i.i:                            ; preds = %B394.else.if.i.i.i, %B394.i.i.i
   %.1217.sroa.0.1.i.i.i = phi i64 [ 0, %B394.else.if.i.i.i ], [ %.1229.i.i.i, %B394.i.i.i ]
   %.1237.not.i.i.i = icmp slt i64 %.1229.i.i.i, %arg.n_weights
-  br i1 %.1237.not.i.i.i, label %B394.else.endif.endif.i.i.i, label %B394.else.endif.if.i.i.i, !prof !4
+  br i1 %.1237.not.i.i.i, label %B394.else.endif.endif.i.i.i, label %B394.else.endif.if.i.i.i, !prof !5
 
 B394.else.endif.if.i.i.i:                         ; preds = %B394.else.endif.i.i.i
   br label %B394.else.endif.endif.i.i.i
@@ -503,9 +510,9 @@ B394.else.endif.endif.i.i.i:                      ; preds = %B394.else.endif.if.
   %.1305.i.i.i = sub i64 %arg.n_weights, %.1217.sroa.0.3.i.i.i
   %.1314.i.i.i = tail call i64 @llvm.smax.i64(i64 %.1305.i.i.i, i64 0)
   %.1330.i.i.i = getelementptr double, ptr %arg.weights, i64 %.1217.sroa.0.3.i.i.i
-  %.1422.i.i.i = load i64, ptr %.1421.i.i.i, align 8, !noalias !8
+  %.1422.i.i.i = load i64, ptr %.1421.i.i.i, align 8, !noalias !9
   %.1469.i.i.i = icmp slt i64 %.627.i.i, 6
-  br i1 %.1469.i.i.i, label %B394.endif.else.endif.if.i.i.i, label %B394.endif.else.endif.endif.i.i.i, !prof !3
+  br i1 %.1469.i.i.i, label %B394.endif.else.endif.if.i.i.i, label %B394.endif.else.endif.endif.i.i.i, !prof !4
 
 B394.endif.else.endif.if.i.i.i:                   ; preds = %B394.else.endif.endif.i.i.i
   br label %B394.endif.else.endif.endif.i.i.i
@@ -528,7 +535,7 @@ B394.endif.else.endif.endif.i.i.i:                ; preds = %B394.endif.else.end
 
 B112.i.i.i.i:                                     ; preds = %B46.else.endif.endif.i.i.i.i
   %.478.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 8
-  store double %.233.i.i.i.i, ptr %.478.i.i.i.i, align 8, !noalias !14
+  store double %.233.i.i.i.i, ptr %.478.i.i.i.i, align 8, !noalias !15
   br label %B122.i.i.i.i
 
 B122.i.i.i.i:                                     ; preds = %B46.else.endif.endif.i.i.i.i, %B112.i.i.i.i
@@ -544,9 +551,9 @@ B154.if.preheader.i.i.i.i:                        ; preds = %B154.if.lr.ph.i.i.i
 
 .thread16.i.i.i.i:                                ; preds = %B154.if.lr.ph.i.i.i.i
   %75 = getelementptr i8, ptr %.378.i.i.i.i, i64 8
-  %.631.epil10.i.i.i.i = load double, ptr %75, align 8, !noalias !14
+  %.631.epil10.i.i.i.i = load double, ptr %75, align 8, !noalias !15
   %.632.epil11.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.epil10.i.i.i.i
-  %.663.epil20.i.i.i.i = load double, ptr %.378.i.i.i.i, align 8, !noalias !14
+  %.663.epil20.i.i.i.i = load double, ptr %.378.i.i.i.i, align 8, !noalias !15
   %.664.epil21.i.i.i.i = fsub contract double %.632.epil11.i.i.i.i, %.663.epil20.i.i.i.i
   br label %80
 
@@ -561,14 +568,14 @@ B154.if.epil.preheader.i.i.i.i:                   ; preds = %B224.loopexit.unr-l
   %78 = shl i64 %lsr.iv.next58.i.i.i.i, 3
   %scevgep66.i.i.i.i = getelementptr i8, ptr %scevgep65.i.i.i.i, i64 %78
   %scevgep67.i.i.i.i = getelementptr i8, ptr %scevgep66.i.i.i.i, i64 -16
-  %.631.epil.i.i.i.i = load double, ptr %scevgep67.i.i.i.i, align 8, !noalias !14
+  %.631.epil.i.i.i.i = load double, ptr %scevgep67.i.i.i.i, align 8, !noalias !15
   %.632.epil.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.epil.i.i.i.i
   %.647.epil.i.i.i.i = icmp slt i64 %76, 2
   %79 = select i1 %.647.epil.i.i.i.i, i64 %74, i64 0
   %scevgep59.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %79
   %scevgep20.i.i.i.i = getelementptr i8, ptr %scevgep59.i.i.i.i, i64 %78
   %scevgep21.i.i.i.i = getelementptr i8, ptr %scevgep20.i.i.i.i, i64 -24
-  %.663.epil.i.i.i.i = load double, ptr %scevgep21.i.i.i.i, align 8, !noalias !14
+  %.663.epil.i.i.i.i = load double, ptr %scevgep21.i.i.i.i, align 8, !noalias !15
   %.664.epil.i.i.i.i = fsub contract double %.632.epil.i.i.i.i, %.663.epil.i.i.i.i
   %.678.epil.i.i.i.i = icmp slt i64 %76, 0
   %spec.select25.i.i.i.i = select i1 %.678.epil.i.i.i.i, i64 %.362.i.i.i.i, i64 0
@@ -580,7 +587,7 @@ B154.if.epil.preheader.i.i.i.i:                   ; preds = %B224.loopexit.unr-l
   %82 = phi i64 [ 0, %.thread16.i.i.i.i ], [ %spec.select25.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
   %83 = getelementptr i8, ptr %.378.i.i.i.i, i64 %81
   %.693.epil.i.i.i.i = getelementptr double, ptr %83, i64 %82
-  store double %.664.epil24.i.i.i.i, ptr %.693.epil.i.i.i.i, align 8, !noalias !14
+  store double %.664.epil24.i.i.i.i, ptr %.693.epil.i.i.i.i, align 8, !noalias !15
   br label %B224.i.i.i.i
 
 B224.i.i.i.i:                                     ; preds = %80, %B224.loopexit.unr-lcssa.i.i.i.i, %B122.i.i.i.i
@@ -614,20 +621,20 @@ B484.if.epil.preheader27.i.i.i.i:                 ; preds = %B484.if.preheader7.
   %.1385520522.epil.init32.i.i.i.i = phi i64 [ 0, %B484.if.preheader7.i.i.i.i ], [ %.1392.1.1.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
   %94 = shl i64 %.1385520522.epil.init32.i.i.i.i, 3
   %sunkaddr33.epil.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %94
-  %.1446.epil28.i.i.i.i = load double, ptr %sunkaddr33.epil.i.i.i.i, align 8, !noalias !14
+  %.1446.epil28.i.i.i.i = load double, ptr %sunkaddr33.epil.i.i.i.i, align 8, !noalias !15
   %scevgep14.epil.i.i.i.i = getelementptr i8, ptr %scevgep12.i.i.i.i, i64 %94
   %scevgep15.epil.i.i.i.i = getelementptr i8, ptr %scevgep14.epil.i.i.i.i, i64 -8
-  %.1476.epil29.i.i.i.i = load double, ptr %scevgep15.epil.i.i.i.i, align 8, !noalias !14
+  %.1476.epil29.i.i.i.i = load double, ptr %scevgep15.epil.i.i.i.i, align 8, !noalias !15
   %.1478.epil30.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.epil29.i.i.i.i
   %.1479.epil31.i.i.i.i = fadd contract double %.1446.epil28.i.i.i.i, %.1478.epil30.i.i.i.i
-  store double %.1479.epil31.i.i.i.i, ptr %sunkaddr33.epil.i.i.i.i, align 8, !noalias !14
+  store double %.1479.epil31.i.i.i.i, ptr %sunkaddr33.epil.i.i.i.i, align 8, !noalias !15
   %.1392.1.epil.i.i.i.i = add nuw i64 %.1385520522.epil.init32.i.i.i.i, 2
   %sunkaddr36.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr33.epil.i.i.i.i, i64 8
-  %.1446.1.epil.i.i.i.i = load double, ptr %sunkaddr36.epil.i.i.i.i, align 8, !noalias !14
-  %.1476.1.epil.i.i.i.i = load double, ptr %scevgep14.epil.i.i.i.i, align 8, !noalias !14
+  %.1446.1.epil.i.i.i.i = load double, ptr %sunkaddr36.epil.i.i.i.i, align 8, !noalias !15
+  %.1476.1.epil.i.i.i.i = load double, ptr %scevgep14.epil.i.i.i.i, align 8, !noalias !15
   %.1478.1.epil.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.1.epil.i.i.i.i
   %.1479.1.epil.i.i.i.i = fadd contract double %.1446.1.epil.i.i.i.i, %.1478.1.epil.i.i.i.i
-  store double %.1479.1.epil.i.i.i.i, ptr %sunkaddr36.epil.i.i.i.i, align 8, !noalias !14
+  store double %.1479.1.epil.i.i.i.i, ptr %sunkaddr36.epil.i.i.i.i, align 8, !noalias !15
   br label %B540.loopexit.unr-lcssa.i.i.i.i
 
 B540.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B484.if.epil.preheader27.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
@@ -637,12 +644,12 @@ B540.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B484.if.epil.prehea
 B484.if.epil.preheader.i.i.i.i:                   ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i
   %.1385520522.epil.init.i.i.i.i = phi i64 [ 0, %B416.else.endif.endif.endif.endif.i.i.i.i ], [ %.1392.1.lcssa.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i ]
   %95 = getelementptr double, ptr %.1348.i, i64 %.1385520522.epil.init.i.i.i.i
-  %.1446.epil.i.i.i.i = load double, ptr %95, align 8, !noalias !14
+  %.1446.epil.i.i.i.i = load double, ptr %95, align 8, !noalias !15
   %96 = getelementptr double, ptr %.1261.i.i.i.i, i64 %.1385520522.epil.init.i.i.i.i
-  %.1476.epil.i.i.i.i = load double, ptr %96, align 8, !noalias !14
+  %.1476.epil.i.i.i.i = load double, ptr %96, align 8, !noalias !15
   %.1478.epil.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.epil.i.i.i.i
   %.1479.epil.i.i.i.i = fadd contract double %.1446.epil.i.i.i.i, %.1478.epil.i.i.i.i
-  store double %.1479.epil.i.i.i.i, ptr %95, align 8, !noalias !14
+  store double %.1479.epil.i.i.i.i, ptr %95, align 8, !noalias !15
   br label %B540.i.i.i.i
 
 B540.i.i.i.i:                                     ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i, %B484.if.epil.preheader.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i
@@ -653,13 +660,13 @@ B44.if.i.i.i.i:                                   ; preds = %B224.i.i.i.i, %B394
   %.172498504.i.i.i.i = phi i64 [ 0, %B394.endif.else.endif.endif.i.i.i ], [ %.179.i.i.i.i, %B224.i.i.i.i ]
   %.179.i.i.i.i = add nuw nsw i64 %.172498504.i.i.i.i, 1
   %97 = getelementptr double, ptr %.652.i.i, i64 %.172498504.i.i.i.i
-  %.233.i.i.i.i = load double, ptr %97, align 8, !noalias !14
+  %.233.i.i.i.i = load double, ptr %97, align 8, !noalias !15
   %.238.i.i.i.i = mul nsw i64 %.172498504.i.i.i.i, %.81.i.i.i.i
   %.275.i.i.i.i = icmp slt i64 %.238.i.i.i.i, 0
   %.276.i.i.i.i = select i1 %.275.i.i.i.i, i64 %.1546.i.i.i, i64 0
   %.277.i.i.i.i = add i64 %.276.i.i.i.i, %.238.i.i.i.i
   %.280.i.i.i.i = icmp slt i64 %.277.i.i.i.i, 0
-  br i1 %.280.i.i.i.i, label %B46.else.if.i.i.i.i, label %B46.else.endif.i.i.i.i, !prof !3
+  br i1 %.280.i.i.i.i, label %B46.else.if.i.i.i.i, label %B46.else.endif.i.i.i.i, !prof !4
 
 B46.else.if.i.i.i.i:                              ; preds = %B44.if.i.i.i.i
   br label %B46.else.endif.i.i.i.i
@@ -667,7 +674,7 @@ B46.else.if.i.i.i.i:                              ; preds = %B44.if.i.i.i.i
 B46.else.endif.i.i.i.i:                           ; preds = %B46.else.if.i.i.i.i, %B44.if.i.i.i.i
   %.265.sroa.0.1.i.i.i.i = phi i64 [ 0, %B46.else.if.i.i.i.i ], [ %.277.i.i.i.i, %B44.if.i.i.i.i ]
   %.285.not.i.i.i.i = icmp slt i64 %.277.i.i.i.i, %.1546.i.i.i
-  br i1 %.285.not.i.i.i.i, label %B46.else.endif.endif.i.i.i.i, label %B46.else.endif.if.i.i.i.i, !prof !4
+  br i1 %.285.not.i.i.i.i, label %B46.else.endif.endif.i.i.i.i, label %B46.else.endif.if.i.i.i.i, !prof !5
 
 B46.else.endif.if.i.i.i.i:                        ; preds = %B46.else.endif.i.i.i.i
   br label %B46.else.endif.endif.i.i.i.i
@@ -677,7 +684,7 @@ B46.else.endif.endif.i.i.i.i:                     ; preds = %B46.else.endif.if.i
   %.353.i.i.i.i = sub nsw i64 %.1546.i.i.i, %.265.sroa.0.3.i.i.i.i
   %.362.i.i.i.i = tail call i64 @llvm.smax.i64(i64 %.353.i.i.i.i, i64 0)
   %.378.i.i.i.i = getelementptr double, ptr %.1562.i.i.i, i64 %.265.sroa.0.3.i.i.i.i
-  store double 1.000000e+00, ptr %.378.i.i.i.i, align 8, !noalias !14
+  store double 1.000000e+00, ptr %.378.i.i.i.i, align 8, !noalias !15
   br i1 %69, label %B112.i.i.i.i, label %B122.i.i.i.i
 
 B154.if.i.i.i.i:                                  ; preds = %B154.if.i.i.i.i, %B154.if.preheader.i.i.i.i
@@ -689,7 +696,7 @@ B154.if.i.i.i.i:                                  ; preds = %B154.if.i.i.i.i, %B
   %99 = shl i64 %lsr.iv57.i.i.i.i, 3
   %scevgep76.i.i.i.i = getelementptr i8, ptr %scevgep30.i.i.i.i, i64 %99
   %scevgep77.i.i.i.i = getelementptr i8, ptr %scevgep76.i.i.i.i, i64 -16
-  %.631.i.i.i.i = load double, ptr %scevgep77.i.i.i.i, align 8, !noalias !14
+  %.631.i.i.i.i = load double, ptr %scevgep77.i.i.i.i, align 8, !noalias !15
   %.632.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.i.i.i.i
   %100 = add i64 %lsr.iv57.i.i.i.i, 9223372036854775807
   %.647.i.i.i.i = icmp ult i64 %100, -9223372036854775806
@@ -697,23 +704,23 @@ B154.if.i.i.i.i:                                  ; preds = %B154.if.i.i.i.i, %B
   %scevgep28.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %101
   %scevgep27.i.i.i.i = getelementptr i8, ptr %scevgep28.i.i.i.i, i64 %99
   %scevgep29.i.i.i.i = getelementptr i8, ptr %scevgep27.i.i.i.i, i64 -24
-  %.663.i.i.i.i = load double, ptr %scevgep29.i.i.i.i, align 8, !noalias !14
+  %.663.i.i.i.i = load double, ptr %scevgep29.i.i.i.i, align 8, !noalias !15
   %.664.i.i.i.i = fsub contract double %.632.i.i.i.i, %.663.i.i.i.i
   %.678.inv.i.i.i.i = icmp sgt i64 %lsr.iv57.i.i.i.i, 0
   %102 = select i1 %.678.inv.i.i.i.i, i64 0, i64 %74
   %scevgep25.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %102
   %scevgep24.i.i.i.i = getelementptr i8, ptr %scevgep25.i.i.i.i, i64 %99
   %scevgep26.i.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i.i, i64 -8
-  store double %.664.i.i.i.i, ptr %scevgep26.i.i.i.i, align 8, !noalias !14
+  store double %.664.i.i.i.i, ptr %scevgep26.i.i.i.i, align 8, !noalias !15
   %.632.1.i.i.i.i = fmul contract double %.600.i.i.i.i, %.664.i.i.i.i
   %.647.1.i.i.i.i = icmp slt i64 %lsr.iv57.i.i.i.i, 2
   %103 = select i1 %.647.1.i.i.i.i, i64 %74, i64 0
   %scevgep19.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %103
   %scevgep22.i.i.i.i = getelementptr i8, ptr %scevgep19.i.i.i.i, i64 %99
   %scevgep23.i.i.i.i = getelementptr i8, ptr %scevgep22.i.i.i.i, i64 -16
-  %.663.1.i.i.i.i = load double, ptr %scevgep23.i.i.i.i, align 8, !noalias !14
+  %.663.1.i.i.i.i = load double, ptr %scevgep23.i.i.i.i, align 8, !noalias !15
   %.664.1.i.i.i.i = fsub contract double %.632.1.i.i.i.i, %.663.1.i.i.i.i
-  store double %.664.1.i.i.i.i, ptr %scevgep24.i.i.i.i, align 8, !noalias !14
+  store double %.664.1.i.i.i.i, ptr %scevgep24.i.i.i.i, align 8, !noalias !15
   %lsr.iv.next58.i.i.i.i = add i64 %lsr.iv57.i.i.i.i, 2
   %lsr.iv.next.i.i.i.i = add i64 %lsr.iv.i.i.i.i, 16
   %104 = sub i64 %lsr.iv.next58.i.i.i.i, %68
@@ -725,51 +732,51 @@ B282.if.i.i.i.i:                                  ; preds = %B540.i.i.i.i, %B282
   %.828.i.i.i.i = add nuw nsw i64 %.821527537.i.i.i.i, 1
   %.idx.i.i.i.i = mul i64 %.821527537.i.i.i.i, 40
   %105 = getelementptr i8, ptr %arg.exponents, i64 %.idx.i.i.i.i
-  %.887.i.i.i.i = load i64, ptr %105, align 8, !noalias !14
+  %.887.i.i.i.i = load i64, ptr %105, align 8, !noalias !15
   %.901.i.i.i.i = icmp slt i64 %.887.i.i.i.i, 0
   %.902.i.i.i.i = select i1 %.901.i.i.i.i, i64 %.1546.i.i.i, i64 0
   %106 = getelementptr double, ptr %.1562.i.i.i, i64 %.887.i.i.i.i
   %.916.i.i.i.i = getelementptr double, ptr %106, i64 %.902.i.i.i.i
-  %.917.i.i.i.i = load double, ptr %.916.i.i.i.i, align 8, !noalias !14
+  %.917.i.i.i.i = load double, ptr %.916.i.i.i.i, align 8, !noalias !15
   %107 = getelementptr i8, ptr %105, i64 8
-  %.1072.i.i.i.i = load i64, ptr %107, align 8, !noalias !14
+  %.1072.i.i.i.i = load i64, ptr %107, align 8, !noalias !15
   %.1073.i.i.i.i = add nsw i64 %.1072.i.i.i.i, %.81.i.i.i.i
   %.1087.i.i.i.i = icmp slt i64 %.1073.i.i.i.i, 0
   %.1088.i.i.i.i = select i1 %.1087.i.i.i.i, i64 %.1546.i.i.i, i64 0
   %108 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.i.i.i.i
   %.1102.i.i.i.i = getelementptr double, ptr %108, i64 %.1088.i.i.i.i
-  %.1103.i.i.i.i = load double, ptr %.1102.i.i.i.i, align 8, !noalias !14
+  %.1103.i.i.i.i = load double, ptr %.1102.i.i.i.i, align 8, !noalias !15
   %.1105.i.i.i.i = fmul contract double %.917.i.i.i.i, %.1103.i.i.i.i
   %109 = getelementptr i8, ptr %105, i64 16
-  %.1072.1.i.i.i.i = load i64, ptr %109, align 8, !noalias !14
+  %.1072.1.i.i.i.i = load i64, ptr %109, align 8, !noalias !15
   %.1073.1.i.i.i.i = add nsw i64 %.1072.1.i.i.i.i, %.1039.1.i.i.i.i
   %.1087.1.i.i.i.i = icmp slt i64 %.1073.1.i.i.i.i, 0
   %.1088.1.i.i.i.i = select i1 %.1087.1.i.i.i.i, i64 %.1546.i.i.i, i64 0
   %110 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.1.i.i.i.i
   %.1102.1.i.i.i.i = getelementptr double, ptr %110, i64 %.1088.1.i.i.i.i
-  %.1103.1.i.i.i.i = load double, ptr %.1102.1.i.i.i.i, align 8, !noalias !14
+  %.1103.1.i.i.i.i = load double, ptr %.1102.1.i.i.i.i, align 8, !noalias !15
   %.1105.1.i.i.i.i = fmul contract double %.1105.i.i.i.i, %.1103.1.i.i.i.i
   %111 = getelementptr i8, ptr %105, i64 24
-  %.1072.2.i.i.i.i = load i64, ptr %111, align 8, !noalias !14
+  %.1072.2.i.i.i.i = load i64, ptr %111, align 8, !noalias !15
   %.1073.2.i.i.i.i = add nsw i64 %.1072.2.i.i.i.i, %.1039.2.i.i.i.i
   %.1087.2.i.i.i.i = icmp slt i64 %.1073.2.i.i.i.i, 0
   %.1088.2.i.i.i.i = select i1 %.1087.2.i.i.i.i, i64 %.1546.i.i.i, i64 0
   %112 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.2.i.i.i.i
   %.1102.2.i.i.i.i = getelementptr double, ptr %112, i64 %.1088.2.i.i.i.i
-  %.1103.2.i.i.i.i = load double, ptr %.1102.2.i.i.i.i, align 8, !noalias !14
+  %.1103.2.i.i.i.i = load double, ptr %.1102.2.i.i.i.i, align 8, !noalias !15
   %.1105.2.i.i.i.i = fmul contract double %.1105.1.i.i.i.i, %.1103.2.i.i.i.i
   %113 = getelementptr i8, ptr %105, i64 32
-  %.1072.3.i.i.i.i = load i64, ptr %113, align 8, !noalias !14
+  %.1072.3.i.i.i.i = load i64, ptr %113, align 8, !noalias !15
   %.1073.3.i.i.i.i = add nsw i64 %.1072.3.i.i.i.i, %.1039.3.i.i.i.i
   %.1087.3.i.i.i.i = icmp slt i64 %.1073.3.i.i.i.i, 0
   %.1088.3.i.i.i.i = select i1 %.1087.3.i.i.i.i, i64 %.1546.i.i.i, i64 0
   %114 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.3.i.i.i.i
   %.1102.3.i.i.i.i = getelementptr double, ptr %114, i64 %.1088.3.i.i.i.i
-  %.1103.3.i.i.i.i = load double, ptr %.1102.3.i.i.i.i, align 8, !noalias !14
+  %.1103.3.i.i.i.i = load double, ptr %.1102.3.i.i.i.i, align 8, !noalias !15
   %.1105.3.i.i.i.i = fmul contract double %.1105.2.i.i.i.i, %.1103.3.i.i.i.i
   %.1115.i.i.i.i = mul nuw nsw i64 %.821527537.i.i.i.i, %.340.sroa.13.2.i.i
   %.1168.not.i.i.i.i = icmp sgt i64 %.1305.i.i.i, %.1115.i.i.i.i
-  br i1 %.1168.not.i.i.i.i, label %B416.else.endif.endif.endif.endif.i.i.i.i, label %B416.else.endif.if.i.i.i.i, !prof !4
+  br i1 %.1168.not.i.i.i.i, label %B416.else.endif.endif.endif.endif.i.i.i.i, label %B416.else.endif.if.i.i.i.i, !prof !5
 
 B416.else.endif.if.i.i.i.i:                       ; preds = %B282.if.i.i.i.i
   br label %B416.else.endif.endif.endif.endif.i.i.i.i
@@ -796,36 +803,36 @@ B484.if.i.i.i.i:                                  ; preds = %B484.if.i.i.i.i, %B
   %.1385520522.i.i.i.i = phi i64 [ %.1392.1.1.i.i.i.i, %B484.if.i.i.i.i ], [ 0, %B484.if.preheader41.i.i.i.i ]
   %116 = shl i64 %.1385520522.i.i.i.i, 3
   %sunkaddr31.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %116
-  %.1446.i.i.i.i = load double, ptr %sunkaddr31.i.i.i.i, align 8, !noalias !14
+  %.1446.i.i.i.i = load double, ptr %sunkaddr31.i.i.i.i, align 8, !noalias !15
   %scevgep53.i.i.i.i = getelementptr i8, ptr %scevgep50.i.i.i.i, i64 %116
   %scevgep18.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -16
   %scevgep15.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -24
-  %.1476.i.i.i.i = load double, ptr %scevgep15.i.i.i.i, align 8, !noalias !14
+  %.1476.i.i.i.i = load double, ptr %scevgep15.i.i.i.i, align 8, !noalias !15
   %.1478.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.i.i.i.i
   %.1479.i.i.i.i = fadd contract double %.1446.i.i.i.i, %.1478.i.i.i.i
-  store double %.1479.i.i.i.i, ptr %sunkaddr31.i.i.i.i, align 8, !noalias !14
+  store double %.1479.i.i.i.i, ptr %sunkaddr31.i.i.i.i, align 8, !noalias !15
   %sunkaddr34.i.i.i.i = getelementptr i8, ptr %sunkaddr31.i.i.i.i, i64 8
-  %.1446.1.i.i.i.i = load double, ptr %sunkaddr34.i.i.i.i, align 8, !noalias !14
-  %.1476.1.i.i.i.i = load double, ptr %scevgep18.i.i.i.i, align 8, !noalias !14
+  %.1446.1.i.i.i.i = load double, ptr %sunkaddr34.i.i.i.i, align 8, !noalias !15
+  %.1476.1.i.i.i.i = load double, ptr %scevgep18.i.i.i.i, align 8, !noalias !15
   %.1478.1.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.1.i.i.i.i
   %.1479.1.i.i.i.i = fadd contract double %.1446.1.i.i.i.i, %.1478.1.i.i.i.i
-  store double %.1479.1.i.i.i.i, ptr %sunkaddr34.i.i.i.i, align 8, !noalias !14
+  store double %.1479.1.i.i.i.i, ptr %sunkaddr34.i.i.i.i, align 8, !noalias !15
   %sunkaddr37.i.i.i.i = getelementptr i8, ptr %sunkaddr31.i.i.i.i, i64 16
-  %.1446.137.i.i.i.i = load double, ptr %sunkaddr37.i.i.i.i, align 8, !noalias !14
+  %.1446.137.i.i.i.i = load double, ptr %sunkaddr37.i.i.i.i, align 8, !noalias !15
   %scevgep13.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -8
-  %.1476.138.i.i.i.i = load double, ptr %scevgep13.i.i.i.i, align 8, !noalias !14
+  %.1476.138.i.i.i.i = load double, ptr %scevgep13.i.i.i.i, align 8, !noalias !15
   %.1478.139.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.138.i.i.i.i
   %.1479.140.i.i.i.i = fadd contract double %.1446.137.i.i.i.i, %.1478.139.i.i.i.i
-  store double %.1479.140.i.i.i.i, ptr %sunkaddr37.i.i.i.i, align 8, !noalias !14
+  store double %.1479.140.i.i.i.i, ptr %sunkaddr37.i.i.i.i, align 8, !noalias !15
   %.1392.1.1.i.i.i.i = add i64 %.1385520522.i.i.i.i, 4
   %sunkaddr38.i.i.i.i = shl i64 %.1392.1.1.i.i.i.i, 3
   %sunkaddr39.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %sunkaddr38.i.i.i.i
   %sunkaddr40.i.i.i.i = getelementptr i8, ptr %sunkaddr39.i.i.i.i, i64 -8
-  %.1446.1.1.i.i.i.i = load double, ptr %sunkaddr40.i.i.i.i, align 8, !noalias !14
-  %.1476.1.1.i.i.i.i = load double, ptr %scevgep53.i.i.i.i, align 8, !noalias !14
+  %.1446.1.1.i.i.i.i = load double, ptr %sunkaddr40.i.i.i.i, align 8, !noalias !15
+  %.1476.1.1.i.i.i.i = load double, ptr %scevgep53.i.i.i.i, align 8, !noalias !15
   %.1478.1.1.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.1.1.i.i.i.i
   %.1479.1.1.i.i.i.i = fadd contract double %.1446.1.1.i.i.i.i, %.1478.1.1.i.i.i.i
-  store double %.1479.1.1.i.i.i.i, ptr %sunkaddr40.i.i.i.i, align 8, !noalias !14
+  store double %.1479.1.1.i.i.i.i, ptr %sunkaddr40.i.i.i.i, align 8, !noalias !15
   %lsr.iv.next2.i.i.i.i = add i64 %lsr.iv1.i.i.i.i, 2
   %niter36.ncmp.1.i.i.i.i = icmp eq i64 %lsr.iv.next2.i.i.i.i, 0
   br i1 %niter36.ncmp.1.i.i.i.i, label %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i, label %B484.if.i.i.i.i
@@ -836,7 +843,7 @@ B572.else.if.i.i.i:                               ; preds = %B572.i.i.i
 B572.else.endif.i.i.i:                            ; preds = %B572.else.if.i.i.i, %B572.i.i.i
   %.1737.sroa.0.1.i.i.i = phi i64 [ 0, %B572.else.if.i.i.i ], [ %.1749.i.i.i, %B572.i.i.i ]
   %.1757.not.i.i.i = icmp slt i64 %.1749.i.i.i, %arg.n_weights
-  br i1 %.1757.not.i.i.i, label %B572.else.endif.endif.i.i.i, label %B572.else.endif.if.i.i.i, !prof !4
+  br i1 %.1757.not.i.i.i, label %B572.else.endif.endif.i.i.i, label %B572.else.endif.if.i.i.i, !prof !5
 
 B572.else.endif.if.i.i.i:                         ; preds = %B572.else.endif.i.i.i
   br label %B572.else.endif.endif.i.i.i
@@ -847,7 +854,7 @@ B572.else.endif.endif.i.i.i:                      ; preds = %B572.else.endif.if.
   %.1834.i.i.i = tail call i64 @llvm.smax.i64(i64 %.1825.i.i.i, i64 0)
   %.1850.i.i.i = getelementptr double, ptr %arg.weights, i64 %.1737.sroa.0.3.i.i.i
   %.1933.i.i.i = icmp slt i64 %.627.i.i, 6
-  br i1 %.1933.i.i.i, label %B572.endif.else.endif.if.i.i.i, label %B572.endif.else.endif.endif.i.i.i, !prof !3
+  br i1 %.1933.i.i.i, label %B572.endif.else.endif.if.i.i.i, label %B572.endif.else.endif.endif.i.i.i, !prof !4
 
 B572.endif.else.endif.if.i.i.i:                   ; preds = %B572.else.endif.endif.i.i.i
   br label %B572.endif.else.endif.endif.i.i.i
@@ -855,21 +862,21 @@ B572.endif.else.endif.if.i.i.i:                   ; preds = %B572.else.endif.end
 B572.endif.else.endif.endif.i.i.i:                ; preds = %B572.endif.else.endif.if.i.i.i, %B572.else.endif.endif.i.i.i
   %.1913.sroa.0.3.i.i.i = phi i64 [ %.636.i.i, %B572.endif.else.endif.if.i.i.i ], [ 5, %B572.else.endif.endif.i.i.i ]
   %.2026.i.i.i = getelementptr double, ptr %.652.i.i, i64 %.1913.sroa.0.3.i.i.i
-  %.576.i.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !17
-  store double %.576.i.i.i.i, ptr %.2026.i.i.i, align 8, !noalias !17
-  %.576.1.i.i.i.i = load double, ptr %56, align 8, !noalias !17
+  %.576.i.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !18
+  store double %.576.i.i.i.i, ptr %.2026.i.i.i, align 8, !noalias !18
+  %.576.1.i.i.i.i = load double, ptr %56, align 8, !noalias !18
   %117 = getelementptr i8, ptr %.2026.i.i.i, i64 8
-  store double %.576.1.i.i.i.i, ptr %117, align 8, !noalias !17
-  %.576.2.i.i.i.i = load double, ptr %59, align 8, !noalias !17
+  store double %.576.1.i.i.i.i, ptr %117, align 8, !noalias !18
+  %.576.2.i.i.i.i = load double, ptr %59, align 8, !noalias !18
   %118 = getelementptr i8, ptr %.2026.i.i.i, i64 16
-  store double %.576.2.i.i.i.i, ptr %118, align 8, !noalias !17
-  %.576.3.i.i.i.i = load double, ptr %62, align 8, !noalias !17
+  store double %.576.2.i.i.i.i, ptr %118, align 8, !noalias !18
+  %.576.3.i.i.i.i = load double, ptr %62, align 8, !noalias !18
   %119 = getelementptr i8, ptr %.2026.i.i.i, i64 24
-  store double %.576.3.i.i.i.i, ptr %119, align 8, !noalias !17
-  %.576.4.i.i.i.i = load double, ptr %.200.i.i.i.i, align 8, !noalias !17
+  store double %.576.3.i.i.i.i, ptr %119, align 8, !noalias !18
+  %.576.4.i.i.i.i = load double, ptr %.200.i.i.i.i, align 8, !noalias !18
   %120 = getelementptr i8, ptr %.2026.i.i.i, i64 32
-  store double %.576.4.i.i.i.i, ptr %120, align 8, !noalias !17
-  %.679.i.i.i.i = load i64, ptr %.1676.i.i.i, align 8, !noalias !17
+  store double %.576.4.i.i.i.i, ptr %120, align 8, !noalias !18
+  %.679.i.i.i.i = load i64, ptr %.1676.i.i.i, align 8, !noalias !18
   %.680.i.i.i.i = add nsw i64 %.679.i.i.i.i, -1
   %.765771.not.i.i.i.i = icmp slt i64 %.679.i.i.i.i, 1
   br i1 %.765771.not.i.i.i.i, label %B696.i.i.i.i, label %B210.if.lr.ph.i.i.i.i
@@ -894,21 +901,21 @@ B346.if.epil.preheader1.i.i.i.i:                  ; preds = %B346.if.preheader.n
   %122 = shl i64 %.1083.0.epil.init6.i.i.i.i, 3
   %scevgep56.epil.i.i.i.i = getelementptr i8, ptr %scevgep50.i2.i.i.i, i64 %122
   %scevgep57.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -24
-  %.1206.epil4.i.i.i.i = load double, ptr %scevgep57.epil.i.i.i.i, align 8, !noalias !17
+  %.1206.epil4.i.i.i.i = load double, ptr %scevgep57.epil.i.i.i.i, align 8, !noalias !18
   %sunkaddr81.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %122
-  store double %.1206.epil4.i.i.i.i, ptr %sunkaddr81.epil.i.i.i.i, align 8, !noalias !17
+  store double %.1206.epil4.i.i.i.i, ptr %sunkaddr81.epil.i.i.i.i, align 8, !noalias !18
   %scevgep55.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -16
-  %.1206.1.epil.i.i.i.i = load double, ptr %scevgep55.epil.i.i.i.i, align 8, !noalias !17
+  %.1206.1.epil.i.i.i.i = load double, ptr %scevgep55.epil.i.i.i.i, align 8, !noalias !18
   %sunkaddr84.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr81.epil.i.i.i.i, i64 8
-  store double %.1206.1.epil.i.i.i.i, ptr %sunkaddr84.epil.i.i.i.i, align 8, !noalias !17
+  store double %.1206.1.epil.i.i.i.i, ptr %sunkaddr84.epil.i.i.i.i, align 8, !noalias !18
   %scevgep53.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -8
-  %.1206.2.epil.i.i.i.i = load double, ptr %scevgep53.epil.i.i.i.i, align 8, !noalias !17
+  %.1206.2.epil.i.i.i.i = load double, ptr %scevgep53.epil.i.i.i.i, align 8, !noalias !18
   %sunkaddr87.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr81.epil.i.i.i.i, i64 16
-  store double %.1206.2.epil.i.i.i.i, ptr %sunkaddr87.epil.i.i.i.i, align 8, !noalias !17
+  store double %.1206.2.epil.i.i.i.i, ptr %sunkaddr87.epil.i.i.i.i, align 8, !noalias !18
   %.1152.3.epil.i.i.i.i = add nuw nsw i64 %.1083.0.epil.init6.i.i.i.i, 4
-  %.1206.3.epil.i.i.i.i = load double, ptr %scevgep56.epil.i.i.i.i, align 8, !noalias !17
+  %.1206.3.epil.i.i.i.i = load double, ptr %scevgep56.epil.i.i.i.i, align 8, !noalias !18
   %sunkaddr90.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr81.epil.i.i.i.i, i64 24
-  store double %.1206.3.epil.i.i.i.i, ptr %sunkaddr90.epil.i.i.i.i, align 8, !noalias !17
+  store double %.1206.3.epil.i.i.i.i, ptr %sunkaddr90.epil.i.i.i.i, align 8, !noalias !18
   br label %B374.loopexit.unr-lcssa.i.i.i.i
 
 B374.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B346.if.epil.preheader1.i.i.i.i, %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
@@ -929,12 +936,12 @@ B346.if.epil.i.i.i.i:                             ; preds = %B346.if.epil.i.i.i.
   %epil.iter.i.i.i.i = phi i64 [ %epil.iter.next.i.i.i.i, %B346.if.epil.i.i.i.i ], [ 0, %B346.if.epil.preheader.i.i.i.i ]
   %126 = shl i64 %epil.iter.i.i.i.i, 3
   %scevgep98.i.i.i.i = getelementptr i8, ptr %scevgep68.i.i.i.i, i64 %126
-  %.1206.epil.i.i.i.i = load double, ptr %scevgep98.i.i.i.i, align 8, !noalias !17
+  %.1206.epil.i.i.i.i = load double, ptr %scevgep98.i.i.i.i, align 8, !noalias !18
   %scevgep97.i.i.i.i = getelementptr i8, ptr %scevgep66.i7.i.i.i, i64 %126
-  store double %.1206.epil.i.i.i.i, ptr %scevgep97.i.i.i.i, align 8, !noalias !17
+  store double %.1206.epil.i.i.i.i, ptr %scevgep97.i.i.i.i, align 8, !noalias !18
   %epil.iter.next.i.i.i.i = add i64 %epil.iter.i.i.i.i, 1
   %epil.iter.cmp.not.i.i.i.i = icmp eq i64 %xtraiter.i.i.i.i, %epil.iter.next.i.i.i.i
-  br i1 %epil.iter.cmp.not.i.i.i.i, label %B374.i.i.i.i, label %B346.if.epil.i.i.i.i, !llvm.loop !20
+  br i1 %epil.iter.cmp.not.i.i.i.i, label %B374.i.i.i.i, label %B346.if.epil.i.i.i.i, !llvm.loop !21
 
 B374.i.i.i.i:                                     ; preds = %B346.if.epil.i.i.i.i, %B212.else.endif.endif.i.i.i.i, %B374.loopexit.unr-lcssa.i.i.i.i
   %.1327765.not.i.i.i.i = icmp slt i64 %.837.i.i.i.i, 1
@@ -963,20 +970,20 @@ B486.if.epil.preheader11.i.i.i.i:                 ; preds = %B486.if.preheader29
   %.1603.0.epil.init18.i.i.i.i = phi i64 [ 0, %B486.if.preheader29.i.i.i.i ], [ %.1672.1.1.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
   %139 = shl i64 %.1603.0.epil.init18.i.i.i.i, 3
   %sunkaddr92.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %139
-  %.1726.epil13.i.i.i.i = load double, ptr %sunkaddr92.epil.i.i.i.i, align 8, !noalias !17
+  %.1726.epil13.i.i.i.i = load double, ptr %sunkaddr92.epil.i.i.i.i, align 8, !noalias !18
   %scevgep77.epil.i.i.i.i = getelementptr i8, ptr %scevgep75.i.i.i.i, i64 %139
   %scevgep78.epil.i.i.i.i = getelementptr i8, ptr %scevgep77.epil.i.i.i.i, i64 -8
-  %.1756.epil14.i.i.i.i = load double, ptr %scevgep78.epil.i.i.i.i, align 8, !noalias !17
+  %.1756.epil14.i.i.i.i = load double, ptr %scevgep78.epil.i.i.i.i, align 8, !noalias !18
   %.1758.epil15.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.epil14.i.i.i.i
   %.1759.epil16.i.i.i.i = fadd contract double %.1726.epil13.i.i.i.i, %.1758.epil15.i.i.i.i
-  store double %.1759.epil16.i.i.i.i, ptr %sunkaddr92.epil.i.i.i.i, align 8, !noalias !17
+  store double %.1759.epil16.i.i.i.i, ptr %sunkaddr92.epil.i.i.i.i, align 8, !noalias !18
   %.1672.1.epil.i.i.i.i = add nuw i64 %.1603.0.epil.init18.i.i.i.i, 2
   %sunkaddr95.epil.i.i.i.i = getelementptr i8, ptr %sunkaddr92.epil.i.i.i.i, i64 8
-  %.1726.1.epil.i.i.i.i = load double, ptr %sunkaddr95.epil.i.i.i.i, align 8, !noalias !17
-  %.1756.1.epil.i.i.i.i = load double, ptr %scevgep77.epil.i.i.i.i, align 8, !noalias !17
+  %.1726.1.epil.i.i.i.i = load double, ptr %sunkaddr95.epil.i.i.i.i, align 8, !noalias !18
+  %.1756.1.epil.i.i.i.i = load double, ptr %scevgep77.epil.i.i.i.i, align 8, !noalias !18
   %.1758.1.epil.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.1.epil.i.i.i.i
   %.1759.1.epil.i.i.i.i = fadd contract double %.1726.1.epil.i.i.i.i, %.1758.1.epil.i.i.i.i
-  store double %.1759.1.epil.i.i.i.i, ptr %sunkaddr95.epil.i.i.i.i, align 8, !noalias !17
+  store double %.1759.1.epil.i.i.i.i, ptr %sunkaddr95.epil.i.i.i.i, align 8, !noalias !18
   br label %B542.loopexit.unr-lcssa.i.i.i.i
 
 B542.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B486.if.epil.preheader11.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
@@ -986,12 +993,12 @@ B542.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B486.if.epil.prehea
 B486.if.epil.preheader.i.i.i.i:                   ; preds = %B486.if.preheader.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i
   %.1603.0.epil.init.i.i.i.i = phi i64 [ 0, %B486.if.preheader.i.i.i.i ], [ %.1672.1.lcssa.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i ]
   %140 = getelementptr double, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
-  %.1726.epil.i.i.i.i = load double, ptr %140, align 8, !noalias !17
+  %.1726.epil.i.i.i.i = load double, ptr %140, align 8, !noalias !18
   %141 = getelementptr double, ptr %.1508.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
-  %.1756.epil.i.i.i.i = load double, ptr %141, align 8, !noalias !17
+  %.1756.epil.i.i.i.i = load double, ptr %141, align 8, !noalias !18
   %.1758.epil.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.epil.i.i.i.i
   %.1759.epil.i.i.i.i = fadd contract double %.1726.epil.i.i.i.i, %.1758.epil.i.i.i.i
-  store double %.1759.epil.i.i.i.i, ptr %140, align 8, !noalias !17
+  store double %.1759.epil.i.i.i.i, ptr %140, align 8, !noalias !18
   br label %B542.i.i.i.i
 
 B542.i.i.i.i:                                     ; preds = %B406.else.endif.endif.i.i.i.i, %B486.if.epil.preheader.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i
@@ -1039,14 +1046,14 @@ B748.if.epil.i.i.i.i:                             ; preds = %B748.if.epil.i.i.i.
   %epil.iter24.i.i.i.i = phi i64 [ %epil.iter24.next.i.i.i.i, %B748.if.epil.i.i.i.i ], [ 0, %B748.if.epil.preheader.i.i.i.i ]
   %144 = shl i64 %epil.iter24.i.i.i.i, 3
   %scevgep34.i.i.i.i = getelementptr i8, ptr %scevgep31.i.i.i.i, i64 %144
-  %.2280.epil.i.i.i.i = load double, ptr %scevgep34.i.i.i.i, align 8, !noalias !17
+  %.2280.epil.i.i.i.i = load double, ptr %scevgep34.i.i.i.i, align 8, !noalias !18
   %scevgep33.i.i.i.i = getelementptr i8, ptr %scevgep.i.i.i.i, i64 %144
-  %.2310.epil.i.i.i.i = load double, ptr %scevgep33.i.i.i.i, align 8, !noalias !17
+  %.2310.epil.i.i.i.i = load double, ptr %scevgep33.i.i.i.i, align 8, !noalias !18
   %.2311.epil.i.i.i.i = fadd contract double %.2280.epil.i.i.i.i, %.2310.epil.i.i.i.i
-  store double %.2311.epil.i.i.i.i, ptr %scevgep34.i.i.i.i, align 8, !noalias !17
+  store double %.2311.epil.i.i.i.i, ptr %scevgep34.i.i.i.i, align 8, !noalias !18
   %epil.iter24.next.i.i.i.i = add i64 %epil.iter24.i.i.i.i, 1
   %epil.iter24.cmp.not.i.i.i.i = icmp eq i64 %xtraiter23.i.i.i.i, %epil.iter24.next.i.i.i.i
-  br i1 %epil.iter24.cmp.not.i.i.i.i, label %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B748.if.epil.i.i.i.i, !llvm.loop !22
+  br i1 %epil.iter24.cmp.not.i.i.i.i, label %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B748.if.epil.i.i.i.i, !llvm.loop !23
 
 B210.if.i.i.i.i:                                  ; preds = %B664.i.i.i.i, %B210.if.lr.ph.i.i.i.i
   %.709.0.i.i.i.i = phi i64 [ 0, %B210.if.lr.ph.i.i.i.i ], [ %.778.i.i.i.i, %B664.i.i.i.i ]
@@ -1056,16 +1063,16 @@ B210.if.i.i.i.i:                                  ; preds = %B664.i.i.i.i, %B210
   %.778.i.i.i.i = add nuw nsw i64 %.709.0.i.i.i.i, 1
   %145 = getelementptr i64, ptr %arg.contents, i64 %.709.0.i.i.i.i
   %146 = getelementptr i8, ptr %145, i64 120
-  %.837.i.i.i.i = load i64, ptr %146, align 8, !noalias !17
+  %.837.i.i.i.i = load i64, ptr %146, align 8, !noalias !18
   %147 = getelementptr i8, ptr %145, i64 128
-  %.870.i.i.i.i = load i64, ptr %147, align 8, !noalias !17
+  %.870.i.i.i.i = load i64, ptr %147, align 8, !noalias !18
   %.879.i.i.i.i = mul nsw i64 %.870.i.i.i.i, %.837.i.i.i.i
   %.881.i.i.i.i = add nsw i64 %.879.i.i.i.i, %at.2.0776.i.i.i.i
   %.918.i.i.i.i = icmp slt i64 %.881.i.i.i.i, 0
   %.919.i.i.i.i = select i1 %.918.i.i.i.i, i64 %.1834.i.i.i, i64 0
   %.920.i.i.i.i = add i64 %.919.i.i.i.i, %.881.i.i.i.i
   %.923.i.i.i.i = icmp slt i64 %.920.i.i.i.i, 0
-  br i1 %.923.i.i.i.i, label %B212.else.if.i.i.i.i, label %B212.else.endif.i.i.i.i, !prof !3
+  br i1 %.923.i.i.i.i, label %B212.else.if.i.i.i.i, label %B212.else.endif.i.i.i.i, !prof !4
 
 B212.else.if.i.i.i.i:                             ; preds = %B210.if.i.i.i.i
   br label %B212.else.endif.i.i.i.i
@@ -1073,7 +1080,7 @@ B212.else.if.i.i.i.i:                             ; preds = %B210.if.i.i.i.i
 B212.else.endif.i.i.i.i:                          ; preds = %B212.else.if.i.i.i.i, %B210.if.i.i.i.i
   %.908.sroa.0.1.i.i.i.i = phi i64 [ 0, %B212.else.if.i.i.i.i ], [ %.920.i.i.i.i, %B210.if.i.i.i.i ]
   %.928.not.i.i.i.i = icmp slt i64 %.920.i.i.i.i, %.1834.i.i.i
-  br i1 %.928.not.i.i.i.i, label %B212.else.endif.endif.i.i.i.i, label %B212.else.endif.if.i.i.i.i, !prof !4
+  br i1 %.928.not.i.i.i.i, label %B212.else.endif.endif.i.i.i.i, label %B212.else.endif.if.i.i.i.i, !prof !5
 
 B212.else.endif.if.i.i.i.i:                       ; preds = %B212.else.endif.i.i.i.i
   br label %B212.else.endif.endif.i.i.i.i
@@ -1110,38 +1117,38 @@ B346.if.i.i.i.i:                                  ; preds = %B346.if.i.i.i.i, %B
   %scevgep65.i4.i.i.i = getelementptr i8, ptr %scevgep58.i.i.i.i, i64 %156
   %scevgep70.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -32
   %scevgep80.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -56
-  %.1206.i.i.i.i = load double, ptr %scevgep80.i.i.i.i, align 8, !noalias !17
+  %.1206.i.i.i.i = load double, ptr %scevgep80.i.i.i.i, align 8, !noalias !18
   %sunkaddr71.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %156
-  store double %.1206.i.i.i.i, ptr %sunkaddr71.i.i.i.i, align 8, !noalias !17
+  store double %.1206.i.i.i.i, ptr %sunkaddr71.i.i.i.i, align 8, !noalias !18
   %scevgep48.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -48
-  %.1206.1.i.i.i.i = load double, ptr %scevgep48.i.i.i.i, align 8, !noalias !17
+  %.1206.1.i.i.i.i = load double, ptr %scevgep48.i.i.i.i, align 8, !noalias !18
   %sunkaddr74.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 8
-  store double %.1206.1.i.i.i.i, ptr %sunkaddr74.i.i.i.i, align 8, !noalias !17
+  store double %.1206.1.i.i.i.i, ptr %sunkaddr74.i.i.i.i, align 8, !noalias !18
   %scevgep45.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -40
-  %.1206.2.i.i.i.i = load double, ptr %scevgep45.i.i.i.i, align 8, !noalias !17
+  %.1206.2.i.i.i.i = load double, ptr %scevgep45.i.i.i.i, align 8, !noalias !18
   %sunkaddr77.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 16
-  store double %.1206.2.i.i.i.i, ptr %sunkaddr77.i.i.i.i, align 8, !noalias !17
-  %.1206.3.i.i.i.i = load double, ptr %scevgep70.i.i.i.i, align 8, !noalias !17
+  store double %.1206.2.i.i.i.i, ptr %sunkaddr77.i.i.i.i, align 8, !noalias !18
+  %.1206.3.i.i.i.i = load double, ptr %scevgep70.i.i.i.i, align 8, !noalias !18
   %sunkaddr80.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 24
-  store double %.1206.3.i.i.i.i, ptr %sunkaddr80.i.i.i.i, align 8, !noalias !17
+  store double %.1206.3.i.i.i.i, ptr %sunkaddr80.i.i.i.i, align 8, !noalias !18
   %scevgep42.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -24
-  %.1206.110.i.i.i.i = load double, ptr %scevgep42.i.i.i.i, align 8, !noalias !17
+  %.1206.110.i.i.i.i = load double, ptr %scevgep42.i.i.i.i, align 8, !noalias !18
   %sunkaddr83.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 32
-  store double %.1206.110.i.i.i.i, ptr %sunkaddr83.i.i.i.i, align 8, !noalias !17
+  store double %.1206.110.i.i.i.i, ptr %sunkaddr83.i.i.i.i, align 8, !noalias !18
   %scevgep40.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -16
-  %.1206.1.1.i.i.i.i = load double, ptr %scevgep40.i.i.i.i, align 8, !noalias !17
+  %.1206.1.1.i.i.i.i = load double, ptr %scevgep40.i.i.i.i, align 8, !noalias !18
   %sunkaddr86.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 40
-  store double %.1206.1.1.i.i.i.i, ptr %sunkaddr86.i.i.i.i, align 8, !noalias !17
+  store double %.1206.1.1.i.i.i.i, ptr %sunkaddr86.i.i.i.i, align 8, !noalias !18
   %scevgep38.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -8
-  %.1206.2.1.i.i.i.i = load double, ptr %scevgep38.i.i.i.i, align 8, !noalias !17
+  %.1206.2.1.i.i.i.i = load double, ptr %scevgep38.i.i.i.i, align 8, !noalias !18
   %sunkaddr89.i.i.i.i = getelementptr i8, ptr %sunkaddr71.i.i.i.i, i64 48
-  store double %.1206.2.1.i.i.i.i, ptr %sunkaddr89.i.i.i.i, align 8, !noalias !17
+  store double %.1206.2.1.i.i.i.i, ptr %sunkaddr89.i.i.i.i, align 8, !noalias !18
   %.1152.3.1.i.i.i.i = add i64 %.1083.0.i.i.i.i, 8
-  %.1206.3.1.i.i.i.i = load double, ptr %scevgep65.i4.i.i.i, align 8, !noalias !17
+  %.1206.3.1.i.i.i.i = load double, ptr %scevgep65.i4.i.i.i, align 8, !noalias !18
   %sunkaddr90.i.i.i.i = shl i64 %.1152.3.1.i.i.i.i, 3
   %sunkaddr91.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %sunkaddr90.i.i.i.i
   %sunkaddr92.i.i.i.i = getelementptr i8, ptr %sunkaddr91.i.i.i.i, i64 -8
-  store double %.1206.3.1.i.i.i.i, ptr %sunkaddr92.i.i.i.i, align 8, !noalias !17
+  store double %.1206.3.1.i.i.i.i, ptr %sunkaddr92.i.i.i.i, align 8, !noalias !18
   %lsr.iv.next.i5.i.i.i = add i64 %lsr.iv.i3.i.i.i, 2
   %niter.ncmp.1.i6.i.i.i = icmp eq i64 %lsr.iv.next.i5.i.i.i, 0
   br i1 %niter.ncmp.1.i6.i.i.i, label %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i, label %B346.if.i.i.i.i
@@ -1155,7 +1162,7 @@ B404.if.i.i.i.i:                                  ; preds = %B542.i.i.i.i, %B404
   %.1406.i.i.i.i = select i1 %.1405.i.i.i.i, i64 %.1834.i.i.i, i64 0
   %.1407.i.i.i.i = add i64 %.1406.i.i.i.i, %.1368.i.i.i.i
   %.1410.i.i.i.i = icmp slt i64 %.1407.i.i.i.i, 0
-  br i1 %.1410.i.i.i.i, label %B406.else.if.i.i.i.i, label %B406.else.endif.i.i.i.i, !prof !3
+  br i1 %.1410.i.i.i.i, label %B406.else.if.i.i.i.i, label %B406.else.endif.i.i.i.i, !prof !4
 
 B406.else.if.i.i.i.i:                             ; preds = %B404.if.i.i.i.i
   br label %B406.else.endif.i.i.i.i
@@ -1163,7 +1170,7 @@ B406.else.if.i.i.i.i:                             ; preds = %B404.if.i.i.i.i
 B406.else.endif.i.i.i.i:                          ; preds = %B406.else.if.i.i.i.i, %B404.if.i.i.i.i
   %.1395.sroa.0.1.i.i.i.i = phi i64 [ 0, %B406.else.if.i.i.i.i ], [ %.1407.i.i.i.i, %B404.if.i.i.i.i ]
   %.1415.not.i.i.i.i = icmp slt i64 %.1407.i.i.i.i, %.1834.i.i.i
-  br i1 %.1415.not.i.i.i.i, label %B406.else.endif.endif.i.i.i.i, label %B406.else.endif.if.i.i.i.i, !prof !4
+  br i1 %.1415.not.i.i.i.i, label %B406.else.endif.endif.i.i.i.i, label %B406.else.endif.if.i.i.i.i, !prof !5
 
 B406.else.endif.if.i.i.i.i:                       ; preds = %B406.else.endif.i.i.i.i
   br label %B406.else.endif.endif.i.i.i.i
@@ -1172,7 +1179,7 @@ B406.else.endif.endif.i.i.i.i:                    ; preds = %B406.else.endif.if.
   %.1395.sroa.0.3.i.i.i.i = phi i64 [ %.1834.i.i.i, %B406.else.endif.if.i.i.i.i ], [ %.1395.sroa.0.1.i.i.i.i, %B406.else.endif.i.i.i.i ]
   %.1508.i.i.i.i = getelementptr double, ptr %.1850.i.i.i, i64 %.1395.sroa.0.3.i.i.i.i
   %157 = getelementptr double, ptr %current.2.sroa.40.0773.i.i.i.i, i64 %.1271.0.i.i.i.i
-  %.1575.i.i.i.i = load double, ptr %157, align 8, !noalias !17
+  %.1575.i.i.i.i = load double, ptr %157, align 8, !noalias !18
   br i1 %132, label %B542.i.i.i.i, label %B486.if.preheader.i.i.i.i
 
 B486.if.preheader.i.i.i.i:                        ; preds = %B406.else.endif.endif.i.i.i.i
@@ -1192,36 +1199,36 @@ B486.if.i.i.i.i:                                  ; preds = %B486.if.i.i.i.i, %B
   %.1603.0.i.i.i.i = phi i64 [ %.1672.1.1.i.i.i.i, %B486.if.i.i.i.i ], [ 0, %B486.if.preheader30.i.i.i.i ]
   %159 = shl i64 %.1603.0.i.i.i.i, 3
   %sunkaddr94.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %159
-  %.1726.i.i.i.i = load double, ptr %sunkaddr94.i.i.i.i, align 8, !noalias !17
+  %.1726.i.i.i.i = load double, ptr %sunkaddr94.i.i.i.i, align 8, !noalias !18
   %scevgep111.i.i.i.i = getelementptr i8, ptr %scevgep108.i.i.i.i, i64 %159
   %scevgep69.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -16
   %scevgep64.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -24
-  %.1756.i.i.i.i = load double, ptr %scevgep64.i.i.i.i, align 8, !noalias !17
+  %.1756.i.i.i.i = load double, ptr %scevgep64.i.i.i.i, align 8, !noalias !18
   %.1758.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.i.i.i.i
   %.1759.i.i.i.i = fadd contract double %.1726.i.i.i.i, %.1758.i.i.i.i
-  store double %.1759.i.i.i.i, ptr %sunkaddr94.i.i.i.i, align 8, !noalias !17
+  store double %.1759.i.i.i.i, ptr %sunkaddr94.i.i.i.i, align 8, !noalias !18
   %sunkaddr97.i.i.i.i = getelementptr i8, ptr %sunkaddr94.i.i.i.i, i64 8
-  %.1726.1.i.i.i.i = load double, ptr %sunkaddr97.i.i.i.i, align 8, !noalias !17
-  %.1756.1.i.i.i.i = load double, ptr %scevgep69.i.i.i.i, align 8, !noalias !17
+  %.1726.1.i.i.i.i = load double, ptr %sunkaddr97.i.i.i.i, align 8, !noalias !18
+  %.1756.1.i.i.i.i = load double, ptr %scevgep69.i.i.i.i, align 8, !noalias !18
   %.1758.1.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.1.i.i.i.i
   %.1759.1.i.i.i.i = fadd contract double %.1726.1.i.i.i.i, %.1758.1.i.i.i.i
-  store double %.1759.1.i.i.i.i, ptr %sunkaddr97.i.i.i.i, align 8, !noalias !17
+  store double %.1759.1.i.i.i.i, ptr %sunkaddr97.i.i.i.i, align 8, !noalias !18
   %sunkaddr100.i.i.i.i = getelementptr i8, ptr %sunkaddr94.i.i.i.i, i64 16
-  %.1726.124.i.i.i.i = load double, ptr %sunkaddr100.i.i.i.i, align 8, !noalias !17
+  %.1726.124.i.i.i.i = load double, ptr %sunkaddr100.i.i.i.i, align 8, !noalias !18
   %scevgep62.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -8
-  %.1756.125.i.i.i.i = load double, ptr %scevgep62.i.i.i.i, align 8, !noalias !17
+  %.1756.125.i.i.i.i = load double, ptr %scevgep62.i.i.i.i, align 8, !noalias !18
   %.1758.126.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.125.i.i.i.i
   %.1759.127.i.i.i.i = fadd contract double %.1726.124.i.i.i.i, %.1758.126.i.i.i.i
-  store double %.1759.127.i.i.i.i, ptr %sunkaddr100.i.i.i.i, align 8, !noalias !17
+  store double %.1759.127.i.i.i.i, ptr %sunkaddr100.i.i.i.i, align 8, !noalias !18
   %.1672.1.1.i.i.i.i = add i64 %.1603.0.i.i.i.i, 4
   %sunkaddr101.i.i.i.i = shl i64 %.1672.1.1.i.i.i.i, 3
   %sunkaddr102.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %sunkaddr101.i.i.i.i
   %sunkaddr103.i.i.i.i = getelementptr i8, ptr %sunkaddr102.i.i.i.i, i64 -8
-  %.1726.1.1.i.i.i.i = load double, ptr %sunkaddr103.i.i.i.i, align 8, !noalias !17
-  %.1756.1.1.i.i.i.i = load double, ptr %scevgep111.i.i.i.i, align 8, !noalias !17
+  %.1726.1.1.i.i.i.i = load double, ptr %sunkaddr103.i.i.i.i, align 8, !noalias !18
+  %.1756.1.1.i.i.i.i = load double, ptr %scevgep111.i.i.i.i, align 8, !noalias !18
   %.1758.1.1.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.1.1.i.i.i.i
   %.1759.1.1.i.i.i.i = fadd contract double %.1726.1.1.i.i.i.i, %.1758.1.1.i.i.i.i
-  store double %.1759.1.1.i.i.i.i, ptr %sunkaddr103.i.i.i.i, align 8, !noalias !17
+  store double %.1759.1.1.i.i.i.i, ptr %sunkaddr103.i.i.i.i, align 8, !noalias !18
   %lsr.iv.next50.i.i.i.i = add i64 %lsr.iv49.i.i.i.i, 2
   %niter23.ncmp.1.i.i.i.i = icmp eq i64 %lsr.iv.next50.i.i.i.i, 0
   br i1 %niter23.ncmp.1.i.i.i.i, label %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i, label %B486.if.i.i.i.i
@@ -1230,8 +1237,8 @@ B586.if.i.i.i.i:                                  ; preds = %B544.i.i.i.i, %B588
   %.1837.0.i.i.i.i = phi i64 [ %.1906.i.i.i.i, %B588.endif.i.i.i.i ], [ 0, %B544.i.i.i.i ]
   %160 = shl i64 %.1837.0.i.i.i.i, 3
   %scevgep79.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %160
-  %.1961.i.i.i.i = load double, ptr %scevgep79.i.i.i.i, align 8, !noalias !17
-  %.1991.i.i.i.i = load i64, ptr %sunkaddr104.i.i.i.i, align 8, !noalias !17
+  %.1961.i.i.i.i = load double, ptr %scevgep79.i.i.i.i, align 8, !noalias !18
+  %.1991.i.i.i.i = load i64, ptr %sunkaddr104.i.i.i.i, align 8, !noalias !18
   switch i64 %.1991.i.i.i.i, label %B120.i.i.i.i.i [
     i64 0, label %for.cond.preheader.i.i.i.i.i
     i64 1, label %B88.i.i.i.i.i
@@ -1256,7 +1263,7 @@ B120.i.i.i.i.i:                                   ; preds = %B586.if.i.i.i.i
 B588.endif.i.i.i.i:                               ; preds = %B120.i.i.i.i.i, %B88.i.i.i.i.i, %for.cond.preheader.i.i.i.i.i
   %.92.sink.i.i.i.i.i = phi double [ %.92.i.i.i.i.i, %B120.i.i.i.i.i ], [ %.13.i.i.i.i.i.i, %B88.i.i.i.i.i ], [ %.23.i.i.i.i.i, %for.cond.preheader.i.i.i.i.i ]
   %.1906.i.i.i.i = add nuw nsw i64 %.1837.0.i.i.i.i, 1
-  store double %.92.sink.i.i.i.i.i, ptr %scevgep79.i.i.i.i, align 8, !noalias !17
+  store double %.92.sink.i.i.i.i.i, ptr %scevgep79.i.i.i.i, align 8, !noalias !18
   %exitcond13.not.i.i.i.i = icmp eq i64 %.870.i.i.i.i, %.1906.i.i.i.i
   br i1 %exitcond13.not.i.i.i.i, label %B664.i.i.i.i, label %B586.if.i.i.i.i
 
@@ -1264,40 +1271,40 @@ B748.if.i.i.i.i:                                  ; preds = %B748.if.i.i.i.i, %B
   %.2219781783.i.i.i.i = phi i64 [ 0, %B748.if.preheader.new.i.i.i.i ], [ %.2226.3.i.i.i.i, %B748.if.i.i.i.i ]
   %sunkaddr107.i.i.i.i = shl i64 %.2219781783.i.i.i.i, 3
   %sunkaddr108.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %sunkaddr107.i.i.i.i
-  %.2280.i.i.i.i = load double, ptr %sunkaddr108.i.i.i.i, align 8, !noalias !17
+  %.2280.i.i.i.i = load double, ptr %sunkaddr108.i.i.i.i, align 8, !noalias !18
   %sunkaddr110.i.i.i.i = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.i.i.i.i, i64 %sunkaddr107.i.i.i.i
-  %.2310.i.i.i.i = load double, ptr %sunkaddr110.i.i.i.i, align 8, !noalias !17
+  %.2310.i.i.i.i = load double, ptr %sunkaddr110.i.i.i.i, align 8, !noalias !18
   %.2311.i.i.i.i = fadd contract double %.2280.i.i.i.i, %.2310.i.i.i.i
-  store double %.2311.i.i.i.i, ptr %sunkaddr108.i.i.i.i, align 8, !noalias !17
+  store double %.2311.i.i.i.i, ptr %sunkaddr108.i.i.i.i, align 8, !noalias !18
   %sunkaddr113.i.i.i.i = getelementptr i8, ptr %sunkaddr108.i.i.i.i, i64 8
-  %.2280.1.i.i.i.i = load double, ptr %sunkaddr113.i.i.i.i, align 8, !noalias !17
+  %.2280.1.i.i.i.i = load double, ptr %sunkaddr113.i.i.i.i, align 8, !noalias !18
   %sunkaddr116.i.i.i.i = getelementptr i8, ptr %sunkaddr110.i.i.i.i, i64 8
-  %.2310.1.i.i.i.i = load double, ptr %sunkaddr116.i.i.i.i, align 8, !noalias !17
+  %.2310.1.i.i.i.i = load double, ptr %sunkaddr116.i.i.i.i, align 8, !noalias !18
   %.2311.1.i.i.i.i = fadd contract double %.2280.1.i.i.i.i, %.2310.1.i.i.i.i
-  store double %.2311.1.i.i.i.i, ptr %sunkaddr113.i.i.i.i, align 8, !noalias !17
+  store double %.2311.1.i.i.i.i, ptr %sunkaddr113.i.i.i.i, align 8, !noalias !18
   %sunkaddr119.i.i.i.i = getelementptr i8, ptr %sunkaddr108.i.i.i.i, i64 16
-  %.2280.2.i.i.i.i = load double, ptr %sunkaddr119.i.i.i.i, align 8, !noalias !17
+  %.2280.2.i.i.i.i = load double, ptr %sunkaddr119.i.i.i.i, align 8, !noalias !18
   %sunkaddr122.i.i.i.i = getelementptr i8, ptr %sunkaddr110.i.i.i.i, i64 16
-  %.2310.2.i.i.i.i = load double, ptr %sunkaddr122.i.i.i.i, align 8, !noalias !17
+  %.2310.2.i.i.i.i = load double, ptr %sunkaddr122.i.i.i.i, align 8, !noalias !18
   %.2311.2.i.i.i.i = fadd contract double %.2280.2.i.i.i.i, %.2310.2.i.i.i.i
-  store double %.2311.2.i.i.i.i, ptr %sunkaddr119.i.i.i.i, align 8, !noalias !17
+  store double %.2311.2.i.i.i.i, ptr %sunkaddr119.i.i.i.i, align 8, !noalias !18
   %.2226.3.i.i.i.i = add nuw nsw i64 %.2219781783.i.i.i.i, 4
   %sunkaddr125.i.i.i.i = getelementptr i8, ptr %sunkaddr108.i.i.i.i, i64 24
-  %.2280.3.i.i.i.i = load double, ptr %sunkaddr125.i.i.i.i, align 8, !noalias !17
+  %.2280.3.i.i.i.i = load double, ptr %sunkaddr125.i.i.i.i, align 8, !noalias !18
   %sunkaddr128.i.i.i.i = getelementptr i8, ptr %sunkaddr110.i.i.i.i, i64 24
-  %.2310.3.i.i.i.i = load double, ptr %sunkaddr128.i.i.i.i, align 8, !noalias !17
+  %.2310.3.i.i.i.i = load double, ptr %sunkaddr128.i.i.i.i, align 8, !noalias !18
   %.2311.3.i.i.i.i = fadd contract double %.2280.3.i.i.i.i, %.2310.3.i.i.i.i
-  store double %.2311.3.i.i.i.i, ptr %sunkaddr125.i.i.i.i, align 8, !noalias !17
+  store double %.2311.3.i.i.i.i, ptr %sunkaddr125.i.i.i.i, align 8, !noalias !18
   %niter28.ncmp.3.i.i.i.i = icmp eq i64 %unroll_iter27.i.i.i.i, %.2226.3.i.i.i.i
   br i1 %niter28.ncmp.3.i.i.i.i, label %B798.loopexit.unr-lcssa.i.i.i.i, label %B748.if.i.i.i.i
 
 _ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B748.if.epil.i.i.i.i, %B798.loopexit.unr-lcssa.i.i.i.i, %B696.i.i.i.i, %B538.i.i.i
-  %.759.i.i = load i64, ptr %.758.i.i, align 8, !noalias !5
+  %.759.i.i = load i64, ptr %.758.i.i, align 8, !noalias !6
   %.798.i.i = icmp slt i64 %.759.i.i, 0
   %.799.i.i = select i1 %.798.i.i, i64 %arg.n_weights, i64 0
   %.800.i.i = add i64 %.799.i.i, %.759.i.i
   %.803.i.i = icmp slt i64 %.800.i.i, 0
-  br i1 %.803.i.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.else.endif.i.i, !prof !3
+  br i1 %.803.i.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.else.endif.i.i, !prof !4
 
 B0.endif.endif.endif.else.if.i.i:                 ; preds = %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   br label %B0.endif.endif.endif.else.endif.i.i
@@ -1305,7 +1312,7 @@ B0.endif.endif.endif.else.if.i.i:                 ; preds = %_ZN17bnserve_surrog
 B0.endif.endif.endif.else.endif.i.i:              ; preds = %B0.endif.endif.endif.else.if.i.i, %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %.788.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.else.if.i.i ], [ %.800.i.i, %_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %.808.not.i.i = icmp slt i64 %.800.i.i, %arg.n_weights
-  br i1 %.808.not.i.i, label %B0.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.else.endif.if.i.i, !prof !4
+  br i1 %.808.not.i.i, label %B0.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.else.endif.if.i.i, !prof !5
 
 B0.endif.endif.endif.else.endif.if.i.i:           ; preds = %B0.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.else.endif.endif.i.i
@@ -1336,22 +1343,22 @@ B60.if.i.epil.preheader.i.i:                      ; preds = %B88.loopexit.unr-lc
   %.148276278.i.epil.init.i.i = phi i64 [ 0, %B60.if.preheader.new.i.i.i ], [ %.155.3.i.1.i.i, %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
   %sunkaddr.i.epil.i.i = shl i64 %.148276278.i.epil.init.i.i, 3
   %sunkaddr38.i.epil.i.i = getelementptr i8, ptr %.901.i.i, i64 %sunkaddr.i.epil.i.i
-  %.209.i.epil.i.i = load double, ptr %sunkaddr38.i.epil.i.i, align 8, !noalias !23
+  %.209.i.epil.i.i = load double, ptr %sunkaddr38.i.epil.i.i, align 8, !noalias !24
   %sunkaddr40.i.epil.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr.i.epil.i.i
-  store double %.209.i.epil.i.i, ptr %sunkaddr40.i.epil.i.i, align 8, !noalias !23
+  store double %.209.i.epil.i.i, ptr %sunkaddr40.i.epil.i.i, align 8, !noalias !24
   %sunkaddr43.i.epil.i.i = getelementptr i8, ptr %sunkaddr38.i.epil.i.i, i64 8
-  %.209.1.i.epil.i.i = load double, ptr %sunkaddr43.i.epil.i.i, align 8, !noalias !23
+  %.209.1.i.epil.i.i = load double, ptr %sunkaddr43.i.epil.i.i, align 8, !noalias !24
   %sunkaddr46.i.epil.i.i = getelementptr i8, ptr %sunkaddr40.i.epil.i.i, i64 8
-  store double %.209.1.i.epil.i.i, ptr %sunkaddr46.i.epil.i.i, align 8, !noalias !23
+  store double %.209.1.i.epil.i.i, ptr %sunkaddr46.i.epil.i.i, align 8, !noalias !24
   %sunkaddr49.i.epil.i.i = getelementptr i8, ptr %sunkaddr38.i.epil.i.i, i64 16
-  %.209.2.i.epil.i.i = load double, ptr %sunkaddr49.i.epil.i.i, align 8, !noalias !23
+  %.209.2.i.epil.i.i = load double, ptr %sunkaddr49.i.epil.i.i, align 8, !noalias !24
   %sunkaddr52.i.epil.i.i = getelementptr i8, ptr %sunkaddr40.i.epil.i.i, i64 16
-  store double %.209.2.i.epil.i.i, ptr %sunkaddr52.i.epil.i.i, align 8, !noalias !23
+  store double %.209.2.i.epil.i.i, ptr %sunkaddr52.i.epil.i.i, align 8, !noalias !24
   %.155.3.i.epil.i.i = add nuw nsw i64 %.148276278.i.epil.init.i.i, 4
   %sunkaddr55.i.epil.i.i = getelementptr i8, ptr %sunkaddr38.i.epil.i.i, i64 24
-  %.209.3.i.epil.i.i = load double, ptr %sunkaddr55.i.epil.i.i, align 8, !noalias !23
+  %.209.3.i.epil.i.i = load double, ptr %sunkaddr55.i.epil.i.i, align 8, !noalias !24
   %sunkaddr58.i.epil.i.i = getelementptr i8, ptr %sunkaddr40.i.epil.i.i, i64 24
-  store double %.209.3.i.epil.i.i, ptr %sunkaddr58.i.epil.i.i, align 8, !noalias !23
+  store double %.209.3.i.epil.i.i, ptr %sunkaddr58.i.epil.i.i, align 8, !noalias !24
   br label %B88.loopexit.unr-lcssa.i.i.i
 
 B88.loopexit.unr-lcssa.i.i.i:                     ; preds = %B60.if.i.epil.preheader.i.i, %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i
@@ -1371,12 +1378,12 @@ B60.if.epil.i.i.i:                                ; preds = %B60.if.epil.i.i.i, 
   %epil.iter.i.i.i = phi i64 [ %epil.iter.next.i.i.i, %B60.if.epil.i.i.i ], [ 0, %B60.if.epil.preheader.i.i.i ]
   %166 = shl i64 %epil.iter.i.i.i, 3
   %scevgep27.i.i = getelementptr i8, ptr %scevgep26.i.i, i64 %166
-  %.209.epil.i.i.i = load double, ptr %scevgep27.i.i, align 8, !noalias !23
+  %.209.epil.i.i.i = load double, ptr %scevgep27.i.i, align 8, !noalias !24
   %scevgep25.i.i = getelementptr i8, ptr %scevgep17.i.i.i, i64 %166
-  store double %.209.epil.i.i.i, ptr %scevgep25.i.i, align 8, !noalias !23
+  store double %.209.epil.i.i.i, ptr %scevgep25.i.i, align 8, !noalias !24
   %epil.iter.next.i.i.i = add i64 %epil.iter.i.i.i, 1
   %epil.iter.cmp.not.i.i.i = icmp eq i64 %xtraiter.i.i.i, %epil.iter.next.i.i.i
-  br i1 %epil.iter.cmp.not.i.i.i, label %B88.i.i.i, label %B60.if.epil.i.i.i, !llvm.loop !26
+  br i1 %epil.iter.cmp.not.i.i.i, label %B88.i.i.i, label %B60.if.epil.i.i.i, !llvm.loop !27
 
 B88.i.i.i:                                        ; preds = %B60.if.epil.i.i.i, %B88.loopexit.unr-lcssa.i.i.i, %B0.endif.endif.endif.else.endif.endif.i.i
   %.335294.not.i.i.i = icmp slt i64 %.340.sroa.13.2.i.i, 1
@@ -1396,20 +1403,20 @@ B234.if.i.epil.preheader.i.i:                     ; preds = %B234.if.preheader8.
   %.675282284.i.epil.init.i.i = phi i64 [ 0, %B234.if.preheader8.i.i.i ], [ %.682.1.i.1.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
   %169 = shl i64 %.675282284.i.epil.init.i.i, 3
   %sunkaddr60.i.epil.i.i = getelementptr i8, ptr %.607.i, i64 %169
-  %.736.i.epil.i.i = load double, ptr %sunkaddr60.i.epil.i.i, align 8, !noalias !23
+  %.736.i.epil.i.i = load double, ptr %sunkaddr60.i.epil.i.i, align 8, !noalias !24
   %scevgep15.i.epil.i.i = getelementptr i8, ptr %scevgep13.i.i.i, i64 %169
   %scevgep16.i.epil.i.i = getelementptr i8, ptr %scevgep15.i.epil.i.i, i64 -8
-  %.766.i.epil.i.i = load double, ptr %scevgep16.i.epil.i.i, align 8, !noalias !23
+  %.766.i.epil.i.i = load double, ptr %scevgep16.i.epil.i.i, align 8, !noalias !24
   %.768.i.epil.i.i = fmul contract double %.585.i.i.i, %.766.i.epil.i.i
   %.769.i.epil.i.i = fadd contract double %.736.i.epil.i.i, %.768.i.epil.i.i
-  store double %.769.i.epil.i.i, ptr %sunkaddr60.i.epil.i.i, align 8, !noalias !23
+  store double %.769.i.epil.i.i, ptr %sunkaddr60.i.epil.i.i, align 8, !noalias !24
   %.682.1.i.epil.i.i = add nuw i64 %.675282284.i.epil.init.i.i, 2
   %sunkaddr63.i.epil.i.i = getelementptr i8, ptr %sunkaddr60.i.epil.i.i, i64 8
-  %.736.1.i.epil.i.i = load double, ptr %sunkaddr63.i.epil.i.i, align 8, !noalias !23
-  %.766.1.i.epil.i.i = load double, ptr %scevgep15.i.epil.i.i, align 8, !noalias !23
+  %.736.1.i.epil.i.i = load double, ptr %sunkaddr63.i.epil.i.i, align 8, !noalias !24
+  %.766.1.i.epil.i.i = load double, ptr %scevgep15.i.epil.i.i, align 8, !noalias !24
   %.768.1.i.epil.i.i = fmul contract double %.585.i.i.i, %.766.1.i.epil.i.i
   %.769.1.i.epil.i.i = fadd contract double %.736.1.i.epil.i.i, %.768.1.i.epil.i.i
-  store double %.769.1.i.epil.i.i, ptr %sunkaddr63.i.epil.i.i, align 8, !noalias !23
+  store double %.769.1.i.epil.i.i, ptr %sunkaddr63.i.epil.i.i, align 8, !noalias !24
   br label %B290.loopexit.unr-lcssa.i.i.i
 
 B290.loopexit.unr-lcssa.i.i.i:                    ; preds = %B234.if.i.epil.preheader.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i
@@ -1419,12 +1426,12 @@ B290.loopexit.unr-lcssa.i.i.i:                    ; preds = %B234.if.i.epil.preh
 B234.if.epil.preheader.i.i.i:                     ; preds = %B142.else.endif.endif.endif.endif.i.i.i, %B290.loopexit.unr-lcssa.i.i.i
   %.675282284.epil.init.i.i.i = phi i64 [ 0, %B142.else.endif.endif.endif.endif.i.i.i ], [ %.682.1.i.lcssa.i.i, %B290.loopexit.unr-lcssa.i.i.i ]
   %170 = getelementptr double, ptr %.607.i, i64 %.675282284.epil.init.i.i.i
-  %.736.epil.i.i.i = load double, ptr %170, align 8, !noalias !23
+  %.736.epil.i.i.i = load double, ptr %170, align 8, !noalias !24
   %171 = getelementptr double, ptr %.518.i.i.i, i64 %.675282284.epil.init.i.i.i
-  %.766.epil.i.i.i = load double, ptr %171, align 8, !noalias !23
+  %.766.epil.i.i.i = load double, ptr %171, align 8, !noalias !24
   %.768.epil.i.i.i = fmul contract double %.585.i.i.i, %.766.epil.i.i.i
   %.769.epil.i.i.i = fadd contract double %.736.epil.i.i.i, %.768.epil.i.i.i
-  store double %.769.epil.i.i.i, ptr %170, align 8, !noalias !23
+  store double %.769.epil.i.i.i, ptr %170, align 8, !noalias !24
   br label %B290.i.i.i
 
 B290.i.i.i:                                       ; preds = %B142.else.endif.endif.endif.endif.i.i.i, %B234.if.epil.preheader.i.i.i, %B290.loopexit.unr-lcssa.i.i.i
@@ -1437,39 +1444,39 @@ B60.if.i.i.i:                                     ; preds = %B60.if.i.i.i, %B60.
   %sunkaddr.i.i.i = shl i64 %.148276278.i.i.i, 3
   %scevgep42.i.i = getelementptr i8, ptr %scevgep28.i.i, i64 %sunkaddr.i.i.i
   %scevgep43.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -56
-  %.209.i.i.i = load double, ptr %scevgep43.i.i, align 8, !noalias !23
+  %.209.i.i.i = load double, ptr %scevgep43.i.i, align 8, !noalias !24
   %sunkaddr66.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr.i.i.i
-  store double %.209.i.i.i, ptr %sunkaddr66.i.i, align 8, !noalias !23
+  store double %.209.i.i.i, ptr %sunkaddr66.i.i, align 8, !noalias !24
   %scevgep64.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -48
-  %.209.1.i.i.i = load double, ptr %scevgep64.i.i, align 8, !noalias !23
+  %.209.1.i.i.i = load double, ptr %scevgep64.i.i, align 8, !noalias !24
   %sunkaddr69.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 8
-  store double %.209.1.i.i.i, ptr %sunkaddr69.i.i, align 8, !noalias !23
+  store double %.209.1.i.i.i, ptr %sunkaddr69.i.i, align 8, !noalias !24
   %scevgep62.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -40
-  %.209.2.i.i.i = load double, ptr %scevgep62.i.i, align 8, !noalias !23
+  %.209.2.i.i.i = load double, ptr %scevgep62.i.i, align 8, !noalias !24
   %sunkaddr72.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 16
-  store double %.209.2.i.i.i, ptr %sunkaddr72.i.i, align 8, !noalias !23
+  store double %.209.2.i.i.i, ptr %sunkaddr72.i.i, align 8, !noalias !24
   %scevgep60.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -32
-  %.209.3.i.i.i = load double, ptr %scevgep60.i.i, align 8, !noalias !23
+  %.209.3.i.i.i = load double, ptr %scevgep60.i.i, align 8, !noalias !24
   %sunkaddr75.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 24
-  store double %.209.3.i.i.i, ptr %sunkaddr75.i.i, align 8, !noalias !23
+  store double %.209.3.i.i.i, ptr %sunkaddr75.i.i, align 8, !noalias !24
   %scevgep56.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -24
-  %.209.i.1.i.i = load double, ptr %scevgep56.i.i, align 8, !noalias !23
+  %.209.i.1.i.i = load double, ptr %scevgep56.i.i, align 8, !noalias !24
   %sunkaddr78.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 32
-  store double %.209.i.1.i.i, ptr %sunkaddr78.i.i, align 8, !noalias !23
+  store double %.209.i.1.i.i, ptr %sunkaddr78.i.i, align 8, !noalias !24
   %scevgep52.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -16
-  %.209.1.i.1.i.i = load double, ptr %scevgep52.i.i, align 8, !noalias !23
+  %.209.1.i.1.i.i = load double, ptr %scevgep52.i.i, align 8, !noalias !24
   %sunkaddr81.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 40
-  store double %.209.1.i.1.i.i, ptr %sunkaddr81.i.i, align 8, !noalias !23
+  store double %.209.1.i.1.i.i, ptr %sunkaddr81.i.i, align 8, !noalias !24
   %scevgep48.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -8
-  %.209.2.i.1.i.i = load double, ptr %scevgep48.i.i, align 8, !noalias !23
+  %.209.2.i.1.i.i = load double, ptr %scevgep48.i.i, align 8, !noalias !24
   %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr66.i.i, i64 48
-  store double %.209.2.i.1.i.i, ptr %sunkaddr84.i.i, align 8, !noalias !23
+  store double %.209.2.i.1.i.i, ptr %sunkaddr84.i.i, align 8, !noalias !24
   %.155.3.i.1.i.i = add i64 %.148276278.i.i.i, 8
-  %.209.3.i.1.i.i = load double, ptr %scevgep42.i.i, align 8, !noalias !23
+  %.209.3.i.1.i.i = load double, ptr %scevgep42.i.i, align 8, !noalias !24
   %sunkaddr85.i.i = shl i64 %.155.3.i.1.i.i, 3
   %sunkaddr86.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr85.i.i
   %sunkaddr87.i.i = getelementptr i8, ptr %sunkaddr86.i.i, i64 -8
-  store double %.209.3.i.1.i.i, ptr %sunkaddr87.i.i, align 8, !noalias !23
+  store double %.209.3.i.1.i.i, ptr %sunkaddr87.i.i, align 8, !noalias !24
   %lsr.iv.next25.i.i = add i64 %lsr.iv24.i.i, -2
   %niter.ncmp.1.i.i = icmp eq i64 %lsr.iv.next25.i.i, 0
   br i1 %niter.ncmp.1.i.i, label %B88.loopexit.unr-lcssa.i.unr-lcssa.i.i, label %B60.if.i.i.i
@@ -1479,7 +1486,7 @@ B140.if.i.i.i:                                    ; preds = %B290.i.i.i, %B140.i
   %.348.i.i.i = add nuw nsw i64 %.341289295.i.i.i, 1
   %.375.i.i.i = mul nuw nsw i64 %.348.i.i.i, %.591.i
   %.425.not.i.i.i = icmp sgt i64 %.876.i.i, %.375.i.i.i
-  br i1 %.425.not.i.i.i, label %B142.else.endif.endif.endif.endif.i.i.i, label %B142.else.endif.if.i.i.i, !prof !4
+  br i1 %.425.not.i.i.i, label %B142.else.endif.endif.endif.endif.i.i.i, label %B142.else.endif.if.i.i.i, !prof !5
 
 B142.else.endif.if.i.i.i:                         ; preds = %B140.if.i.i.i
   br label %B142.else.endif.endif.endif.endif.i.i.i
@@ -1488,7 +1495,7 @@ B142.else.endif.endif.endif.endif.i.i.i:          ; preds = %B142.else.endif.if.
   %.405.sroa.0.3.i.i.i = phi i64 [ %.885.i.i, %B142.else.endif.if.i.i.i ], [ %.375.i.i.i, %B140.if.i.i.i ]
   %.518.i.i.i = getelementptr double, ptr %.901.i.i, i64 %.405.sroa.0.3.i.i.i
   %172 = getelementptr double, ptr %.1348.i, i64 %.341289295.i.i.i
-  %.585.i.i.i = load double, ptr %172, align 8, !noalias !23
+  %.585.i.i.i = load double, ptr %172, align 8, !noalias !24
   switch i63 %trunc.i.i, label %B234.if.preheader8.i.i.i [
     i63 0, label %B290.i.i.i
     i63 1, label %B234.if.epil.preheader.i.i.i
@@ -1508,66 +1515,66 @@ B234.if.i.i.i:                                    ; preds = %B234.if.i.i.i, %B23
   %.675282284.i.i.i = phi i64 [ %.682.1.i.1.i.i, %B234.if.i.i.i ], [ 0, %B234.if.i.preheader.i.i ]
   %174 = shl i64 %.675282284.i.i.i, 3
   %sunkaddr89.i.i = getelementptr i8, ptr %.607.i, i64 %174
-  %.736.i.i.i = load double, ptr %sunkaddr89.i.i, align 8, !noalias !23
+  %.736.i.i.i = load double, ptr %sunkaddr89.i.i, align 8, !noalias !24
   %scevgep21.i.i = getelementptr i8, ptr %scevgep18.i.i, i64 %174
   %scevgep23.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -16
   %scevgep20.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -24
-  %.766.i.i.i = load double, ptr %scevgep20.i.i, align 8, !noalias !23
+  %.766.i.i.i = load double, ptr %scevgep20.i.i, align 8, !noalias !24
   %.768.i.i.i = fmul contract double %.585.i.i.i, %.766.i.i.i
   %.769.i.i.i = fadd contract double %.736.i.i.i, %.768.i.i.i
-  store double %.769.i.i.i, ptr %sunkaddr89.i.i, align 8, !noalias !23
+  store double %.769.i.i.i, ptr %sunkaddr89.i.i, align 8, !noalias !24
   %sunkaddr92.i.i = getelementptr i8, ptr %sunkaddr89.i.i, i64 8
-  %.736.1.i.i.i = load double, ptr %sunkaddr92.i.i, align 8, !noalias !23
-  %.766.1.i.i.i = load double, ptr %scevgep23.i.i, align 8, !noalias !23
+  %.736.1.i.i.i = load double, ptr %sunkaddr92.i.i, align 8, !noalias !24
+  %.766.1.i.i.i = load double, ptr %scevgep23.i.i, align 8, !noalias !24
   %.768.1.i.i.i = fmul contract double %.585.i.i.i, %.766.1.i.i.i
   %.769.1.i.i.i = fadd contract double %.736.1.i.i.i, %.768.1.i.i.i
-  store double %.769.1.i.i.i, ptr %sunkaddr92.i.i, align 8, !noalias !23
+  store double %.769.1.i.i.i, ptr %sunkaddr92.i.i, align 8, !noalias !24
   %sunkaddr95.i.i = getelementptr i8, ptr %sunkaddr89.i.i, i64 16
-  %.736.i.1.i.i = load double, ptr %sunkaddr95.i.i, align 8, !noalias !23
+  %.736.i.1.i.i = load double, ptr %sunkaddr95.i.i, align 8, !noalias !24
   %scevgep15.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -8
-  %.766.i.1.i.i = load double, ptr %scevgep15.i.i, align 8, !noalias !23
+  %.766.i.1.i.i = load double, ptr %scevgep15.i.i, align 8, !noalias !24
   %.768.i.1.i.i = fmul contract double %.585.i.i.i, %.766.i.1.i.i
   %.769.i.1.i.i = fadd contract double %.736.i.1.i.i, %.768.i.1.i.i
-  store double %.769.i.1.i.i, ptr %sunkaddr95.i.i, align 8, !noalias !23
+  store double %.769.i.1.i.i, ptr %sunkaddr95.i.i, align 8, !noalias !24
   %.682.1.i.1.i.i = add i64 %.675282284.i.i.i, 4
   %sunkaddr96.i.i = shl i64 %.682.1.i.1.i.i, 3
   %sunkaddr97.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr96.i.i
   %sunkaddr98.i.i = getelementptr i8, ptr %sunkaddr97.i.i, i64 -8
-  %.736.1.i.1.i.i = load double, ptr %sunkaddr98.i.i, align 8, !noalias !23
-  %.766.1.i.1.i.i = load double, ptr %scevgep21.i.i, align 8, !noalias !23
+  %.736.1.i.1.i.i = load double, ptr %sunkaddr98.i.i, align 8, !noalias !24
+  %.766.1.i.1.i.i = load double, ptr %scevgep21.i.i, align 8, !noalias !24
   %.768.1.i.1.i.i = fmul contract double %.585.i.i.i, %.766.1.i.1.i.i
   %.769.1.i.1.i.i = fadd contract double %.736.1.i.1.i.i, %.768.1.i.1.i.i
-  store double %.769.1.i.1.i.i, ptr %sunkaddr98.i.i, align 8, !noalias !23
+  store double %.769.1.i.1.i.i, ptr %sunkaddr98.i.i, align 8, !noalias !24
   %lsr.iv.next4.i.i = add i64 %lsr.iv3.i.i, -2
   %niter9.ncmp.1.i.i = icmp eq i64 %lsr.iv.next4.i.i, 0
   br i1 %niter9.ncmp.1.i.i, label %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i, label %B234.if.i.i.i
 
 _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B290.i.i.i, %B88.i.i.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(384) %arg.series, i8 0, i64 384, i1 false), !noalias !27
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(384) %arg.series, i8 0, i64 384, i1 false), !noalias !28
   %.29.i.i.i = fadd contract double %.136.i.i, 1.000000e+00
   %.33.i.i.i = fdiv contract double %.136.i.i, %.29.i.i.i
   %.38.i.i.i = fdiv contract double 1.000000e+00, %.29.i.i.i
   %.39.i2.i.i = fmul contract double %.33.i.i.i, %.38.i.i.i
-  store double 1.000000e+00, ptr %arg.series, align 8, !noalias !30
+  store double 1.000000e+00, ptr %arg.series, align 8, !noalias !31
   %.203.i.i.i.i = fmul contract double %.39.i2.i.i, 0x401871C71C71C71C
   %.204.i.i.i.i = fadd contract double %.203.i.i.i.i, 0x4013A7F529FD4A7F
-  store double %.204.i.i.i.i, ptr %.183.i.i.i.i, align 8, !noalias !30
-  %.309.i.i.i.i = load double, ptr %.308.i.i.i.i, align 8, !noalias !30
+  store double %.204.i.i.i.i, ptr %.183.i.i.i.i, align 8, !noalias !31
+  %.309.i.i.i.i = load double, ptr %.308.i.i.i.i, align 8, !noalias !31
   %.310.i.i.i.i = fadd contract double %.309.i.i.i.i, 0xC04921FB54442D18
-  store double %.310.i.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !30
-  %.414.i.i.i.i = load double, ptr %.413.i.i.i.i, align 8, !noalias !30
+  store double %.310.i.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !31
+  %.414.i.i.i.i = load double, ptr %.413.i.i.i.i, align 8, !noalias !31
   %.454.i2.i.i.i = fmul contract double %.39.i2.i.i, 0x40456C71C71C71C7
   %.455.i3.i.i.i = fadd contract double %.454.i2.i.i.i, 0x404AEDF7DF7DF7DF
   %.456.i4.i.i.i = fmul contract double %.39.i2.i.i, %.455.i3.i.i.i
   %.457.i.i.i.i = fadd contract double %.456.i4.i.i.i, 0x403E1A683B5702A5
   %.458.i.i.i.i = fadd contract double %.457.i.i.i.i, %.414.i.i.i.i
-  store double %.458.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !30
-  %.562.i.i.i.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !30
+  store double %.458.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !31
+  %.562.i.i.i.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !31
   %.581.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40510457810E2933
   %175 = fsub contract double 0x407E1C5F0E074C89, %.581.i.i.i.i
   %.583.i.i.i.i = fadd contract double %175, %.562.i.i.i.i
-  store double %.583.i.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !30
-  %.687.i.i.i.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !30
+  store double %.583.i.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !31
+  %.687.i.i.i.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !31
   %.756.i.i.i.i = fmul contract double %.39.i2.i.i, 0x4058A8587E6B74F0
   %176 = fsub contract double 0x404601B425ED097B, %.756.i.i.i.i
   %.758.i.i.i.i = fmul contract double %.39.i2.i.i, %176
@@ -1575,18 +1582,18 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.760.i.i.i.i = fmul contract double %.39.i2.i.i, %.759.i.i.i.i
   %.761.i.i.i.i = fadd contract double %.760.i.i.i.i, 0xC071640B49E85C3E
   %.762.i.i.i.i = fadd contract double %.761.i.i.i.i, %.687.i.i.i.i
-  store double %.762.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !30
-  %.866.i.i.i.i = load double, ptr %.865.i.i.i.i, align 8, !noalias !30
+  store double %.762.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !31
+  %.866.i.i.i.i = load double, ptr %.865.i.i.i.i, align 8, !noalias !31
   %.867.i.i.i.i = fadd contract double %.866.i.i.i.i, 0xC074618618618618
-  store double %.867.i.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !30
-  %.971.i.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !30
+  store double %.867.i.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !31
+  %.971.i.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !31
   %.1011.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40733B288412FE12
   %177 = fsub contract double 0x408893BEE8443B83, %.1011.i.i.i.i
   %.1013.i.i.i.i = fmul contract double %.39.i2.i.i, %177
   %.1014.i.i.i.i = fadd contract double %.1013.i.i.i.i, 0x408DCC10DD757C0B
   %.1015.i.i.i.i = fadd contract double %.1014.i.i.i.i, %.971.i.i.i.i
-  store double %.1015.i.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !30
-  %.1119.i.i.i.i = load double, ptr %.1118.i.i.i.i, align 8, !noalias !30
+  store double %.1015.i.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !31
+  %.1119.i.i.i.i = load double, ptr %.1118.i.i.i.i, align 8, !noalias !31
   %.1225.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40514C5F3B7242FB
   %.1226.i.i.i.i = fadd contract double %.1225.i.i.i.i, 0xC05D2FBB067D39F9
   %.1227.i.i.i.i = fmul contract double %.39.i2.i.i, %.1226.i.i.i.i
@@ -1596,13 +1603,13 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.1231.i.i.i.i = fmul contract double %.39.i2.i.i, %.1230.i.i.i.i
   %.1232.i.i.i.i = fadd contract double %.1231.i.i.i.i, 0xC0A8D75E6BF57F9D
   %.1233.i.i.i.i = fadd contract double %.1232.i.i.i.i, %.1119.i.i.i.i
-  store double %.1233.i.i.i.i, ptr %.1118.i.i.i.i, align 8, !noalias !30
-  %.1337.i.i.i.i = load double, ptr %.1336.i.i.i.i, align 8, !noalias !30
+  store double %.1233.i.i.i.i, ptr %.1118.i.i.i.i, align 8, !noalias !31
+  %.1337.i.i.i.i = load double, ptr %.1336.i.i.i.i, align 8, !noalias !31
   %.1356.i.i.i.i = fmul contract double %.39.i2.i.i, 0x409F6EC11CD4D97E
   %.1357.i.i.i.i = fadd contract double %.1356.i.i.i.i, 0x4072428A28A28A29
   %.1358.i.i.i.i = fadd contract double %.1357.i.i.i.i, %.1337.i.i.i.i
-  store double %.1358.i.i.i.i, ptr %.1336.i.i.i.i, align 8, !noalias !30
-  %.1462.i.i.i.i = load double, ptr %.1461.i.i.i.i, align 8, !noalias !30
+  store double %.1358.i.i.i.i, ptr %.1336.i.i.i.i, align 8, !noalias !31
+  %.1462.i.i.i.i = load double, ptr %.1461.i.i.i.i, align 8, !noalias !31
   %.1531.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40645019F9E83A77
   %.1532.i.i.i.i = fadd contract double %.1531.i.i.i.i, 0x40918164C0B5D6FD
   %.1533.i.i.i.i = fmul contract double %.39.i2.i.i, %.1532.i.i.i.i
@@ -1610,17 +1617,17 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.1535.i.i.i.i = fmul contract double %.39.i2.i.i, %.1534.i.i.i.i
   %.1536.i.i.i.i = fadd contract double %.1535.i.i.i.i, 0x40BB4B9C657BC796
   %.1537.i.i.i.i = fadd contract double %.1536.i.i.i.i, %.1462.i.i.i.i
-  store double %.1537.i.i.i.i, ptr %.1461.i.i.i.i, align 8, !noalias !30
-  %.1641.i.i.i.i = load double, ptr %.1640.i.i.i.i, align 8, !noalias !30
+  store double %.1537.i.i.i.i, ptr %.1461.i.i.i.i, align 8, !noalias !31
+  %.1641.i.i.i.i = load double, ptr %.1640.i.i.i.i, align 8, !noalias !31
   %.1642.i.i.i.i = fadd contract double %.1641.i.i.i.i, 0xC0A001D567F49087
-  store double %.1642.i.i.i.i, ptr %.1640.i.i.i.i, align 8, !noalias !30
+  store double %.1642.i.i.i.i, ptr %.1640.i.i.i.i, align 8, !noalias !31
   %.1810.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40A619E547AE6DA3
   %.1811.i.i.i.i = fadd contract double %.1810.i.i.i.i, 0xC0D25E7665446D0F
   %.1812.i.i.i.i = fmul contract double %.39.i2.i.i, %.1811.i.i.i.i
   %.1813.i.i.i.i = fadd contract double %.1812.i.i.i.i, 0x40E19BDA5330D73F
   %.1814.i.i.i.i = fmul contract double %.39.i2.i.i, %.1813.i.i.i.i
   %.1815.i.i.i.i = fadd contract double %.1814.i.i.i.i, 0xC0E154650FD9ACF1
-  %.1868.i.i.i.i = load double, ptr %.1867.i.i.i.i, align 8, !noalias !30
+  %.1868.i.i.i.i = load double, ptr %.1867.i.i.i.i, align 8, !noalias !31
   %.1956.i.i.i.i = fmul contract double %.39.i2.i.i, %.1815.i.i.i.i
   %.1957.i.i.i.i = fadd contract double %.1956.i.i.i.i, 0xC0F5A16228D9F21A
   %.1958.i.i.i.i = fmul contract double %.39.i2.i.i, %.1957.i.i.i.i
@@ -1631,18 +1638,18 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.1963.i.i.i.i = fsub contract double 1.000000e+00, %.1962.i.i.i.i
   %.1967.i.i.i.i = fdiv contract double %.1961.i.i3.i.i, %.1963.i.i.i.i
   %.1968.i.i.i.i = fadd contract double %.1967.i.i.i.i, %.1868.i.i.i.i
-  store double %.1968.i.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !30
+  store double %.1968.i.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !31
   %.2088.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40C0712C540DB5CD
   %.2089.i.i.i.i = fadd contract double %.2088.i.i.i.i, 0x40A79A477BF30A91
   %.2090.i.i.i.i = fmul contract double %.39.i2.i.i, %.2089.i.i.i.i
   %.2091.i.i.i.i = fadd contract double %.2090.i.i.i.i, 0xC0A4B055B758E414
   %.2092.i.i.i.i = fmul contract double %.39.i2.i.i, %.2091.i.i.i.i
   %.2093.i.i.i.i = fadd contract double %.2092.i.i.i.i, 0x406D67FD70A13797
-  %.2146.i.i.i.i = load double, ptr %.2145.i.i.i.i, align 8, !noalias !30
+  %.2146.i.i.i.i = load double, ptr %.2145.i.i.i.i, align 8, !noalias !31
   %.2152.i.i.i.i = fdiv contract double %.2093.i.i.i.i, %.1963.i.i.i.i
   %.2153.i.i.i.i = fadd contract double %.2152.i.i.i.i, %.2146.i.i.i.i
-  store double %.2153.i.i.i.i, ptr %.2145.i.i.i.i, align 8, !noalias !30
-  %.2257.i.i.i.i = load double, ptr %.2256.i.i.i.i, align 8, !noalias !30
+  store double %.2153.i.i.i.i, ptr %.2145.i.i.i.i, align 8, !noalias !31
+  %.2257.i.i.i.i = load double, ptr %.2256.i.i.i.i, align 8, !noalias !31
   %.2363.i.i.i.i = fmul contract double %.39.i2.i.i, 0x402CA90C106318D7
   %.2364.i.i.i.i = fadd contract double %.2363.i.i.i.i, 0xC06030460C29F3DF
   %.2365.i.i.i.i = fmul contract double %.39.i2.i.i, %.2364.i.i.i.i
@@ -1652,12 +1659,12 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.2369.i.i.i.i = fmul contract double %.39.i2.i.i, %.2368.i.i.i.i
   %.2370.i.i.i.i = fadd contract double %.2369.i.i.i.i, 0x40C95DBCC2240A74
   %.2371.i.i.i.i = fadd contract double %.2370.i.i.i.i, %.2257.i.i.i.i
-  store double %.2371.i.i.i.i, ptr %.2256.i.i.i.i, align 8, !noalias !30
-  %.2475.i.i.i.i = load double, ptr %.2474.i.i.i.i, align 8, !noalias !30
+  store double %.2371.i.i.i.i, ptr %.2256.i.i.i.i, align 8, !noalias !31
+  %.2475.i.i.i.i = load double, ptr %.2474.i.i.i.i, align 8, !noalias !31
   %.2494.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40BD257CD0AE1310
   %178 = fsub contract double 0xC09600901EF7C9A4, %.2494.i.i.i.i
   %.2496.i.i.i.i = fadd contract double %178, %.2475.i.i.i.i
-  store double %.2496.i.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !30
+  store double %.2496.i.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !31
   %.24.i.i.i.i = fsub contract double 1.000000e+00, %.33.i.i.i
   %.25.i.i4.i.i = fmul contract double %.33.i.i.i, %.24.i.i.i.i
   %.26.i.i.i.i = fmul contract double %.165.i.i, %.33.i.i.i
@@ -1665,7 +1672,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.81.i.i5.i.i = fadd contract double %.80.i.i.i.i, 2.500000e+01
   %.82.i.i.i.i = fmul contract double %.26.i.i.i.i, %.81.i.i5.i.i
   %.83.i.i.i.i = fadd contract double %.82.i.i.i.i, %.310.i.i.i.i
-  store double %.83.i.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !33
+  store double %.83.i.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !34
   %.188.i.i.i.i = fmul contract double %.26.i.i.i.i, 3.000000e+00
   %.189.i.i.i.i = fmul contract double %.25.i.i4.i.i, 0x400AAAAAAAAAAAAB
   %.190.i.i.i.i = fsub contract double 0x4064B4F3CF3CF3CF, %.189.i.i.i.i
@@ -1675,13 +1682,13 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.194.i.i.i.i = fadd contract double %.190.i.i.i.i, %.193.i.i.i.i
   %.195.i.i.i.i = fmul contract double %.188.i.i.i.i, %.194.i.i.i.i
   %179 = fsub contract double %.583.i.i.i.i, %.195.i.i.i.i
-  store double %179, ptr %.561.i.i.i.i, align 8, !noalias !33
+  store double %179, ptr %.561.i.i.i.i, align 8, !noalias !34
   %.301.i.i.i.i = fmul contract double %.26.i.i.i.i, 0x400921FB54442D18
   %.302.i.i.i.i = fmul contract double %.33.i.i.i, 2.600000e+02
   %.303.i.i.i.i = fadd contract double %.302.i.i.i.i, 0x407F0AAAAAAAAAAB
   %.304.i.i.i.i = fmul contract double %.303.i.i.i.i, %.301.i.i.i.i
   %.305.i.i.i.i = fadd contract double %.304.i.i.i.i, %.762.i.i.i.i
-  store double %.305.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !33
+  store double %.305.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !34
   %.357.i.i.i.i = fmul contract double %.25.i.i4.i.i, 0x4020F1C71C71C71C
   %.358.i.i.i.i = fsub contract double 0x40C10436B015AC05, %.357.i.i.i.i
   %.359.i.i.i.i = fmul contract double %.25.i.i4.i.i, %.358.i.i.i.i
@@ -1697,7 +1704,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.422.i.i.i.i = fadd contract double %.418.i.i.i.i, %.421.i.i.i.i
   %.423.i.i.i.i = fmul contract double %.26.i.i.i.i, %.422.i.i.i.i
   %.424.i.i.i.i = fadd contract double %.423.i.i.i.i, %.1015.i.i.i.i
-  store double %.424.i.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !33
+  store double %.424.i.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !34
   %.24.i7.i.i.i = fsub contract double 1.000000e+00, %.38.i.i.i
   %.25.i8.i.i.i = fmul contract double %.38.i.i.i, %.24.i7.i.i.i
   %.26.i9.i.i.i = fmul contract double %.38.i.i.i, %.194.i.i
@@ -1705,7 +1712,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.81.i13.i.i.i = fadd contract double %.80.i12.i.i.i, 2.500000e+01
   %.82.i14.i.i.i = fmul contract double %.26.i9.i.i.i, %.81.i13.i.i.i
   %.83.i15.i.i.i = fadd contract double %.82.i14.i.i.i, %.83.i.i.i.i
-  store double %.83.i15.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !36
+  store double %.83.i15.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !37
   %.188.i18.i.i.i = fmul contract double %.26.i9.i.i.i, 3.000000e+00
   %.189.i19.i.i.i = fmul contract double %.25.i8.i.i.i, 0x400AAAAAAAAAAAAB
   %.190.i20.i.i.i = fsub contract double 0x4064B4F3CF3CF3CF, %.189.i19.i.i.i
@@ -1715,13 +1722,13 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.194.i24.i.i.i = fadd contract double %.190.i20.i.i.i, %.193.i23.i.i.i
   %.195.i25.i.i.i = fmul contract double %.188.i18.i.i.i, %.194.i24.i.i.i
   %180 = fsub contract double %179, %.195.i25.i.i.i
-  store double %180, ptr %.561.i.i.i.i, align 8, !noalias !36
+  store double %180, ptr %.561.i.i.i.i, align 8, !noalias !37
   %.301.i28.i.i.i = fmul contract double %.26.i9.i.i.i, 0x400921FB54442D18
   %.302.i29.i.i.i = fmul contract double %.38.i.i.i, 2.600000e+02
   %.303.i30.i.i.i = fadd contract double %.302.i29.i.i.i, 0x407F0AAAAAAAAAAB
   %.304.i31.i.i.i = fmul contract double %.303.i30.i.i.i, %.301.i28.i.i.i
   %.305.i32.i.i.i = fadd contract double %.304.i31.i.i.i, %.305.i.i.i.i
-  store double %.305.i32.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !36
+  store double %.305.i32.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !37
   %.357.i33.i.i.i = fmul contract double %.25.i8.i.i.i, 0x4020F1C71C71C71C
   %.358.i34.i.i.i = fsub contract double 0x40C10436B015AC05, %.357.i33.i.i.i
   %.359.i35.i.i.i = fmul contract double %.25.i8.i.i.i, %.358.i34.i.i.i
@@ -1737,7 +1744,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.422.i47.i.i.i = fadd contract double %.418.i43.i.i.i, %.421.i46.i.i.i
   %.423.i48.i.i.i = fmul contract double %.26.i9.i.i.i, %.422.i47.i.i.i
   %.424.i49.i.i.i = fadd contract double %.423.i48.i.i.i, %.424.i.i.i.i
-  store double %.424.i49.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !36
+  store double %.424.i49.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !37
   %.15.le.i.i.i.i = fcmp contract uno double %.223.i.i, 0.000000e+00
   %.17.le.i.i.i.i = fcmp contract oge double %.223.i.i, 1.000000e+00
   %181 = or i1 %.15.le.i.i.i.i, %.17.le.i.i.i.i
@@ -1760,7 +1767,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.107.i.i.i.i = fadd contract double %.106.i.i.i.i, 6.250000e-01
   %183 = fmul contract double %.147.i.i.i7.i.i, %.107.i.i.i.i
   %.109.i.i.i.i = fsub contract double %.458.i.i.i.i, %183
-  store double %.109.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !39
+  store double %.109.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !40
   %.214.i.i.i.i = fmul contract double %.33.i.i.i, 1.200000e+02
   %.215.i.i.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i.i.i.i
   %.216.i.i.i.i = fmul contract double %.33.i.i.i, %.215.i.i.i.i
@@ -1773,11 +1780,11 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.223.i.i.i.i = fsub contract double %.218.i.i.i.i, %.222.i.i.i.i
   %.224.i.i.i.i = fmul contract double %.147.i.i.i7.i.i, %.223.i.i.i.i
   %.225.i.i.i.i = fadd contract double %.224.i.i.i.i, %.305.i32.i.i.i
-  store double %.225.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !39
+  store double %.225.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !40
   %.331.i.i.i.i = fmul contract double %.147.i.i.i7.i.i, 0x4093A28C59D5433B
   %.332.i.i.i.i = fmul contract double %.331.i.i.i.i, %.55.le.i.i.i.i
   %184 = fsub contract double %.424.i49.i.i.i, %.332.i.i.i.i
-  store double %184, ptr %.970.i.i.i.i, align 8, !noalias !39
+  store double %184, ptr %.970.i.i.i.i, align 8, !noalias !40
   %.15.le.i51.i.i.i = fcmp contract uno double %.252.i.i, 0.000000e+00
   %.17.le.i52.i.i.i = fcmp contract oge double %.252.i.i, 1.000000e+00
   %185 = or i1 %.15.le.i51.i.i.i, %.17.le.i52.i.i.i
@@ -1800,7 +1807,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.107.i71.i.i.i = fadd contract double %.106.i70.i.i.i, 6.250000e-01
   %187 = fmul contract double %.147.i.i67.i.i.i, %.107.i71.i.i.i
   %.109.i72.i.i.i = fsub contract double %.109.i.i.i.i, %187
-  store double %.109.i72.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !42
+  store double %.109.i72.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !43
   %.214.i75.i.i.i = fmul contract double %.38.i.i.i, 1.200000e+02
   %.215.i76.i.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i75.i.i.i
   %.216.i77.i.i.i = fmul contract double %.38.i.i.i, %.215.i76.i.i.i
@@ -1813,21 +1820,21 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.223.i84.i.i.i = fsub contract double %.218.i79.i.i.i, %.222.i83.i.i.i
   %.224.i85.i.i.i = fmul contract double %.147.i.i67.i.i.i, %.223.i84.i.i.i
   %.225.i86.i.i.i = fadd contract double %.224.i85.i.i.i, %.225.i.i.i.i
-  store double %.225.i86.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !42
+  store double %.225.i86.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !43
   %.331.i89.i.i.i = fmul contract double %.147.i.i67.i.i.i, 0x4093A28C59D5433B
   %.332.i90.i.i.i = fmul contract double %.331.i89.i.i.i, %.55.le.i65.i.i.i
   %188 = fsub contract double %184, %.332.i90.i.i.i
-  store double %188, ptr %.970.i.i.i.i, align 8, !noalias !42
+  store double %188, ptr %.970.i.i.i.i, align 8, !noalias !43
   %.27.i.i.i.i = fmul contract double %.165.i.i, %.25.i.i4.i.i
   %.28.i.i.i.i = fmul contract double %.194.i.i, %.27.i.i.i.i
   %.82.i95.i.i.i = fmul contract double %.28.i.i.i.i, 9.875000e+01
   %189 = fsub contract double %.109.i72.i.i.i, %.82.i95.i.i.i
-  store double %189, ptr %.413.i.i.i.i, align 8, !noalias !45
+  store double %189, ptr %.413.i.i.i.i, align 8, !noalias !46
   %.188.i98.i.i.i = fmul contract double %.25.i.i4.i.i, 0x40735B8E38E38E39
   %.189.i99.i.i.i = fadd contract double %.188.i98.i.i.i, 0x40723BDB6DB6DB6E
   %.190.i100.i.i.i = fmul contract double %.28.i.i.i.i, %.189.i99.i.i.i
   %.191.i101.i.i.i = fadd contract double %.190.i100.i.i.i, %.225.i86.i.i.i
-  store double %.191.i101.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !45
+  store double %.191.i101.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !46
   %.245.i.i.i.i = fmul contract double %.194.i.i, %.24.i.i.i.i
   %.246.i.i.i.i = fsub contract double %.26.i.i.i.i, %.245.i.i.i.i
   %.147.i.i103.i.i.i = fmul contract double %.246.i.i.i.i, %.246.i.i.i.i
@@ -1836,7 +1843,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.329.i106.i.i.i = fadd contract double %.301.i104.i.i.i, %.328.i105.i.i.i
   %.330.i.i.i.i = fmul contract double %.329.i106.i.i.i, 0x400921FB54442D18
   %190 = fsub contract double %188, %.330.i.i.i.i
-  store double %190, ptr %.970.i.i.i.i, align 8, !noalias !45
+  store double %190, ptr %.970.i.i.i.i, align 8, !noalias !46
   %.147.i.i107.i.i.i = fmul contract double %.33.i.i.i, %.33.i.i.i
   %.147.i.1.i.i.i.i = fmul contract double %.147.i.i107.i.i.i, %.147.i.i107.i.i.i
   %.50.i.i.i.i = fmul contract double %.147.i.1.i.i.i.i, -2.400000e+01
@@ -1845,8 +1852,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.106.i110.i.i.i = fsub contract double 1.200000e+01, %.105.i.i.i.i
   %.107.i111.i.i.i = fmul contract double %.106.i110.i.i.i, %.51.i.i.i.i
   %.108.i.i.i.i = fadd contract double %.107.i111.i.i.i, %.1968.i.i.i.i
-  store double %.108.i.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !48
-  %.212.i112.i.i.i = load double, ptr %.211.i.i.i.i, align 8, !noalias !48
+  store double %.108.i.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !49
+  %.212.i112.i.i.i = load double, ptr %.211.i.i.i.i, align 8, !noalias !49
   %.213.i113.i.i.i = fmul contract double %.51.i.i.i.i, 5.000000e+00
   %.217.i114.i.i.i = fdiv contract double %.213.i113.i.i.i, 6.720000e+02
   %.219.i116.i.i.i = fsub contract double 2.286000e+03, %.302.i.i.i.i
@@ -1856,17 +1863,17 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.223.i120.i.i.i = fsub contract double 3.179000e+03, %.222.i119.i.i.i
   %.224.i121.i.i.i = fmul contract double %.223.i120.i.i.i, %.217.i114.i.i.i
   %.225.i122.i.i.i = fadd contract double %.224.i121.i.i.i, %.212.i112.i.i.i
-  store double %.225.i122.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !48
-  %.329.i124.i.i.i = load double, ptr %.328.i123.i.i.i, align 8, !noalias !48
+  store double %.225.i122.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !49
+  %.329.i124.i.i.i = load double, ptr %.328.i123.i.i.i, align 8, !noalias !49
   %.331.i125.i.i.i = fmul contract double %.51.i.i.i.i, 0xC00921FB54442D18
   %.334.i.i.i.i = fmul contract double %.106.i110.i.i.i, %.331.i125.i.i.i
   %.335.i.i.i.i = fadd contract double %.334.i.i.i.i, %.329.i124.i.i.i
-  store double %.335.i.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !48
+  store double %.335.i.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !49
   %.387.i.i8.i.i = fmul contract double %.33.i.i.i, 0x4151712000000000
   %.388.i.i.i.i = fsub contract double 0x41737B1700000000, %.387.i.i8.i.i
   %.389.i.i.i.i = fmul contract double %.33.i.i.i, %.388.i.i.i.i
   %.390.i.i.i.i = fsub contract double 0x41A2E151D8000000, %.389.i.i.i.i
-  %.443.i.i.i.i = load double, ptr %.442.i.i.i.i, align 8, !noalias !48
+  %.443.i.i.i.i = load double, ptr %.442.i.i.i.i, align 8, !noalias !49
   %.448.i.i.i.i = fdiv contract double %.213.i113.i.i.i, 0x417A29B000000000
   %.449.i.i.i.i = fmul contract double %.33.i.i.i, %.390.i.i.i.i
   %.450.i.i.i.i = fadd contract double %.449.i.i.i.i, 0x41A4DB86E0000000
@@ -1876,8 +1883,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.454.i.i.i.i = fsub contract double 0x41B72002EE000000, %.453.i.i.i.i
   %.455.i.i.i.i = fmul contract double %.448.i.i.i.i, %.454.i.i.i.i
   %.456.i.i.i.i = fadd contract double %.455.i.i.i.i, %.443.i.i.i.i
-  store double %.456.i.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !48
-  %.560.i.i.i.i = load double, ptr %.559.i.i.i.i, align 8, !noalias !48
+  store double %.456.i.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !49
+  %.560.i.i.i.i = load double, ptr %.559.i.i.i.i, align 8, !noalias !49
   %.566.i.i.i.i = fdiv contract double %.331.i125.i.i.i, 6.720000e+02
   %.567.i.i.i.i = fmul contract double %.33.i.i.i, 1.052000e+04
   %.568.i.i.i.i = fsub contract double 7.598000e+03, %.567.i.i.i.i
@@ -1887,7 +1894,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.572.i.i.i.i = fsub contract double 2.771900e+04, %.571.i.i.i.i
   %.573.i.i.i.i = fmul contract double %.572.i.i.i.i, %.566.i.i.i.i
   %.574.i.i.i.i = fadd contract double %.573.i.i.i.i, %.560.i.i.i.i
-  store double %.574.i.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !48
+  store double %.574.i.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !49
   %.147.i.i126.i.i.i = fmul contract double %.38.i.i.i, %.38.i.i.i
   %.147.i.1.i127.i.i.i = fmul contract double %.147.i.i126.i.i.i, %.147.i.i126.i.i.i
   %.50.i128.i.i.i = fmul contract double %.147.i.1.i127.i.i.i, -2.400000e+01
@@ -1896,7 +1903,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.106.i133.i.i.i = fsub contract double 1.200000e+01, %.105.i132.i.i.i
   %.107.i134.i.i.i = fmul contract double %.106.i133.i.i.i, %.51.i129.i.i.i
   %.108.i135.i.i.i = fadd contract double %.107.i134.i.i.i, %.108.i.i.i.i
-  store double %.108.i135.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !51
+  store double %.108.i135.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !52
   %.213.i138.i.i.i = fmul contract double %.51.i129.i.i.i, 5.000000e+00
   %.217.i139.i.i.i = fdiv contract double %.213.i138.i.i.i, 6.720000e+02
   %.219.i141.i.i.i = fsub contract double 2.286000e+03, %.302.i29.i.i.i
@@ -1906,11 +1913,11 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.223.i145.i.i.i = fsub contract double 3.179000e+03, %.222.i144.i.i.i
   %.224.i146.i.i.i = fmul contract double %.223.i145.i.i.i, %.217.i139.i.i.i
   %.225.i147.i.i.i = fadd contract double %.224.i146.i.i.i, %.225.i122.i.i.i
-  store double %.225.i147.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !51
+  store double %.225.i147.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !52
   %.331.i150.i.i.i = fmul contract double %.51.i129.i.i.i, 0xC00921FB54442D18
   %.334.i151.i.i.i = fmul contract double %.106.i133.i.i.i, %.331.i150.i.i.i
   %.335.i152.i.i.i = fadd contract double %.334.i151.i.i.i, %.335.i.i.i.i
-  store double %.335.i152.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !51
+  store double %.335.i152.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !52
   %.387.i153.i.i.i = fmul contract double %.38.i.i.i, 0x4151712000000000
   %.388.i154.i.i.i = fsub contract double 0x41737B1700000000, %.387.i153.i.i.i
   %.389.i155.i.i.i = fmul contract double %.38.i.i.i, %.388.i154.i.i.i
@@ -1924,7 +1931,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.454.i165.i.i.i = fsub contract double 0x41B72002EE000000, %.453.i164.i.i.i
   %.455.i166.i.i.i = fmul contract double %.448.i159.i.i.i, %.454.i165.i.i.i
   %.456.i167.i.i.i = fadd contract double %.455.i166.i.i.i, %.456.i.i.i.i
-  store double %.456.i167.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !51
+  store double %.456.i167.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !52
   %.566.i170.i.i.i = fdiv contract double %.331.i150.i.i.i, 6.720000e+02
   %.567.i171.i.i.i = fmul contract double %.38.i.i.i, 1.052000e+04
   %.568.i172.i.i.i = fsub contract double 7.598000e+03, %.567.i171.i.i.i
@@ -1934,132 +1941,132 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.572.i176.i.i.i = fsub contract double 2.771900e+04, %.571.i175.i.i.i
   %.573.i177.i.i.i = fmul contract double %.572.i176.i.i.i, %.566.i170.i.i.i
   %.574.i178.i.i.i = fadd contract double %.573.i177.i.i.i, %.574.i.i.i.i
-  store double %.574.i178.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !51
+  store double %.574.i178.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !52
   %.671.i.i.i = fmul contract double %.39.i2.i.i, 1.280000e+02
   %.675.i.i.i = fdiv contract double 3.000000e+00, %.671.i.i.i
-  store double %.675.i.i.i, ptr %arg.series, align 8, !noalias !27
-  %.968.1.i.i.i = load double, ptr %6, align 8, !noalias !27
+  store double %.675.i.i.i, ptr %arg.series, align 8, !noalias !28
+  %.968.1.i.i.i = load double, ptr %6, align 8, !noalias !28
   %.970.1.i.i.i = fmul contract double %.675.i.i.i, %.968.1.i.i.i
-  store double %.970.1.i.i.i, ptr %6, align 8, !noalias !27
+  store double %.970.1.i.i.i, ptr %6, align 8, !noalias !28
   %.970.2.i.i.i = fmul contract double %.675.i.i.i, %.204.i.i.i.i
-  store double %.970.2.i.i.i, ptr %.183.i.i.i.i, align 8, !noalias !27
+  store double %.970.2.i.i.i, ptr %.183.i.i.i.i, align 8, !noalias !28
   %.970.3.i.i.i = fmul contract double %.675.i.i.i, %.83.i15.i.i.i
-  store double %.970.3.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !27
+  store double %.970.3.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !28
   %.970.4.i.i.i = fmul contract double %.675.i.i.i, %189
-  store double %.970.4.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !27
-  %.968.5.i.i.i = load double, ptr %7, align 8, !noalias !27
+  store double %.970.4.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !28
+  %.968.5.i.i.i = load double, ptr %7, align 8, !noalias !28
   %.970.5.i.i.i = fmul contract double %.675.i.i.i, %.968.5.i.i.i
-  store double %.970.5.i.i.i, ptr %7, align 8, !noalias !27
+  store double %.970.5.i.i.i, ptr %7, align 8, !noalias !28
   %.970.6.i.i.i = fmul contract double %.675.i.i.i, %.191.i101.i.i.i
-  store double %.970.6.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !27
+  store double %.970.6.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !28
   %.970.7.i.i.i = fmul contract double %.675.i.i.i, %190
-  store double %.970.7.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !27
-  %.968.8.i.i.i = load double, ptr %8, align 8, !noalias !27
+  store double %.970.7.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !28
+  %.968.8.i.i.i = load double, ptr %8, align 8, !noalias !28
   %.970.8.i.i.i = fmul contract double %.675.i.i.i, %.968.8.i.i.i
-  store double %.970.8.i.i.i, ptr %8, align 8, !noalias !27
+  store double %.970.8.i.i.i, ptr %8, align 8, !noalias !28
   %.970.9.i.i.i = fmul contract double %.675.i.i.i, %.1537.i.i.i.i
-  store double %.970.9.i.i.i, ptr %.1461.i.i.i.i, align 8, !noalias !27
+  store double %.970.9.i.i.i, ptr %.1461.i.i.i.i, align 8, !noalias !28
   %.970.10.i.i.i = fmul contract double %.675.i.i.i, %.108.i135.i.i.i
-  store double %.970.10.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !27
+  store double %.970.10.i.i.i, ptr %.1867.i.i.i.i, align 8, !noalias !28
   %.970.11.i.i.i = fmul contract double %.675.i.i.i, %.2371.i.i.i.i
-  store double %.970.11.i.i.i, ptr %.2256.i.i.i.i, align 8, !noalias !27
+  store double %.970.11.i.i.i, ptr %.2256.i.i.i.i, align 8, !noalias !28
   %.970.12.i.i.i = fmul contract double %.675.i.i.i, %.225.i147.i.i.i
-  store double %.970.12.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !27
+  store double %.970.12.i.i.i, ptr %.211.i.i.i.i, align 8, !noalias !28
   %.970.13.i.i.i = fmul contract double %.675.i.i.i, %.335.i152.i.i.i
-  store double %.970.13.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !27
+  store double %.970.13.i.i.i, ptr %.328.i123.i.i.i, align 8, !noalias !28
   %.970.14.i.i.i = fmul contract double %.675.i.i.i, %.456.i167.i.i.i
-  store double %.970.14.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !27
+  store double %.970.14.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !28
   %.970.15.i.i.i = fmul contract double %.675.i.i.i, %.574.i178.i.i.i
-  store double %.970.15.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !27
-  %.968.1276.i.i.i = load double, ptr %5, align 8, !noalias !27
+  store double %.970.15.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !28
+  %.968.1276.i.i.i = load double, ptr %5, align 8, !noalias !28
   %.970.1277.i.i.i = fmul contract double %.675.i.i.i, %.968.1276.i.i.i
-  store double %.970.1277.i.i.i, ptr %5, align 8, !noalias !27
-  %.968.1.1.i.i.i = load double, ptr %9, align 8, !noalias !27
+  store double %.970.1277.i.i.i, ptr %5, align 8, !noalias !28
+  %.968.1.1.i.i.i = load double, ptr %9, align 8, !noalias !28
   %.970.1.1.i.i.i = fmul contract double %.675.i.i.i, %.968.1.1.i.i.i
-  store double %.970.1.1.i.i.i, ptr %9, align 8, !noalias !27
-  %.968.2.1.i.i.i = load double, ptr %10, align 8, !noalias !27
+  store double %.970.1.1.i.i.i, ptr %9, align 8, !noalias !28
+  %.968.2.1.i.i.i = load double, ptr %10, align 8, !noalias !28
   %.970.2.1.i.i.i = fmul contract double %.675.i.i.i, %.968.2.1.i.i.i
-  store double %.970.2.1.i.i.i, ptr %10, align 8, !noalias !27
-  %.968.3.1.i.i.i = load double, ptr %11, align 8, !noalias !27
+  store double %.970.2.1.i.i.i, ptr %10, align 8, !noalias !28
+  %.968.3.1.i.i.i = load double, ptr %11, align 8, !noalias !28
   %.970.3.1.i.i.i = fmul contract double %.675.i.i.i, %.968.3.1.i.i.i
-  store double %.970.3.1.i.i.i, ptr %11, align 8, !noalias !27
-  %.968.4.1.i.i.i = load double, ptr %12, align 8, !noalias !27
+  store double %.970.3.1.i.i.i, ptr %11, align 8, !noalias !28
+  %.968.4.1.i.i.i = load double, ptr %12, align 8, !noalias !28
   %.970.4.1.i.i.i = fmul contract double %.675.i.i.i, %.968.4.1.i.i.i
-  store double %.970.4.1.i.i.i, ptr %12, align 8, !noalias !27
+  store double %.970.4.1.i.i.i, ptr %12, align 8, !noalias !28
   %.970.5.1.i.i.i = fmul contract double %.675.i.i.i, %180
-  store double %.970.5.1.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !27
+  store double %.970.5.1.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !28
   %.970.6.1.i.i.i = fmul contract double %.675.i.i.i, %.867.i.i.i.i
-  store double %.970.6.1.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !27
-  %.968.7.1.i.i.i = load double, ptr %13, align 8, !noalias !27
+  store double %.970.6.1.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !28
+  %.968.7.1.i.i.i = load double, ptr %13, align 8, !noalias !28
   %.970.7.1.i.i.i = fmul contract double %.675.i.i.i, %.968.7.1.i.i.i
-  store double %.970.7.1.i.i.i, ptr %13, align 8, !noalias !27
+  store double %.970.7.1.i.i.i, ptr %13, align 8, !noalias !28
   %.970.8.1.i.i.i = fmul contract double %.675.i.i.i, %.1233.i.i.i.i
-  store double %.970.8.1.i.i.i, ptr %.1118.i.i.i.i, align 8, !noalias !27
+  store double %.970.8.1.i.i.i, ptr %.1118.i.i.i.i, align 8, !noalias !28
   %.970.9.1.i.i.i = fmul contract double %.675.i.i.i, %.1642.i.i.i.i
-  store double %.970.9.1.i.i.i, ptr %.1640.i.i.i.i, align 8, !noalias !27
+  store double %.970.9.1.i.i.i, ptr %.1640.i.i.i.i, align 8, !noalias !28
   %.970.10.1.i.i.i = fmul contract double %.675.i.i.i, %.2153.i.i.i.i
-  store double %.970.10.1.i.i.i, ptr %.2145.i.i.i.i, align 8, !noalias !27
+  store double %.970.10.1.i.i.i, ptr %.2145.i.i.i.i, align 8, !noalias !28
   %.970.11.1.i.i.i = fmul contract double %.675.i.i.i, %.2496.i.i.i.i
-  store double %.970.11.1.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !27
-  %.968.12.1.i.i.i = load double, ptr %14, align 8, !noalias !27
+  store double %.970.11.1.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !28
+  %.968.12.1.i.i.i = load double, ptr %14, align 8, !noalias !28
   %.970.12.1.i.i.i = fmul contract double %.675.i.i.i, %.968.12.1.i.i.i
-  store double %.970.12.1.i.i.i, ptr %14, align 8, !noalias !27
-  %.968.13.1.i.i.i = load double, ptr %15, align 8, !noalias !27
+  store double %.970.12.1.i.i.i, ptr %14, align 8, !noalias !28
+  %.968.13.1.i.i.i = load double, ptr %15, align 8, !noalias !28
   %.970.13.1.i.i.i = fmul contract double %.675.i.i.i, %.968.13.1.i.i.i
-  store double %.970.13.1.i.i.i, ptr %15, align 8, !noalias !27
-  %.968.14.1.i.i.i = load double, ptr %16, align 8, !noalias !27
+  store double %.970.13.1.i.i.i, ptr %15, align 8, !noalias !28
+  %.968.14.1.i.i.i = load double, ptr %16, align 8, !noalias !28
   %.970.14.1.i.i.i = fmul contract double %.675.i.i.i, %.968.14.1.i.i.i
-  store double %.970.14.1.i.i.i, ptr %16, align 8, !noalias !27
-  %.968.15.1.i.i.i = load double, ptr %17, align 8, !noalias !27
+  store double %.970.14.1.i.i.i, ptr %16, align 8, !noalias !28
+  %.968.15.1.i.i.i = load double, ptr %17, align 8, !noalias !28
   %.970.15.1.i.i.i = fmul contract double %.675.i.i.i, %.968.15.1.i.i.i
-  store double %.970.15.1.i.i.i, ptr %17, align 8, !noalias !27
-  %.968.2278.i.i.i = load double, ptr %18, align 8, !noalias !27
+  store double %.970.15.1.i.i.i, ptr %17, align 8, !noalias !28
+  %.968.2278.i.i.i = load double, ptr %18, align 8, !noalias !28
   %.970.2279.i.i.i = fmul contract double %.675.i.i.i, %.968.2278.i.i.i
-  store double %.970.2279.i.i.i, ptr %18, align 8, !noalias !27
-  %.968.1.2.i.i.i = load double, ptr %19, align 8, !noalias !27
+  store double %.970.2279.i.i.i, ptr %18, align 8, !noalias !28
+  %.968.1.2.i.i.i = load double, ptr %19, align 8, !noalias !28
   %.970.1.2.i.i.i = fmul contract double %.675.i.i.i, %.968.1.2.i.i.i
-  store double %.970.1.2.i.i.i, ptr %19, align 8, !noalias !27
-  %.968.2.2.i.i.i = load double, ptr %20, align 8, !noalias !27
+  store double %.970.1.2.i.i.i, ptr %19, align 8, !noalias !28
+  %.968.2.2.i.i.i = load double, ptr %20, align 8, !noalias !28
   %.970.2.2.i.i.i = fmul contract double %.675.i.i.i, %.968.2.2.i.i.i
-  store double %.970.2.2.i.i.i, ptr %20, align 8, !noalias !27
-  %.968.3.2.i.i.i = load double, ptr %21, align 8, !noalias !27
+  store double %.970.2.2.i.i.i, ptr %20, align 8, !noalias !28
+  %.968.3.2.i.i.i = load double, ptr %21, align 8, !noalias !28
   %.970.3.2.i.i.i = fmul contract double %.675.i.i.i, %.968.3.2.i.i.i
-  store double %.970.3.2.i.i.i, ptr %21, align 8, !noalias !27
-  %.968.4.2.i.i.i = load double, ptr %22, align 8, !noalias !27
+  store double %.970.3.2.i.i.i, ptr %21, align 8, !noalias !28
+  %.968.4.2.i.i.i = load double, ptr %22, align 8, !noalias !28
   %.970.4.2.i.i.i = fmul contract double %.675.i.i.i, %.968.4.2.i.i.i
-  store double %.970.4.2.i.i.i, ptr %22, align 8, !noalias !27
-  %.968.5.2.i.i.i = load double, ptr %23, align 8, !noalias !27
+  store double %.970.4.2.i.i.i, ptr %22, align 8, !noalias !28
+  %.968.5.2.i.i.i = load double, ptr %23, align 8, !noalias !28
   %.970.5.2.i.i.i = fmul contract double %.675.i.i.i, %.968.5.2.i.i.i
-  store double %.970.5.2.i.i.i, ptr %23, align 8, !noalias !27
-  %.968.6.2.i.i.i = load double, ptr %24, align 8, !noalias !27
+  store double %.970.5.2.i.i.i, ptr %23, align 8, !noalias !28
+  %.968.6.2.i.i.i = load double, ptr %24, align 8, !noalias !28
   %.970.6.2.i.i.i = fmul contract double %.675.i.i.i, %.968.6.2.i.i.i
-  store double %.970.6.2.i.i.i, ptr %24, align 8, !noalias !27
-  %.968.7.2.i.i.i = load double, ptr %25, align 8, !noalias !27
+  store double %.970.6.2.i.i.i, ptr %24, align 8, !noalias !28
+  %.968.7.2.i.i.i = load double, ptr %25, align 8, !noalias !28
   %.970.7.2.i.i.i = fmul contract double %.675.i.i.i, %.968.7.2.i.i.i
-  store double %.970.7.2.i.i.i, ptr %25, align 8, !noalias !27
+  store double %.970.7.2.i.i.i, ptr %25, align 8, !noalias !28
   %.970.8.2.i.i.i = fmul contract double %.675.i.i.i, %.1358.i.i.i.i
-  store double %.970.8.2.i.i.i, ptr %.1336.i.i.i.i, align 8, !noalias !27
-  %.968.9.2.i.i.i = load double, ptr %26, align 8, !noalias !27
+  store double %.970.8.2.i.i.i, ptr %.1336.i.i.i.i, align 8, !noalias !28
+  %.968.9.2.i.i.i = load double, ptr %26, align 8, !noalias !28
   %.970.9.2.i.i.i = fmul contract double %.675.i.i.i, %.968.9.2.i.i.i
-  store double %.970.9.2.i.i.i, ptr %26, align 8, !noalias !27
-  %.968.10.2.i.i.i = load double, ptr %27, align 8, !noalias !27
+  store double %.970.9.2.i.i.i, ptr %26, align 8, !noalias !28
+  %.968.10.2.i.i.i = load double, ptr %27, align 8, !noalias !28
   %.970.10.2.i.i.i = fmul contract double %.675.i.i.i, %.968.10.2.i.i.i
-  store double %.970.10.2.i.i.i, ptr %27, align 8, !noalias !27
-  %.968.11.2.i.i.i = load double, ptr %28, align 8, !noalias !27
+  store double %.970.10.2.i.i.i, ptr %27, align 8, !noalias !28
+  %.968.11.2.i.i.i = load double, ptr %28, align 8, !noalias !28
   %.970.11.2.i.i.i = fmul contract double %.675.i.i.i, %.968.11.2.i.i.i
-  store double %.970.11.2.i.i.i, ptr %28, align 8, !noalias !27
-  %.968.12.2.i.i.i = load double, ptr %29, align 8, !noalias !27
+  store double %.970.11.2.i.i.i, ptr %28, align 8, !noalias !28
+  %.968.12.2.i.i.i = load double, ptr %29, align 8, !noalias !28
   %.970.12.2.i.i.i = fmul contract double %.675.i.i.i, %.968.12.2.i.i.i
-  store double %.970.12.2.i.i.i, ptr %29, align 8, !noalias !27
-  %.968.13.2.i.i.i = load double, ptr %30, align 8, !noalias !27
+  store double %.970.12.2.i.i.i, ptr %29, align 8, !noalias !28
+  %.968.13.2.i.i.i = load double, ptr %30, align 8, !noalias !28
   %.970.13.2.i.i.i = fmul contract double %.675.i.i.i, %.968.13.2.i.i.i
-  store double %.970.13.2.i.i.i, ptr %30, align 8, !noalias !27
-  %.968.14.2.i.i.i = load double, ptr %31, align 8, !noalias !27
+  store double %.970.13.2.i.i.i, ptr %30, align 8, !noalias !28
+  %.968.14.2.i.i.i = load double, ptr %31, align 8, !noalias !28
   %.970.14.2.i.i.i = fmul contract double %.675.i.i.i, %.968.14.2.i.i.i
-  store double %.970.14.2.i.i.i, ptr %31, align 8, !noalias !27
-  %.968.15.2.i.i.i = load double, ptr %32, align 8, !noalias !27
+  store double %.970.14.2.i.i.i, ptr %31, align 8, !noalias !28
+  %.968.15.2.i.i.i = load double, ptr %32, align 8, !noalias !28
   %.970.15.2.i.i.i = fmul contract double %.675.i.i.i, %.968.15.2.i.i.i
-  store double %.970.15.2.i.i.i, ptr %32, align 8, !noalias !27
+  store double %.970.15.2.i.i.i, ptr %32, align 8, !noalias !28
   %.54.i.i.i = fsub contract double %.165.i.i, %.194.i.i
   %.147.i.i.i.i = fmul contract double %.54.i.i.i, %.54.i.i.i
   %.147.i.i.i10.i.i = fmul contract double %.29.i.i.i, %.29.i.i.i
@@ -2071,17 +2078,17 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.53.i.i.i = fmul contract double %.50.i.i.i, 5.000000e-01
   %.55.i.i.i = fmul contract double %.53.i.i.i, %.54.i.i.i
   %.81.i.i.i = fmul contract double %.147.i.i.i.i, 2.500000e-01
-  store double 1.000000e+00, ptr %.779.i, align 8, !noalias !54
-  store double 0.000000e+00, ptr %.138.i.i.i, align 8, !noalias !54
+  store double 1.000000e+00, ptr %.779.i, align 8, !noalias !55
+  store double 0.000000e+00, ptr %.138.i.i.i, align 8, !noalias !55
   %.140.i.i.i = fmul contract double %.35.i.i11.i.i, 0x400579E79E79E79E
   %.141.i.i.i = fadd contract double %.140.i.i.i, 0xBFF7124924924925
-  store double %.141.i.i.i, ptr %.169.i.i.i, align 8, !noalias !54
+  store double %.141.i.i.i, ptr %.169.i.i.i, align 8, !noalias !55
   %.171.i.i.i = fmul contract double %.55.i.i.i, 3.375000e+00
   %.172.i.i.i = fmul contract double %.35.i.i11.i.i, 0x3FFD555555555555
   %.173.i.i.i = fsub contract double 3.375000e+00, %.172.i.i.i
   %.174.i.i.i = fmul contract double %.52.i.i.i, %.173.i.i.i
   %.175.i.i.i = fadd contract double %.171.i.i.i, %.174.i.i.i
-  store double %.175.i.i.i, ptr %.203.i.i.i, align 8, !noalias !54
+  store double %.175.i.i.i, ptr %.203.i.i.i, align 8, !noalias !55
   %.205.i.i.i = fmul contract double %.35.i.i11.i.i, 0x401167EA53FA94FF
   %.206.i.i.i = fadd contract double %.205.i.i.i, 0xC0175371959340D3
   %.207.i.i.i = fmul contract double %.35.i.i11.i.i, %.206.i.i.i
@@ -2098,7 +2105,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.336.i.i.i = fadd contract double %.335.i.i.i, -1.531250e+00
   %.361.i.i.i = fmul contract double %.336.i.i.i, %.147.i15.i.i.i
   %.362.i.i.i = fadd contract double %.361.i.i.i, %.273.i.i.i
-  store double %.362.i.i.i, ptr %.236.i.i.i, align 8, !noalias !54
+  store double %.362.i.i.i, ptr %.236.i.i.i, align 8, !noalias !55
   %.393.i.i.i = fmul contract double %.35.i.i11.i.i, 4.000000e+00
   %.394.i.i.i = fsub contract double 1.000000e+00, %.393.i.i.i
   %.395.i.i.i = fmul contract double %.394.i.i.i, 0x4010B090E5F545F2
@@ -2112,7 +2119,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.461.i.i.i = fsub contract double 0x4031AEEFBEFBEFBF, %.460.i.i.i
   %.462.i.i.i = fmul contract double %.52.i.i.i, %.461.i.i.i
   %.463.i.i.i = fadd contract double %191, %.462.i.i.i
-  store double %.463.i.i.i, ptr %.427.i.i.i, align 8, !noalias !54
+  store double %.463.i.i.i, ptr %.427.i.i.i, align 8, !noalias !55
   %.519.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4050B13F2FF5EE90
   %.520.i.i.i = fadd contract double %.519.i.i.i, 0xC034AE5A84540D99
   %.147.i39.i.i.i = fmul contract double %.35.i.i11.i.i, %.35.i.i11.i.i
@@ -2144,38 +2151,38 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.860.i.i.i = fadd contract double %.859.i.i.i, 0xC02B20D145145145
   %.885.i.i.i = fmul contract double %.147.i15.i.i.i, %.860.i.i.i
   %.886.i.i.i = fadd contract double %.885.i.i.i, %.798.i.i.i
-  store double %.886.i.i.i, ptr %.548.i.i.i, align 8, !noalias !54
+  store double %.886.i.i.i, ptr %.548.i.i.i, align 8, !noalias !55
   %.916.i.i.i = fmul contract double %.35.i.i11.i.i, 0x402001CC877321DD
   %.917.i.i.i = fsub contract double 0x403044E0D8B8362E, %.916.i.i.i
   %.918.i.i.i = fmul contract double %.35.i.i11.i.i, %.917.i.i.i
   %.919.i.i.i = fsub contract double 0x400A4763546E2A71, %.918.i.i.i
   %.920.i.i.i = fmul contract double %.919.i.i.i, 0x400921FB54442D18
-  store double %.920.i.i.i, ptr %.948.i.i.i, align 8, !noalias !54
+  store double %.920.i.i.i, ptr %.948.i.i.i, align 8, !noalias !55
   %.39.i.i.i = fdiv contract double 0x3FE4F1A6C638D03F, %.35.i.i11.i.i
   %.47.i.i.i = tail call contract double @sqrt(double %.39.i.i.i)
-  store double %.47.i.i.i, ptr %.779.i, align 8, !noalias !5
+  store double %.47.i.i.i, ptr %.779.i, align 8, !noalias !6
   %.1210.1.i.i = fmul contract double %.47.i.i.i, 0.000000e+00
-  store double %.1210.1.i.i, ptr %.138.i.i.i, align 8, !noalias !5
+  store double %.1210.1.i.i, ptr %.138.i.i.i, align 8, !noalias !6
   %.1210.2.i.i = fmul contract double %.141.i.i.i, %.47.i.i.i
-  store double %.1210.2.i.i, ptr %.169.i.i.i, align 8, !noalias !5
+  store double %.1210.2.i.i, ptr %.169.i.i.i, align 8, !noalias !6
   %.1210.3.i.i = fmul contract double %.175.i.i.i, %.47.i.i.i
-  store double %.1210.3.i.i, ptr %.203.i.i.i, align 8, !noalias !5
+  store double %.1210.3.i.i, ptr %.203.i.i.i, align 8, !noalias !6
   %.1210.4.i.i = fmul contract double %.362.i.i.i, %.47.i.i.i
-  store double %.1210.4.i.i, ptr %.236.i.i.i, align 8, !noalias !5
+  store double %.1210.4.i.i, ptr %.236.i.i.i, align 8, !noalias !6
   %.1210.5.i.i = fmul contract double %.463.i.i.i, %.47.i.i.i
-  store double %.1210.5.i.i, ptr %.427.i.i.i, align 8, !noalias !5
+  store double %.1210.5.i.i, ptr %.427.i.i.i, align 8, !noalias !6
   %.1210.6.i.i = fmul contract double %.886.i.i.i, %.47.i.i.i
-  store double %.1210.6.i.i, ptr %.548.i.i.i, align 8, !noalias !5
+  store double %.1210.6.i.i, ptr %.548.i.i.i, align 8, !noalias !6
   %.1210.7.i.i = fmul contract double %.920.i.i.i, %.47.i.i.i
-  store double %.1210.7.i.i, ptr %.948.i.i.i, align 8, !noalias !5
+  store double %.1210.7.i.i, ptr %.948.i.i.i, align 8, !noalias !6
   %.1596.i = mul nsw i64 %.925.017.i, %arg.points
   br i1 %33, label %B1058.i, label %B514.preheader.i
 
 B514.preheader.i:                                 ; preds = %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.209.i3.i = getelementptr i8, ptr %.1169.i, i64 56
-  %.3334.i.i = getelementptr i8, ptr %.1169.i, i64 40
-  %.3585.i.i = getelementptr i8, ptr %.1169.i, i64 64
-  %.3649.i.i = getelementptr i8, ptr %.1169.i, i64 72
+  %.3314.i.i = getelementptr i8, ptr %.1169.i, i64 40
+  %.3565.i.i = getelementptr i8, ptr %.1169.i, i64 64
+  %.3763.i.i = getelementptr i8, ptr %.1169.i, i64 72
   br label %B514.i
 
 B594.else.if.i:                                   ; preds = %B594.i
@@ -2184,7 +2191,7 @@ B594.else.if.i:                                   ; preds = %B594.i
 B594.else.endif.i:                                ; preds = %B594.else.if.i, %B594.i
   %.1638.sroa.0.1.i = phi i64 [ 0, %B594.else.if.i ], [ %.1650.i, %B594.i ]
   %.1658.not.i = icmp slt i64 %.1650.i, %arg.n_polar
-  br i1 %.1658.not.i, label %B594.else.endif.endif.i, label %B594.else.endif.if.i, !prof !4
+  br i1 %.1658.not.i, label %B594.else.endif.endif.i, label %B594.else.endif.if.i, !prof !5
 
 B594.else.endif.if.i:                             ; preds = %B594.else.endif.i
   br label %B594.else.endif.endif.i
@@ -2195,7 +2202,7 @@ B594.else.endif.endif.i:                          ; preds = %B594.else.endif.if.
   %.1666.i = select i1 %.1665.i, i64 %arg.n_polar, i64 0
   %.1667.i = add i64 %.1666.i, %.1611.i
   %.1670.i = icmp slt i64 %.1667.i, 0
-  br i1 %.1670.i, label %B594.else.endif.endif.if.i, label %B594.else.endif.endif.endif.i, !prof !3
+  br i1 %.1670.i, label %B594.else.endif.endif.if.i, label %B594.else.endif.endif.endif.i, !prof !4
 
 B594.else.endif.endif.if.i:                       ; preds = %B594.else.endif.endif.i
   br label %B594.else.endif.endif.endif.i
@@ -2203,7 +2210,7 @@ B594.else.endif.endif.if.i:                       ; preds = %B594.else.endif.end
 B594.else.endif.endif.endif.i:                    ; preds = %B594.else.endif.endif.if.i, %B594.else.endif.endif.i
   %.1638.sroa.13.1.i = phi i64 [ 0, %B594.else.endif.endif.if.i ], [ %.1667.i, %B594.else.endif.endif.i ]
   %.1675.not.i = icmp slt i64 %.1667.i, %arg.n_polar
-  br i1 %.1675.not.i, label %B594.else.endif.endif.endif.endif.i, label %B594.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.1675.not.i, label %B594.else.endif.endif.endif.endif.i, label %B594.else.endif.endif.endif.if.i, !prof !5
 
 B594.else.endif.endif.endif.if.i:                 ; preds = %B594.else.endif.endif.endif.i
   br label %B594.else.endif.endif.endif.endif.i
@@ -2213,28 +2220,28 @@ B594.else.endif.endif.endif.endif.i:              ; preds = %B594.else.endif.end
   %.1726.i = sub nsw i64 %.1638.sroa.13.2.i, %.1638.sroa.0.3.i
   %.1735.i = tail call i64 @llvm.smax.i64(i64 %.1726.i, i64 0)
   %.1751.i = getelementptr double, ptr %arg.amplitude, i64 %.1638.sroa.0.3.i
-  br i1 %.1653.i, label %B594.endif.else.if.i, label %B594.endif.else.endif.i, !prof !3
+  br i1 %.1653.i, label %B594.endif.else.if.i, label %B594.endif.else.endif.i, !prof !4
 
 B594.endif.else.if.i:                             ; preds = %B594.else.endif.endif.endif.endif.i
   br label %B594.endif.else.endif.i
 
 B594.endif.else.endif.i:                          ; preds = %B594.endif.else.if.i, %B594.else.endif.endif.endif.endif.i
   %.1832.sroa.0.1.i = phi i64 [ 0, %B594.endif.else.if.i ], [ %.1650.i, %B594.else.endif.endif.endif.endif.i ]
-  br i1 %.1658.not.i, label %B594.endif.else.endif.endif.i, label %B594.endif.else.endif.if.i, !prof !4
+  br i1 %.1658.not.i, label %B594.endif.else.endif.endif.i, label %B594.endif.else.endif.if.i, !prof !5
 
 B594.endif.else.endif.if.i:                       ; preds = %B594.endif.else.endif.i
   br label %B594.endif.else.endif.endif.i
 
 B594.endif.else.endif.endif.i:                    ; preds = %B594.endif.else.endif.if.i, %B594.endif.else.endif.i
   %.1832.sroa.0.3.i = phi i64 [ %arg.n_polar, %B594.endif.else.endif.if.i ], [ %.1832.sroa.0.1.i, %B594.endif.else.endif.i ]
-  br i1 %.1670.i, label %B594.endif.else.endif.endif.if.i, label %B594.endif.else.endif.endif.endif.i, !prof !3
+  br i1 %.1670.i, label %B594.endif.else.endif.endif.if.i, label %B594.endif.else.endif.endif.endif.i, !prof !4
 
 B594.endif.else.endif.endif.if.i:                 ; preds = %B594.endif.else.endif.endif.i
   br label %B594.endif.else.endif.endif.endif.i
 
 B594.endif.else.endif.endif.endif.i:              ; preds = %B594.endif.else.endif.endif.if.i, %B594.endif.else.endif.endif.i
   %.1832.sroa.13.1.i = phi i64 [ 0, %B594.endif.else.endif.endif.if.i ], [ %.1667.i, %B594.endif.else.endif.endif.i ]
-  br i1 %.1675.not.i, label %B594.endif.else.endif.endif.endif.endif.i, label %B594.endif.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.1675.not.i, label %B594.endif.else.endif.endif.endif.endif.i, label %B594.endif.else.endif.endif.endif.if.i, !prof !5
 
 B594.endif.else.endif.endif.endif.if.i:           ; preds = %B594.endif.else.endif.endif.endif.i
   br label %B594.endif.else.endif.endif.endif.endif.i
@@ -2251,7 +2258,7 @@ B672.else.if.i:                                   ; preds = %B672.i
 
 B672.else.endif.i:                                ; preds = %B672.else.if.i, %B672.i
   %.2023.sroa.0.1.i = phi i64 [ 0, %B672.else.if.i ], [ %.695.i, %B672.i ]
-  br i1 %.703.not.i, label %B672.else.endif.endif.i, label %B672.else.endif.if.i, !prof !4
+  br i1 %.703.not.i, label %B672.else.endif.endif.i, label %B672.else.endif.if.i, !prof !5
 
 B672.else.endif.if.i:                             ; preds = %B672.else.endif.i
   br label %B672.else.endif.endif.i
@@ -2262,7 +2269,7 @@ B672.else.endif.endif.i:                          ; preds = %B672.else.endif.if.
   %.2051.i = select i1 %.2050.i, i64 %arg.n_scratch, i64 0
   %.2052.i = add i64 %.2051.i, %.1995.i
   %.2055.i = icmp slt i64 %.2052.i, 0
-  br i1 %.2055.i, label %B672.else.endif.endif.if.i, label %B672.else.endif.endif.endif.i, !prof !3
+  br i1 %.2055.i, label %B672.else.endif.endif.if.i, label %B672.else.endif.endif.endif.i, !prof !4
 
 B672.else.endif.endif.if.i:                       ; preds = %B672.else.endif.endif.i
   br label %B672.else.endif.endif.endif.i
@@ -2270,7 +2277,7 @@ B672.else.endif.endif.if.i:                       ; preds = %B672.else.endif.end
 B672.else.endif.endif.endif.i:                    ; preds = %B672.else.endif.endif.if.i, %B672.else.endif.endif.i
   %.2023.sroa.13.1.i = phi i64 [ 0, %B672.else.endif.endif.if.i ], [ %.2052.i, %B672.else.endif.endif.i ]
   %.2060.not.i = icmp slt i64 %.2052.i, %arg.n_scratch
-  br i1 %.2060.not.i, label %B672.else.endif.endif.endif.endif.i, label %B672.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.2060.not.i, label %B672.else.endif.endif.endif.endif.i, label %B672.else.endif.endif.endif.if.i, !prof !5
 
 B672.else.endif.endif.endif.if.i:                 ; preds = %B672.else.endif.endif.endif.i
   br label %B672.else.endif.endif.endif.endif.i
@@ -2281,14 +2288,14 @@ B672.else.endif.endif.endif.endif.i:              ; preds = %B672.else.endif.end
   %.2120.i = tail call i64 @llvm.smax.i64(i64 %.2111.i, i64 0)
   %.2136.i = getelementptr double, ptr %arg.scratch, i64 %.2023.sroa.0.3.i
   %.2184.i = add nsw i64 %.1590.i, %.2180.i
-  br i1 %51, label %B672.endif.else.if.i, label %B672.endif.else.endif.i, !prof !3
+  br i1 %51, label %B672.endif.else.if.i, label %B672.endif.else.endif.i, !prof !4
 
 B672.endif.else.if.i:                             ; preds = %B672.else.endif.endif.endif.endif.i
   br label %B672.endif.else.endif.i
 
 B672.endif.else.endif.i:                          ; preds = %B672.endif.else.if.i, %B672.else.endif.endif.endif.endif.i
   %.2211.sroa.0.1.i = phi i64 [ 0, %B672.endif.else.if.i ], [ %.2223.i, %B672.else.endif.endif.endif.endif.i ]
-  br i1 %52, label %B672.endif.else.endif.endif.i, label %B672.endif.else.endif.if.i, !prof !4
+  br i1 %52, label %B672.endif.else.endif.endif.i, label %B672.endif.else.endif.if.i, !prof !5
 
 B672.endif.else.endif.if.i:                       ; preds = %B672.endif.else.endif.i
   br label %B672.endif.else.endif.endif.i
@@ -2299,7 +2306,7 @@ B672.endif.else.endif.endif.i:                    ; preds = %B672.endif.else.end
   %.2239.i = select i1 %.2238.i, i64 %arg.n_scratch, i64 0
   %.2240.i = add i64 %.2239.i, %.2184.i
   %.2243.i = icmp slt i64 %.2240.i, 0
-  br i1 %.2243.i, label %B672.endif.else.endif.endif.if.i, label %B672.endif.else.endif.endif.endif.i, !prof !3
+  br i1 %.2243.i, label %B672.endif.else.endif.endif.if.i, label %B672.endif.else.endif.endif.endif.i, !prof !4
 
 B672.endif.else.endif.endif.if.i:                 ; preds = %B672.endif.else.endif.endif.i
   br label %B672.endif.else.endif.endif.endif.i
@@ -2307,7 +2314,7 @@ B672.endif.else.endif.endif.if.i:                 ; preds = %B672.endif.else.end
 B672.endif.else.endif.endif.endif.i:              ; preds = %B672.endif.else.endif.endif.if.i, %B672.endif.else.endif.endif.i
   %.2211.sroa.13.1.i = phi i64 [ 0, %B672.endif.else.endif.endif.if.i ], [ %.2240.i, %B672.endif.else.endif.endif.i ]
   %.2248.not.i = icmp slt i64 %.2240.i, %arg.n_scratch
-  br i1 %.2248.not.i, label %B672.endif.else.endif.endif.endif.endif.i, label %B672.endif.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.2248.not.i, label %B672.endif.else.endif.endif.endif.endif.i, label %B672.endif.else.endif.endif.endif.if.i, !prof !5
 
 B672.endif.else.endif.endif.endif.if.i:           ; preds = %B672.endif.else.endif.endif.endif.i
   br label %B672.endif.else.endif.endif.endif.endif.i
@@ -2325,7 +2332,7 @@ B756.else.if.i:                                   ; preds = %B756.i
 B756.else.endif.i:                                ; preds = %B756.else.if.i, %B756.i
   %.2396.sroa.0.1.i = phi i64 [ 0, %B756.else.if.i ], [ %.2408.i, %B756.i ]
   %.2416.not.i = icmp slt i64 %.2408.i, %arg.points
-  br i1 %.2416.not.i, label %B756.else.endif.endif.i, label %B756.else.endif.if.i, !prof !4
+  br i1 %.2416.not.i, label %B756.else.endif.endif.i, label %B756.else.endif.if.i, !prof !5
 
 B756.else.endif.if.i:                             ; preds = %B756.else.endif.i
   br label %B756.else.endif.endif.i
@@ -2336,7 +2343,7 @@ B756.else.endif.endif.i:                          ; preds = %B756.else.endif.if.
   %.2424.i = select i1 %.2423.i, i64 %arg.points, i64 0
   %.2425.i = add i64 %.2424.i, %.13.i.i
   %.2428.i = icmp slt i64 %.2425.i, 0
-  br i1 %.2428.i, label %B756.else.endif.endif.if.i, label %B756.else.endif.endif.endif.i, !prof !3
+  br i1 %.2428.i, label %B756.else.endif.endif.if.i, label %B756.else.endif.endif.endif.i, !prof !4
 
 B756.else.endif.endif.if.i:                       ; preds = %B756.else.endif.endif.i
   br label %B756.else.endif.endif.endif.i
@@ -2344,7 +2351,7 @@ B756.else.endif.endif.if.i:                       ; preds = %B756.else.endif.end
 B756.else.endif.endif.endif.i:                    ; preds = %B756.else.endif.endif.if.i, %B756.else.endif.endif.i
   %.2396.sroa.13.1.i = phi i64 [ 0, %B756.else.endif.endif.if.i ], [ %.2425.i, %B756.else.endif.endif.i ]
   %.2433.not.i = icmp slt i64 %.2425.i, %arg.points
-  br i1 %.2433.not.i, label %B756.else.endif.endif.endif.endif.i, label %B756.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.2433.not.i, label %B756.else.endif.endif.endif.endif.i, label %B756.else.endif.endif.endif.if.i, !prof !5
 
 B756.else.endif.endif.endif.if.i:                 ; preds = %B756.else.endif.endif.endif.i
   br label %B756.else.endif.endif.endif.endif.i
@@ -2354,28 +2361,28 @@ B756.else.endif.endif.endif.endif.i:              ; preds = %B756.else.endif.end
   %.2484.i = sub i64 %.2396.sroa.13.2.i, %.2396.sroa.0.3.i
   %.2493.i = tail call i64 @llvm.smax.i64(i64 %.2484.i, i64 0)
   %.2509.i = getelementptr double, ptr %arg.f, i64 %.2396.sroa.0.3.i
-  br i1 %.2411.i, label %B756.endif.else.if.i, label %B756.endif.else.endif.i, !prof !3
+  br i1 %.2411.i, label %B756.endif.else.if.i, label %B756.endif.else.endif.i, !prof !4
 
 B756.endif.else.if.i:                             ; preds = %B756.else.endif.endif.endif.endif.i
   br label %B756.endif.else.endif.i
 
 B756.endif.else.endif.i:                          ; preds = %B756.endif.else.if.i, %B756.else.endif.endif.endif.endif.i
   %.2569.sroa.0.1.i = phi i64 [ 0, %B756.endif.else.if.i ], [ %.2408.i, %B756.else.endif.endif.endif.endif.i ]
-  br i1 %.2416.not.i, label %B756.endif.else.endif.endif.i, label %B756.endif.else.endif.if.i, !prof !4
+  br i1 %.2416.not.i, label %B756.endif.else.endif.endif.i, label %B756.endif.else.endif.if.i, !prof !5
 
 B756.endif.else.endif.if.i:                       ; preds = %B756.endif.else.endif.i
   br label %B756.endif.else.endif.endif.i
 
 B756.endif.else.endif.endif.i:                    ; preds = %B756.endif.else.endif.if.i, %B756.endif.else.endif.i
   %.2569.sroa.0.3.i = phi i64 [ %arg.points, %B756.endif.else.endif.if.i ], [ %.2569.sroa.0.1.i, %B756.endif.else.endif.i ]
-  br i1 %.2428.i, label %B756.endif.else.endif.endif.if.i, label %B756.endif.else.endif.endif.endif.i, !prof !3
+  br i1 %.2428.i, label %B756.endif.else.endif.endif.if.i, label %B756.endif.else.endif.endif.endif.i, !prof !4
 
 B756.endif.else.endif.endif.if.i:                 ; preds = %B756.endif.else.endif.endif.i
   br label %B756.endif.else.endif.endif.endif.i
 
 B756.endif.else.endif.endif.endif.i:              ; preds = %B756.endif.else.endif.endif.if.i, %B756.endif.else.endif.endif.i
   %.2569.sroa.13.1.i = phi i64 [ 0, %B756.endif.else.endif.endif.if.i ], [ %.2425.i, %B756.endif.else.endif.endif.i ]
-  br i1 %.2433.not.i, label %B756.endif.else.endif.endif.endif.endif.i, label %B756.endif.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.2433.not.i, label %B756.endif.else.endif.endif.endif.endif.i, label %B756.endif.else.endif.endif.endif.if.i, !prof !5
 
 B756.endif.else.endif.endif.endif.if.i:           ; preds = %B756.endif.else.endif.endif.endif.i
   br label %B756.endif.else.endif.endif.endif.endif.i
@@ -2385,28 +2392,28 @@ B756.endif.else.endif.endif.endif.endif.i:        ; preds = %B756.endif.else.end
   %.2657.i = sub i64 %.2569.sroa.13.2.i, %.2569.sroa.0.3.i
   %.2666.i = tail call i64 @llvm.smax.i64(i64 %.2657.i, i64 0)
   %.2682.i = getelementptr double, ptr %arg.log_f, i64 %.2569.sroa.0.3.i
-  br i1 %.2411.i, label %B756.endif.endif.else.if.i, label %B756.endif.endif.else.endif.i, !prof !3
+  br i1 %.2411.i, label %B756.endif.endif.else.if.i, label %B756.endif.endif.else.endif.i, !prof !4
 
 B756.endif.endif.else.if.i:                       ; preds = %B756.endif.else.endif.endif.endif.endif.i
   br label %B756.endif.endif.else.endif.i
 
 B756.endif.endif.else.endif.i:                    ; preds = %B756.endif.endif.else.if.i, %B756.endif.else.endif.endif.endif.endif.i
   %.2746.sroa.0.1.i = phi i64 [ 0, %B756.endif.endif.else.if.i ], [ %.2408.i, %B756.endif.else.endif.endif.endif.endif.i ]
-  br i1 %.2416.not.i, label %B756.endif.endif.else.endif.endif.i, label %B756.endif.endif.else.endif.if.i, !prof !4
+  br i1 %.2416.not.i, label %B756.endif.endif.else.endif.endif.i, label %B756.endif.endif.else.endif.if.i, !prof !5
 
 B756.endif.endif.else.endif.if.i:                 ; preds = %B756.endif.endif.else.endif.i
   br label %B756.endif.endif.else.endif.endif.i
 
 B756.endif.endif.else.endif.endif.i:              ; preds = %B756.endif.endif.else.endif.if.i, %B756.endif.endif.else.endif.i
   %.2746.sroa.0.3.i = phi i64 [ %arg.points, %B756.endif.endif.else.endif.if.i ], [ %.2746.sroa.0.1.i, %B756.endif.endif.else.endif.i ]
-  br i1 %.2428.i, label %B756.endif.endif.else.endif.endif.if.i, label %B756.endif.endif.else.endif.endif.endif.i, !prof !3
+  br i1 %.2428.i, label %B756.endif.endif.else.endif.endif.if.i, label %B756.endif.endif.else.endif.endif.endif.i, !prof !4
 
 B756.endif.endif.else.endif.endif.if.i:           ; preds = %B756.endif.endif.else.endif.endif.i
   br label %B756.endif.endif.else.endif.endif.endif.i
 
 B756.endif.endif.else.endif.endif.endif.i:        ; preds = %B756.endif.endif.else.endif.endif.if.i, %B756.endif.endif.else.endif.endif.i
   %.2746.sroa.13.1.i = phi i64 [ 0, %B756.endif.endif.else.endif.endif.if.i ], [ %.2425.i, %B756.endif.endif.else.endif.endif.i ]
-  br i1 %.2433.not.i, label %B756.endif.endif.else.endif.endif.endif.endif.i, label %B756.endif.endif.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.2433.not.i, label %B756.endif.endif.else.endif.endif.endif.endif.i, label %B756.endif.endif.else.endif.endif.endif.if.i, !prof !5
 
 B756.endif.endif.else.endif.endif.endif.if.i:     ; preds = %B756.endif.endif.else.endif.endif.endif.i
   br label %B756.endif.endif.else.endif.endif.endif.endif.i
@@ -2417,29 +2424,29 @@ B756.endif.endif.else.endif.endif.endif.endif.i:  ; preds = %B756.endif.endif.el
   %.2843.i = tail call i64 @llvm.smax.i64(i64 %.2834.i, i64 0)
   %.2859.i = getelementptr double, ptr %arg.cbrt_f, i64 %.2746.sroa.0.3.i
   call void @llvm.lifetime.start.p0(ptr nonnull %.2457.i.i), !noalias !0
-  call void @llvm.lifetime.start.p0(ptr nonnull %.3111.i.i), !noalias !0
-  store ptr null, ptr %.2457.i.i, align 8, !noalias !57
-  store ptr null, ptr %.3111.i.i, align 8, !noalias !57
-  %.210.i.i = load double, ptr %.209.i3.i, align 8, !noalias !57
+  call void @llvm.lifetime.start.p0(ptr nonnull %.3101.i.i), !noalias !0
+  store ptr null, ptr %.2457.i.i, align 8, !noalias !58
+  store ptr null, ptr %.3101.i.i, align 8, !noalias !58
+  %.210.i.i = load double, ptr %.209.i3.i, align 8, !noalias !58
   %.211.i.i = fmul contract double %.210.i.i, 0x3ED4A8B4A9ED04E3
-  %.244.i.i = load i64, ptr %.243.i.i, align 8, !noalias !57
+  %.244.i.i = load i64, ptr %.243.i.i, align 8, !noalias !58
   %.258.i.i = icmp slt i64 %.244.i.i, 0
   %.259.i.i = select i1 %.258.i.i, i64 %arg.n_weights, i64 0
   %192 = getelementptr double, ptr %arg.weights, i64 %.244.i.i
   %.273.i.i = getelementptr double, ptr %192, i64 %.259.i.i
-  %.274.i.i = load double, ptr %.273.i.i, align 8, !noalias !57
+  %.274.i.i = load double, ptr %.273.i.i, align 8, !noalias !58
   %.319.i4.i = icmp slt i64 %.244.i.i, -1
   %.320.i.i = select i1 %.319.i4.i, i64 %arg.n_weights, i64 0
   %193 = getelementptr i8, ptr %192, i64 8
   %.334.i5.i = getelementptr double, ptr %193, i64 %.320.i.i
-  %.335.i6.i = load double, ptr %.334.i5.i, align 8, !noalias !57
+  %.335.i6.i = load double, ptr %.334.i5.i, align 8, !noalias !58
   %.342.i.i = fmul contract double %.274.i.i, 0x3FEFFFFFFF768FA1
   %.347.i.i = fdiv contract double %.342.i.i, %.211.i.i
   %.44.i.not.i.i = icmp slt i64 %.2484.i, 1
   br i1 %.44.i.not.i.i, label %B118.i.i.i, label %B28.i.i.i
 
 B28.i.i.i:                                        ; preds = %B756.endif.endif.else.endif.endif.endif.endif.i
-  %.94.i.i.i = load double, ptr %.2509.i, align 8, !noalias !60
+  %.94.i.i.i = load double, ptr %.2509.i, align 8, !noalias !62
   %.98.i.i.i = fcmp contract ugt double %.94.i.i.i, %.347.i.i
   br i1 %.98.i.i.i, label %B118.i.i.i, label %B52.i.i.i
 
@@ -2453,7 +2460,7 @@ B52.i.i.i:                                        ; preds = %B28.i.i.i, %B94.i.i
 B94.i.i.i:                                        ; preds = %B52.i.i.i
   %.123.i.i.i = shl nsw i64 %step.2.1.i.i.i, 1
   %.178.i.i.i = getelementptr double, ptr %.2509.i, i64 %.113.i.i.i
-  %.179.i.i.i = load double, ptr %.178.i.i.i, align 8, !noalias !60
+  %.179.i.i.i = load double, ptr %.178.i.i.i, align 8, !noalias !62
   %.183.i.i.i = fcmp contract ugt double %.179.i.i.i, %.347.i.i
   br i1 %.183.i.i.i, label %B118.loopexit.i.i.i, label %B52.i.i.i
 
@@ -2477,7 +2484,7 @@ B146.i.i.i:                                       ; preds = %B118.i.i.i, %B146.i
   %.310.i.i.i = select i1 %.309.i.i.i, i64 %.2493.i, i64 0
   %195 = getelementptr double, ptr %.2509.i, i64 %.259.1.i.i.i
   %.324.i.i.i = getelementptr double, ptr %195, i64 %.310.i.i.i
-  %.325.i.i.i = load double, ptr %.324.i.i.i, align 8, !noalias !60
+  %.325.i.i.i = load double, ptr %.324.i.i.i, align 8, !noalias !62
   %.327.i.i.i = fcmp contract ole double %.325.i.i.i, %.347.i.i
   %.338.i.i.i = add nsw i64 %.259.1.i.i.i, 1
   %high.8.1.i.i.i = select i1 %.327.i.i.i, i64 %high.7.0.i.i.i, i64 %.259.1.i.i.i
@@ -2486,7 +2493,7 @@ B146.i.i.i:                                       ; preds = %B118.i.i.i, %B146.i
   br i1 %.369.i.i.i, label %B146.i.i.i, label %B0.endif.endif.i.i
 
 B554.i.i:                                         ; preds = %B154.i.i.i, %B416.else.endif.endif.endif.endif.i.i, %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i
-  %.1516.i.i = icmp slt i64 %low.6.1.i.i.i, %low.6.1.i7.i.i
+  %.1516.i.i = icmp slt i64 %low.6.1.i.i.i, %low.6.1.i9.i.i
   br i1 %.1516.i.i, label %B566.i.i, label %B960.i.i
 
 B566.i.i:                                         ; preds = %B554.i.i
@@ -2494,97 +2501,161 @@ B566.i.i:                                         ; preds = %B554.i.i
   %.1557.i.i = select i1 %.1556.i.i, i64 %.2666.i, i64 0
   %.1558.i.i = add i64 %.1557.i.i, %low.6.1.i.i.i
   %.1561.i.i = icmp slt i64 %.1558.i.i, 0
-  br i1 %.1561.i.i, label %B566.else.if.i.i, label %B566.else.endif.i.i, !prof !3
+  br i1 %.1561.i.i, label %B566.else.if.i.i, label %B566.else.endif.i.i, !prof !4
 
 B960.i.i:                                         ; preds = %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i, %B554.i.i
-  %.3218.i.i = load double, ptr %.1169.i, align 8, !noalias !57
-  %.5.i.i.i = fadd contract double %.3218.i.i, 1.000000e+00
+  %.3198.i.i = load double, ptr %.1169.i, align 8, !noalias !58
+  %.5.i.i.i = fadd contract double %.3198.i.i, 1.000000e+00
   %.147.i.i.i7.i = fmul contract double %.5.i.i.i, %.5.i.i.i
-  %.35.i.i.i = fdiv contract double %.3218.i.i, %.147.i.i.i7.i
-  %.3243.i.i = fmul contract double %.35.i.i.i, 0x3AD23C9F83511538
-  %.3273.i.i = load double, ptr %.209.i3.i, align 8, !noalias !57
-  %.3304.i.i = fmul contract double %.3273.i.i, %.3273.i.i
-  %.3305.i.i = fmul contract double %.3304.i.i, %.3243.i.i
-  %.3335.i.i = load double, ptr %.3334.i.i, align 8, !noalias !57
-  %.3339.i.i = fdiv contract double %.3305.i.i, %.3335.i.i
-  %.3395.i.i = icmp slt i64 %low.6.1.i7.i.i, 0
-  %.3396.i.i = select i1 %.3395.i.i, i64 %a.2.sroa.60.2.i, i64 0
-  %.3397.i.i = add i64 %.3396.i.i, %low.6.1.i7.i.i
-  %.3400.i.i = icmp slt i64 %.3397.i.i, 0
-  br i1 %.3400.i.i, label %B960.endif.endif.else.endif.endif.if.i.i, label %B960.endif.endif.else.endif.endif.endif.i.i, !prof !3
+  %.35.i.i.i = fdiv contract double %.3198.i.i, %.147.i.i.i7.i
+  %.3223.i.i = fmul contract double %.35.i.i.i, 0x3AD23C9F83511538
+  %.3253.i.i = load double, ptr %.209.i3.i, align 8, !noalias !58
+  %.3284.i.i = fmul contract double %.3253.i.i, %.3253.i.i
+  %.3285.i.i = fmul contract double %.3284.i.i, %.3223.i.i
+  %.3315.i.i = load double, ptr %.3314.i.i, align 8, !noalias !58
+  %.3319.i.i = fdiv contract double %.3285.i.i, %.3315.i.i
+  %.3375.i.i = icmp slt i64 %low.6.1.i9.i.i, 0
+  %.3376.i.i = select i1 %.3375.i.i, i64 %a.2.sroa.60.2.i, i64 0
+  %.3377.i.i = add i64 %.3376.i.i, %low.6.1.i9.i.i
+  %.3380.i.i = icmp slt i64 %.3377.i.i, 0
+  br i1 %.3380.i.i, label %B960.endif.endif.else.endif.endif.if.i.i, label %B960.endif.endif.else.endif.endif.endif.i.i, !prof !4
+
+B1286.i.i:                                        ; preds = %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %.25.i.i.i = fmul contract double %.3672.i.i, 0x400921FB54442D18
+  %.26.i.i.i = tail call contract double @llvm.pow.f64(double %.25.i.i.i, double 0x3FD5555555555555)
+  %.147.i.i2.i.i = fmul contract double %.26.i.i.i, %.26.i.i.i
+  %.147.i.1.i.i.i = fmul contract double %.147.i.i2.i.i, %.147.i.i2.i.i
+  %.127.i.2.i.i.i = fmul contract double %.26.i.i.i, %.147.i.1.i.i.i
+  %.38.le.i.i.i = tail call contract double @llvm.log.f64(double %.26.i.i.i)
+  %.168.i.i.i.i = fcmp une double %.127.i.2.i.i.i, 0.000000e+00
+  br i1 %.168.i.i.i.i, label %B124.if.lr.ph.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i, !prof !65
+
+B124.if.lr.ph.i.i.i:                              ; preds = %B1286.i.i
+  %.175.i.i.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i.i.i
+  %.423.i.i.i = fmul contract double %.38.le.i.i.i, 2.000000e+00
+  br label %B124.if.i.i.i
+
+B124.if.i.i.i:                                    ; preds = %B124.if.i.i.i, %B124.if.lr.ph.i.i.i
+  %lsr.iv3.i.i.i = phi i64 [ -5, %B124.if.lr.ph.i.i.i ], [ %lsr.iv.next.i.i.i, %B124.if.i.i.i ]
+  %power.2.0146.i.i.i = phi double [ %.175.i.i.i.i, %B124.if.lr.ph.i.i.i ], [ %.493.i.i.i, %B124.if.i.i.i ]
+  %result.2.0145.i.i.i = phi double [ 0.000000e+00, %B124.if.lr.ph.i.i.i ], [ %.488.i.i.i, %B124.if.i.i.i ]
+  %196 = shl nsw i64 %lsr.iv3.i.i.i, 3
+  %scevgep20.i28.i = getelementptr i8, ptr %arg.series, i64 %196
+  %scevgep21.i29.i = getelementptr i8, ptr %scevgep20.i28.i, i64 40
+  %.249.i.i.i = load double, ptr %scevgep21.i29.i, align 8, !noalias !66
+  %scevgep19.i.i = getelementptr i8, ptr %scevgep20.i28.i, i64 168
+  %.303.i.i.i = load double, ptr %scevgep19.i.i, align 8, !noalias !66
+  %scevgep6.i.i = getelementptr i8, ptr %scevgep20.i28.i, i64 296
+  %.357.i.i.i = load double, ptr %scevgep6.i.i, align 8, !noalias !66
+  %.359.i.i.i = fmul contract double %.38.le.i.i.i, %.357.i.i.i
+  %.360.i.i.i = fadd contract double %.303.i.i.i, %.359.i.i.i
+  %.362.i.i30.i = fmul contract double %.38.le.i.i.i, %.360.i.i.i
+  %.363.i.i.i = fadd contract double %.249.i.i.i, %.362.i.i30.i
+  %.365.i.i.i = sitofp i64 %lsr.iv3.i.i.i to double
+  %.366.i.i.i = fmul contract double %.363.i.i.i, %.365.i.i.i
+  %.421.i.i.i = fadd contract double %.303.i.i.i, %.366.i.i.i
+  %.478.i.i.i = fmul contract double %.423.i.i.i, %.357.i.i.i
+  %.479.i.i.i = fadd contract double %.478.i.i.i, %.421.i.i.i
+  %.483.i.i.i = fdiv contract double %.479.i.i.i, 3.000000e+00
+  %.484.i.i.i = fsub contract double %.363.i.i.i, %.483.i.i.i
+  %.486.i.i.i = fmul contract double %power.2.0146.i.i.i, %.484.i.i.i
+  %.488.i.i.i = fadd contract double %result.2.0145.i.i.i, %.486.i.i.i
+  %.493.i.i.i = fmul contract double %.26.i.i.i, %power.2.0146.i.i.i
+  %lsr.iv.next.i.i.i = add nsw i64 %lsr.iv3.i.i.i, 1
+  %exitcond.not.i.i.i = icmp eq i64 %lsr.iv.next.i.i.i, 11
+  br i1 %exitcond.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i, label %B124.if.i.i.i
+
+_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i: ; preds = %B124.if.i.i.i, %B1286.i.i
+  %.3693.0.i.i = phi double [ 0.000000e+00, %B1286.i.i ], [ %.488.i.i.i, %B124.if.i.i.i ]
+  %excinfo.8.0.i.i = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1286.i.i ], [ null, %B124.if.i.i.i ]
+  br i1 %.168.i.i.i.i, label %B1286.endif.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, !prof !65
+
+B1324.i.i:                                        ; preds = %B1286.endif.i.i, %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %constant.2.0.i.i = phi double [ %.3724.i.i, %B1286.endif.i.i ], [ %.3599.i.i, %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %.3764.i.i = load double, ptr %.3763.i.i, align 8, !noalias !58
+  %.3770.i.i = fmul contract double %.3764.i.i, 0x401921FB54442D18
+  %197 = getelementptr i8, ptr %226, i64 8
+  %.3804.i.i = getelementptr double, ptr %197, i64 %.3583.i.i
+  %.3805.i.i = load double, ptr %.3804.i.i, align 8, !noalias !58
+  %.3812.i.i = fmul contract double %.211.i.i, %.3805.i.i
+  %.3813.i.i = fsub contract double %.3770.i.i, %.3812.i.i
+  %.3870.i.i = select i1 %.3375.i.i, i64 %p.2.sroa.60.2.i, i64 0
+  %.3871.i.i = add i64 %.3870.i.i, %low.6.1.i9.i.i
+  %.3874.i.i = icmp slt i64 %.3871.i.i, 0
+  br i1 %.3874.i.i, label %B1324.else.endif.endif.if.i.i, label %B1324.else.endif.endif.endif.i.i, !prof !4
 
 B0.endif.endif.i.i:                               ; preds = %B146.i.i.i, %B118.i.i.i
   %low.6.1.i.i.i = phi i64 [ %low.3.0.i.i.i, %B118.i.i.i ], [ %low.5.1.i.i.i, %B146.i.i.i ]
   %.383.i.i = fmul contract double %.335.i6.i, 0x3FF000000044B830
   %.388.i.i = fdiv contract double %.383.i.i, %.211.i.i
-  %.44.i1.i.i = icmp slt i64 %low.6.1.i.i.i, %.2493.i
-  br i1 %.44.i1.i.i, label %B28.i22.i.i, label %B118.i2.i.i
+  %.44.i3.i.i = icmp slt i64 %low.6.1.i.i.i, %.2493.i
+  br i1 %.44.i3.i.i, label %B28.i24.i.i, label %B118.i4.i.i
 
-B28.i22.i.i:                                      ; preds = %B0.endif.endif.i.i
+B28.i24.i.i:                                      ; preds = %B0.endif.endif.i.i
   %.78.i.i.i = icmp slt i64 %low.6.1.i.i.i, 0
   %.79.i.i.i = select i1 %.78.i.i.i, i64 %.2493.i, i64 0
-  %196 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i
-  %.93.i.i.i = getelementptr double, ptr %196, i64 %.79.i.i.i
-  %.94.i23.i.i = load double, ptr %.93.i.i.i, align 8, !noalias !63
-  %.98.i24.i.i = fcmp contract ugt double %.94.i23.i.i, %.388.i.i
-  br i1 %.98.i24.i.i, label %B118.i2.i.i, label %B52.i25.i.i
+  %198 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i
+  %.93.i.i.i = getelementptr double, ptr %198, i64 %.79.i.i.i
+  %.94.i25.i.i = load double, ptr %.93.i.i.i, align 8, !noalias !70
+  %.98.i26.i.i = fcmp contract ugt double %.94.i25.i.i, %.388.i.i
+  br i1 %.98.i26.i.i, label %B118.i4.i.i, label %B52.i27.i.i
 
-B52.i25.i.i:                                      ; preds = %B28.i22.i.i, %B94.i32.i.i
-  %step.2.1.i26.i.i = phi i64 [ %.123.i33.i.i, %B94.i32.i.i ], [ 1, %B28.i22.i.i ]
-  %high.4.1.i27.i.i = phi i64 [ %.113.i28.i.i, %B94.i32.i.i ], [ %low.6.1.i.i.i, %B28.i22.i.i ]
-  %.113.i28.i.i = add nsw i64 %high.4.1.i27.i.i, %step.2.1.i26.i.i
-  %.131.i29.i.i = icmp slt i64 %.113.i28.i.i, %.2493.i
-  br i1 %.131.i29.i.i, label %B94.i32.i.i, label %B118.loopexit.i30.i.i
+B52.i27.i.i:                                      ; preds = %B28.i24.i.i, %B94.i34.i.i
+  %step.2.1.i28.i.i = phi i64 [ %.123.i35.i.i, %B94.i34.i.i ], [ 1, %B28.i24.i.i ]
+  %high.4.1.i29.i.i = phi i64 [ %.113.i30.i.i, %B94.i34.i.i ], [ %low.6.1.i.i.i, %B28.i24.i.i ]
+  %.113.i30.i.i = add nsw i64 %high.4.1.i29.i.i, %step.2.1.i28.i.i
+  %.131.i31.i.i = icmp slt i64 %.113.i30.i.i, %.2493.i
+  br i1 %.131.i31.i.i, label %B94.i34.i.i, label %B118.loopexit.i32.i.i
 
-B94.i32.i.i:                                      ; preds = %B52.i25.i.i
-  %.123.i33.i.i = shl nsw i64 %step.2.1.i26.i.i, 1
-  %.163.i.i.i = icmp slt i64 %.113.i28.i.i, 0
+B94.i34.i.i:                                      ; preds = %B52.i27.i.i
+  %.123.i35.i.i = shl nsw i64 %step.2.1.i28.i.i, 1
+  %.163.i.i.i = icmp slt i64 %.113.i30.i.i, 0
   %.164.i.i.i = select i1 %.163.i.i.i, i64 %.2493.i, i64 0
-  %197 = getelementptr double, ptr %.2509.i, i64 %.113.i28.i.i
-  %.178.i34.i.i = getelementptr double, ptr %197, i64 %.164.i.i.i
-  %.179.i35.i.i = load double, ptr %.178.i34.i.i, align 8, !noalias !63
-  %.183.i36.i.i = fcmp contract ugt double %.179.i35.i.i, %.388.i.i
-  br i1 %.183.i36.i.i, label %B118.loopexit.i30.i.i, label %B52.i25.i.i
+  %199 = getelementptr double, ptr %.2509.i, i64 %.113.i30.i.i
+  %.178.i36.i.i = getelementptr double, ptr %199, i64 %.164.i.i.i
+  %.179.i37.i.i = load double, ptr %.178.i36.i.i, align 8, !noalias !70
+  %.183.i38.i.i = fcmp contract ugt double %.179.i37.i.i, %.388.i.i
+  br i1 %.183.i38.i.i, label %B118.loopexit.i32.i.i, label %B52.i27.i.i
 
-B118.loopexit.i30.i.i:                            ; preds = %B94.i32.i.i, %B52.i25.i.i
-  %.104.le.i31.i.i = add nsw i64 %high.4.1.i27.i.i, 1
-  br label %B118.i2.i.i
+B118.loopexit.i32.i.i:                            ; preds = %B94.i34.i.i, %B52.i27.i.i
+  %.104.le.i33.i.i = add nsw i64 %high.4.1.i29.i.i, 1
+  br label %B118.i4.i.i
 
-B118.i2.i.i:                                      ; preds = %B118.loopexit.i30.i.i, %B28.i22.i.i, %B0.endif.endif.i.i
-  %low.3.0.i3.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i22.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.104.le.i31.i.i, %B118.loopexit.i30.i.i ]
-  %high.5.0.i4.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i22.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.113.i28.i.i, %B118.loopexit.i30.i.i ]
-  %spec.select.i5.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i4.i.i, i64 range(i64 0, -9223372036854775808) %.2493.i)
-  %.238.i6.i.i = icmp slt i64 %low.3.0.i3.i.i, %spec.select.i5.i.i
-  br i1 %.238.i6.i.i, label %B146.i8.i.i, label %B0.endif.endif.endif.endif.i.i
+B118.i4.i.i:                                      ; preds = %B118.loopexit.i32.i.i, %B28.i24.i.i, %B0.endif.endif.i.i
+  %low.3.0.i5.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i24.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.104.le.i33.i.i, %B118.loopexit.i32.i.i ]
+  %high.5.0.i6.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i24.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.113.i30.i.i, %B118.loopexit.i32.i.i ]
+  %spec.select.i7.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i6.i.i, i64 range(i64 0, -9223372036854775808) %.2493.i)
+  %.238.i8.i.i = icmp slt i64 %low.3.0.i5.i.i, %spec.select.i7.i.i
+  br i1 %.238.i8.i.i, label %B146.i10.i.i, label %B0.endif.endif.endif.endif.i.i
 
-B146.i8.i.i:                                      ; preds = %B118.i2.i.i, %B146.i8.i.i
-  %low.4.0.i9.i.i = phi i64 [ %low.5.1.i20.i.i, %B146.i8.i.i ], [ %low.3.0.i3.i.i, %B118.i2.i.i ]
-  %high.7.0.i10.i.i = phi i64 [ %high.8.1.i19.i.i, %B146.i8.i.i ], [ %spec.select.i5.i.i, %B118.i2.i.i ]
-  %.251.i11.i.i = add nsw i64 %high.7.0.i10.i.i, %low.4.0.i9.i.i
-  %.259.1.i12.i.i = ashr i64 %.251.i11.i.i, 1
-  %.309.i13.i.i = icmp slt i64 %.259.1.i12.i.i, 0
-  %.310.i14.i.i = select i1 %.309.i13.i.i, i64 %.2493.i, i64 0
-  %198 = getelementptr double, ptr %.2509.i, i64 %.259.1.i12.i.i
-  %.324.i15.i.i = getelementptr double, ptr %198, i64 %.310.i14.i.i
-  %.325.i16.i.i = load double, ptr %.324.i15.i.i, align 8, !noalias !63
-  %.327.i17.i.i = fcmp contract ole double %.325.i16.i.i, %.388.i.i
-  %.338.i18.i.i = add nsw i64 %.259.1.i12.i.i, 1
-  %high.8.1.i19.i.i = select i1 %.327.i17.i.i, i64 %high.7.0.i10.i.i, i64 %.259.1.i12.i.i
-  %low.5.1.i20.i.i = select i1 %.327.i17.i.i, i64 %.338.i18.i.i, i64 %low.4.0.i9.i.i
-  %.369.i21.i.i = icmp slt i64 %low.5.1.i20.i.i, %high.8.1.i19.i.i
-  br i1 %.369.i21.i.i, label %B146.i8.i.i, label %B0.endif.endif.endif.endif.i.i
+B146.i10.i.i:                                     ; preds = %B118.i4.i.i, %B146.i10.i.i
+  %low.4.0.i11.i.i = phi i64 [ %low.5.1.i22.i.i, %B146.i10.i.i ], [ %low.3.0.i5.i.i, %B118.i4.i.i ]
+  %high.7.0.i12.i.i = phi i64 [ %high.8.1.i21.i.i, %B146.i10.i.i ], [ %spec.select.i7.i.i, %B118.i4.i.i ]
+  %.251.i13.i.i = add nsw i64 %high.7.0.i12.i.i, %low.4.0.i11.i.i
+  %.259.1.i14.i.i = ashr i64 %.251.i13.i.i, 1
+  %.309.i15.i.i = icmp slt i64 %.259.1.i14.i.i, 0
+  %.310.i16.i.i = select i1 %.309.i15.i.i, i64 %.2493.i, i64 0
+  %200 = getelementptr double, ptr %.2509.i, i64 %.259.1.i14.i.i
+  %.324.i17.i.i = getelementptr double, ptr %200, i64 %.310.i16.i.i
+  %.325.i18.i.i = load double, ptr %.324.i17.i.i, align 8, !noalias !70
+  %.327.i19.i.i = fcmp contract ole double %.325.i18.i.i, %.388.i.i
+  %.338.i20.i.i = add nsw i64 %.259.1.i14.i.i, 1
+  %high.8.1.i21.i.i = select i1 %.327.i19.i.i, i64 %high.7.0.i12.i.i, i64 %.259.1.i14.i.i
+  %low.5.1.i22.i.i = select i1 %.327.i19.i.i, i64 %.338.i20.i.i, i64 %low.4.0.i11.i.i
+  %.369.i23.i.i = icmp slt i64 %low.5.1.i22.i.i, %high.8.1.i21.i.i
+  br i1 %.369.i23.i.i, label %B146.i10.i.i, label %B0.endif.endif.endif.endif.i.i
 
-B0.endif.endif.endif.endif.i.i:                   ; preds = %B146.i8.i.i, %B118.i2.i.i
-  %low.6.1.i7.i.i = phi i64 [ %low.3.0.i3.i.i, %B118.i2.i.i ], [ %low.5.1.i20.i.i, %B146.i8.i.i ]
-  %.450.i.i = load i64, ptr %.426.i, align 8, !noalias !57
-  %.480.i.i = load i64, ptr %.456.i, align 8, !noalias !57
+B0.endif.endif.endif.endif.i.i:                   ; preds = %B146.i10.i.i, %B118.i4.i.i
+  %low.6.1.i9.i.i = phi i64 [ %low.3.0.i5.i.i, %B118.i4.i.i ], [ %low.5.1.i22.i.i, %B146.i10.i.i ]
+  %.450.i.i = load i64, ptr %.426.i, align 8, !noalias !58
+  %.480.i.i = load i64, ptr %.456.i, align 8, !noalias !58
   %.489.i.i = add nsw i64 %.480.i.i, %.450.i.i
   %.490.i.i = shl nsw i64 %.489.i.i, 1
   %.527.i.i = icmp slt i64 %.489.i.i, 0
   %.528.i.i = select i1 %.527.i.i, i64 %.591.i, i64 0
   %.529.i.i = add i64 %.528.i.i, %.490.i.i
   %.532.i.i = icmp slt i64 %.529.i.i, 0
-  br i1 %.532.i.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !3
+  br i1 %.532.i.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !4
 
 B0.endif.endif.endif.endif.else.if.i.i:           ; preds = %B0.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.endif.else.endif.i.i
@@ -2592,7 +2663,7 @@ B0.endif.endif.endif.endif.else.if.i.i:           ; preds = %B0.endif.endif.endi
 B0.endif.endif.endif.endif.else.endif.i.i:        ; preds = %B0.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endif.i.i
   %.517.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.else.if.i.i ], [ %.529.i.i, %B0.endif.endif.endif.endif.i.i ]
   %.537.not.i.i = icmp slt i64 %.529.i.i, %.591.i
-  br i1 %.537.not.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, !prof !4
+  br i1 %.537.not.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, !prof !5
 
 B0.endif.endif.endif.endif.else.endif.if.i.i:     ; preds = %B0.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endif.else.endif.endif.i.i
@@ -2608,7 +2679,7 @@ B0.endif.endif.endif.endif.else.endif.endif.i.i:  ; preds = %B0.endif.endif.endi
   %.711.i.i = select i1 %.710.i.i, i64 %.591.i, i64 0
   %.712.i.i = add i64 %.711.i.i, %.669.i.i
   %.715.i.i = icmp slt i64 %.712.i.i, 0
-  br i1 %.715.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !3
+  br i1 %.715.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !4
 
 B0.endif.endif.endif.endif.endif.else.if.i.i:     ; preds = %B0.endif.endif.endif.endif.else.endif.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.else.endif.i.i
@@ -2616,7 +2687,7 @@ B0.endif.endif.endif.endif.endif.else.if.i.i:     ; preds = %B0.endif.endif.endi
 B0.endif.endif.endif.endif.endif.else.endif.i.i:  ; preds = %B0.endif.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endif.else.endif.endif.i.i
   %.700.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if.i.i ], [ %.712.i.i, %B0.endif.endif.endif.endif.else.endif.endif.i.i ]
   %.720.not.i.i = icmp slt i64 %.712.i.i, %.591.i
-  br i1 %.720.not.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !4
+  br i1 %.720.not.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !5
 
 B0.endif.endif.endif.endif.endif.else.endif.if.i.i: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i
@@ -2634,17 +2705,17 @@ B0.endif.endif.endif.endif.endif.else.endif.endif.i.i: ; preds = %B0.endif.endif
 
 B416.else.endif.i.i:                              ; preds = %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i
   %.918.not.i.i = icmp slt i64 %low.6.1.i.i.i, %a.2.sroa.60.2.i
-  br i1 %.918.not.i.i, label %B416.else.endif.endif.endif.endif.i.i, label %B416.else.endif.endif.endif.if.i.i, !prof !4
+  br i1 %.918.not.i.i, label %B416.else.endif.endif.endif.endif.i.i, label %B416.else.endif.endif.endif.if.i.i, !prof !5
 
 B416.else.endif.endif.endif.if.i.i:               ; preds = %B416.else.endif.i.i
   br label %B416.else.endif.endif.endif.endif.i.i
 
 B416.else.endif.endif.endif.endif.i.i:            ; preds = %B416.else.endif.endif.endif.if.i.i, %B416.else.endif.i.i
   %.881.sroa.13.2.i.i = phi i64 [ %a.2.sroa.60.2.i, %B416.else.endif.endif.endif.if.i.i ], [ %low.6.1.i.i.i, %B416.else.endif.i.i ]
-  %.1406.i.i = load double, ptr %.607.i, align 8, !noalias !57
-  %.1436.i.i = load double, ptr %.813.i.i, align 8, !noalias !57
+  %.1406.i.i = load double, ptr %.607.i, align 8, !noalias !58
+  %.1436.i.i = load double, ptr %.813.i.i, align 8, !noalias !58
   %.1465.i.i = getelementptr i8, ptr %.630.i.i, i64 8
-  %.1466.i.i = load double, ptr %.1465.i.i, align 8, !noalias !57
+  %.1466.i.i = load double, ptr %.1465.i.i, align 8, !noalias !58
   %.153112.not.i.i.i = icmp slt i64 %.881.sroa.13.2.i.i, 1
   br i1 %.153112.not.i.i.i, label %B554.i.i, label %B56.if.i.i.i
 
@@ -2653,19 +2724,19 @@ B116.i.i.i:                                       ; preds = %B56.if.i.i.i
   %.7.i.i.i.i = fmul contract double %.6.i.i.i.i, 0x3FE45F306DC9C883
   %.8.i.i.i.i = fadd contract double %.7.i.i.i.i, 0x4338000000000000
   %.9.i.i.i.i = fadd contract double %.8.i.i.i.i, 0xC338000000000000
-  %.27.i.i.i34.i = fmul contract double %.9.i.i.i.i, 0x3FF921FA00000000
-  %.28.i.i.i35.i = fsub contract double %.6.i.i.i.i, %.27.i.i.i34.i
-  %.46.i.i.i36.i = fmul contract double %.9.i.i.i.i, 0x3EB5444200000000
-  %.47.i.i.i37.i = fsub contract double %.28.i.i.i35.i, %.46.i.i.i36.i
+  %.27.i.i.i37.i = fmul contract double %.9.i.i.i.i, 0x3FF921FA00000000
+  %.28.i.i.i38.i = fsub contract double %.6.i.i.i.i, %.27.i.i.i37.i
+  %.46.i.i.i39.i = fmul contract double %.9.i.i.i.i, 0x3EB5444200000000
+  %.47.i.i.i40.i = fsub contract double %.28.i.i.i38.i, %.46.i.i.i39.i
   %.65.i.i.i.i = fmul contract double %.9.i.i.i.i, 0x3D6A308C00000000
-  %.66.i.i.i.i = fsub contract double %.47.i.i.i37.i, %.65.i.i.i.i
+  %.66.i.i.i.i = fsub contract double %.47.i.i.i40.i, %.65.i.i.i.i
   %.84.i.i.i.i = fmul contract double %.9.i.i.i.i, 0x3C2313198A2E0370
   %.85.i.i.i.i = fsub contract double %.66.i.i.i.i, %.84.i.i.i.i
   %.86.i.i.i.i = fmul contract double %.85.i.i.i.i, %.85.i.i.i.i
   %.87.i.i.i.i = fmul contract double %.85.i.i.i.i, %.86.i.i.i.i
   %.88.i.i.i.i = fmul contract double %.86.i.i.i.i, 0x3D6AE7F3E733B81F
-  %199 = fsub contract double 0x3DE6124613A86D09, %.88.i.i.i.i
-  %.90.i.i.i.i = fmul contract double %.86.i.i.i.i, %199
+  %201 = fsub contract double 0x3DE6124613A86D09, %.88.i.i.i.i
+  %.90.i.i.i.i = fmul contract double %.86.i.i.i.i, %201
   %.91.i.i.i.i = fadd contract double %.90.i.i.i.i, 0xBE5AE64567F544E4
   %.92.i.i.i.i = fmul contract double %.86.i.i.i.i, %.91.i.i.i.i
   %.93.i.i.i.i = fadd contract double %.92.i.i.i.i, 0x3EC71DE3A556C734
@@ -2676,16 +2747,16 @@ B116.i.i.i:                                       ; preds = %B56.if.i.i.i
   %.98.i.i.i.i = fmul contract double %.86.i.i.i.i, %.97.i.i.i.i
   %.99.i.i.i.i = fadd contract double %.98.i.i.i.i, 0xBFC5555555555555
   %.100.i.i.i.i = fmul contract double %.87.i.i.i.i, %.99.i.i.i.i
-  %.101.i.i.i38.i = fadd contract double %.85.i.i.i.i, %.100.i.i.i.i
+  %.101.i.i.i41.i = fadd contract double %.85.i.i.i.i, %.100.i.i.i.i
   %.102.i.i.i.i = fmul contract double %.86.i.i.i.i, 0x3D2AE7F3E733B81F
-  %.103.i.i.i39.i = fadd contract double %.102.i.i.i.i, 0xBDA93974A8C07C9D
-  %.104.i.i.i40.i = fmul contract double %.86.i.i.i.i, %.103.i.i.i39.i
-  %.105.i.i.i41.i = fadd contract double %.104.i.i.i40.i, 0x3E21EED8EFF8D898
-  %.106.i.i.i42.i = fmul contract double %.86.i.i.i.i, %.105.i.i.i41.i
-  %.107.i.i.i43.i = fadd contract double %.106.i.i.i42.i, 0xBE927E4FB7789F5C
-  %.108.i.i.i44.i = fmul contract double %.86.i.i.i.i, %.107.i.i.i43.i
-  %.109.i.i.i45.i = fadd contract double %.108.i.i.i44.i, 0x3EFA01A01A01A01A
-  %.110.i.i.i.i = fmul contract double %.86.i.i.i.i, %.109.i.i.i45.i
+  %.103.i.i.i42.i = fadd contract double %.102.i.i.i.i, 0xBDA93974A8C07C9D
+  %.104.i.i.i43.i = fmul contract double %.86.i.i.i.i, %.103.i.i.i42.i
+  %.105.i.i.i44.i = fadd contract double %.104.i.i.i43.i, 0x3E21EED8EFF8D898
+  %.106.i.i.i45.i = fmul contract double %.86.i.i.i.i, %.105.i.i.i44.i
+  %.107.i.i.i46.i = fadd contract double %.106.i.i.i45.i, 0xBE927E4FB7789F5C
+  %.108.i.i.i47.i = fmul contract double %.86.i.i.i.i, %.107.i.i.i46.i
+  %.109.i.i.i48.i = fadd contract double %.108.i.i.i47.i, 0x3EFA01A01A01A01A
+  %.110.i.i.i.i = fmul contract double %.86.i.i.i.i, %.109.i.i.i48.i
   %.111.i.i.i.i = fadd contract double %.110.i.i.i.i, 0xBF56C16C16C16C17
   %.112.i.i.i.i = fmul contract double %.86.i.i.i.i, %.111.i.i.i.i
   %.113.i.i.i.i = fadd contract double %.112.i.i.i.i, 0x3FA5555555555555
@@ -2695,41 +2766,41 @@ B116.i.i.i:                                       ; preds = %B56.if.i.i.i
   %.117.i.i.i.i = fadd contract double %.116.i.i.i.i, 1.000000e+00
   %.118.i.i.i.i = bitcast double %.8.i.i.i.i to i64
   %.119.i.i.i.i = and i64 %.118.i.i.i.i, 1
-  %200 = icmp eq i64 %.119.i.i.i.i, 0
+  %202 = icmp eq i64 %.119.i.i.i.i, 0
   %.127.i.i.i.i = shl i64 %.118.i.i.i.i, 62
   %.128.i.i.i.i = add i64 %.127.i.i.i.i, 4611686018427387904
   %.129.i.i.i.i = and i64 %.128.i.i.i.i, -9223372036854775808
-  %.133.v.i.i.i.i = select i1 %200, double %.117.i.i.i.i, double %.101.i.i.i38.i
+  %.133.v.i.i.i.i = select i1 %202, double %.117.i.i.i.i, double %.101.i.i.i41.i
   %.133.i.i.i.i = bitcast double %.133.v.i.i.i.i to i64
-  %.134.i.i.i46.i = xor i64 %.129.i.i.i.i, %.133.i.i.i.i
-  %.135.i.i.i47.i = bitcast i64 %.134.i.i.i46.i to double
-  %.151.i.i.i.i = fsub contract double 1.000000e+00, %.135.i.i.i47.i
+  %.134.i.i.i49.i = xor i64 %.129.i.i.i.i, %.133.i.i.i.i
+  %.135.i.i.i50.i = bitcast i64 %.134.i.i.i49.i to double
+  %.151.i.i.i.i = fsub contract double 1.000000e+00, %.135.i.i.i50.i
   %.152.i.i.i.i = fmul contract double %.151.i.i.i.i, 5.000000e-01
-  %.273.i.i48.i = fmul contract double %.1406.i.i, %.152.i.i.i.i
+  %.273.i.i51.i = fmul contract double %.1406.i.i, %.152.i.i.i.i
   br label %B154.i.i.i
 
 B154.i.i.i:                                       ; preds = %B56.if.i.i.i, %B116.i.i.i
-  %"$phi154.1.2.1.i.i.i" = phi double [ %.273.i.i48.i, %B116.i.i.i ], [ 0.000000e+00, %B56.if.i.i.i ]
-  %scevgep6.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %202
-  store double %"$phi154.1.2.1.i.i.i", ptr %scevgep6.i.i, align 8, !noalias !66
+  %"$phi154.1.2.1.i.i.i" = phi double [ %.273.i.i51.i, %B116.i.i.i ], [ 0.000000e+00, %B56.if.i.i.i ]
+  %scevgep22.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %204
+  store double %"$phi154.1.2.1.i.i.i", ptr %scevgep22.i.i, align 8, !noalias !73
   %.319.i.i.i = fsub contract double %.226.i.i.i, %.274.i.i
-  %201 = fmul contract double %.1466.i.i, %.319.i.i.i
-  %.325.i37.i.i = fsub contract double %.1436.i.i, %201
-  %scevgep2.i33.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %202
-  store double %.325.i37.i.i, ptr %scevgep2.i33.i, align 8, !noalias !66
-  %exitcond.not.i.i.i = icmp eq i64 %.881.sroa.13.2.i.i, %.166.i.i.i
-  br i1 %exitcond.not.i.i.i, label %B554.i.i, label %B56.if.i.i.i
+  %203 = fmul contract double %.1466.i.i, %.319.i.i.i
+  %.325.i40.i.i = fsub contract double %.1436.i.i, %203
+  %scevgep.i36.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %204
+  store double %.325.i40.i.i, ptr %scevgep.i36.i, align 8, !noalias !73
+  %exitcond.not.i42.i.i = icmp eq i64 %.881.sroa.13.2.i.i, %.166.i.i.i
+  br i1 %exitcond.not.i42.i.i, label %B554.i.i, label %B56.if.i.i.i
 
 B56.if.i.i.i:                                     ; preds = %B416.else.endif.endif.endif.endif.i.i, %B154.i.i.i
   %.159111113.i.i.i = phi i64 [ %.166.i.i.i, %B154.i.i.i ], [ 0, %B416.else.endif.endif.endif.endif.i.i ]
   %.166.i.i.i = add nuw nsw i64 %.159111113.i.i.i, 1
-  %202 = shl i64 %.159111113.i.i.i, 3
-  %scevgep2.i.i.i = getelementptr i8, ptr %.2509.i, i64 %202
-  %.224.i.i.i = load double, ptr %scevgep2.i.i.i, align 8, !noalias !66
+  %204 = shl i64 %.159111113.i.i.i, 3
+  %scevgep2.i39.i.i = getelementptr i8, ptr %.2509.i, i64 %204
+  %.224.i.i.i = load double, ptr %scevgep2.i39.i.i, align 8, !noalias !73
   %.226.i.i.i = fmul contract double %.211.i.i, %.224.i.i.i
   %.231.i.i.i = fmul contract double %.226.i.i.i, 2.000000e+00
-  %.236.i.i32.i = fdiv contract double %.231.i.i.i, %.274.i.i
-  %.237.i.i.i = fadd contract double %.236.i.i32.i, -1.000000e+00
+  %.236.i.i35.i = fdiv contract double %.231.i.i.i, %.274.i.i
+  %.237.i.i.i = fadd contract double %.236.i.i35.i, -1.000000e+00
   %.242.i.i.i = fcmp contract ogt double %.237.i.i.i, 0.000000e+00
   br i1 %.242.i.i.i, label %B116.i.i.i, label %B154.i.i.i
 
@@ -2739,18 +2810,18 @@ B566.else.if.i.i:                                 ; preds = %B566.i.i
 B566.else.endif.i.i:                              ; preds = %B566.else.if.i.i, %B566.i.i
   %.1546.sroa.0.1.i.i = phi i64 [ 0, %B566.else.if.i.i ], [ %.1558.i.i, %B566.i.i ]
   %.1566.not.i.i = icmp slt i64 %.1558.i.i, %.2666.i
-  br i1 %.1566.not.i.i, label %B566.else.endif.endif.i.i, label %B566.else.endif.if.i.i, !prof !4
+  br i1 %.1566.not.i.i, label %B566.else.endif.endif.i.i, label %B566.else.endif.if.i.i, !prof !5
 
 B566.else.endif.if.i.i:                           ; preds = %B566.else.endif.i.i
   br label %B566.else.endif.endif.i.i
 
 B566.else.endif.endif.i.i:                        ; preds = %B566.else.endif.if.i.i, %B566.else.endif.i.i
   %.1546.sroa.0.3.i.i = phi i64 [ %.2666.i, %B566.else.endif.if.i.i ], [ %.1546.sroa.0.1.i.i, %B566.else.endif.i.i ]
-  %.1573.i.i = icmp slt i64 %low.6.1.i7.i.i, 0
+  %.1573.i.i = icmp slt i64 %low.6.1.i9.i.i, 0
   %.1574.i.i = select i1 %.1573.i.i, i64 %.2666.i, i64 0
-  %.1575.i.i = add i64 %.1574.i.i, %low.6.1.i7.i.i
+  %.1575.i.i = add i64 %.1574.i.i, %low.6.1.i9.i.i
   %.1578.i.i = icmp slt i64 %.1575.i.i, 0
-  br i1 %.1578.i.i, label %B566.else.endif.endif.if.i.i, label %B566.else.endif.endif.endif.i.i, !prof !3
+  br i1 %.1578.i.i, label %B566.else.endif.endif.if.i.i, label %B566.else.endif.endif.endif.i.i, !prof !4
 
 B566.else.endif.endif.if.i.i:                     ; preds = %B566.else.endif.endif.i.i
   br label %B566.else.endif.endif.endif.i.i
@@ -2758,7 +2829,7 @@ B566.else.endif.endif.if.i.i:                     ; preds = %B566.else.endif.end
 B566.else.endif.endif.endif.i.i:                  ; preds = %B566.else.endif.endif.if.i.i, %B566.else.endif.endif.i.i
   %.1546.sroa.13.1.i.i = phi i64 [ 0, %B566.else.endif.endif.if.i.i ], [ %.1575.i.i, %B566.else.endif.endif.i.i ]
   %.1583.not.i.i = icmp slt i64 %.1575.i.i, %.2666.i
-  br i1 %.1583.not.i.i, label %B566.else.endif.endif.endif.endif.i.i, label %B566.else.endif.endif.endif.if.i.i, !prof !4
+  br i1 %.1583.not.i.i, label %B566.else.endif.endif.endif.endif.i.i, label %B566.else.endif.endif.endif.if.i.i, !prof !5
 
 B566.else.endif.endif.endif.if.i.i:               ; preds = %B566.else.endif.endif.endif.i.i
   br label %B566.else.endif.endif.endif.endif.i.i
@@ -2769,13 +2840,13 @@ B566.else.endif.endif.endif.endif.i.i:            ; preds = %B566.else.endif.end
   %.1643.i.i = tail call i64 @llvm.smax.i64(i64 %.1634.i.i, i64 0)
   %.1659.i.i = getelementptr double, ptr %.2682.i, i64 %.1546.sroa.0.3.i.i
   %.1699.le.i.i = tail call contract double @llvm.log.f64(double %.211.i.i)
-  %.1733.i.i = load i64, ptr %.1732.i.i, align 8, !noalias !57
+  %.1733.i.i = load i64, ptr %.1732.i.i, align 8, !noalias !58
   %.1765.i.i = add nsw i64 %.1733.i.i, %.450.i.i
   %.1802.i.i = icmp slt i64 %.1733.i.i, 0
   %.1803.i.i = select i1 %.1802.i.i, i64 %arg.n_weights, i64 0
   %.1804.i.i = add i64 %.1803.i.i, %.1733.i.i
   %.1807.i.i = icmp slt i64 %.1804.i.i, 0
-  br i1 %.1807.i.i, label %for.end.else.if.i.i, label %for.end.else.endif.i.i, !prof !3
+  br i1 %.1807.i.i, label %for.end.else.if.i.i, label %for.end.else.endif.i.i, !prof !4
 
 for.end.else.if.i.i:                              ; preds = %B566.else.endif.endif.endif.endif.i.i
   br label %for.end.else.endif.i.i
@@ -2783,7 +2854,7 @@ for.end.else.if.i.i:                              ; preds = %B566.else.endif.end
 for.end.else.endif.i.i:                           ; preds = %for.end.else.if.i.i, %B566.else.endif.endif.endif.endif.i.i
   %.1792.sroa.0.1.i.i = phi i64 [ 0, %for.end.else.if.i.i ], [ %.1804.i.i, %B566.else.endif.endif.endif.endif.i.i ]
   %.1812.not.i.i = icmp slt i64 %.1804.i.i, %arg.n_weights
-  br i1 %.1812.not.i.i, label %for.end.else.endif.endif.i.i, label %for.end.else.endif.if.i.i, !prof !4
+  br i1 %.1812.not.i.i, label %for.end.else.endif.endif.i.i, label %for.end.else.endif.if.i.i, !prof !5
 
 for.end.else.endif.if.i.i:                        ; preds = %for.end.else.endif.i.i
   br label %for.end.else.endif.endif.i.i
@@ -2794,7 +2865,7 @@ for.end.else.endif.endif.i.i:                     ; preds = %for.end.else.endif.
   %.1820.i.i = select i1 %.1819.i.i, i64 %arg.n_weights, i64 0
   %.1821.i.i = add i64 %.1820.i.i, %.1765.i.i
   %.1824.i.i = icmp slt i64 %.1821.i.i, 0
-  br i1 %.1824.i.i, label %for.end.else.endif.endif.if.i.i, label %for.end.else.endif.endif.endif.i.i, !prof !3
+  br i1 %.1824.i.i, label %for.end.else.endif.endif.if.i.i, label %for.end.else.endif.endif.endif.i.i, !prof !4
 
 for.end.else.endif.endif.if.i.i:                  ; preds = %for.end.else.endif.endif.i.i
   br label %for.end.else.endif.endif.endif.i.i
@@ -2802,7 +2873,7 @@ for.end.else.endif.endif.if.i.i:                  ; preds = %for.end.else.endif.
 for.end.else.endif.endif.endif.i.i:               ; preds = %for.end.else.endif.endif.if.i.i, %for.end.else.endif.endif.i.i
   %.1792.sroa.13.1.i.i = phi i64 [ 0, %for.end.else.endif.endif.if.i.i ], [ %.1821.i.i, %for.end.else.endif.endif.i.i ]
   %.1829.not.i.i = icmp slt i64 %.1821.i.i, %arg.n_weights
-  br i1 %.1829.not.i.i, label %for.end.else.endif.endif.endif.endif.i.i, label %for.end.else.endif.endif.endif.if.i.i, !prof !4
+  br i1 %.1829.not.i.i, label %for.end.else.endif.endif.endif.endif.i.i, label %for.end.else.endif.endif.endif.if.i.i, !prof !5
 
 for.end.else.endif.endif.endif.if.i.i:            ; preds = %for.end.else.endif.endif.endif.i.i
   br label %for.end.else.endif.endif.endif.endif.i.i
@@ -2815,14 +2886,14 @@ for.end.else.endif.endif.endif.endif.i.i:         ; preds = %for.end.else.endif.
   %.1994.i.i = add i64 %.711.i.i, %.450.i.i
   %.1997.i.i = icmp slt i64 %.1994.i.i, 0
   %.2002.not.i.i = icmp slt i64 %.1994.i.i, %.591.i
-  br i1 %.1997.i.i, label %for.end.endif.endif.else.if.i.i, label %for.end.endif.endif.else.endif.i.i, !prof !3
+  br i1 %.1997.i.i, label %for.end.endif.endif.else.if.i.i, label %for.end.endif.endif.else.endif.i.i, !prof !4
 
 for.end.endif.endif.else.if.i.i:                  ; preds = %for.end.else.endif.endif.endif.endif.i.i
   br label %for.end.endif.endif.else.endif.i.i
 
 for.end.endif.endif.else.endif.i.i:               ; preds = %for.end.endif.endif.else.if.i.i, %for.end.else.endif.endif.endif.endif.i.i
   %.2139.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.else.if.i.i ], [ %.1994.i.i, %for.end.else.endif.endif.endif.endif.i.i ]
-  br i1 %.2002.not.i.i, label %for.end.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.else.endif.if.i.i, !prof !4
+  br i1 %.2002.not.i.i, label %for.end.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.else.endif.if.i.i, !prof !5
 
 for.end.endif.endif.else.endif.if.i.i:            ; preds = %for.end.endif.endif.else.endif.i.i
   br label %for.end.endif.endif.else.endif.endif.i.i
@@ -2833,7 +2904,7 @@ for.end.endif.endif.else.endif.endif.i.i:         ; preds = %for.end.endif.endif
   %.2323.i.i = select i1 %.1556.i.i, i64 %a.2.sroa.60.2.i, i64 0
   %.2324.i.i = add i64 %.2323.i.i, %low.6.1.i.i.i
   %.2327.i.i = icmp slt i64 %.2324.i.i, 0
-  br i1 %.2327.i.i, label %for.end.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.else.endif.i.i, !prof !3
+  br i1 %.2327.i.i, label %for.end.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.else.endif.i.i, !prof !4
 
 for.end.endif.endif.endif.else.if.i.i:            ; preds = %for.end.endif.endif.else.endif.endif.i.i
   br label %for.end.endif.endif.endif.else.endif.i.i
@@ -2841,7 +2912,7 @@ for.end.endif.endif.endif.else.if.i.i:            ; preds = %for.end.endif.endif
 for.end.endif.endif.endif.else.endif.i.i:         ; preds = %for.end.endif.endif.endif.else.if.i.i, %for.end.endif.endif.else.endif.endif.i.i
   %.2312.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.else.if.i.i ], [ %.2324.i.i, %for.end.endif.endif.else.endif.endif.i.i ]
   %.2332.not.i.i = icmp slt i64 %.2324.i.i, %a.2.sroa.60.2.i
-  br i1 %.2332.not.i.i, label %for.end.endif.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.endif.else.endif.if.i.i, !prof !4
+  br i1 %.2332.not.i.i, label %for.end.endif.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.endif.else.endif.if.i.i, !prof !5
 
 for.end.endif.endif.endif.else.endif.if.i.i:      ; preds = %for.end.endif.endif.endif.else.endif.i.i
   br label %for.end.endif.endif.endif.else.endif.endif.i.i
@@ -2849,9 +2920,9 @@ for.end.endif.endif.endif.else.endif.if.i.i:      ; preds = %for.end.endif.endif
 for.end.endif.endif.endif.else.endif.endif.i.i:   ; preds = %for.end.endif.endif.endif.else.endif.if.i.i, %for.end.endif.endif.endif.else.endif.i.i
   %.2312.sroa.0.3.i.i = phi i64 [ %a.2.sroa.60.2.i, %for.end.endif.endif.endif.else.endif.if.i.i ], [ %.2312.sroa.0.1.i.i, %for.end.endif.endif.endif.else.endif.i.i ]
   %.2340.i.i = select i1 %.1573.i.i, i64 %a.2.sroa.60.2.i, i64 0
-  %.2341.i.i = add i64 %.2340.i.i, %low.6.1.i7.i.i
+  %.2341.i.i = add i64 %.2340.i.i, %low.6.1.i9.i.i
   %.2344.i.i = icmp slt i64 %.2341.i.i, 0
-  br i1 %.2344.i.i, label %for.end.endif.endif.endif.else.endif.endif.if.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.i.i, !prof !3
+  br i1 %.2344.i.i, label %for.end.endif.endif.endif.else.endif.endif.if.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.i.i, !prof !4
 
 for.end.endif.endif.endif.else.endif.endif.if.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.i.i
   br label %for.end.endif.endif.endif.else.endif.endif.endif.i.i
@@ -2859,7 +2930,7 @@ for.end.endif.endif.endif.else.endif.endif.if.i.i: ; preds = %for.end.endif.endi
 for.end.endif.endif.endif.else.endif.endif.endif.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.if.i.i, %for.end.endif.endif.endif.else.endif.endif.i.i
   %.2312.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.else.endif.endif.if.i.i ], [ %.2341.i.i, %for.end.endif.endif.endif.else.endif.endif.i.i ]
   %.2349.not.i.i = icmp slt i64 %.2341.i.i, %a.2.sroa.60.2.i
-  br i1 %.2349.not.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.if.i.i, !prof !4
+  br i1 %.2349.not.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i, label %for.end.endif.endif.endif.else.endif.endif.endif.if.i.i, !prof !5
 
 for.end.endif.endif.endif.else.endif.endif.endif.if.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.endif.i.i
   br label %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i
@@ -2869,130 +2940,130 @@ for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %for.end.e
   %.2400.i.i = sub nsw i64 %.2312.sroa.13.2.i.i, %.2312.sroa.0.3.i.i
   %.2409.i.i = tail call i64 @llvm.smax.i64(i64 %.2400.i.i, i64 0)
   %.2425.i.i = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %.2312.sroa.0.3.i.i
-  store ptr null, ptr %.2457.i.i, align 8, !noalias !57
+  store ptr null, ptr %.2457.i.i, align 8, !noalias !58
   call fastcc void @inner_0(ptr nonnull %.2457.i.i, ptr readonly %.1659.i.i, i64 %.1643.i.i, double %.1699.le.i.i, ptr readonly %.1905.i.i, i64 %.1889.i.i, ptr readonly %.607.i, ptr readonly %.2252.i.i, ptr %.2425.i.i, i64 %.2409.i.i)
-  %.2532.i.i = load i64, ptr %.2531.i.i, align 8, !noalias !57
-  %.2569.i.i = add nsw i64 %.2532.i.i, %.480.i.i
-  %.2606.i.i = icmp slt i64 %.2532.i.i, 0
-  %.2607.i.i = select i1 %.2606.i.i, i64 %arg.n_weights, i64 0
-  %.2608.i.i = add i64 %.2607.i.i, %.2532.i.i
-  %.2611.i.i = icmp slt i64 %.2608.i.i, 0
-  br i1 %.2611.i.i, label %for.end.endif.endif.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.i.i, !prof !3
+  %.2532.i.i = load i64, ptr %.2531.i.i, align 8, !noalias !58
+  %.2564.i.i = add nsw i64 %.2532.i.i, %.480.i.i
+  %.2601.i.i = icmp slt i64 %.2532.i.i, 0
+  %.2602.i.i = select i1 %.2601.i.i, i64 %arg.n_weights, i64 0
+  %.2603.i.i = add i64 %.2602.i.i, %.2532.i.i
+  %.2606.i.i = icmp slt i64 %.2603.i.i, 0
+  br i1 %.2606.i.i, label %for.end.endif.endif.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.i.i, !prof !4
 
 for.end.endif.endif.endif.endif.endif.else.if.i.i: ; preds = %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i
   br label %for.end.endif.endif.endif.endif.endif.else.endif.i.i
 
 for.end.endif.endif.endif.endif.endif.else.endif.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.else.if.i.i, %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i
-  %.2596.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.endif.endif.else.if.i.i ], [ %.2608.i.i, %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i ]
-  %.2616.not.i.i = icmp slt i64 %.2608.i.i, %arg.n_weights
-  br i1 %.2616.not.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !4
+  %.2591.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.endif.endif.else.if.i.i ], [ %.2603.i.i, %for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i ]
+  %.2611.not.i.i = icmp slt i64 %.2603.i.i, %arg.n_weights
+  br i1 %.2611.not.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i, label %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !5
 
 for.end.endif.endif.endif.endif.endif.else.endif.if.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.else.endif.i.i
   br label %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i
 
 for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.i.i
-  %.2596.sroa.0.3.i.i = phi i64 [ %arg.n_weights, %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.2596.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.i.i ]
-  %.2623.i.i = icmp slt i64 %.2569.i.i, 0
-  %.2624.i.i = select i1 %.2623.i.i, i64 %arg.n_weights, i64 0
-  %.2625.i.i = add i64 %.2624.i.i, %.2569.i.i
-  %.2628.i.i = icmp slt i64 %.2625.i.i, 0
-  br i1 %.2628.i.i, label %for.end.endif.endif.endif...if.i.i, label %for.end.endif.endif.endif...endif.i.i, !prof !3
+  %.2591.sroa.0.3.i.i = phi i64 [ %arg.n_weights, %for.end.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.2591.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.2618.i.i = icmp slt i64 %.2564.i.i, 0
+  %.2619.i.i = select i1 %.2618.i.i, i64 %arg.n_weights, i64 0
+  %.2620.i.i = add i64 %.2619.i.i, %.2564.i.i
+  %.2623.i.i = icmp slt i64 %.2620.i.i, 0
+  br i1 %.2623.i.i, label %for.end.endif.endif.endif...if.i.i, label %for.end.endif.endif.endif...endif.i.i, !prof !4
 
 for.end.endif.endif.endif...if.i.i:               ; preds = %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i
   br label %for.end.endif.endif.endif...endif.i.i
 
 for.end.endif.endif.endif...endif.i.i:            ; preds = %for.end.endif.endif.endif...if.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i
-  %.2596.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...if.i.i ], [ %.2625.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i ]
-  %.2633.not.i.i = icmp slt i64 %.2625.i.i, %arg.n_weights
-  br i1 %.2633.not.i.i, label %for.end.endif.endif.endif...endif.endif.i.i, label %for.end.endif.endif.endif...endif.if.i.i, !prof !4
+  %.2591.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...if.i.i ], [ %.2620.i.i, %for.end.endif.endif.endif.endif.endif.else.endif.endif.i.i ]
+  %.2628.not.i.i = icmp slt i64 %.2620.i.i, %arg.n_weights
+  br i1 %.2628.not.i.i, label %for.end.endif.endif.endif...endif.endif.i.i, label %for.end.endif.endif.endif...endif.if.i.i, !prof !5
 
 for.end.endif.endif.endif...endif.if.i.i:         ; preds = %for.end.endif.endif.endif...endif.i.i
   br label %for.end.endif.endif.endif...endif.endif.i.i
 
 for.end.endif.endif.endif...endif.endif.i.i:      ; preds = %for.end.endif.endif.endif...endif.if.i.i, %for.end.endif.endif.endif...endif.i.i
-  %.2596.sroa.13.2.i.i = phi i64 [ %arg.n_weights, %for.end.endif.endif.endif...endif.if.i.i ], [ %.2596.sroa.13.1.i.i, %for.end.endif.endif.endif...endif.i.i ]
-  %.2684.i.i = sub i64 %.2596.sroa.13.2.i.i, %.2596.sroa.0.3.i.i
-  %.2693.i.i = tail call i64 @llvm.smax.i64(i64 %.2684.i.i, i64 0)
-  %.2709.i.i = getelementptr double, ptr %arg.weights, i64 %.2596.sroa.0.3.i.i
-  br i1 %.732.i.i, label %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !3
+  %.2591.sroa.13.2.i.i = phi i64 [ %arg.n_weights, %for.end.endif.endif.endif...endif.if.i.i ], [ %.2591.sroa.13.1.i.i, %for.end.endif.endif.endif...endif.i.i ]
+  %.2679.i.i = sub i64 %.2591.sroa.13.2.i.i, %.2591.sroa.0.3.i.i
+  %.2688.i.i = tail call i64 @llvm.smax.i64(i64 %.2679.i.i, i64 0)
+  %.2704.i.i = getelementptr double, ptr %arg.weights, i64 %.2591.sroa.0.3.i.i
+  br i1 %.732.i.i, label %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i, label %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !4
 
 for.end.endif.endif.endif.endif.endif.endif.else.if.i.i: ; preds = %for.end.endif.endif.endif...endif.endif.i.i
   br label %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i
 
 for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i: ; preds = %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i, %for.end.endif.endif.endif...endif.endif.i.i
-  %.2784.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i ], [ %.729.i.i, %for.end.endif.endif.endif...endif.endif.i.i ]
-  br i1 %.737.not.i.i, label %for.end.endif.endif.endif...endif.2.i.i, label %for.end.endif.endif.endif...if.2.i.i, !prof !4
+  %.2774.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif.endif.endif.endif.else.if.i.i ], [ %.729.i.i, %for.end.endif.endif.endif...endif.endif.i.i ]
+  br i1 %.737.not.i.i, label %for.end.endif.endif.endif...endif.2.i.i, label %for.end.endif.endif.endif...if.2.i.i, !prof !5
 
 for.end.endif.endif.endif...if.2.i.i:             ; preds = %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i
   br label %for.end.endif.endif.endif...endif.2.i.i
 
 for.end.endif.endif.endif...endif.2.i.i:          ; preds = %for.end.endif.endif.endif...if.2.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i
-  %.2784.sroa.0.3.i.i = phi i64 [ %.591.i, %for.end.endif.endif.endif...if.2.i.i ], [ %.2784.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
-  %.2897.i.i = getelementptr double, ptr %.607.i, i64 %.2784.sroa.0.3.i.i
-  %.2976.i.i = select i1 %.1556.i.i, i64 %p.2.sroa.60.2.i, i64 0
-  %.2977.i.i = add i64 %.2976.i.i, %low.6.1.i.i.i
-  %.2980.i.i = icmp slt i64 %.2977.i.i, 0
-  br i1 %.2980.i.i, label %for.end.endif.endif.endif...if.4.i.i, label %for.end.endif.endif.endif...endif.4.i.i, !prof !3
+  %.2774.sroa.0.3.i.i = phi i64 [ %.591.i, %for.end.endif.endif.endif...if.2.i.i ], [ %.2774.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.2887.i.i = getelementptr double, ptr %.607.i, i64 %.2774.sroa.0.3.i.i
+  %.2966.i.i = select i1 %.1556.i.i, i64 %p.2.sroa.60.2.i, i64 0
+  %.2967.i.i = add i64 %.2966.i.i, %low.6.1.i.i.i
+  %.2970.i.i = icmp slt i64 %.2967.i.i, 0
+  br i1 %.2970.i.i, label %for.end.endif.endif.endif...if.4.i.i, label %for.end.endif.endif.endif...endif.4.i.i, !prof !4
 
 for.end.endif.endif.endif...if.4.i.i:             ; preds = %for.end.endif.endif.endif...endif.2.i.i
   br label %for.end.endif.endif.endif...endif.4.i.i
 
 for.end.endif.endif.endif...endif.4.i.i:          ; preds = %for.end.endif.endif.endif...if.4.i.i, %for.end.endif.endif.endif...endif.2.i.i
-  %.2965.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...if.4.i.i ], [ %.2977.i.i, %for.end.endif.endif.endif...endif.2.i.i ]
-  %.2985.not.i.i = icmp slt i64 %.2977.i.i, %p.2.sroa.60.2.i
-  br i1 %.2985.not.i.i, label %for.end.endif.endif.endif...endif.4.endif.i.i, label %for.end.endif.endif.endif...endif.4.if.i.i, !prof !4
+  %.2955.sroa.0.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...if.4.i.i ], [ %.2967.i.i, %for.end.endif.endif.endif...endif.2.i.i ]
+  %.2975.not.i.i = icmp slt i64 %.2967.i.i, %p.2.sroa.60.2.i
+  br i1 %.2975.not.i.i, label %for.end.endif.endif.endif...endif.4.endif.i.i, label %for.end.endif.endif.endif...endif.4.if.i.i, !prof !5
 
 for.end.endif.endif.endif...endif.4.if.i.i:       ; preds = %for.end.endif.endif.endif...endif.4.i.i
   br label %for.end.endif.endif.endif...endif.4.endif.i.i
 
 for.end.endif.endif.endif...endif.4.endif.i.i:    ; preds = %for.end.endif.endif.endif...endif.4.if.i.i, %for.end.endif.endif.endif...endif.4.i.i
-  %.2965.sroa.0.3.i.i = phi i64 [ %p.2.sroa.60.2.i, %for.end.endif.endif.endif...endif.4.if.i.i ], [ %.2965.sroa.0.1.i.i, %for.end.endif.endif.endif...endif.4.i.i ]
-  %.2993.i.i = select i1 %.1573.i.i, i64 %p.2.sroa.60.2.i, i64 0
-  %.2994.i.i = add i64 %.2993.i.i, %low.6.1.i7.i.i
-  %.2997.i.i = icmp slt i64 %.2994.i.i, 0
-  br i1 %.2997.i.i, label %for.end.endif.endif.endif...endif.4.endif.if.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.i.i, !prof !3
+  %.2955.sroa.0.3.i.i = phi i64 [ %p.2.sroa.60.2.i, %for.end.endif.endif.endif...endif.4.if.i.i ], [ %.2955.sroa.0.1.i.i, %for.end.endif.endif.endif...endif.4.i.i ]
+  %.2983.i.i = select i1 %.1573.i.i, i64 %p.2.sroa.60.2.i, i64 0
+  %.2984.i.i = add i64 %.2983.i.i, %low.6.1.i9.i.i
+  %.2987.i.i = icmp slt i64 %.2984.i.i, 0
+  br i1 %.2987.i.i, label %for.end.endif.endif.endif...endif.4.endif.if.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.i.i, !prof !4
 
 for.end.endif.endif.endif...endif.4.endif.if.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.i.i
   br label %for.end.endif.endif.endif...endif.4.endif.endif.i.i
 
 for.end.endif.endif.endif...endif.4.endif.endif.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.if.i.i, %for.end.endif.endif.endif...endif.4.endif.i.i
-  %.2965.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...endif.4.endif.if.i.i ], [ %.2994.i.i, %for.end.endif.endif.endif...endif.4.endif.i.i ]
-  %.3002.not.i.i = icmp slt i64 %.2994.i.i, %p.2.sroa.60.2.i
-  br i1 %.3002.not.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i, !prof !4
+  %.2955.sroa.13.1.i.i = phi i64 [ 0, %for.end.endif.endif.endif...endif.4.endif.if.i.i ], [ %.2984.i.i, %for.end.endif.endif.endif...endif.4.endif.i.i ]
+  %.2992.not.i.i = icmp slt i64 %.2984.i.i, %p.2.sroa.60.2.i
+  br i1 %.2992.not.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i, label %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i, !prof !5
 
 for.end.endif.endif.endif...endif.4.endif.endif.if.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.endif.i.i
   br label %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i
 
 for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i: ; preds = %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i, %for.end.endif.endif.endif...endif.4.endif.endif.i.i
-  %.2965.sroa.13.2.i.i = phi i64 [ %p.2.sroa.60.2.i, %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i ], [ %.2965.sroa.13.1.i.i, %for.end.endif.endif.endif...endif.4.endif.endif.i.i ]
-  %.3053.i.i = sub nsw i64 %.2965.sroa.13.2.i.i, %.2965.sroa.0.3.i.i
-  %.3062.i.i = tail call i64 @llvm.smax.i64(i64 %.3053.i.i, i64 0)
-  %.3078.i.i = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %.2965.sroa.0.3.i.i
-  store ptr null, ptr %.3111.i.i, align 8, !noalias !57
-  call fastcc void @inner_0(ptr nonnull %.3111.i.i, ptr readonly %.1659.i.i, i64 %.1643.i.i, double %.1699.le.i.i, ptr readonly %.2709.i.i, i64 %.2693.i.i, ptr readonly %.813.i.i, ptr readonly %.2897.i.i, ptr %.3078.i.i, i64 %.3062.i.i)
+  %.2955.sroa.13.2.i.i = phi i64 [ %p.2.sroa.60.2.i, %for.end.endif.endif.endif...endif.4.endif.endif.if.i.i ], [ %.2955.sroa.13.1.i.i, %for.end.endif.endif.endif...endif.4.endif.endif.i.i ]
+  %.3043.i.i = sub nsw i64 %.2955.sroa.13.2.i.i, %.2955.sroa.0.3.i.i
+  %.3052.i.i = tail call i64 @llvm.smax.i64(i64 %.3043.i.i, i64 0)
+  %.3068.i.i = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %.2955.sroa.0.3.i.i
+  store ptr null, ptr %.3101.i.i, align 8, !noalias !58
+  call fastcc void @inner_0(ptr nonnull %.3101.i.i, ptr readonly %.1659.i.i, i64 %.1643.i.i, double %.1699.le.i.i, ptr readonly %.2704.i.i, i64 %.2688.i.i, ptr readonly %.813.i.i, ptr readonly %.2887.i.i, ptr %.3068.i.i, i64 %.3052.i.i)
   br label %B960.i.i
 
 B960.endif.endif.else.endif.endif.if.i.i:         ; preds = %B960.i.i
   br label %B960.endif.endif.else.endif.endif.endif.i.i
 
 B960.endif.endif.else.endif.endif.endif.i.i:      ; preds = %B960.endif.endif.else.endif.endif.if.i.i, %B960.i.i
-  %.3368.sroa.13.1.i.i = phi i64 [ 0, %B960.endif.endif.else.endif.endif.if.i.i ], [ %.3397.i.i, %B960.i.i ]
-  %.3405.not.i.i = icmp slt i64 %.3397.i.i, %a.2.sroa.60.2.i
-  br i1 %.3405.not.i.i, label %B960.endif.endif.else.endif.endif.endif.endif.i.i, label %B960.endif.endif.else.endif.endif.endif.if.i.i, !prof !4
+  %.3348.sroa.13.1.i.i = phi i64 [ 0, %B960.endif.endif.else.endif.endif.if.i.i ], [ %.3377.i.i, %B960.i.i ]
+  %.3385.not.i.i = icmp slt i64 %.3377.i.i, %a.2.sroa.60.2.i
+  br i1 %.3385.not.i.i, label %B960.endif.endif.else.endif.endif.endif.endif.i.i, label %B960.endif.endif.else.endif.endif.endif.if.i.i, !prof !5
 
 B960.endif.endif.else.endif.endif.endif.if.i.i:   ; preds = %B960.endif.endif.else.endif.endif.endif.i.i
   br label %B960.endif.endif.else.endif.endif.endif.endif.i.i
 
 B960.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %B960.endif.endif.else.endif.endif.endif.if.i.i, %B960.endif.endif.else.endif.endif.endif.i.i
-  %.3368.sroa.13.2.i.i = phi i64 [ %a.2.sroa.60.2.i, %B960.endif.endif.else.endif.endif.endif.if.i.i ], [ %.3368.sroa.13.1.i.i, %B960.endif.endif.else.endif.endif.endif.i.i ]
+  %.3348.sroa.13.2.i.i = phi i64 [ %a.2.sroa.60.2.i, %B960.endif.endif.else.endif.endif.endif.if.i.i ], [ %.3348.sroa.13.1.i.i, %B960.endif.endif.else.endif.endif.endif.i.i ]
   %.63.i.i.i = fmul contract double %.211.i.i, 0x400921FB54442D18
   %.64.i.i.i = tail call contract double @llvm.pow.f64(double %.63.i.i.i, double 0x3FD5555555555555)
   %.87.i.i.i = fdiv contract double 1.000000e-02, %.211.i.i
-  %.44.i.not.i.i.i = icmp eq i64 %.3368.sroa.13.2.i.i, 0
+  %.44.i.not.i.i.i = icmp eq i64 %.3348.sroa.13.2.i.i, 0
   br i1 %.44.i.not.i.i.i, label %B118.i.i.i.i, label %B28.i.i.i.i
 
 B28.i.i.i.i:                                      ; preds = %B960.endif.endif.else.endif.endif.endif.endif.i.i
-  %.94.i.i1.i.i = load double, ptr %.2509.i, align 8, !noalias !69
+  %.94.i.i1.i.i = load double, ptr %.2509.i, align 8, !noalias !76
   %.98.i.i2.i.i = fcmp contract ugt double %.94.i.i1.i.i, %.87.i.i.i
   br i1 %.98.i.i2.i.i, label %B118.i.i.i.i, label %B52.i.i.i.i
 
@@ -3000,24 +3071,24 @@ B52.i.i.i.i:                                      ; preds = %B28.i.i.i.i, %B94.i
   %step.2.1.i.i.i.i = phi i64 [ %.123.i.i.i.i, %B94.i.i.i.i ], [ 1, %B28.i.i.i.i ]
   %high.4.1.i.i.i.i = phi i64 [ %.113.i.i3.i.i, %B94.i.i.i.i ], [ 0, %B28.i.i.i.i ]
   %.113.i.i3.i.i = add nuw nsw i64 %high.4.1.i.i.i.i, %step.2.1.i.i.i.i
-  %.131.i.i.i.i = icmp slt i64 %.113.i.i3.i.i, %.3368.sroa.13.2.i.i
+  %.131.i.i.i.i = icmp slt i64 %.113.i.i3.i.i, %.3348.sroa.13.2.i.i
   br i1 %.131.i.i.i.i, label %B94.i.i.i.i, label %B118.loopexit.i.i.i.i
 
 B94.i.i.i.i:                                      ; preds = %B52.i.i.i.i
   %.123.i.i.i.i = shl nsw i64 %step.2.1.i.i.i.i, 1
   %.178.i.i.i.i = getelementptr double, ptr %.2509.i, i64 %.113.i.i3.i.i
-  %.179.i.i.i30.i = load double, ptr %.178.i.i.i.i, align 8, !noalias !69
-  %.183.i.i.i31.i = fcmp contract ugt double %.179.i.i.i30.i, %.87.i.i.i
-  br i1 %.183.i.i.i31.i, label %B118.loopexit.i.i.i.i, label %B52.i.i.i.i
+  %.179.i.i.i33.i = load double, ptr %.178.i.i.i.i, align 8, !noalias !76
+  %.183.i.i.i34.i = fcmp contract ugt double %.179.i.i.i33.i, %.87.i.i.i
+  br i1 %.183.i.i.i34.i, label %B118.loopexit.i.i.i.i, label %B52.i.i.i.i
 
 B118.loopexit.i.i.i.i:                            ; preds = %B94.i.i.i.i, %B52.i.i.i.i
   %.104.le.i.i.i.i = add nuw nsw i64 %high.4.1.i.i.i.i, 1
-  %203 = tail call i64 @llvm.smin.i64(i64 %.113.i.i3.i.i, i64 range(i64 0, -9223372036854775808) %.3368.sroa.13.2.i.i)
+  %205 = tail call i64 @llvm.smin.i64(i64 %.113.i.i3.i.i, i64 range(i64 0, -9223372036854775808) %.3348.sroa.13.2.i.i)
   br label %B118.i.i.i.i
 
 B118.i.i.i.i:                                     ; preds = %B118.loopexit.i.i.i.i, %B28.i.i.i.i, %B960.endif.endif.else.endif.endif.endif.endif.i.i
   %low.3.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %.104.le.i.i.i.i, %B118.loopexit.i.i.i.i ]
-  %high.5.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %203, %B118.loopexit.i.i.i.i ]
+  %high.5.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %205, %B118.loopexit.i.i.i.i ]
   %.238.i.i.i8.i = icmp slt i64 %low.3.0.i.i.i.i, %high.5.0.i.i.i.i
   br i1 %.238.i.i.i8.i, label %B146.i.i.i.i, label %B0.endif.endif.i.i.i
 
@@ -3026,11 +3097,11 @@ B146.i.i.i.i:                                     ; preds = %B118.i.i.i.i, %B146
   %high.7.0.i.i.i.i = phi i64 [ %high.8.1.i.i.i.i, %B146.i.i.i.i ], [ %high.5.0.i.i.i.i, %B118.i.i.i.i ]
   %.251.i.i.i.i = add nsw i64 %high.7.0.i.i.i.i, %low.4.0.i.i.i.i
   %.259.1.i.i.i.i = ashr i64 %.251.i.i.i.i, 1
-  %.309.i.i.i28.i = icmp slt i64 %.259.1.i.i.i.i, 0
-  %.310.i.i.i29.i = select i1 %.309.i.i.i28.i, i64 %.2493.i, i64 0
-  %204 = getelementptr double, ptr %.2509.i, i64 %.259.1.i.i.i.i
-  %.324.i.i.i.i = getelementptr double, ptr %204, i64 %.310.i.i.i29.i
-  %.325.i.i.i.i = load double, ptr %.324.i.i.i.i, align 8, !noalias !69
+  %.309.i.i.i31.i = icmp slt i64 %.259.1.i.i.i.i, 0
+  %.310.i.i.i32.i = select i1 %.309.i.i.i31.i, i64 %.2493.i, i64 0
+  %206 = getelementptr double, ptr %.2509.i, i64 %.259.1.i.i.i.i
+  %.324.i.i.i.i = getelementptr double, ptr %206, i64 %.310.i.i.i32.i
+  %.325.i.i.i.i = load double, ptr %.324.i.i.i.i, align 8, !noalias !76
   %.327.i.i.i.i = fcmp contract ole double %.325.i.i.i.i, %.87.i.i.i
   %.338.i.i.i.i = add nsw i64 %.259.1.i.i.i.i, 1
   %high.8.1.i.i.i.i = select i1 %.327.i.i.i.i, i64 %high.7.0.i.i.i.i, i64 %.259.1.i.i.i.i
@@ -3044,35 +3115,35 @@ B648.i.i.i:                                       ; preds = %B408.if.i.i.i, %B0.
   br i1 %.858404.not.i.i.i, label %B1038.i.i.i, label %B680.if.preheader.i.i.i
 
 B680.if.preheader.i.i.i:                          ; preds = %B648.i.i.i
-  %205 = add nuw i64 %.815.i.i.i, 1
-  %206 = shl i64 %.2843.i, 3
-  %207 = shl i64 %.2493.i, 3
-  %208 = shl i64 %.3368.sroa.13.2.i.i, 3
+  %207 = add nuw i64 %.815.i.i.i, 1
+  %208 = shl i64 %.2843.i, 3
+  %209 = shl i64 %.2493.i, 3
+  %210 = shl i64 %.3348.sroa.13.2.i.i, 3
   br label %B680.if.i.i.i
 
 B1038.i.i.i:                                      ; preds = %B680.if.i.i.i, %B648.i.i.i
-  %.1214.i.i.i = sub i64 %.3368.sroa.13.2.i.i, %low.6.1.i8.i.i.i
+  %.1214.i.i.i = sub i64 %.3348.sroa.13.2.i.i, %low.6.1.i8.i.i.i
   %.1257411.not.i.i.i = icmp slt i64 %.1214.i.i.i, 1
   br i1 %.1257411.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B1070.if.preheader.i.i.i
 
 B1070.if.preheader.i.i.i:                         ; preds = %B1038.i.i.i
-  %209 = add nuw i64 %.3368.sroa.13.2.i.i, 1
-  %210 = sub i64 %209, %low.6.1.i8.i.i.i
-  %211 = shl i64 %.3368.sroa.13.2.i.i, 3
+  %211 = add nuw i64 %.3348.sroa.13.2.i.i, 1
+  %212 = sub i64 %211, %low.6.1.i8.i.i.i
+  %213 = shl i64 %.3348.sroa.13.2.i.i, 3
   br label %B1070.if.i.i.i
 
 B0.endif.endif.i.i.i:                             ; preds = %B146.i.i.i.i, %B118.i.i.i.i
   %low.6.1.i.i.i.i = phi i64 [ %low.3.0.i.i.i.i, %B118.i.i.i.i ], [ %low.5.1.i.i.i.i, %B146.i.i.i.i ]
   %.126.i.i.i = fdiv contract double 2.000000e-02, %.211.i.i
-  %.44.i2.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, %.3368.sroa.13.2.i.i
+  %.44.i2.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, %.3348.sroa.13.2.i.i
   br i1 %.44.i2.i.i.i, label %B28.i23.i.i.i, label %B118.i3.i.i.i
 
 B28.i23.i.i.i:                                    ; preds = %B0.endif.endif.i.i.i
   %.78.i.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, 0
   %.79.i.i.i.i = select i1 %.78.i.i.i.i, i64 %.2493.i, i64 0
-  %212 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i.i
-  %.93.i.i56.i.i = getelementptr double, ptr %212, i64 %.79.i.i.i.i
-  %.94.i24.i.i.i = load double, ptr %.93.i.i56.i.i, align 8, !noalias !74
+  %214 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i.i
+  %.93.i.i56.i.i = getelementptr double, ptr %214, i64 %.79.i.i.i.i
+  %.94.i24.i.i.i = load double, ptr %.93.i.i56.i.i, align 8, !noalias !81
   %.98.i25.i.i.i = fcmp contract ugt double %.94.i24.i.i.i, %.126.i.i.i
   br i1 %.98.i25.i.i.i, label %B118.i3.i.i.i, label %B52.i26.i.i.i
 
@@ -3080,16 +3151,16 @@ B52.i26.i.i.i:                                    ; preds = %B28.i23.i.i.i, %B94
   %step.2.1.i27.i.i.i = phi i64 [ %.123.i34.i.i.i, %B94.i33.i.i.i ], [ 1, %B28.i23.i.i.i ]
   %high.4.1.i28.i.i.i = phi i64 [ %.113.i29.i.i.i, %B94.i33.i.i.i ], [ %low.6.1.i.i.i.i, %B28.i23.i.i.i ]
   %.113.i29.i.i.i = add nsw i64 %high.4.1.i28.i.i.i, %step.2.1.i27.i.i.i
-  %.131.i30.i.i.i = icmp slt i64 %.113.i29.i.i.i, %.3368.sroa.13.2.i.i
+  %.131.i30.i.i.i = icmp slt i64 %.113.i29.i.i.i, %.3348.sroa.13.2.i.i
   br i1 %.131.i30.i.i.i, label %B94.i33.i.i.i, label %B118.loopexit.i31.i.i.i
 
 B94.i33.i.i.i:                                    ; preds = %B52.i26.i.i.i
   %.123.i34.i.i.i = shl nsw i64 %step.2.1.i27.i.i.i, 1
   %.163.i.i.i.i = icmp slt i64 %.113.i29.i.i.i, 0
   %.164.i.i.i.i = select i1 %.163.i.i.i.i, i64 %.2493.i, i64 0
-  %213 = getelementptr double, ptr %.2509.i, i64 %.113.i29.i.i.i
-  %.178.i35.i.i.i = getelementptr double, ptr %213, i64 %.164.i.i.i.i
-  %.179.i36.i.i.i = load double, ptr %.178.i35.i.i.i, align 8, !noalias !74
+  %215 = getelementptr double, ptr %.2509.i, i64 %.113.i29.i.i.i
+  %.178.i35.i.i.i = getelementptr double, ptr %215, i64 %.164.i.i.i.i
+  %.179.i36.i.i.i = load double, ptr %.178.i35.i.i.i, align 8, !noalias !81
   %.183.i37.i.i.i = fcmp contract ugt double %.179.i36.i.i.i, %.126.i.i.i
   br i1 %.183.i37.i.i.i, label %B118.loopexit.i31.i.i.i, label %B52.i26.i.i.i
 
@@ -3100,7 +3171,7 @@ B118.loopexit.i31.i.i.i:                          ; preds = %B94.i33.i.i.i, %B52
 B118.i3.i.i.i:                                    ; preds = %B118.loopexit.i31.i.i.i, %B28.i23.i.i.i, %B0.endif.endif.i.i.i
   %low.3.0.i4.i.i.i = phi i64 [ %low.6.1.i.i.i.i, %B28.i23.i.i.i ], [ %low.6.1.i.i.i.i, %B0.endif.endif.i.i.i ], [ %.104.le.i32.i.i.i, %B118.loopexit.i31.i.i.i ]
   %high.5.0.i5.i.i.i = phi i64 [ %low.6.1.i.i.i.i, %B28.i23.i.i.i ], [ %low.6.1.i.i.i.i, %B0.endif.endif.i.i.i ], [ %.113.i29.i.i.i, %B118.loopexit.i31.i.i.i ]
-  %spec.select.i6.i.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i5.i.i.i, i64 range(i64 0, -9223372036854775808) %.3368.sroa.13.2.i.i)
+  %spec.select.i6.i.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i5.i.i.i, i64 range(i64 0, -9223372036854775808) %.3348.sroa.13.2.i.i)
   %.238.i7.i.i.i = icmp slt i64 %low.3.0.i4.i.i.i, %spec.select.i6.i.i.i
   br i1 %.238.i7.i.i.i, label %B146.i9.i.i.i, label %B0.endif.endif.endif.endif.i.i.i
 
@@ -3111,9 +3182,9 @@ B146.i9.i.i.i:                                    ; preds = %B118.i3.i.i.i, %B14
   %.259.1.i13.i.i.i = ashr i64 %.251.i12.i.i.i, 1
   %.309.i14.i.i.i = icmp slt i64 %.259.1.i13.i.i.i, 0
   %.310.i15.i.i.i = select i1 %.309.i14.i.i.i, i64 %.2493.i, i64 0
-  %214 = getelementptr double, ptr %.2509.i, i64 %.259.1.i13.i.i.i
-  %.324.i16.i.i.i = getelementptr double, ptr %214, i64 %.310.i15.i.i.i
-  %.325.i17.i.i.i = load double, ptr %.324.i16.i.i.i, align 8, !noalias !74
+  %216 = getelementptr double, ptr %.2509.i, i64 %.259.1.i13.i.i.i
+  %.324.i16.i.i.i = getelementptr double, ptr %216, i64 %.310.i15.i.i.i
+  %.325.i17.i.i.i = load double, ptr %.324.i16.i.i.i, align 8, !noalias !81
   %.327.i18.i.i.i = fcmp contract ole double %.325.i17.i.i.i, %.126.i.i.i
   %.338.i19.i.i.i = add nsw i64 %.259.1.i13.i.i.i, 1
   %high.8.1.i20.i.i.i = select i1 %.327.i18.i.i.i, i64 %high.7.0.i11.i.i.i, i64 %.259.1.i13.i.i.i
@@ -3123,32 +3194,32 @@ B146.i9.i.i.i:                                    ; preds = %B118.i3.i.i.i, %B14
 
 B0.endif.endif.endif.endif.i.i.i:                 ; preds = %B146.i9.i.i.i, %B118.i3.i.i.i
   %low.6.1.i8.i.i.i = phi i64 [ %low.3.0.i4.i.i.i, %B118.i3.i.i.i ], [ %low.5.1.i21.i.i.i, %B146.i9.i.i.i ]
-  %.187.i.i.i = load double, ptr %.779.i, align 8, !noalias !77
-  %.188.i.i.i = fmul contract double %.3339.i.i, %.187.i.i.i
-  %.217.i.i.i = load double, ptr %.138.i.i.i, align 8, !noalias !77
-  %.218.i.i.i = fmul contract double %.3339.i.i, %.217.i.i.i
-  %.247.i.i.i = load double, ptr %.169.i.i.i, align 8, !noalias !77
-  %.248.i.i.i = fmul contract double %.3339.i.i, %.247.i.i.i
-  %.277.i.i.i = load double, ptr %.203.i.i.i, align 8, !noalias !77
-  %.278.i.i.i = fmul contract double %.3339.i.i, %.277.i.i.i
-  %.343.i.i.i = load double, ptr %.236.i.i.i, align 8, !noalias !77
-  %.344.i.i.i = fmul contract double %.3339.i.i, %.343.i.i.i
-  %.373.i.i.i = load double, ptr %.427.i.i.i, align 8, !noalias !77
-  %.374.i.i.i = fmul contract double %.3339.i.i, %.373.i.i.i
-  %.403.i.i.i = load double, ptr %.548.i.i.i, align 8, !noalias !77
-  %.404.i.i.i = fmul contract double %.3339.i.i, %.403.i.i.i
-  %.433.i.i.i = load double, ptr %.948.i.i.i, align 8, !noalias !77
-  %.437.i.i.i = fmul contract double %.3339.i.i, %.433.i.i.i
-  %.474.i.i.i = fmul contract double %.3339.i.i, 2.000000e+01
+  %.187.i.i.i = load double, ptr %.779.i, align 8, !noalias !84
+  %.188.i.i.i = fmul contract double %.3319.i.i, %.187.i.i.i
+  %.217.i.i.i = load double, ptr %.138.i.i.i, align 8, !noalias !84
+  %.218.i.i.i = fmul contract double %.3319.i.i, %.217.i.i.i
+  %.247.i.i.i = load double, ptr %.169.i.i.i, align 8, !noalias !84
+  %.248.i.i.i = fmul contract double %.3319.i.i, %.247.i.i.i
+  %.277.i.i.i = load double, ptr %.203.i.i.i, align 8, !noalias !84
+  %.278.i.i.i = fmul contract double %.3319.i.i, %.277.i.i.i
+  %.343.i.i.i = load double, ptr %.236.i.i.i, align 8, !noalias !84
+  %.344.i.i.i = fmul contract double %.3319.i.i, %.343.i.i.i
+  %.373.i.i.i = load double, ptr %.427.i.i.i, align 8, !noalias !84
+  %.374.i.i.i = fmul contract double %.3319.i.i, %.373.i.i.i
+  %.403.i.i.i = load double, ptr %.548.i.i.i, align 8, !noalias !84
+  %.404.i.i.i = fmul contract double %.3319.i.i, %.403.i.i.i
+  %.433.i.i.i = load double, ptr %.948.i.i.i, align 8, !noalias !84
+  %.437.i.i.i = fmul contract double %.3319.i.i, %.433.i.i.i
+  %.474.i.i.i = fmul contract double %.3319.i.i, 2.000000e+01
   %.558398.not.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, 1
   br i1 %.558398.not.i.i.i, label %B648.i.i.i, label %B408.if.i.i.i
 
 B408.if.i.i.i:                                    ; preds = %B0.endif.endif.endif.endif.i.i.i, %B408.if.i.i.i
   %.564397399.i.i.i = phi i64 [ %.571.i.i.i, %B408.if.i.i.i ], [ 0, %B0.endif.endif.endif.endif.i.i.i ]
   %.571.i.i.i = add nuw nsw i64 %.564397399.i.i.i, 1
-  %215 = shl i64 %.564397399.i.i.i, 3
-  %scevgep52.i.i.i = getelementptr i8, ptr %.2859.i, i64 %215
-  %.625.i.i.i = load double, ptr %scevgep52.i.i.i, align 8, !noalias !77
+  %217 = shl i64 %.564397399.i.i.i, 3
+  %scevgep52.i.i.i = getelementptr i8, ptr %.2859.i, i64 %217
+  %.625.i.i.i = load double, ptr %scevgep52.i.i.i, align 8, !noalias !84
   %.627.i.i.i = fmul contract double %.64.i.i.i, %.625.i.i.i
   %.631.i.i.i = fdiv contract double 1.000000e+00, %.627.i.i.i
   %.633.i.i.i = fmul contract double %.437.i.i.i, %.627.i.i.i
@@ -3165,8 +3236,8 @@ B408.if.i.i.i:                                    ; preds = %B0.endif.endif.endi
   %.650.i.i.i = fadd contract double %.218.i.i.i, %.648.i.i.i
   %.651.i.i.i = fmul contract double %.627.i.i.i, %.650.i.i.i
   %.653.i.i.i = fadd contract double %.188.i.i.i, %.651.i.i.i
-  %scevgep2.i4.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %215
-  %.684.i.i.i = load double, ptr %scevgep2.i4.i.i, align 8, !noalias !77
+  %scevgep2.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %217
+  %.684.i.i.i = load double, ptr %scevgep2.i.i.i, align 8, !noalias !84
   %.685.i.i.i = fmul contract double %.684.i.i.i, 0x3FF71547652B82FE
   %.686.i.i.i = fadd contract double %.685.i.i.i, 0x4338000000000000
   %.687.i.i.i = fadd contract double %.686.i.i.i, 0xC338000000000000
@@ -3211,82 +3282,82 @@ B408.if.i.i.i:                                    ; preds = %B0.endif.endif.endi
   %.737.i.i.i = fmul contract double %.732.i.i9.i, %.724.i.i.i
   %.738.i.i.i = fmul contract double %.737.i.i.i, %.653.i.i.i
   %.739.i.i.i = fmul contract double %.738.i.i.i, %.722.i.i.i
-  store double %.739.i.i.i, ptr %scevgep2.i4.i.i, align 8, !noalias !77
-  %exitcond.not.i5.i.i = icmp eq i64 %low.6.1.i.i.i.i, %.571.i.i.i
-  br i1 %exitcond.not.i5.i.i, label %B648.i.i.i, label %B408.if.i.i.i
+  store double %.739.i.i.i, ptr %scevgep2.i.i.i, align 8, !noalias !84
+  %exitcond.not.i4.i.i = icmp eq i64 %low.6.1.i.i.i.i, %.571.i.i.i
+  br i1 %exitcond.not.i4.i.i, label %B648.i.i.i, label %B408.if.i.i.i
 
 B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B680.if.preheader.i.i.i
-  %lsr.iv43.i.i.i = phi i64 [ %205, %B680.if.preheader.i.i.i ], [ %lsr.iv.next44.i.i.i, %B680.if.i.i.i ]
+  %lsr.iv43.i.i.i = phi i64 [ %207, %B680.if.preheader.i.i.i ], [ %lsr.iv.next44.i.i.i, %B680.if.i.i.i ]
   %.864403405.i.i.i = phi i64 [ %low.6.1.i.i.i.i, %B680.if.preheader.i.i.i ], [ %.871.i.i.i, %B680.if.i.i.i ]
   %.909.i.i.i = icmp slt i64 %.864403405.i.i.i, 0
-  %216 = select i1 %.909.i.i.i, i64 %206, i64 0
-  %scevgep49.i.i.i = getelementptr i8, ptr %.2859.i, i64 %216
-  %217 = shl i64 %.864403405.i.i.i, 3
-  %scevgep50.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i, i64 %217
-  %.925.i.i10.i = load double, ptr %scevgep50.i.i.i, align 8, !noalias !77
-  %218 = select i1 %.909.i.i.i, i64 %207, i64 0
-  %scevgep47.i.i.i = getelementptr i8, ptr %.2509.i, i64 %218
-  %scevgep48.i.i.i = getelementptr i8, ptr %scevgep47.i.i.i, i64 %217
-  %.1000.i.i.i = load double, ptr %scevgep48.i.i.i, align 8, !noalias !77
+  %218 = select i1 %.909.i.i.i, i64 %208, i64 0
+  %scevgep49.i.i.i = getelementptr i8, ptr %.2859.i, i64 %218
+  %219 = shl i64 %.864403405.i.i.i, 3
+  %scevgep50.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i, i64 %219
+  %.925.i.i10.i = load double, ptr %scevgep50.i.i.i, align 8, !noalias !84
+  %220 = select i1 %.909.i.i.i, i64 %209, i64 0
+  %scevgep47.i.i.i = getelementptr i8, ptr %.2509.i, i64 %220
+  %scevgep48.i.i.i = getelementptr i8, ptr %scevgep47.i.i.i, i64 %219
+  %.1000.i.i.i = load double, ptr %scevgep48.i.i.i, align 8, !noalias !84
   %.1002.i.i.i = fmul contract double %.211.i.i, %.1000.i.i.i
   %.1003.i.i.i = fadd contract double %.1002.i.i.i, -1.000000e-02
   %.1008.i.i.i = fdiv contract double %.1003.i.i.i, 1.000000e-02
-  %.6.i.i6.i.i = fmul contract double %.1008.i.i.i, 0x400921FB54442D18
-  %.7.i.i7.i.i = fmul contract double %.6.i.i6.i.i, 0x3FE45F306DC9C883
-  %.8.i.i8.i.i = fadd contract double %.7.i.i7.i.i, 0x4338000000000000
-  %.9.i.i9.i.i = fadd contract double %.8.i.i8.i.i, 0xC338000000000000
-  %.27.i.i10.i.i = fmul contract double %.9.i.i9.i.i, 0x3FF921FA00000000
-  %.28.i.i11.i.i = fsub contract double %.6.i.i6.i.i, %.27.i.i10.i.i
-  %.46.i.i12.i.i = fmul contract double %.9.i.i9.i.i, 0x3EB5444200000000
-  %.47.i.i13.i.i = fsub contract double %.28.i.i11.i.i, %.46.i.i12.i.i
-  %.65.i.i14.i.i = fmul contract double %.9.i.i9.i.i, 0x3D6A308C00000000
-  %.66.i.i15.i.i = fsub contract double %.47.i.i13.i.i, %.65.i.i14.i.i
-  %.84.i.i16.i.i = fmul contract double %.9.i.i9.i.i, 0x3C2313198A2E0370
-  %.85.i.i17.i.i = fsub contract double %.66.i.i15.i.i, %.84.i.i16.i.i
-  %.86.i.i18.i.i = fmul contract double %.85.i.i17.i.i, %.85.i.i17.i.i
-  %.87.i.i19.i.i = fmul contract double %.85.i.i17.i.i, %.86.i.i18.i.i
-  %.88.i.i20.i.i = fmul contract double %.86.i.i18.i.i, 0x3D6AE7F3E733B81F
-  %219 = fsub contract double 0x3DE6124613A86D09, %.88.i.i20.i.i
-  %.90.i.i21.i.i = fmul contract double %.86.i.i18.i.i, %219
-  %.91.i.i22.i.i = fadd contract double %.90.i.i21.i.i, 0xBE5AE64567F544E4
-  %.92.i.i23.i.i = fmul contract double %.86.i.i18.i.i, %.91.i.i22.i.i
-  %.93.i38.i.i.i = fadd contract double %.92.i.i23.i.i, 0x3EC71DE3A556C734
-  %.94.i39.i.i.i = fmul contract double %.86.i.i18.i.i, %.93.i38.i.i.i
-  %.95.i.i24.i.i = fadd contract double %.94.i39.i.i.i, 0xBF2A01A01A01A01A
-  %.96.i.i25.i.i = fmul contract double %.86.i.i18.i.i, %.95.i.i24.i.i
-  %.97.i.i26.i.i = fadd contract double %.96.i.i25.i.i, 0x3F81111111111111
-  %.98.i40.i.i.i = fmul contract double %.86.i.i18.i.i, %.97.i.i26.i.i
-  %.99.i.i27.i.i = fadd contract double %.98.i40.i.i.i, 0xBFC5555555555555
-  %.100.i.i28.i.i = fmul contract double %.87.i.i19.i.i, %.99.i.i27.i.i
-  %.101.i.i29.i.i = fadd contract double %.85.i.i17.i.i, %.100.i.i28.i.i
-  %.102.i.i30.i.i = fmul contract double %.86.i.i18.i.i, 0x3D2AE7F3E733B81F
-  %.103.i.i31.i.i = fadd contract double %.102.i.i30.i.i, 0xBDA93974A8C07C9D
-  %.104.i.i32.i.i = fmul contract double %.86.i.i18.i.i, %.103.i.i31.i.i
-  %.105.i.i33.i.i = fadd contract double %.104.i.i32.i.i, 0x3E21EED8EFF8D898
-  %.106.i.i34.i.i = fmul contract double %.86.i.i18.i.i, %.105.i.i33.i.i
-  %.107.i.i35.i.i = fadd contract double %.106.i.i34.i.i, 0xBE927E4FB7789F5C
-  %.108.i.i36.i.i = fmul contract double %.86.i.i18.i.i, %.107.i.i35.i.i
-  %.109.i.i37.i.i = fadd contract double %.108.i.i36.i.i, 0x3EFA01A01A01A01A
-  %.110.i.i38.i.i = fmul contract double %.86.i.i18.i.i, %.109.i.i37.i.i
-  %.111.i.i39.i.i = fadd contract double %.110.i.i38.i.i, 0xBF56C16C16C16C17
-  %.112.i.i40.i.i = fmul contract double %.86.i.i18.i.i, %.111.i.i39.i.i
-  %.113.i41.i.i.i = fadd contract double %.112.i.i40.i.i, 0x3FA5555555555555
-  %.114.i.i41.i.i = fmul contract double %.86.i.i18.i.i, %.113.i41.i.i.i
-  %.115.i.i42.i.i = fadd contract double %.114.i.i41.i.i, -5.000000e-01
-  %.116.i.i43.i.i = fmul contract double %.86.i.i18.i.i, %.115.i.i42.i.i
-  %.117.i.i44.i.i = fadd contract double %.116.i.i43.i.i, 1.000000e+00
-  %.118.i.i45.i.i = bitcast double %.8.i.i8.i.i to i64
-  %.119.i.i46.i.i = and i64 %.118.i.i45.i.i, 1
-  %220 = icmp eq i64 %.119.i.i46.i.i, 0
-  %.127.i.i47.i.i = shl i64 %.118.i.i45.i.i, 62
-  %.128.i.i48.i.i = add i64 %.127.i.i47.i.i, 4611686018427387904
-  %.129.i.i49.i.i = and i64 %.128.i.i48.i.i, -9223372036854775808
-  %.133.v.i.i50.i.i = select i1 %220, double %.117.i.i44.i.i, double %.101.i.i29.i.i
-  %.133.i.i51.i.i = bitcast double %.133.v.i.i50.i.i to i64
-  %.134.i.i52.i.i = xor i64 %.129.i.i49.i.i, %.133.i.i51.i.i
-  %.135.i.i53.i.i = bitcast i64 %.134.i.i52.i.i to double
-  %.151.i.i54.i.i = fsub contract double 1.000000e+00, %.135.i.i53.i.i
-  %.152.i.i55.i.i = fmul contract double %.151.i.i54.i.i, 5.000000e-01
+  %.6.i.i5.i.i = fmul contract double %.1008.i.i.i, 0x400921FB54442D18
+  %.7.i.i6.i.i = fmul contract double %.6.i.i5.i.i, 0x3FE45F306DC9C883
+  %.8.i.i7.i.i = fadd contract double %.7.i.i6.i.i, 0x4338000000000000
+  %.9.i.i8.i.i = fadd contract double %.8.i.i7.i.i, 0xC338000000000000
+  %.27.i.i9.i.i = fmul contract double %.9.i.i8.i.i, 0x3FF921FA00000000
+  %.28.i.i10.i.i = fsub contract double %.6.i.i5.i.i, %.27.i.i9.i.i
+  %.46.i.i11.i.i = fmul contract double %.9.i.i8.i.i, 0x3EB5444200000000
+  %.47.i.i12.i.i = fsub contract double %.28.i.i10.i.i, %.46.i.i11.i.i
+  %.65.i.i13.i.i = fmul contract double %.9.i.i8.i.i, 0x3D6A308C00000000
+  %.66.i.i14.i.i = fsub contract double %.47.i.i12.i.i, %.65.i.i13.i.i
+  %.84.i.i15.i.i = fmul contract double %.9.i.i8.i.i, 0x3C2313198A2E0370
+  %.85.i.i16.i.i = fsub contract double %.66.i.i14.i.i, %.84.i.i15.i.i
+  %.86.i.i17.i.i = fmul contract double %.85.i.i16.i.i, %.85.i.i16.i.i
+  %.87.i.i18.i.i = fmul contract double %.85.i.i16.i.i, %.86.i.i17.i.i
+  %.88.i.i19.i.i = fmul contract double %.86.i.i17.i.i, 0x3D6AE7F3E733B81F
+  %221 = fsub contract double 0x3DE6124613A86D09, %.88.i.i19.i.i
+  %.90.i.i20.i.i = fmul contract double %.86.i.i17.i.i, %221
+  %.91.i.i21.i.i = fadd contract double %.90.i.i20.i.i, 0xBE5AE64567F544E4
+  %.92.i.i22.i.i = fmul contract double %.86.i.i17.i.i, %.91.i.i21.i.i
+  %.93.i38.i.i.i = fadd contract double %.92.i.i22.i.i, 0x3EC71DE3A556C734
+  %.94.i39.i.i.i = fmul contract double %.86.i.i17.i.i, %.93.i38.i.i.i
+  %.95.i.i23.i.i = fadd contract double %.94.i39.i.i.i, 0xBF2A01A01A01A01A
+  %.96.i.i24.i.i = fmul contract double %.86.i.i17.i.i, %.95.i.i23.i.i
+  %.97.i.i25.i.i = fadd contract double %.96.i.i24.i.i, 0x3F81111111111111
+  %.98.i40.i.i.i = fmul contract double %.86.i.i17.i.i, %.97.i.i25.i.i
+  %.99.i.i26.i.i = fadd contract double %.98.i40.i.i.i, 0xBFC5555555555555
+  %.100.i.i27.i.i = fmul contract double %.87.i.i18.i.i, %.99.i.i26.i.i
+  %.101.i.i28.i.i = fadd contract double %.85.i.i16.i.i, %.100.i.i27.i.i
+  %.102.i.i29.i.i = fmul contract double %.86.i.i17.i.i, 0x3D2AE7F3E733B81F
+  %.103.i.i30.i.i = fadd contract double %.102.i.i29.i.i, 0xBDA93974A8C07C9D
+  %.104.i.i31.i.i = fmul contract double %.86.i.i17.i.i, %.103.i.i30.i.i
+  %.105.i.i32.i.i = fadd contract double %.104.i.i31.i.i, 0x3E21EED8EFF8D898
+  %.106.i.i33.i.i = fmul contract double %.86.i.i17.i.i, %.105.i.i32.i.i
+  %.107.i.i34.i.i = fadd contract double %.106.i.i33.i.i, 0xBE927E4FB7789F5C
+  %.108.i.i35.i.i = fmul contract double %.86.i.i17.i.i, %.107.i.i34.i.i
+  %.109.i.i36.i.i = fadd contract double %.108.i.i35.i.i, 0x3EFA01A01A01A01A
+  %.110.i.i37.i.i = fmul contract double %.86.i.i17.i.i, %.109.i.i36.i.i
+  %.111.i.i38.i.i = fadd contract double %.110.i.i37.i.i, 0xBF56C16C16C16C17
+  %.112.i.i39.i.i = fmul contract double %.86.i.i17.i.i, %.111.i.i38.i.i
+  %.113.i41.i.i.i = fadd contract double %.112.i.i39.i.i, 0x3FA5555555555555
+  %.114.i.i40.i.i = fmul contract double %.86.i.i17.i.i, %.113.i41.i.i.i
+  %.115.i.i41.i.i = fadd contract double %.114.i.i40.i.i, -5.000000e-01
+  %.116.i.i42.i.i = fmul contract double %.86.i.i17.i.i, %.115.i.i41.i.i
+  %.117.i.i43.i.i = fadd contract double %.116.i.i42.i.i, 1.000000e+00
+  %.118.i.i44.i.i = bitcast double %.8.i.i7.i.i to i64
+  %.119.i.i45.i.i = and i64 %.118.i.i44.i.i, 1
+  %222 = icmp eq i64 %.119.i.i45.i.i, 0
+  %.127.i.i46.i.i = shl i64 %.118.i.i44.i.i, 62
+  %.128.i.i47.i.i = add i64 %.127.i.i46.i.i, 4611686018427387904
+  %.129.i.i48.i.i = and i64 %.128.i.i47.i.i, -9223372036854775808
+  %.133.v.i.i49.i.i = select i1 %222, double %.117.i.i43.i.i, double %.101.i.i28.i.i
+  %.133.i.i50.i.i = bitcast double %.133.v.i.i49.i.i to i64
+  %.134.i.i51.i.i = xor i64 %.129.i.i48.i.i, %.133.i.i50.i.i
+  %.135.i.i52.i.i = bitcast i64 %.134.i.i51.i.i to double
+  %.151.i.i53.i.i = fsub contract double 1.000000e+00, %.135.i.i52.i.i
+  %.152.i.i54.i.i = fmul contract double %.151.i.i53.i.i, 5.000000e-01
   %.927.i.i.i = fmul contract double %.64.i.i.i, %.925.i.i10.i
   %.931.i.i.i = fdiv contract double 1.000000e+00, %.927.i.i.i
   %.963.i.i.i = tail call contract double @sqrt(double %.931.i.i.i)
@@ -3309,10 +3380,10 @@ B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B68
   %.871.i.i.i = add i64 %.864403405.i.i.i, 1
   %.968.i.i.i = fmul contract double %.963.i.i.i, %.955.i.i.i
   %.969.i.i.i = fmul contract double %.968.i.i.i, %.953.i.i.i
-  %221 = select i1 %.909.i.i.i, i64 %208, i64 0
-  %scevgep45.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %221
-  %scevgep1.i.i.i = getelementptr i8, ptr %scevgep45.i.i.i, i64 %217
-  %.1063.i.i.i = load double, ptr %scevgep1.i.i.i, align 8, !noalias !77
+  %223 = select i1 %.909.i.i.i, i64 %210, i64 0
+  %scevgep45.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %223
+  %scevgep1.i.i.i = getelementptr i8, ptr %scevgep45.i.i.i, i64 %219
+  %.1063.i.i.i = load double, ptr %scevgep1.i.i.i, align 8, !noalias !84
   %.1064.i.i.i = fmul contract double %.1063.i.i.i, 0x3FF71547652B82FE
   %.1065.i.i.i = fadd contract double %.1064.i.i.i, 0x4338000000000000
   %.1066.i.i.i = fadd contract double %.1065.i.i.i, 0xC338000000000000
@@ -3352,24 +3423,24 @@ B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B68
   %.1100.i.i.i = bitcast i64 %.1099.i.i.i to double
   %.1101.i.i.i = fmul contract double %.1096.i.i.i, %.1100.i.i.i
   %.1103.i.i.i = fsub contract double %.474.i.i.i, %.969.i.i.i
-  %.1104.i.i.i = fmul contract double %.1103.i.i.i, %.152.i.i55.i.i
+  %.1104.i.i.i = fmul contract double %.1103.i.i.i, %.152.i.i54.i.i
   %.1105.i.i.i = fadd contract double %.969.i.i.i, %.1104.i.i.i
   %.1106.i.i.i = fmul contract double %.1101.i.i.i, %.1105.i.i.i
-  store double %.1106.i.i.i, ptr %scevgep1.i.i.i, align 8, !noalias !77
+  store double %.1106.i.i.i, ptr %scevgep1.i.i.i, align 8, !noalias !84
   %lsr.iv.next44.i.i.i = add i64 %lsr.iv43.i.i.i, -1
   %.858.i.i12.i = icmp sgt i64 %lsr.iv.next44.i.i.i, 1
   br i1 %.858.i.i12.i, label %B680.if.i.i.i, label %B1038.i.i.i
 
 B1070.if.i.i.i:                                   ; preds = %B1070.if.i.i.i, %B1070.if.preheader.i.i.i
-  %lsr.iv.i.i.i = phi i64 [ %210, %B1070.if.preheader.i.i.i ], [ %lsr.iv.next.i.i.i, %B1070.if.i.i.i ]
+  %lsr.iv.i.i.i = phi i64 [ %212, %B1070.if.preheader.i.i.i ], [ %lsr.iv.next.i55.i.i, %B1070.if.i.i.i ]
   %.1263410412.i.i.i = phi i64 [ %low.6.1.i8.i.i.i, %B1070.if.preheader.i.i.i ], [ %.1270.i.i.i, %B1070.if.i.i.i ]
   %.1270.i.i.i = add i64 %.1263410412.i.i.i, 1
   %.1309.i.i.i = icmp slt i64 %.1263410412.i.i.i, 0
-  %222 = select i1 %.1309.i.i.i, i64 %211, i64 0
-  %scevgep.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %222
-  %223 = shl i64 %.1263410412.i.i.i, 3
-  %scevgep42.i.i.i = getelementptr i8, ptr %scevgep.i.i.i, i64 %223
-  %.1325.i.i.i = load double, ptr %scevgep42.i.i.i, align 8, !noalias !77
+  %224 = select i1 %.1309.i.i.i, i64 %213, i64 0
+  %scevgep.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %224
+  %225 = shl i64 %.1263410412.i.i.i, 3
+  %scevgep42.i.i.i = getelementptr i8, ptr %scevgep.i.i.i, i64 %225
+  %.1325.i.i.i = load double, ptr %scevgep42.i.i.i, align 8, !noalias !84
   %.1326.i.i.i = fmul contract double %.1325.i.i.i, 0x3FF71547652B82FE
   %.1327.i.i.i = fadd contract double %.1326.i.i.i, 0x4338000000000000
   %.1328.i.i.i = fadd contract double %.1327.i.i.i, 0xC338000000000000
@@ -3409,82 +3480,85 @@ B1070.if.i.i.i:                                   ; preds = %B1070.if.i.i.i, %B1
   %.1362.i.i.i = bitcast i64 %.1361.i.i.i to double
   %.1363.i.i.i = fmul contract double %.1358.i.i.i, %.1362.i.i.i
   %.1365.i.i.i = fmul contract double %.474.i.i.i, %.1363.i.i.i
-  store double %.1365.i.i.i, ptr %scevgep42.i.i.i, align 8, !noalias !77
-  %lsr.iv.next.i.i.i = add i64 %lsr.iv.i.i.i, -1
-  %.1257.i.i.i = icmp sgt i64 %lsr.iv.next.i.i.i, 1
+  store double %.1365.i.i.i, ptr %scevgep42.i.i.i, align 8, !noalias !84
+  %lsr.iv.next.i55.i.i = add i64 %lsr.iv.i.i.i, -1
+  %.1257.i.i.i = icmp sgt i64 %lsr.iv.next.i55.i.i, 1
   br i1 %.1257.i.i.i, label %B1070.if.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 _ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B1070.if.i.i.i, %B1038.i.i.i
-  %.3586.i.i = load double, ptr %.3585.i.i, align 8, !noalias !57
-  %.3603.i.i = select i1 %.3602.i.i, i64 %.614.i.i, i64 0
-  %224 = getelementptr i8, ptr %.630.i.i, i64 %.idx.i.i
-  %.3617.i.i = getelementptr double, ptr %224, i64 %.3603.i.i
-  %.3618.i.i = load double, ptr %.3617.i.i, align 8, !noalias !57
-  %.3619.i.i = fsub contract double %.3586.i.i, %.3618.i.i
-  %.3650.i.i = load double, ptr %.3649.i.i, align 8, !noalias !57
-  %.3656.i.i = fmul contract double %.3650.i.i, 0x401921FB54442D18
-  %225 = getelementptr i8, ptr %224, i64 8
-  %.3690.i.i = getelementptr double, ptr %225, i64 %.3603.i.i
-  %.3691.i.i = load double, ptr %.3690.i.i, align 8, !noalias !57
-  %.3698.i.i = fmul contract double %.211.i.i, %.3691.i.i
-  %.3699.i.i = fsub contract double %.3656.i.i, %.3698.i.i
-  %.3756.i.i = select i1 %.3395.i.i, i64 %p.2.sroa.60.2.i, i64 0
-  %.3757.i.i = add i64 %.3756.i.i, %low.6.1.i7.i.i
-  %.3760.i.i = icmp slt i64 %.3757.i.i, 0
-  br i1 %.3760.i.i, label %B960.endif.endif.endif.endif.else.endif.endif.if.i.i, label %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i, !prof !3
+  %.3566.i.i = load double, ptr %.3565.i.i, align 8, !noalias !58
+  %.3583.i.i = select i1 %.3582.i.i, i64 %.614.i.i, i64 0
+  %226 = getelementptr i8, ptr %.630.i.i, i64 %.idx.i.i
+  %.3597.i.i = getelementptr double, ptr %226, i64 %.3583.i.i
+  %.3598.i.i = load double, ptr %.3597.i.i, align 8, !noalias !58
+  %.3599.i.i = fsub contract double %.3566.i.i, %.3598.i.i
+  %.3636.i.i = load i64, ptr %.243.i.i, align 8, !noalias !58
+  %.3656.i.i = icmp slt i64 %.3636.i.i, -2
+  %.3657.i.i = select i1 %.3656.i.i, i64 %arg.n_weights, i64 0
+  %227 = getelementptr double, ptr %arg.weights, i64 %.3636.i.i
+  %228 = getelementptr i8, ptr %227, i64 16
+  %.3671.i.i = getelementptr double, ptr %228, i64 %.3657.i.i
+  %.3672.i.i = load double, ptr %.3671.i.i, align 8, !noalias !58
+  %.3688.i.i = fcmp contract ogt double %.3672.i.i, 0.000000e+00
+  %or.cond.i.i = select i1 %.3682.i.i, i1 %.3688.i.i, i1 false
+  br i1 %or.cond.i.i, label %B1286.i.i, label %B1324.i.i
 
-B960.endif.endif.endif.endif.else.endif.endif.if.i.i: ; preds = %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  br label %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i
+B1286.endif.i.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i
+  %.3724.i.i = fadd contract double %.3599.i.i, %.3693.0.i.i
+  br label %B1324.i.i
 
-B960.endif.endif.endif.endif.else.endif.endif.endif.i.i: ; preds = %B960.endif.endif.endif.endif.else.endif.endif.if.i.i, %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  %.3728.sroa.13.1.i.i = phi i64 [ 0, %B960.endif.endif.endif.endif.else.endif.endif.if.i.i ], [ %.3757.i.i, %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %.3765.not.i.i = icmp slt i64 %.3757.i.i, %p.2.sroa.60.2.i
-  br i1 %.3765.not.i.i, label %B960.endif.endif.endif.en...endif.i.i, label %B960.endif.endif.endif.en...if.i.i, !prof !4
+B1324.else.endif.endif.if.i.i:                    ; preds = %B1324.i.i
+  br label %B1324.else.endif.endif.endif.i.i
 
-B960.endif.endif.endif.en...if.i.i:               ; preds = %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i
-  br label %B960.endif.endif.endif.en...endif.i.i
+B1324.else.endif.endif.endif.i.i:                 ; preds = %B1324.else.endif.endif.if.i.i, %B1324.i.i
+  %.3842.sroa.13.1.i.i = phi i64 [ 0, %B1324.else.endif.endif.if.i.i ], [ %.3871.i.i, %B1324.i.i ]
+  %.3879.not.i.i = icmp slt i64 %.3871.i.i, %p.2.sroa.60.2.i
+  br i1 %.3879.not.i.i, label %B1324.else.endif.endif.endif.endif.i.i, label %B1324.else.endif.endif.endif.if.i.i, !prof !5
 
-B960.endif.endif.endif.en...endif.i.i:            ; preds = %B960.endif.endif.endif.en...if.i.i, %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i
-  %.3728.sroa.13.2.i.i = phi i64 [ %p.2.sroa.60.2.i, %B960.endif.endif.endif.en...if.i.i ], [ %.3728.sroa.13.1.i.i, %B960.endif.endif.endif.endif.else.endif.endif.endif.i.i ]
+B1324.else.endif.endif.endif.if.i.i:              ; preds = %B1324.else.endif.endif.endif.i.i
+  br label %B1324.else.endif.endif.endif.endif.i.i
+
+B1324.else.endif.endif.endif.endif.i.i:           ; preds = %B1324.else.endif.endif.endif.if.i.i, %B1324.else.endif.endif.endif.i.i
+  %.3842.sroa.13.2.i.i = phi i64 [ %p.2.sroa.60.2.i, %B1324.else.endif.endif.endif.if.i.i ], [ %.3842.sroa.13.1.i.i, %B1324.else.endif.endif.endif.i.i ]
   %.97.le.i.i.i = tail call contract double @llvm.log.f64(double %.211.i.i)
   %.105.i.i.i = fdiv contract double %.97.le.i.i.i, 3.000000e+00
   %.106.i.i.i = fadd contract double %.105.i.i.i, 0x3FD86BC06134D7A7
-  %.164.i57.i.i = load double, ptr %arg.series, align 8, !noalias !78
-  %.219.i.i.i = load double, ptr %6, align 8, !noalias !78
-  %.272.i.i15.i = load double, ptr %.183.i.i.i.i, align 8, !noalias !78
-  %.325.i60.i.i = load double, ptr %.308.i.i.i.i, align 8, !noalias !78
-  %.414.i.i.i = load double, ptr %.413.i.i.i.i, align 8, !noalias !78
-  %.467.i.i.i = load double, ptr %7, align 8, !noalias !78
-  %.520.i.i17.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !78
-  %.573.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !78
-  %.662.i.i.i = load double, ptr %8, align 8, !noalias !78
-  %.715.i62.i.i = load double, ptr %.1461.i.i.i.i, align 8, !noalias !78
-  %.768.i.i18.i = load double, ptr %.1867.i.i.i.i, align 8, !noalias !78
-  %.821.i.i.i = load double, ptr %.2256.i.i.i.i, align 8, !noalias !78
-  %.910.i.i.i = load double, ptr %.211.i.i.i.i, align 8, !noalias !78
-  %.963.i64.i.i = load double, ptr %.328.i123.i.i.i, align 8, !noalias !78
-  %.1016.i.i.i = load double, ptr %.442.i.i.i.i, align 8, !noalias !78
-  %.1069.i66.i.i = load double, ptr %.559.i.i.i.i, align 8, !noalias !78
-  %.1158.i.i20.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !78
-  %.1211.i.i.i = load double, ptr %.865.i.i.i.i, align 8, !noalias !78
-  %.1264.i.i.i = load double, ptr %13, align 8, !noalias !78
-  %.1317.i.i.i = load double, ptr %.1118.i.i.i.i, align 8, !noalias !78
-  %.1406.i.i.i = load double, ptr %.1640.i.i.i.i, align 8, !noalias !78
-  %.1459.i.i.i = load double, ptr %.2145.i.i.i.i, align 8, !noalias !78
-  %.1512.i.i.i = load double, ptr %.2474.i.i.i.i, align 8, !noalias !78
-  %.1574.i.i.i = load double, ptr %.1336.i.i.i.i, align 8, !noalias !78
-  %.1675660.not.i.i.i = icmp eq i64 %.3728.sroa.13.2.i.i, 0
-  br i1 %.1675660.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B568.if.i.i.i
+  %.164.i57.i.i = load double, ptr %arg.series, align 8, !noalias !85
+  %.219.i.i.i = load double, ptr %6, align 8, !noalias !85
+  %.272.i.i15.i = load double, ptr %.183.i.i.i.i, align 8, !noalias !85
+  %.325.i60.i.i = load double, ptr %.308.i.i.i.i, align 8, !noalias !85
+  %.414.i.i.i = load double, ptr %.413.i.i.i.i, align 8, !noalias !85
+  %.467.i.i.i = load double, ptr %7, align 8, !noalias !85
+  %.520.i.i17.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !85
+  %.573.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !85
+  %.662.i.i.i = load double, ptr %8, align 8, !noalias !85
+  %.715.i62.i.i = load double, ptr %.1461.i.i.i.i, align 8, !noalias !85
+  %.768.i.i18.i = load double, ptr %.1867.i.i.i.i, align 8, !noalias !85
+  %.821.i.i.i = load double, ptr %.2256.i.i.i.i, align 8, !noalias !85
+  %.910.i.i.i = load double, ptr %.211.i.i.i.i, align 8, !noalias !85
+  %.963.i64.i.i = load double, ptr %.328.i123.i.i.i, align 8, !noalias !85
+  %.1016.i.i.i = load double, ptr %.442.i.i.i.i, align 8, !noalias !85
+  %.1069.i66.i.i = load double, ptr %.559.i.i.i.i, align 8, !noalias !85
+  %.1158.i.i20.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !85
+  %.1211.i.i.i = load double, ptr %.865.i.i.i.i, align 8, !noalias !85
+  %.1264.i.i.i = load double, ptr %13, align 8, !noalias !85
+  %.1317.i.i.i = load double, ptr %.1118.i.i.i.i, align 8, !noalias !85
+  %.1406.i.i.i = load double, ptr %.1640.i.i.i.i, align 8, !noalias !85
+  %.1459.i.i.i = load double, ptr %.2145.i.i.i.i, align 8, !noalias !85
+  %.1512.i.i.i = load double, ptr %.2474.i.i.i.i, align 8, !noalias !85
+  %.1574.i.i.i = load double, ptr %.1336.i.i.i.i, align 8, !noalias !85
+  %.1675660.not.i.i.i = icmp eq i64 %.3842.sroa.13.2.i.i, 0
+  br i1 %.1675660.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B568.if.i.i.i
 
-B568.if.i.i.i:                                    ; preds = %B960.endif.endif.endif.en...endif.i.i, %B568.if.i.i.i
-  %.1681659661.i.i.i = phi i64 [ %.1688.i.i.i, %B568.if.i.i.i ], [ 0, %B960.endif.endif.endif.en...endif.i.i ]
+B568.if.i.i.i:                                    ; preds = %B1324.else.endif.endif.endif.endif.i.i, %B568.if.i.i.i
+  %.1681659661.i.i.i = phi i64 [ %.1688.i.i.i, %B568.if.i.i.i ], [ 0, %B1324.else.endif.endif.endif.endif.i.i ]
   %.1688.i.i.i = add nuw nsw i64 %.1681659661.i.i.i, 1
-  %226 = shl i64 %.1681659661.i.i.i, 3
-  %scevgep3.i.i.i = getelementptr i8, ptr %.2859.i, i64 %226
-  %.1742.i.i.i = load double, ptr %scevgep3.i.i.i, align 8, !noalias !78
+  %229 = shl i64 %.1681659661.i.i.i, 3
+  %scevgep3.i.i.i = getelementptr i8, ptr %.2859.i, i64 %229
+  %.1742.i.i.i = load double, ptr %scevgep3.i.i.i, align 8, !noalias !85
   %.1744.i.i.i = fmul contract double %.64.i.i.i, %.1742.i.i.i
-  %scevgep2.i67.i.i = getelementptr i8, ptr %.2682.i, i64 %226
-  %.1774.i.i.i = load double, ptr %scevgep2.i67.i.i, align 8, !noalias !78
+  %scevgep2.i67.i.i = getelementptr i8, ptr %.2682.i, i64 %229
+  %.1774.i.i.i = load double, ptr %scevgep2.i67.i.i, align 8, !noalias !85
   %.1775.i.i.i = fmul contract double %.1774.i.i.i, 0x3FD5555555555555
   %.1777.i.i.i = fadd contract double %.106.i.i.i, %.1775.i.i.i
   %.1779.i.i.i = fmul contract double %.1069.i66.i.i, %.1744.i.i.i
@@ -3541,86 +3615,91 @@ B568.if.i.i.i:                                    ; preds = %B960.endif.endif.en
   %.1856.i.i.i = fadd contract double %.1855.i.i.i, %.1840.i.i.i
   %.1857.i.i.i = fmul contract double %.1777.i.i.i, %.1856.i.i.i
   %.1858.i.i.i = fadd contract double %.1857.i.i.i, %.1852.i.i.i
-  %scevgep5.i.i.i = getelementptr i8, ptr %.2509.i, i64 %226
-  %.1888.i.i.i = load double, ptr %scevgep5.i.i.i, align 8, !noalias !78
-  %.1890.i.i.i = fmul contract double %.3699.i.i, %.1888.i.i.i
-  %.1892.i.i.i = fadd contract double %.3619.i.i, %.1890.i.i.i
-  %scevgep4.i.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %226
-  %.1922.i.i.i = load double, ptr %scevgep4.i.i.i, align 8, !noalias !78
+  %scevgep5.i.i.i = getelementptr i8, ptr %.2509.i, i64 %229
+  %.1888.i.i.i = load double, ptr %scevgep5.i.i.i, align 8, !noalias !85
+  %.1890.i.i.i = fmul contract double %.3813.i.i, %.1888.i.i.i
+  %.1892.i.i.i = fadd contract double %constant.2.0.i.i, %.1890.i.i.i
+  %scevgep4.i.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %229
+  %.1922.i.i.i = load double, ptr %scevgep4.i.i.i, align 8, !noalias !85
   %.1923.i.i.i = fadd contract double %.1922.i.i.i, %.1858.i.i.i
   %.1924.i.i.i = fsub contract double %.1892.i.i.i, %.1923.i.i.i
-  store double %.1924.i.i.i, ptr %scevgep4.i.i.i, align 8, !noalias !78
-  %exitcond.not.i68.i.i = icmp eq i64 %.3728.sroa.13.2.i.i, %.1688.i.i.i
-  br i1 %exitcond.not.i68.i.i, label %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B568.if.i.i.i
+  store double %.1924.i.i.i, ptr %scevgep4.i.i.i, align 8, !noalias !85
+  %exitcond.not.i68.i.i = icmp eq i64 %.3842.sroa.13.2.i.i, %.1688.i.i.i
+  br i1 %exitcond.not.i68.i.i, label %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B568.if.i.i.i
 
-_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B568.if.i.i.i, %B960.endif.endif.endif.en...endif.i.i
-  %.3983.i.i = sub i64 %.2493.i, %low.6.1.i7.i.i
-  %.40261093.not.i.i = icmp slt i64 %.3983.i.i, 1
-  br i1 %.40261093.not.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1404.if.preheader.i.i
+_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B568.if.i.i.i, %B1324.else.endif.endif.endif.endif.i.i
+  %.4100.i.i = sub i64 %.2493.i, %low.6.1.i9.i.i
+  %.41431105.not.i.i = icmp slt i64 %.4100.i.i, 1
+  br i1 %.41431105.not.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1510.if.preheader.i.i
 
-B1404.if.preheader.i.i:                           ; preds = %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  %.neg.i.i = add i64 %low.6.1.i7.i.i, 1
-  %xtraiter.i.i = and i64 %.3983.i.i, 1
+B1510.if.preheader.i.i:                           ; preds = %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %.neg.i.i = add i64 %low.6.1.i9.i.i, 1
+  %xtraiter.i.i = and i64 %.4100.i.i, 1
   %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
-  br i1 %lcmp.mod.not.i.i, label %B1404.if.prol.loopexit.i.i, label %B1404.if.prol.i.i
+  br i1 %lcmp.mod.not.i.i, label %B1510.if.prol.loopexit.i.i, label %B1510.if.prol.i.i
 
-B1404.if.prol.i.i:                                ; preds = %B1404.if.preheader.i.i
-  %.4035.prol.i.i = add nsw i64 %.3983.i.i, -1
-  %227 = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %low.6.1.i7.i.i
-  %.4092.prol.i.i = getelementptr double, ptr %227, i64 %.3396.i.i
-  store double 0.000000e+00, ptr %.4092.prol.i.i, align 8, !noalias !57
-  %228 = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %low.6.1.i7.i.i
-  %.4122.prol.i.i = getelementptr double, ptr %228, i64 %.3756.i.i
-  store double 0.000000e+00, ptr %.4122.prol.i.i, align 8, !noalias !57
-  br label %B1404.if.prol.loopexit.i.i
+B1510.if.prol.i.i:                                ; preds = %B1510.if.preheader.i.i
+  %.4152.prol.i.i = add nsw i64 %.4100.i.i, -1
+  %230 = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %low.6.1.i9.i.i
+  %.4209.prol.i.i = getelementptr double, ptr %230, i64 %.3376.i.i
+  store double 0.000000e+00, ptr %.4209.prol.i.i, align 8, !noalias !58
+  %231 = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %low.6.1.i9.i.i
+  %.4239.prol.i.i = getelementptr double, ptr %231, i64 %.3870.i.i
+  store double 0.000000e+00, ptr %.4239.prol.i.i, align 8, !noalias !58
+  br label %B1510.if.prol.loopexit.i.i
 
-B1404.if.prol.loopexit.i.i:                       ; preds = %B1404.if.prol.i.i, %B1404.if.preheader.i.i
-  %.402510911095.unr.i.i = phi i64 [ %.3983.i.i, %B1404.if.preheader.i.i ], [ %.4035.prol.i.i, %B1404.if.prol.i.i ]
-  %.403210921094.unr.i.i = phi i64 [ %low.6.1.i7.i.i, %B1404.if.preheader.i.i ], [ %.neg.i.i, %B1404.if.prol.i.i ]
-  %229 = icmp eq i64 %.2493.i, %.neg.i.i
-  br i1 %229, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1404.if.preheader38.i.i
+B1510.if.prol.loopexit.i.i:                       ; preds = %B1510.if.prol.i.i, %B1510.if.preheader.i.i
+  %.414211031107.unr.i.i = phi i64 [ %.4100.i.i, %B1510.if.preheader.i.i ], [ %.4152.prol.i.i, %B1510.if.prol.i.i ]
+  %.414911041106.unr.i.i = phi i64 [ %low.6.1.i9.i.i, %B1510.if.preheader.i.i ], [ %.neg.i.i, %B1510.if.prol.i.i ]
+  %232 = icmp eq i64 %.2493.i, %.neg.i.i
+  br i1 %232, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1510.if.preheader43.i.i
 
-B1404.if.preheader38.i.i:                         ; preds = %B1404.if.prol.loopexit.i.i
-  %230 = add nuw i64 %.402510911095.unr.i.i, 2
-  %231 = shl i64 %a.2.sroa.60.2.i, 3
-  %232 = shl i64 %p.2.sroa.60.2.i, 3
-  %233 = shl i64 %.403210921094.unr.i.i, 3
-  %scevgep1.i24.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %233
-  %scevgep5.i25.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %233
-  %234 = add i64 %231, 8
-  %235 = add i64 %232, 8
-  br label %B1404.if.i.i
+B1510.if.preheader43.i.i:                         ; preds = %B1510.if.prol.loopexit.i.i
+  %233 = add nuw i64 %.414211031107.unr.i.i, 2
+  %234 = shl i64 %a.2.sroa.60.2.i, 3
+  %235 = shl i64 %p.2.sroa.60.2.i, 3
+  %236 = shl i64 %.414911041106.unr.i.i, 3
+  %scevgep1.i24.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %236
+  %scevgep5.i25.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %236
+  %237 = add i64 %234, 8
+  %238 = add i64 %235, 8
+  br label %B1510.if.i.i
 
-B1404.if.i.i:                                     ; preds = %B1404.if.i.i, %B1404.if.preheader38.i.i
-  %lsr.iv6.i.i = phi ptr [ %scevgep7.i.i, %B1404.if.i.i ], [ %scevgep5.i25.i, %B1404.if.preheader38.i.i ]
-  %lsr.iv2.i.i = phi ptr [ %scevgep3.i.i, %B1404.if.i.i ], [ %scevgep1.i24.i, %B1404.if.preheader38.i.i ]
-  %lsr.iv.i26.i = phi i64 [ %lsr.iv.next.i.i, %B1404.if.i.i ], [ %230, %B1404.if.preheader38.i.i ]
-  %.403210921094.i.i = phi i64 [ %241, %B1404.if.i.i ], [ %.403210921094.unr.i.i, %B1404.if.preheader38.i.i ]
-  %.4077.i.i = icmp slt i64 %.403210921094.i.i, 0
-  %236 = select i1 %.4077.i.i, i64 %231, i64 0
-  %scevgep10.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %236
-  store double 0.000000e+00, ptr %scevgep10.i.i, align 8, !noalias !57
-  %237 = select i1 %.4077.i.i, i64 %232, i64 0
-  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %237
-  store double 0.000000e+00, ptr %scevgep9.i.i, align 8, !noalias !57
-  %238 = add i64 %.403210921094.i.i, 1
-  %.4077.1.i.i = icmp slt i64 %238, 0
-  %239 = select i1 %.4077.1.i.i, i64 %234, i64 8
-  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %239
-  store double 0.000000e+00, ptr %scevgep8.i.i, align 8, !noalias !57
-  %240 = select i1 %.4077.1.i.i, i64 %235, i64 8
-  %scevgep4.i27.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %240
-  store double 0.000000e+00, ptr %scevgep4.i27.i, align 8, !noalias !57
+B1510.if.i.i:                                     ; preds = %B1510.if.i.i, %B1510.if.preheader43.i.i
+  %lsr.iv6.i.i = phi ptr [ %scevgep7.i.i, %B1510.if.i.i ], [ %scevgep5.i25.i, %B1510.if.preheader43.i.i ]
+  %lsr.iv2.i.i = phi ptr [ %scevgep3.i.i, %B1510.if.i.i ], [ %scevgep1.i24.i, %B1510.if.preheader43.i.i ]
+  %lsr.iv.i26.i = phi i64 [ %lsr.iv.next.i.i, %B1510.if.i.i ], [ %233, %B1510.if.preheader43.i.i ]
+  %.414911041106.i.i = phi i64 [ %244, %B1510.if.i.i ], [ %.414911041106.unr.i.i, %B1510.if.preheader43.i.i ]
+  %.4194.i.i = icmp slt i64 %.414911041106.i.i, 0
+  %239 = select i1 %.4194.i.i, i64 %234, i64 0
+  %scevgep10.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %239
+  store double 0.000000e+00, ptr %scevgep10.i.i, align 8, !noalias !58
+  %240 = select i1 %.4194.i.i, i64 %235, i64 0
+  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %240
+  store double 0.000000e+00, ptr %scevgep9.i.i, align 8, !noalias !58
+  %241 = add i64 %.414911041106.i.i, 1
+  %.4194.1.i.i = icmp slt i64 %241, 0
+  %242 = select i1 %.4194.1.i.i, i64 %237, i64 8
+  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %242
+  store double 0.000000e+00, ptr %scevgep8.i.i, align 8, !noalias !58
+  %243 = select i1 %.4194.1.i.i, i64 %238, i64 8
+  %scevgep4.i27.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %243
+  store double 0.000000e+00, ptr %scevgep4.i27.i, align 8, !noalias !58
   %lsr.iv.next.i.i = add i64 %lsr.iv.i26.i, -2
   %scevgep3.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 16
   %scevgep7.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 16
-  %.4026.1.i.i = icmp sgt i64 %lsr.iv.next.i.i, 2
-  %241 = add i64 %.403210921094.i.i, 2
-  br i1 %.4026.1.i.i, label %B1404.if.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.4143.1.i.i = icmp sgt i64 %lsr.iv.next.i.i, 2
+  %244 = add i64 %.414911041106.i.i, 2
+  br i1 %.4143.1.i.i, label %B1510.if.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1404.if.i.i, %B1404.if.prol.loopexit.i.i, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1510.if.i.i, %B1510.if.prol.loopexit.i.i, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i
+  %excinfo.3.3.i = phi ptr [ %excinfo.3.0.i, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %excinfo.8.0.i.i, %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i ], [ %excinfo.3.0.i, %B1510.if.prol.loopexit.i.i ], [ %excinfo.3.0.i, %B1510.if.i.i ]
+  %cond.i = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ false, %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i ], [ true, %B1510.if.prol.loopexit.i.i ], [ true, %B1510.if.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.2457.i.i), !noalias !0
-  call void @llvm.lifetime.end.p0(ptr nonnull %.3111.i.i), !noalias !0
+  call void @llvm.lifetime.end.p0(ptr nonnull %.3101.i.i), !noalias !0
+  br i1 %cond.i, label %B756.endif.endif.endif.endif.i, label %B0.endif.endif.endif.endi...if.2, !prof !65
+
+B756.endif.endif.endif.endif.i:                   ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   br i1 %53, label %B908.i, label %B964.i
 
 B908.else.if.i:                                   ; preds = %B908.i
@@ -3629,7 +3708,7 @@ B908.else.if.i:                                   ; preds = %B908.i
 B908.else.endif.i:                                ; preds = %B908.else.if.i, %B908.i
   %.3320.sroa.0.1.i = phi i64 [ 0, %B908.else.if.i ], [ %.3332.i, %B908.i ]
   %.3340.not.i = icmp slt i64 %.3332.i, %arg.n_wide
-  br i1 %.3340.not.i, label %B908.else.endif.endif.i, label %B908.else.endif.if.i, !prof !4
+  br i1 %.3340.not.i, label %B908.else.endif.endif.i, label %B908.else.endif.if.i, !prof !5
 
 B908.else.endif.if.i:                             ; preds = %B908.else.endif.i
   br label %B908.else.endif.endif.i
@@ -3640,7 +3719,7 @@ B908.else.endif.endif.i:                          ; preds = %B908.else.endif.if.
   %.3348.i = select i1 %.3347.i, i64 %arg.n_wide, i64 0
   %.3349.i = add i64 %.3348.i, %.3292.i
   %.3352.i = icmp slt i64 %.3349.i, 0
-  br i1 %.3352.i, label %B908.else.endif.endif.if.i, label %B908.else.endif.endif.endif.i, !prof !3
+  br i1 %.3352.i, label %B908.else.endif.endif.if.i, label %B908.else.endif.endif.endif.i, !prof !4
 
 B908.else.endif.endif.if.i:                       ; preds = %B908.else.endif.endif.i
   br label %B908.else.endif.endif.endif.i
@@ -3648,7 +3727,7 @@ B908.else.endif.endif.if.i:                       ; preds = %B908.else.endif.end
 B908.else.endif.endif.endif.i:                    ; preds = %B908.else.endif.endif.if.i, %B908.else.endif.endif.i
   %.3320.sroa.13.1.i = phi i64 [ 0, %B908.else.endif.endif.if.i ], [ %.3349.i, %B908.else.endif.endif.i ]
   %.3357.not.i = icmp slt i64 %.3349.i, %arg.n_wide
-  br i1 %.3357.not.i, label %B908.else.endif.endif.endif.endif.i, label %B908.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.3357.not.i, label %B908.else.endif.endif.endif.endif.i, label %B908.else.endif.endif.endif.if.i, !prof !5
 
 B908.else.endif.endif.endif.if.i:                 ; preds = %B908.else.endif.endif.endif.i
   br label %B908.else.endif.endif.endif.endif.i
@@ -3668,9 +3747,9 @@ B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if
   %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B56.if.preheader.i.i ], [ %scevgep1.i.i, %B56.if.i.i ]
   %.144123125.i.i = phi i64 [ 0, %B56.if.preheader.i.i ], [ %.151.i.i, %B56.if.i.i ]
   %.151.i.i = add nuw nsw i64 %.144123125.i.i, 1
-  %242 = shl i64 %.144123125.i.i, 3
-  %scevgep4.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %242
-  %.206.i.i = load double, ptr %scevgep4.i.i, align 8, !noalias !81
+  %245 = shl i64 %.144123125.i.i, 3
+  %scevgep4.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %245
+  %.206.i.i = load double, ptr %scevgep4.i.i, align 8, !noalias !88
   %.207.i.i = fmul contract double %.206.i.i, 0x3FE45F306DC9C883
   %.208.i.i = fadd contract double %.207.i.i, 0x4338000000000000
   %.209.i.i = fadd contract double %.208.i.i, 0xC338000000000000
@@ -3685,8 +3764,8 @@ B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if
   %.286.i.i = fmul contract double %.285.i.i, %.285.i.i
   %.287.i.i = fmul contract double %.285.i.i, %.286.i.i
   %.288.i.i = fmul contract double %.286.i.i, 0x3D6AE7F3E733B81F
-  %243 = fsub contract double 0x3DE6124613A86D09, %.288.i.i
-  %.290.i.i = fmul contract double %.286.i.i, %243
+  %246 = fsub contract double 0x3DE6124613A86D09, %.288.i.i
+  %.290.i.i = fmul contract double %.286.i.i, %246
   %.291.i.i = fadd contract double %.290.i.i, 0xBE5AE64567F544E4
   %.292.i.i = fmul contract double %.286.i.i, %.291.i.i
   %.293.i.i = fadd contract double %.292.i.i, 0x3EC71DE3A556C734
@@ -3719,25 +3798,25 @@ B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if
   %.321.i.i = bitcast double %.301.i.i to i64
   %.322.i.i = bitcast double %.317.i.i to i64
   %.323.i.i = xor i64 %.322.i.i, %.321.i.i
-  %244 = icmp eq i64 %.319.i.i, 0
-  %.324.i.i = select i1 %244, i64 0, i64 %.323.i.i
+  %247 = icmp eq i64 %.319.i.i, 0
+  %.324.i.i = select i1 %247, i64 0, i64 %.323.i.i
   %.325.i.i = shl i64 %.318.i.i, 62
   %.326.i.i = and i64 %.325.i.i, -9223372036854775808
   %.328.i.i = add i64 %.325.i.i, 4611686018427387904
   %.329.i.i = and i64 %.328.i.i, -9223372036854775808
-  %245 = xor i64 %.326.i.i, %.321.i.i
-  %.331.i.i = xor i64 %245, %.324.i.i
+  %248 = xor i64 %.326.i.i, %.321.i.i
+  %.331.i.i = xor i64 %248, %.324.i.i
   %.332.i.i = bitcast i64 %.331.i.i to double
-  %246 = xor i64 %.329.i.i, %.322.i.i
-  %.334.i.i = xor i64 %246, %.324.i.i
+  %249 = xor i64 %.329.i.i, %.322.i.i
+  %.334.i.i = xor i64 %249, %.324.i.i
   %.335.i.i = bitcast i64 %.334.i.i to double
-  %scevgep19.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %242
-  %.385.i.i = load double, ptr %scevgep19.i, align 8, !noalias !81
+  %scevgep19.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %245
+  %.385.i.i = load double, ptr %scevgep19.i, align 8, !noalias !88
   %.386.i.i = fmul contract double %.385.i.i, %.335.i.i
   %.417.i.i = fmul contract double %.385.i.i, %.332.i.i
   %scevgep2.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
-  store double %.386.i.i, ptr %scevgep2.i.i, align 8, !noalias !81
-  store double %.417.i.i, ptr %lsr.iv.i.i, align 8, !noalias !81
+  store double %.386.i.i, ptr %scevgep2.i.i, align 8, !noalias !88
+  store double %.417.i.i, ptr %lsr.iv.i.i, align 8, !noalias !88
   %scevgep1.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 16
   %exitcond.not.i.i = icmp eq i64 %.3408.i, %.151.i.i
   br i1 %exitcond.not.i.i, label %B964.i, label %B56.if.i.i
@@ -3748,7 +3827,7 @@ B998.else.if.i:                                   ; preds = %B998.i
 B998.else.endif.i:                                ; preds = %B998.else.if.i, %B998.i
   %.3549.sroa.0.1.i = phi i64 [ 0, %B998.else.if.i ], [ %.3561.i, %B998.i ]
   %.3569.not.i = icmp slt i64 %.3561.i, %arg.n_narrow
-  br i1 %.3569.not.i, label %B998.else.endif.endif.i, label %B998.else.endif.if.i, !prof !4
+  br i1 %.3569.not.i, label %B998.else.endif.endif.i, label %B998.else.endif.if.i, !prof !5
 
 B998.else.endif.if.i:                             ; preds = %B998.else.endif.i
   br label %B998.else.endif.endif.i
@@ -3759,7 +3838,7 @@ B998.else.endif.endif.i:                          ; preds = %B998.else.endif.if.
   %.3577.i = select i1 %.3576.i, i64 %arg.n_narrow, i64 0
   %.3578.i = add i64 %.3577.i, %.3517.i
   %.3581.i = icmp slt i64 %.3578.i, 0
-  br i1 %.3581.i, label %B998.else.endif.endif.if.i, label %B998.else.endif.endif.endif.i, !prof !3
+  br i1 %.3581.i, label %B998.else.endif.endif.if.i, label %B998.else.endif.endif.endif.i, !prof !4
 
 B998.else.endif.endif.if.i:                       ; preds = %B998.else.endif.endif.i
   br label %B998.else.endif.endif.endif.i
@@ -3767,7 +3846,7 @@ B998.else.endif.endif.if.i:                       ; preds = %B998.else.endif.end
 B998.else.endif.endif.endif.i:                    ; preds = %B998.else.endif.endif.if.i, %B998.else.endif.endif.i
   %.3549.sroa.13.1.i = phi i64 [ 0, %B998.else.endif.endif.if.i ], [ %.3578.i, %B998.else.endif.endif.i ]
   %.3586.not.i = icmp slt i64 %.3578.i, %arg.n_narrow
-  br i1 %.3586.not.i, label %B998.else.endif.endif.endif.endif.i, label %B998.else.endif.endif.endif.if.i, !prof !4
+  br i1 %.3586.not.i, label %B998.else.endif.endif.endif.endif.i, label %B998.else.endif.endif.endif.if.i, !prof !5
 
 B998.else.endif.endif.endif.if.i:                 ; preds = %B998.else.endif.endif.endif.i
   br label %B998.else.endif.endif.endif.endif.i
@@ -3779,16 +3858,16 @@ B998.else.endif.endif.endif.endif.i:              ; preds = %B998.else.endif.end
   br i1 %.138128.not.i.i, label %B1054.i, label %B56.if.i19.preheader.i
 
 B56.if.i19.preheader.i:                           ; preds = %B998.else.endif.endif.endif.endif.i
-  %247 = shl i64 %.3549.sroa.0.3.i, 3
-  %scevgep99.i = getelementptr i8, ptr %scevgep98.i, i64 %247
+  %250 = shl i64 %.3549.sroa.0.3.i, 3
+  %scevgep99.i = getelementptr i8, ptr %scevgep98.i, i64 %250
   br label %B56.if.i19.i
 
 B56.if.i19.i:                                     ; preds = %B56.if.i19.i, %B56.if.i19.preheader.i
   %.144127129.i.i = phi i64 [ %.151.i20.i, %B56.if.i19.i ], [ 0, %B56.if.i19.preheader.i ]
   %.151.i20.i = add nuw nsw i64 %.144127129.i.i, 1
-  %248 = shl i64 %.144127129.i.i, 3
-  %scevgep5.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %248
-  %.206.i21.i = load double, ptr %scevgep5.i.i, align 8, !noalias !84
+  %251 = shl i64 %.144127129.i.i, 3
+  %scevgep5.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %251
+  %.206.i21.i = load double, ptr %scevgep5.i.i, align 8, !noalias !91
   %.207.i22.i = fmul contract double %.206.i21.i, 0x3FE45F306DC9C883
   %.208.i23.i = fadd contract double %.207.i22.i, 0x4338000000000000
   %.209.i24.i = fadd contract double %.208.i23.i, 0xC338000000000000
@@ -3803,8 +3882,8 @@ B56.if.i19.i:                                     ; preds = %B56.if.i19.i, %B56.
   %.286.i33.i = fmul contract double %.285.i32.i, %.285.i32.i
   %.287.i34.i = fmul contract double %.285.i32.i, %.286.i33.i
   %.288.i35.i = fmul contract double %.286.i33.i, 0x3D6AE7F3E733B81F
-  %249 = fsub contract double 0x3DE6124613A86D09, %.288.i35.i
-  %.290.i36.i = fmul contract double %.286.i33.i, %249
+  %252 = fsub contract double 0x3DE6124613A86D09, %.288.i35.i
+  %.290.i36.i = fmul contract double %.286.i33.i, %252
   %.291.i37.i = fadd contract double %.290.i36.i, 0xBE5AE64567F544E4
   %.292.i38.i = fmul contract double %.286.i33.i, %.291.i37.i
   %.293.i39.i = fadd contract double %.292.i38.i, 0x3EC71DE3A556C734
@@ -3837,34 +3916,42 @@ B56.if.i19.i:                                     ; preds = %B56.if.i19.i, %B56.
   %.321.i66.i = bitcast double %.301.i47.i to i64
   %.322.i67.i = bitcast double %.317.i63.i to i64
   %.323.i68.i = xor i64 %.322.i67.i, %.321.i66.i
-  %250 = icmp eq i64 %.319.i65.i, 0
-  %.324.i69.i = select i1 %250, i64 0, i64 %.323.i68.i
+  %253 = icmp eq i64 %.319.i65.i, 0
+  %.324.i69.i = select i1 %253, i64 0, i64 %.323.i68.i
   %.325.i70.i = shl i64 %.318.i64.i, 62
   %.326.i71.i = and i64 %.325.i70.i, -9223372036854775808
   %.328.i72.i = add i64 %.325.i70.i, 4611686018427387904
   %.329.i73.i = and i64 %.328.i72.i, -9223372036854775808
-  %251 = xor i64 %.326.i71.i, %.321.i66.i
-  %.331.i74.i = xor i64 %251, %.324.i69.i
+  %254 = xor i64 %.326.i71.i, %.321.i66.i
+  %.331.i74.i = xor i64 %254, %.324.i69.i
   %.332.i75.i = bitcast i64 %.331.i74.i to double
-  %252 = xor i64 %.329.i73.i, %.322.i67.i
-  %.334.i76.i = xor i64 %252, %.324.i69.i
+  %255 = xor i64 %.329.i73.i, %.322.i67.i
+  %.334.i76.i = xor i64 %255, %.324.i69.i
   %.335.i77.i = bitcast i64 %.334.i76.i to double
-  %scevgep21.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %248
-  %.385.i79.i = load double, ptr %scevgep21.i, align 8, !noalias !84
+  %scevgep21.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %251
+  %.385.i79.i = load double, ptr %scevgep21.i, align 8, !noalias !91
   %.386.i80.i = fmul contract double %.385.i79.i, %.335.i77.i
   %.417.i81.i = fmul contract double %.385.i79.i, %.332.i75.i
   %.464.i.i = fptrunc double %.386.i80.i to float
   %.469.i.i = fptrunc double %.417.i81.i to float
-  %scevgep.i = getelementptr i8, ptr %scevgep99.i, i64 %248
+  %scevgep.i = getelementptr i8, ptr %scevgep99.i, i64 %251
   %scevgep20.i = getelementptr i8, ptr %scevgep.i, i64 -4
-  store float %.464.i.i, ptr %scevgep20.i, align 4, !noalias !84
-  store float %.469.i.i, ptr %scevgep.i, align 4, !noalias !84
+  store float %.464.i.i, ptr %scevgep20.i, align 4, !noalias !91
+  store float %.469.i.i, ptr %scevgep.i, align 4, !noalias !91
   %exitcond.not.i82.i = icmp eq i64 %.3637.i, %.151.i20.i
   br i1 %exitcond.not.i82.i, label %B1054.i, label %B56.if.i19.i
 
-_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE.exit: ; preds = %B1058.i, %B0.endif.else.endif.endif.i
+common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.2, %B0.endif.endif.endif.endi...if.2
+  %common.ret.op = phi i32 [ 1, %B0.endif.endif.endif.endi...if.2 ], [ 0, %B0.endif.endif.endif.endi...endif.2 ]
+  ret i32 %common.ret.op
+
+B0.endif.endif.endif.endi...if.2:                 ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  store ptr %excinfo.3.3.i, ptr %excinfo, align 8
+  br label %common.ret
+
+B0.endif.endif.endif.endi...endif.2:              ; preds = %B1058.i, %B0.endif.else.endif.endif.i
   store ptr null, ptr %retptr, align 8
-  ret i32 0
+  br label %common.ret
 }
 
 ; Function Attrs: mustprogress nocallback nofree nounwind willreturn memory(argmem: write)
@@ -3875,6 +3962,9 @@ declare i64 @llvm.smin.i64(i64, i64) #2
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare i64 @llvm.smax.i64(i64, i64) #2
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.pow.f64(double, double) #2
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare double @llvm.log.f64(double) #2
@@ -3931,7 +4021,7 @@ B94.i:                                            ; preds = %B52.i
   %.164.i = select i1 %.163.i, i64 %arg.log_f.5.0, i64 0
   %3 = getelementptr double, ptr %arg.log_f.4, i64 %.113.i
   %.178.i = getelementptr double, ptr %3, i64 %.164.i
-  %.179.i = load double, ptr %.178.i, align 8, !noalias !87
+  %.179.i = load double, ptr %.178.i, align 8, !noalias !94
   %.183.i = fcmp contract ugt double %.179.i, %.345
   br i1 %.183.i, label %B118.loopexit.i, label %B52.i
 
@@ -3955,7 +4045,7 @@ B146.i:                                           ; preds = %B118.i, %B146.i
   %.310.i = select i1 %.309.i, i64 %arg.log_f.5.0, i64 0
   %4 = getelementptr double, ptr %arg.log_f.4, i64 %.259.1.i
   %.324.i = getelementptr double, ptr %4, i64 %.310.i
-  %.325.i = load double, ptr %.324.i, align 8, !noalias !87
+  %.325.i = load double, ptr %.324.i, align 8, !noalias !94
   %.327.i = fcmp contract ole double %.325.i, %.345
   %.338.i = add nsw i64 %.259.1.i, 1
   %high.8.1.i = select i1 %.327.i, i64 %high.7.0.i, i64 %.259.1.i
@@ -3994,7 +4084,7 @@ B254:                                             ; preds = %B146.i, %B118.i, %B
   %.823 = select i1 %.822, i64 %arg.log_f.5.0, i64 0
   %.824 = add i64 %.823, %start.2.0555
   %.827 = icmp slt i64 %.824, 0
-  br i1 %.827, label %B254.endif.endif.endif.else.if, label %B254.endif.endif.endif.else.endif, !prof !3
+  br i1 %.827, label %B254.endif.endif.endif.else.if, label %B254.endif.endif.endif.else.endif, !prof !4
 
 B675.loopexit.unr-lcssa:                          ; preds = %B592.if
   %11 = and i64 %.1081, 1
@@ -4034,7 +4124,7 @@ B254.endif.endif.endif.else.if:                   ; preds = %B254
 B254.endif.endif.endif.else.endif:                ; preds = %B254.endif.endif.endif.else.if, %B254
   %.812.sroa.0.1 = phi i64 [ 0, %B254.endif.endif.endif.else.if ], [ %.824, %B254 ]
   %.832.not = icmp slt i64 %.824, %arg.log_f.5.0
-  br i1 %.832.not, label %B254.endif.endif.endif.else.endif.endif.endif.endif, label %B254.endif.endif.endif.else.endif.if, !prof !4
+  br i1 %.832.not, label %B254.endif.endif.endif.else.endif.endif.endif.endif, label %B254.endif.endif.endif.else.endif.if, !prof !5
 
 B254.endif.endif.endif.else.endif.if:             ; preds = %B254.endif.endif.endif.else.endif
   br label %B254.endif.endif.endif.else.endif.endif.endif.endif
@@ -4045,7 +4135,7 @@ B254.endif.endif.endif.else.endif.endif.endif.endif: ; preds = %B254.endif.endif
   %.1004 = select i1 %.822, i64 %arg.out.5.0, i64 0
   %.1005 = add i64 %.1004, %start.2.0555
   %.1008 = icmp slt i64 %.1005, 0
-  br i1 %.1008, label %B254.endif.endif.endif.endif.else.if, label %B254.endif.endif.endif.endif.else.endif, !prof !3
+  br i1 %.1008, label %B254.endif.endif.endif.endif.else.if, label %B254.endif.endif.endif.endif.else.endif, !prof !4
 
 B254.endif.endif.endif.endif.else.if:             ; preds = %B254.endif.endif.endif.else.endif.endif.endif.endif
   br label %B254.endif.endif.endif.endif.else.endif
@@ -4053,7 +4143,7 @@ B254.endif.endif.endif.endif.else.if:             ; preds = %B254.endif.endif.en
 B254.endif.endif.endif.endif.else.endif:          ; preds = %B254.endif.endif.endif.endif.else.if, %B254.endif.endif.endif.else.endif.endif.endif.endif
   %.993.sroa.0.1 = phi i64 [ 0, %B254.endif.endif.endif.endif.else.if ], [ %.1005, %B254.endif.endif.endif.else.endif.endif.endif.endif ]
   %.1013.not = icmp slt i64 %.1005, %arg.out.5.0
-  br i1 %.1013.not, label %B254.endif.endif.endif.endif.else.endif.endif, label %B254.endif.endif.endif.endif.else.endif.if, !prof !4
+  br i1 %.1013.not, label %B254.endif.endif.endif.endif.else.endif.endif, label %B254.endif.endif.endif.endif.else.endif.if, !prof !5
 
 B254.endif.endif.endif.endif.else.endif.if:       ; preds = %B254.endif.endif.endif.endif.else.endif
   br label %B254.endif.endif.endif.endif.else.endif.endif
@@ -4064,7 +4154,7 @@ B254.endif.endif.endif.endif.else.endif.endif:    ; preds = %B254.endif.endif.en
   %.1021 = select i1 %.1020, i64 %arg.out.5.0, i64 0
   %.1022 = add i64 %.1021, %end.2.2
   %.1025 = icmp slt i64 %.1022, 0
-  br i1 %.1025, label %B254.endif.endif.endif.endif.else.endif.endif.if, label %B254.endif.endif.endif.endif.else.endif.endif.endif, !prof !3
+  br i1 %.1025, label %B254.endif.endif.endif.endif.else.endif.endif.if, label %B254.endif.endif.endif.endif.else.endif.endif.endif, !prof !4
 
 B254.endif.endif.endif.endif.else.endif.endif.if: ; preds = %B254.endif.endif.endif.endif.else.endif.endif
   br label %B254.endif.endif.endif.endif.else.endif.endif.endif
@@ -4072,7 +4162,7 @@ B254.endif.endif.endif.endif.else.endif.endif.if: ; preds = %B254.endif.endif.en
 B254.endif.endif.endif.endif.else.endif.endif.endif: ; preds = %B254.endif.endif.endif.endif.else.endif.endif.if, %B254.endif.endif.endif.endif.else.endif.endif
   %.993.sroa.13.1 = phi i64 [ 0, %B254.endif.endif.endif.endif.else.endif.endif.if ], [ %.1022, %B254.endif.endif.endif.endif.else.endif.endif ]
   %.1030.not = icmp slt i64 %.1022, %arg.out.5.0
-  br i1 %.1030.not, label %B254.endif.endif.endif.en...endif, label %B254.endif.endif.endif.en...if, !prof !4
+  br i1 %.1030.not, label %B254.endif.endif.endif.en...endif, label %B254.endif.endif.endif.en...if, !prof !5
 
 B254.endif.endif.endif.en...if:                   ; preds = %B254.endif.endif.endif.endif.else.endif.endif.endif
   br label %B254.endif.endif.endif.en...endif
@@ -4127,9 +4217,6 @@ B592.if:                                          ; preds = %B592.if, %B592.if.p
   br i1 %niter.ncmp.1, label %B675.loopexit.unr-lcssa, label %B592.if
 }
 
-; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
-declare double @llvm.pow.f64(double, double) #2
-
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
 declare double @sqrt(double) local_unnamed_addr #4
 
@@ -4152,93 +4239,100 @@ attributes #3 = { nofree norecurse nosync nounwind memory(argmem: readwrite) }
 attributes #4 = { mustprogress nocallback nofree nosync nounwind willreturn memory(none) }
 attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
 
-!0 = !{!1}
+!0 = !{!1, !3}
 !1 = distinct !{!1, !2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
 !2 = distinct !{!2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
-!3 = !{!"branch_weights", i32 1, i32 99}
-!4 = !{!"branch_weights", i32 99, i32 1}
-!5 = !{!6, !1}
-!6 = distinct !{!6, !7, !"_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!7 = distinct !{!7, !"_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!8 = !{!9, !6, !1}
-!9 = distinct !{!9, !10, !"_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!10 = distinct !{!10, !"_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!11 = !{!12, !9, !6, !1}
-!12 = distinct !{!12, !13, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v10B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!13 = distinct !{!13, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v10B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
-!14 = !{!15, !9, !6, !1}
-!15 = distinct !{!15, !16, !"_ZN17bnserve_surrogate6kernel11_regression15_add_polynomialB3v11B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!16 = distinct !{!16, !"_ZN17bnserve_surrogate6kernel11_regression15_add_polynomialB3v11B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!17 = !{!18, !9, !6, !1}
-!18 = distinct !{!18, !19, !"_ZN17bnserve_surrogate6kernel11_regression12_add_networkB3v12B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!19 = distinct !{!19, !"_ZN17bnserve_surrogate6kernel11_regression12_add_networkB3v12B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!20 = distinct !{!20, !21}
-!21 = !{!"llvm.loop.unroll.disable"}
-!22 = distinct !{!22, !21}
-!23 = !{!24, !6, !1}
-!24 = distinct !{!24, !25, !"_ZN17bnserve_surrogate6kernel7_source11_synthesizeB3v15B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!25 = distinct !{!25, !"_ZN17bnserve_surrogate6kernel7_source11_synthesizeB3v15B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!26 = distinct !{!26, !21}
-!27 = !{!28, !6, !1}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB3v16B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB3v16B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
-!30 = !{!31, !28, !6, !1}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB3v17B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB3v17B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!33 = !{!34, !28, !6, !1}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!36 = !{!37, !28, !6, !1}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!39 = !{!40, !28, !6, !1}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
-!42 = !{!43, !28, !6, !1}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
-!45 = !{!46, !28, !6, !1}
-!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB3v22B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!47 = distinct !{!47, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB3v22B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
-!48 = !{!49, !28, !6, !1}
-!49 = distinct !{!49, !50, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!50 = distinct !{!50, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!51 = !{!52, !28, !6, !1}
-!52 = distinct !{!52, !53, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!53 = distinct !{!53, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!54 = !{!55, !6, !1}
-!55 = distinct !{!55, !56, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!56 = distinct !{!56, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
-!57 = !{!58, !1}
-!58 = distinct !{!58, !59, !"_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!59 = distinct !{!59, !"_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!60 = !{!61, !58, !1}
-!61 = distinct !{!61, !62, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd: %retptr"}
-!62 = distinct !{!62, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd"}
-!63 = !{!64, !58, !1}
-!64 = distinct !{!64, !65, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
-!65 = distinct !{!65, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}
-!66 = !{!67, !58, !1}
-!67 = distinct !{!67, !68, !"_ZN17bnserve_surrogate6kernel7_source13_extend_belowB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!68 = distinct !{!68, !"_ZN17bnserve_surrogate6kernel7_source13_extend_belowB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!69 = !{!70, !72, !58, !1}
-!70 = distinct !{!70, !71, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd: %retptr"}
-!71 = distinct !{!71, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd"}
-!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE"}
-!74 = !{!75, !72, !58, !1}
-!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
-!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}
-!77 = !{!72, !58, !1}
-!78 = !{!79, !58, !1}
-!79 = distinct !{!79, !80, !"_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!80 = distinct !{!80, !"_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
-!81 = !{!82, !1}
-!82 = distinct !{!82, !83, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v41B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE: %retptr"}
-!83 = distinct !{!83, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v41B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE"}
-!84 = !{!85, !1}
-!85 = distinct !{!85, !86, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE: %retptr"}
-!86 = distinct !{!86, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE"}
-!87 = !{!88}
-!88 = distinct !{!88, !89, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
-!89 = distinct !{!89, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}
+!3 = distinct !{!3, !2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %excinfo"}
+!4 = !{!"branch_weights", i32 1, i32 99}
+!5 = !{!"branch_weights", i32 99, i32 1}
+!6 = !{!7, !1, !3}
+!7 = distinct !{!7, !8, !"_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!8 = distinct !{!8, !"_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!9 = !{!10, !7, !1, !3}
+!10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!11 = distinct !{!11, !"_ZN17bnserve_surrogate6kernel11_regression7regressB2v9B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEddddd5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!12 = !{!13, !10, !7, !1, !3}
+!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v10B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!14 = distinct !{!14, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v10B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!15 = !{!16, !10, !7, !1, !3}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel11_regression15_add_polynomialB3v11B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel11_regression15_add_polynomialB3v11B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!18 = !{!19, !10, !7, !1, !3}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel11_regression12_add_networkB3v12B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel11_regression12_add_networkB3v12B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!21 = distinct !{!21, !22}
+!22 = !{!"llvm.loop.unroll.disable"}
+!23 = distinct !{!23, !22}
+!24 = !{!25, !7, !1, !3}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_source11_synthesizeB3v15B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_source11_synthesizeB3v15B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!27 = distinct !{!27, !22}
+!28 = !{!29, !7, !1, !3}
+!29 = distinct !{!29, !30, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB3v16B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!30 = distinct !{!30, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB3v16B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!31 = !{!32, !29, !7, !1, !3}
+!32 = distinct !{!32, !33, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB3v17B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!33 = distinct !{!33, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB3v17B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!34 = !{!35, !29, !7, !1, !3}
+!35 = distinct !{!35, !36, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!36 = distinct !{!36, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!37 = !{!38, !29, !7, !1, !3}
+!38 = distinct !{!38, !39, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!39 = distinct !{!39, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB3v18B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!40 = !{!41, !29, !7, !1, !3}
+!41 = distinct !{!41, !42, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!42 = distinct !{!42, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!43 = !{!44, !29, !7, !1, !3}
+!44 = distinct !{!44, !45, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!45 = distinct !{!45, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB3v20B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!46 = !{!47, !29, !7, !1, !3}
+!47 = distinct !{!47, !48, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB3v22B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!48 = distinct !{!48, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB3v22B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!49 = !{!50, !29, !7, !1, !3}
+!50 = distinct !{!50, !51, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!51 = distinct !{!51, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!52 = !{!53, !29, !7, !1, !3}
+!53 = distinct !{!53, !54, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!54 = distinct !{!54, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB3v23B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!55 = !{!56, !7, !1, !3}
+!56 = distinct !{!56, !57, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!57 = distinct !{!57, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!58 = !{!59, !61, !1, !3}
+!59 = distinct !{!59, !60, !"_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!60 = distinct !{!60, !"_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!61 = distinct !{!61, !60, !"_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!62 = !{!63, !59, !61, !1, !3}
+!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd: %retptr"}
+!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd"}
+!65 = !{!"branch_weights", i32 49, i32 1}
+!66 = !{!67, !69, !59, !61, !1, !3}
+!67 = distinct !{!67, !68, !"_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!68 = distinct !{!68, !"_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!69 = distinct !{!69, !68, !"_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!70 = !{!71, !59, !61, !1, !3}
+!71 = distinct !{!71, !72, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
+!72 = distinct !{!72, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}
+!73 = !{!74, !59, !61, !1, !3}
+!74 = distinct !{!74, !75, !"_ZN17bnserve_surrogate6kernel7_source13_extend_belowB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!75 = distinct !{!75, !"_ZN17bnserve_surrogate6kernel7_source13_extend_belowB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!76 = !{!77, !79, !59, !61, !1, !3}
+!77 = distinct !{!77, !78, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd: %retptr"}
+!78 = distinct !{!78, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29xd"}
+!79 = distinct !{!79, !80, !"_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!80 = distinct !{!80, !"_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE"}
+!81 = !{!82, !79, !59, !61, !1, !3}
+!82 = distinct !{!82, !83, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
+!83 = distinct !{!83, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}
+!84 = !{!79, !59, !61, !1, !3}
+!85 = !{!86, !59, !61, !1, !3}
+!86 = distinct !{!86, !87, !"_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!87 = distinct !{!87, !"_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!88 = !{!89, !1, !3}
+!89 = distinct !{!89, !90, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v42B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE: %retptr"}
+!90 = distinct !{!90, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v42B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE"}
+!91 = !{!92, !1, !3}
+!92 = distinct !{!92, !93, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v44B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE: %retptr"}
+!93 = distinct !{!93, !"_ZN17bnserve_surrogate6kernel7_source13_to_cartesianB3v44B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE"}
+!94 = !{!95}
+!95 = distinct !{!95, !96, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd: %retptr"}
+!96 = distinct !{!96, !"_ZN17bnserve_surrogate6kernel7_source11first_aboveB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd"}

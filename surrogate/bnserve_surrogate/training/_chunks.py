@@ -126,7 +126,7 @@ def write_chunk(path: Path, chunk: Chunk) -> None:
 def read_chunk(path: Path, amplitudes: int, phases: int) -> Chunk | None:
     """Read a chunk; None if there is none, or if what there is cannot be used and must be computed again."""
     try:
-        with np.load(path, allow_pickle=False) as archive:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as archive:
             chunk = Chunk(**{field.name: archive[field.name] for field in fields(Chunk)})
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
         return None

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import functools
+import os
+import threading
+import time
 from collections.abc import Iterator
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any
@@ -9,6 +13,7 @@ from typing import Any
 from bnserve_surrogate.training._chunks import Chunk, ChunkTask, assemble, compute_chunk, merge
 from bnserve_surrogate.training.errors import WorkersUnusable, require
 
+_PARENT_CHECK_SECONDS = 0.5
 _CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
 
 
@@ -83,7 +88,7 @@ def _parallel(
     def calls() -> Iterator[Any]:
         for task in list(pending.values()):
             dispatched.append(task.start)
-            yield joblib.delayed(_labelled)(task)
+            yield joblib.delayed(_labelled)(task, os.getpid())
 
     workers = joblib.Parallel(
         n_jobs=n_jobs, backend=backend, batch_size=1, pre_dispatch="2*n_jobs", return_as="generator_unordered"
@@ -97,13 +102,27 @@ def _in_one_process(pending: dict[int, ChunkTask], dispatched: list[int]) -> Ite
     try:
         for task in list(pending.values()):
             dispatched.append(task.start)
-            yield executor.submit(_labelled, task).result()
+            yield executor.submit(_labelled, task, os.getpid()).result()
     finally:
         executor.shutdown(kill_workers=True)
 
 
-def _labelled(task: ChunkTask) -> tuple[int, Chunk]:
+def _labelled(task: ChunkTask, parent: int) -> tuple[int, Chunk]:
+    if os.getppid() == parent:
+        _end_with(parent)
     return task.start, compute_chunk(task)
+
+
+@functools.cache
+def _end_with(parent: int) -> None:
+    """End this worker when its parent is gone: loky's would stay for five more minutes after a kill -9."""
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(_PARENT_CHECK_SECONDS)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 def _only_crashes(error: BrokenProcessPool) -> None:
@@ -123,7 +142,7 @@ def _new_executor() -> Any:
 def _attempt(executor: Any, single: ChunkTask) -> tuple[Chunk, bool]:
     """The chunk of one sample, and whether its process died."""
     try:
-        return executor.submit(compute_chunk, single).result(), False
+        return executor.submit(_labelled, single, os.getpid()).result()[1], False
     except BrokenProcessPool as error:
         _only_crashes(error)
         failed = [(single.start, _CRASHED)]

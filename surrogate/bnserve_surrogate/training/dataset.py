@@ -261,7 +261,7 @@ def _check_failures(chunks: dict[int, Chunk], allowed: float, count: int) -> Non
     if failed > allowed:
         common = "; ".join(f"{number} x {reason}" for reason, number in reasons.most_common(3))
         raise TooManyFailures(
-            f"{failed} of {count} waveforms failed, more than the {allowed:g} allowed. The commonest reasons: {common}\n"
+            f"{failed} of {count} waveforms failed; {allowed:g} are allowed. The commonest reasons: {common}\n"
             "Change the parameter ranges, the band or the generator, or allow more failures."
         )
 

@@ -104,6 +104,7 @@ class NodeMismatch:
         phase = np.asarray(phase_difference, dtype=np.float64)
         if len(log_amplitude) != len(phase):
             raise ValueError(f"Got {len(log_amplitude)} amplitude differences and {len(phase)} phase differences.")
+        _require_finite(log_amplitude, phase)
         rows = max(1, _ELEMENTS // len(self.frequencies))
         pieces = [_empty()]
         for start in range(0, len(phase), rows):
@@ -160,8 +161,12 @@ def _checked(
         )
     if scale.shape not in (grid.shape, angle.shape):
         raise ValueError(f"Weights must have shape {grid.shape} or {angle.shape}; got {scale.shape}.")
-    if not all(np.isfinite(array).all() for array in (grid, scale, amplitude, angle)):
-        raise ValueError("Frequencies, weights and differences must be finite; screen failed waveforms first.")
+    _require_finite(grid, scale, amplitude, angle)
     if (scale < 0.0).any() or not (scale.sum(axis=-1) > 0.0).all():
         raise ValueError("Weights must not be negative and must not all vanish.")
     return grid, scale, amplitude, angle
+
+
+def _require_finite(*arrays: FloatArray) -> None:
+    if not all(np.isfinite(array).all() for array in arrays):
+        raise ValueError("Frequencies, weights and differences must be finite; screen failed waveforms first.")

@@ -48,7 +48,8 @@ def screen_outliers(
     coordinates
         (N, d) smooth coordinates in which the residuals vary evenly, each of comparable extent.
     values
-        (N, n) flattened phase residuals, or log amplitude ratios. Not changed.
+        (N, n) phases or log amplitude ratios. Not changed. Residuals vary so much over the box that a thousand
+        waveforms predict each other to radians only: pass what is left after a first smooth fit, a polynomial say.
     ratio, least
         Thresholds; ``least`` is in the units of ``values``.
 

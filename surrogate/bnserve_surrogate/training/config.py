@@ -1,0 +1,166 @@
+"""The configuration of a training, as a closed schema: a misspelt key is an error that suggests the right one."""
+
+from __future__ import annotations
+
+import difflib
+import re
+import tomllib
+from pathlib import Path
+from typing import Any, Literal
+
+import msgspec
+
+from bnserve_surrogate.training.errors import TrainingError
+
+
+class ConfigurationInvalid(TrainingError):
+    """A training configuration that cannot be read or makes no sense."""
+
+    code = "configuration-invalid"
+    title = "Training configuration invalid"
+
+
+class _Section(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Unknown keys are errors in every section."""
+
+
+class GeneratorSection(_Section):
+    """Which waveforms: a name of ``GENERATORS`` and its options."""
+
+    name: str = "teobresums"
+    options: dict[str, Any] = {}
+
+
+class RangesSection(_Section):
+    """The box, and the band that is guaranteed for every total mass in it."""
+
+    mass_ratio: tuple[float, float] = (1.0, 3.0)
+    chi: tuple[float, float] = (-0.5, 0.5)
+    tidal_deformability: tuple[float, float] = (5.0, 5000.0)
+    total_mass: tuple[float, float] = (2.0, 4.0)
+    reference_mass: float = 2.8
+    frequency_band: tuple[float, float] = (5.0, 2048.0)
+
+
+class NodesSection(_Section):
+    """``smooth``: ``count`` nodes for both quantities. ``greedy``: the paper's, on residuals or on waveforms."""
+
+    kind: Literal["smooth", "greedy"] = "smooth"
+    count: int = 160
+    tolerance: float = 1e-5
+    waveforms: int = 128
+    on: Literal["residuals", "waveforms"] = "residuals"
+
+
+class DatasetSection(_Section):
+    """How many waveforms, drawn how; ``arcsine_fraction`` is the mixture's share of arcsine points."""
+
+    count: int
+    sampling: Literal["uniform", "arcsine", "mixture"] = "mixture"
+    arcsine_fraction: float = 0.5
+    seed: int = 1
+    max_failed_fraction: float = 0.01
+
+
+class ReductionSection(_Section):
+    """``metric``: components in the metric of the mismatch. ``paper``: unweighted, scaled by lambda^exponent."""
+
+    kind: Literal["metric", "paper"] = "metric"
+    components: int = 26
+    eigenvalue_exponent: float = 0.37
+    noise: str = "ET-D"
+
+
+class PolynomialSection(_Section):
+    """Options of ``ChebyshevPolynomial``."""
+
+    degree: float = 9.0
+    terms: int | None = None
+    weights: tuple[float, float, float, float, float] = (1.0, 0.8, 1.0, 1.5, 1.5)
+
+
+class NetworkSection(_Section):
+    """Options of ``MLP``; the defaults are the paper's."""
+
+    hidden_layer_sizes: tuple[int, ...] = (82, 95)
+    activation: Literal["tanh", "relu", "logistic"] = "tanh"
+    alpha: float = 1e-4
+    batch_size: int = 162
+    learning_rate_init: float = 1.2e-3
+    max_iter: int = 1000
+    validation_fraction: float = 0.075
+    tol: float = 2e-15
+    n_iter_no_change: int = 91
+    seed: int = 0
+
+
+class RegressorSection(_Section):
+    """``polynomial``, ``network``, or ``sum``: a network on what the polynomial leaves."""
+
+    kind: Literal["polynomial", "network", "sum"] = "polynomial"
+    coordinates: Literal["physical", "raw"] = "physical"
+    polynomial: PolynomialSection = PolynomialSection()
+    network: NetworkSection = NetworkSection()
+
+
+class ValidationSection(_Section):
+    """Fresh waveforms: ``count`` uniform in the box, ``edge_count`` on its faces, edges and corners."""
+
+    count: int = 512
+    edge_count: int = 128
+    seed: int = 1000
+
+
+class TrainingConfiguration(_Section, kw_only=True):
+    """A whole configuration file."""
+
+    name: str
+    version: str
+    labels: tuple[str, ...] = ("stable",)
+    citation: str = ""
+    generator: GeneratorSection = GeneratorSection()
+    ranges: RangesSection = RangesSection()
+    nodes: NodesSection = NodesSection()
+    dataset: DatasetSection
+    reduction: ReductionSection = ReductionSection()
+    regressor: RegressorSection = RegressorSection()
+    validation: ValidationSection = ValidationSection()
+
+
+def read_configuration(path: Path | str) -> TrainingConfiguration:
+    """Read a TOML file.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Not readable, not TOML, or a key or value that the schema does not have; the nearest key is suggested.
+    """
+    try:
+        table = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ConfigurationInvalid(f"Cannot read the configuration {path}: {error.strerror}.") from error
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        raise ConfigurationInvalid(f"{path} is not valid TOML: {error}.") from error
+    return parse_configuration(table)
+
+
+def parse_configuration(table: dict[str, Any]) -> TrainingConfiguration:
+    """Check a configuration given as nested dictionaries; raises as :func:`read_configuration`."""
+    try:
+        return msgspec.convert(table, TrainingConfiguration)
+    except msgspec.ValidationError as error:
+        raise ConfigurationInvalid(f"The training configuration is wrong: {_explain(str(error))}.") from error
+
+
+def _explain(message: str) -> str:
+    unknown = re.search(r"unknown field `(\w+)`(?: - at `\$\.?([\w.]*)`)?", message)
+    if not unknown:
+        return message
+    section: type[msgspec.Struct] = TrainingConfiguration
+    for part in filter(None, (unknown[2] or "").split(".")):
+        section = {field.name: field.type for field in msgspec.structs.fields(section)}[part]
+    known = [field.name for field in msgspec.structs.fields(section)]
+    near = difflib.get_close_matches(unknown[1], known, n=1)
+    where = f" in [{unknown[2]}]" if unknown[2] else ""
+    hint = f"did you mean '{near[0]}'?" if near else f"known keys: {', '.join(known)}"
+    return f"unknown key '{unknown[1]}'{where}; {hint}"

@@ -1,0 +1,84 @@
+"""A fitted reduction and regressor as the tensors of a model."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_surrogate._coordinates import CoordinateMap
+from bnserve_surrogate.baseline import PHASE_LOG_POWERS, PHASE_POWERS, phase_coefficients
+from bnserve_surrogate.training.generators import FloatArray
+from bnserve_surrogate.training.reduction import ReducedResiduals, Reduction
+from bnserve_surrogate.training.regressors import ExportedRegressor
+
+SCALARS = ("log_amplitude", "time_shift", "phase_shift")
+"""Outputs of the regressor beside the components: what the match does not see."""
+
+
+def merger_phase(theta: FloatArray, mf: float) -> FloatArray:
+    """Psi - f dPsi/df of the baseline at ``mf`` for parameters (N, 5), in radians, (N,).
+
+    A generator whose phase starts from zero at ``mf`` has this, up to the sign, for a constant that varies by 1e5
+    radians over the box; without it a phase shift of hundreds remains, which is learnt to 1e-4.
+    """
+    series = np.empty((PHASE_LOG_POWERS, PHASE_POWERS, len(theta)))
+    phase_coefficients(*theta.T, series)
+    v = np.cbrt(np.pi * mf)
+    log_v = np.log(v)
+    powers = np.arange(PHASE_POWERS)[:, None] - 5.0
+    plain = series[0] + log_v * (series[1] + log_v * series[2])
+    slope = powers * plain + series[1] + 2.0 * log_v * series[2]
+    return np.asarray((v**powers * (plain - slope / 3.0)).sum(axis=0))
+
+
+def regression_targets(
+    reduced: ReducedResiduals, theta: FloatArray, reference_mf: float, start_mf: float
+) -> FloatArray:
+    """What the regressor learns, (N, k + 3): components, then the scalars of :data:`SCALARS`.
+
+    Parameters
+    ----------
+    reduced:
+        Of N residuals.
+    theta:
+        Their parameters.
+    reference_mf:
+        Where ``reduced.phase`` is taken.
+    start_mf:
+        Where the generator's phase starts from zero, or 0 if it does not.
+    """
+    intercept = reduced.phase - reduced.phase_slope * reference_mf
+    if start_mf > 0.0:
+        intercept = intercept + merger_phase(theta, start_mf)
+    return np.column_stack([reduced.components, reduced.log_amplitude, reduced.phase_slope, intercept])
+
+
+def model_tensors(
+    reduction: Reduction,
+    regressor: ExportedRegressor,
+    coordinates: CoordinateMap,
+    mf_amplitude: FloatArray,
+    mf_phase: FloatArray,
+) -> dict[str, NDArray[Any]]:
+    """The tensors of the (2, 2) mode, as :mod:`bnserve_surrogate._tensors` describes them."""
+    amplitude, phase = reduction.node_bases()
+    components = len(amplitude.basis)
+    basis = np.zeros((components + len(SCALARS), len(mf_amplitude) + len(mf_phase)))
+    basis[:components] = np.hstack([amplitude.basis, phase.basis])
+    basis[components, : len(mf_amplitude)] = 1.0
+    merger_alignment = np.zeros((components + len(SCALARS) + 1, 2))
+    merger_alignment[-2, 1] = 1.0
+    merger_alignment[-1, 0] = 1.0
+    tensors = {
+        "amplitude_nodes": mf_amplitude,
+        "phase_nodes": mf_phase,
+        "mean": np.concatenate([amplitude.mean, phase.mean]),
+        "basis": basis,
+        "merger_alignment": merger_alignment,
+        "coordinate_offset": coordinates.offset,
+        "coordinate_scale": coordinates.scale,
+        **regressor.arrays,
+    }
+    return {f"22/{name}": np.ascontiguousarray(tensor) for name, tensor in tensors.items()}

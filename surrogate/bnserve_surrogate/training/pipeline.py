@@ -1,0 +1,343 @@
+"""From a configuration to a published model; every stage can be interrupted and resumed."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import platform
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import EvaluationOptions, ParametersWithExtrinsic, __version__
+from bnserve_store import Manifest, ModelStore
+from bnserve_surrogate._coordinates import CoordinateMap
+from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
+from bnserve_surrogate._model import Model
+from bnserve_surrogate._tensors import read_modes
+from bnserve_surrogate.training._baseline import baseline_amplitude
+from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
+from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
+from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, make_generator, mass_seconds
+from bnserve_surrogate.training.greedy_nodes import greedy_nodes
+from bnserve_surrogate.training.metric import MismatchMetric
+from bnserve_surrogate.training.nodes import smooth_nodes
+from bnserve_surrogate.training.noise import noise_curve
+from bnserve_surrogate.training.quadrature import noise_weights, spline_matrix
+from bnserve_surrogate.training.ranges import ParameterRanges
+from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction, Reduction
+from bnserve_surrogate.training.regressors import MLP, ChebyshevPolynomial, Sum, export_regressor
+from bnserve_surrogate.training.residuals import flatten_phase
+from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
+from bnserve_surrogate.training.validation import Validation, validate
+
+Say = Callable[[str], None]
+_SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 1e-2, "phase_shift": 1e-6}
+"""What a squared error of a scalar costs against one of the components, when a polynomial is pruned: the match does not
+see it, but the merger's alignment does. That of the time shift multiplies its own part of the metric."""
+
+
+@dataclass(frozen=True)
+class Trained:
+    """A trained model before it is published."""
+
+    tensors: dict[str, NDArray[Any]]
+    metadata: SurrogateMetadata
+    model: Model
+    validations: dict[str, Validation]
+
+
+def train(
+    configuration: TrainingConfiguration,
+    directory: Path,
+    *,
+    n_jobs: int = -1,
+    backend: str = "loky",
+    progress: bool | None = None,
+    say: Say = print,
+) -> Trained:
+    """Run every stage: nodes, waveforms, reduction, regression, validation.
+
+    Parameters
+    ----------
+    configuration:
+        What to train.
+    directory:
+        Where waveforms are kept, chunk by chunk: the same call after an interruption goes on from there.
+    n_jobs, backend, progress:
+        As for :func:`build_dataset`.
+    say:
+        Called with a line at the beginning of each stage.
+
+    Raises
+    ------
+    TrainingError
+        With what to do; finished work is kept.
+    """
+    started = time.monotonic()
+    generator = make_generator(configuration.generator.name, **configuration.generator.options)
+    generate = _Generation(configuration, generator, directory, n_jobs, backend, progress)
+    say(f"Nodes: {configuration.nodes.kind}")
+    mf_amplitude, mf_phase = _nodes(configuration, generator, directory, n_jobs)
+    say(f"  {len(mf_amplitude)} for the amplitude, {len(mf_phase)} for the phase")
+    say(f"Waveforms: {configuration.dataset.count} of {generator.name} {generator.version}")
+    dataset = generate(_sampling(configuration), "train", configuration.dataset.seed, configuration.dataset.count,
+                       mf_amplitude, mf_phase)  # fmt: skip
+    say(f"  {len(dataset)} ready, {len(dataset.failures)} failed and left out")
+    say(f"Reduction: {configuration.reduction.kind}, {configuration.reduction.components} components")
+    metric = mismatch_metric(dataset, configuration)
+    reduction, targets, start_mf = _reduce(configuration, generator, metric, dataset)
+    say(f"Regression: {configuration.regressor.kind} in {configuration.regressor.coordinates} coordinates")
+    coordinates = _coordinates(configuration, dataset.theta)
+    regressor = _regressor(configuration, metric).fit(coordinates(dataset.theta), targets)
+    exported = export_regressor(regressor)
+    tensors = model_tensors(reduction, exported, coordinates, mf_amplitude, mf_phase)
+    metadata = _metadata(configuration, exported.metadata.get("mlp_activation", "tanh"), start_mf)
+    say("Validation on fresh waveforms")
+    validations = _validate(configuration, generate, _model(configuration, metadata, tensors), metadata)
+    provenance = _provenance(configuration, generator, dataset, tensors, time.monotonic() - started)
+    metadata = _with_results(metadata, provenance, validations, _model(configuration, metadata, tensors))
+    return Trained(tensors, metadata, _model(configuration, metadata, tensors), validations)
+
+
+def publish(configuration: TrainingConfiguration, trained: Trained, store: Path | str) -> Manifest:
+    """Publish a trained model into a store; raises ``VersionExists`` if its version is there already."""
+    return ModelStore([store]).publish(
+        configuration.name,
+        configuration.version,
+        trained.tensors,
+        trained.metadata.write(),
+        labels=tuple(configuration.labels),
+    )
+
+
+def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfiguration) -> MismatchMetric:
+    """The metric with the mean weights |h|^2 / S_n of the data set, at its nodes."""
+    mass = mass_seconds(configuration.ranges.reference_mass)
+    dense = np.geomspace(dataset.mf_amplitude[0], dataset.mf_amplitude[-1], 4000)
+    to_dense = spline_matrix(dataset.mf_amplitude, dense).T
+    every = max(1, len(dataset) // 1024)
+    amplitudes = np.array(
+        [
+            np.exp(ratio @ to_dense) * baseline_amplitude(theta, dense)
+            for theta, ratio in zip(dataset.theta[::every], dataset.log_amplitude_ratio[::every], strict=True)
+        ]
+    )
+    weights = noise_weights(dense / mass, amplitudes, noise_curve(configuration.reduction.noise)).mean(axis=0)
+    return MismatchMetric.from_dense(dataset.mf_amplitude, dataset.mf_phase, dense, weights)
+
+
+@dataclass(frozen=True)
+class _Generation:
+    configuration: TrainingConfiguration
+    generator: WaveformGenerator
+    directory: Path
+    n_jobs: int
+    backend: str
+    progress: bool | None
+
+    def __call__(
+        self, sampling: Sampling, purpose: str, seed: int, count: int, mf_amplitude: FloatArray, mf_phase: FloatArray
+    ) -> ResidualDataset:
+        ranges = parameter_ranges(self.configuration)
+        specification = DatasetSpecification(self.generator, ranges, sampling, seed, purpose, mf_amplitude, mf_phase)
+        return build_dataset(
+            specification,
+            count,
+            self.directory,
+            n_jobs=self.n_jobs,
+            backend=self.backend,
+            progress=self.progress,
+            max_failed_fraction=self.configuration.dataset.max_failed_fraction,
+        )
+
+
+def parameter_ranges(configuration: TrainingConfiguration) -> ParameterRanges:
+    """The box of a configuration."""
+    ranges = configuration.ranges
+    return ParameterRanges(ranges.mass_ratio, ranges.chi, ranges.tidal_deformability)
+
+
+def training_band(configuration: TrainingConfiguration) -> tuple[float, float]:
+    """Hz at the reference mass: [f1 M1 / Mref, f2 M2 / Mref] (paper, section "Mass rescaling")."""
+    ranges = configuration.ranges
+    return (
+        ranges.frequency_band[0] * ranges.total_mass[0] / ranges.reference_mass,
+        ranges.frequency_band[1] * ranges.total_mass[1] / ranges.reference_mass,
+    )
+
+
+def _nodes(
+    configuration: TrainingConfiguration, generator: WaveformGenerator, directory: Path, n_jobs: int
+) -> tuple[FloatArray, FloatArray]:
+    band, mass = training_band(configuration), configuration.ranges.reference_mass
+    section = configuration.nodes
+    if section.kind == "smooth":
+        nodes = smooth_nodes(*band, section.count, mass)
+        return nodes, nodes
+    return greedy_nodes(
+        generator,
+        parameter_ranges(configuration),
+        (band[0] * mass_seconds(mass), band[1] * mass_seconds(mass)),
+        waveforms=section.waveforms,
+        tolerance=section.tolerance,
+        on=section.on,
+        seed=configuration.dataset.seed,
+        directory=directory,
+        n_jobs=n_jobs,
+    )
+
+
+def _sampling(configuration: TrainingConfiguration) -> Sampling:
+    section = configuration.dataset
+    return make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
+
+
+def _reduce(
+    configuration: TrainingConfiguration, generator: WaveformGenerator, metric: MismatchMetric, dataset: ResidualDataset
+) -> tuple[Reduction, FloatArray, float]:
+    """The fitted reduction, the regressor's targets, and where the generator's phase starts from zero."""
+    section = configuration.reduction
+    start_mf = float(
+        getattr(generator, "phase_start", lambda mf: 0.0)(min(dataset.mf_phase[0], dataset.mf_amplitude[0]))
+    )
+    if section.kind == "metric":
+        reduction: Reduction = MetricReduction(metric, section.components)
+        phase, constant, slope = dataset.psi_residual, 0.0, 0.0
+    else:
+        reduction = PaperReduction(section.components, section.eigenvalue_exponent)
+        flat = flatten_phase(dataset.mf_phase, dataset.psi_residual)
+        phase, constant, slope = flat.residual, flat.constant, 2.0 * np.pi * flat.time_shift
+    reduced = reduction.fit(dataset.log_amplitude_ratio, phase).transform(dataset.log_amplitude_ratio, phase)
+    reference = metric.reference_frequency if section.kind == "metric" else 0.0
+    reduced = reduced._replace(phase=reduced.phase + constant, phase_slope=reduced.phase_slope + slope)
+    return reduction, regression_targets(reduced, dataset.theta, reference, start_mf), start_mf
+
+
+def _coordinates(configuration: TrainingConfiguration, theta: FloatArray) -> CoordinateMap:
+    if configuration.regressor.coordinates == "raw":
+        return CoordinateMap.standardised(theta)
+    ranges = parameter_ranges(configuration)
+    return CoordinateMap.physical(ranges.lower, ranges.upper)
+
+
+def _regressor(configuration: TrainingConfiguration, metric: MismatchMetric) -> Any:
+    section = configuration.regressor
+    inertia = float(metric.phase_weights @ (metric.phase_frequencies - metric.reference_frequency) ** 2)
+    scalars = dict(_SCALAR_WEIGHTS, time_shift=_SCALAR_WEIGHTS["time_shift"] * 0.5 * inertia)
+    weights = np.concatenate([np.ones(configuration.reduction.components), [scalars[name] for name in SCALARS]])
+    polynomial = ChebyshevPolynomial(
+        degree=section.polynomial.degree,
+        weights=section.polynomial.weights,
+        n_terms=section.polynomial.terms,
+        output_weights=weights,
+    )
+    options = {name: getattr(section.network, name) for name in section.network.__struct_fields__ if name != "seed"}
+    network = MLP(**options, random_state=section.network.seed)
+    if section.kind == "sum":
+        return Sum(polynomial, network)
+    return polynomial if section.kind == "polynomial" else network
+
+
+def _metadata(configuration: TrainingConfiguration, activation: str, start_mf: float) -> SurrogateMetadata:
+    ranges = configuration.ranges
+    mode = ModeMetadata(
+        coordinates=configuration.regressor.coordinates,
+        activation=activation,  # type: ignore[arg-type]
+        merger_start_mf=start_mf,
+    )
+    return SurrogateMetadata(
+        modes={"22": mode},
+        reference_mass=ranges.reference_mass,
+        total_mass=ranges.total_mass,
+        mass_ratio=ranges.mass_ratio,
+        chi=ranges.chi,
+        lambda_=ranges.tidal_deformability,
+        frequency_band=ranges.frequency_band,
+        citation=configuration.citation,
+    )
+
+
+def _model(
+    configuration: TrainingConfiguration, metadata: SurrogateMetadata, tensors: dict[str, NDArray[Any]]
+) -> Model:
+    description = metadata.describe(configuration.name, configuration.version, "")
+    return Model(metadata, description, read_modes(metadata, tensors))
+
+
+def _validate(
+    configuration: TrainingConfiguration, generate: _Generation, model: Model, metadata: SurrogateMetadata
+) -> dict[str, Validation]:
+    section = configuration.validation
+    nodes = smooth_nodes(*training_band(configuration), 300, configuration.ranges.reference_mass)
+    wanted: dict[str, tuple[Sampling, int]] = {
+        "uniform": (UniformSampling(), section.count),
+        "edges": (EdgeSampling(), section.edge_count),
+    }
+    return {
+        name: validate(model, metadata, generate(sampling, f"validate {name}", section.seed, count, nodes, nodes))
+        for name, (sampling, count) in wanted.items()
+        if count > 0
+    }
+
+
+def _provenance(
+    configuration: TrainingConfiguration,
+    generator: WaveformGenerator,
+    dataset: ResidualDataset,
+    tensors: dict[str, NDArray[Any]],
+    seconds: float,
+) -> dict[str, Any]:
+    packages = ("numpy", "scipy", "scikit-learn", "joblib")
+    return {
+        "generator": {"name": generator.name, "version": generator.version, "settings": dict(generator.settings)},
+        "waveforms": len(dataset),
+        "failed_waveforms": len(dataset.failures),
+        "dataset_digest": dataset.digest,
+        "configuration": _plain(configuration),
+        "regressor_multiply_adds": _multiply_adds(tensors),
+        "seconds": round(seconds),
+        "bnserve": __version__,
+        "python": platform.python_version(),
+        "packages": {name: importlib.metadata.version(name) for name in packages},
+    }
+
+
+def _plain(configuration: TrainingConfiguration) -> dict[str, Any]:
+    import msgspec
+
+    plain: dict[str, Any] = msgspec.to_builtins(configuration)
+    return plain
+
+
+def _multiply_adds(tensors: dict[str, NDArray[Any]]) -> int:
+    names = ("22/polynomial_coefficients", *(name for name in tensors if name.startswith("22/mlp_weights_")))
+    return int(sum(tensors[name].size for name in names if name in tensors))
+
+
+def _with_results(
+    metadata: SurrogateMetadata, provenance: dict[str, Any], validations: dict[str, Validation], model: Model
+) -> SurrogateMetadata:
+    import msgspec
+
+    accuracy = {
+        "noise": "ET-D",
+        "total_mass": metadata.reference_mass,
+        "band_hz": list(metadata.training_band),
+        **{name: validation.summary() for name, validation in validations.items()},
+    }
+    binary = ParametersWithExtrinsic.gw170817()
+    frequencies = np.geomspace(metadata.frequency_band[0], 0.5 * metadata.frequency_band[1], 5)
+    answer = model.predict_amplitude_phase(frequencies, binary, options=EvaluationOptions())
+    check = SelfCheck(
+        parameters={name: getattr(binary, name) for name in binary.__slots__},
+        frequencies=frequencies.tolist(),
+        amplitude=answer.amplitude.tolist(),
+        phase=answer.phase.tolist(),
+    )
+    return msgspec.structs.replace(metadata, accuracy=accuracy, provenance=provenance, self_check=check)

@@ -1,0 +1,84 @@
+"""The command: errors are sentences with exit code 2, and nothing heavy is imported to print the help."""
+
+import socket
+import subprocess
+import sys
+
+import pytest
+
+from bnserve_service.cli import build_parser, main
+from bnserve_service.cli.serve import ONE_THREAD
+from tests.architecture.rooms import room_environment
+
+COMMAND = [sys.executable, "-m", "bnserve_service"]
+
+
+def run(*arguments, **options):
+    return subprocess.run(
+        [*COMMAND, *arguments], capture_output=True, text=True, check=False, env=room_environment(), timeout=120,
+        **options,
+    )  # fmt: skip
+
+
+def test_every_subcommand_has_help(capsys):
+    for arguments in (["--help"], ["serve", "--help"], ["models", "--help"], ["models", "publish", "--help"]):
+        with pytest.raises(SystemExit) as ended:
+            build_parser().parse_args(arguments)
+        assert ended.value.code == 0
+        assert "usage: bnserve" in capsys.readouterr().out
+
+
+def test_the_parser_is_built_without_numpy():
+    code = "import sys; from bnserve_service.cli import build_parser; build_parser(); print('numpy' in sys.modules)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=room_environment()
+    )
+    assert done.stdout.strip() == "False"
+
+
+def test_libraries_get_one_thread_each_before_numpy_starts(monkeypatch, tmp_path):
+    for name in ONE_THREAD:
+        monkeypatch.setenv(name, "placeholder")
+        monkeypatch.delenv(name)
+    import os
+
+    assert main(["serve", "--store", str(tmp_path / "missing"), "--port", "0"]) == 2
+    assert [os.environ[name] for name in ONE_THREAD] == ["1", "1", "1"]
+
+
+def test_a_port_in_use(tmp_path):
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        done = run("serve", "--port", str(taken.getsockname()[1]))
+    assert done.returncode == 2
+    assert "in use" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_store_that_is_not_there(tmp_path):
+    done = run("serve", "--port", "0", "--store", str(tmp_path / "nowhere"))
+    assert done.returncode == 2
+    assert "nowhere" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_a_model_that_is_not_there(tmp_path):
+    done = run("serve", "--port", "0", "--model", "no-such-model")
+    assert done.returncode == 2
+    assert "no-such-model" in done.stderr
+
+
+def test_a_settings_file_with_an_unknown_key(tmp_path, capsys):
+    path = tmp_path / "bnserve.toml"
+    path.write_text("prot = 1")
+    assert main(["serve", "--config", str(path)]) == 2
+    assert "Did you mean 'port'?" in capsys.readouterr().err
+
+
+def test_an_unreadable_token_file(tmp_path, capsys):
+    assert main(["serve", "--token-file", str(tmp_path / "none")]) == 2
+    assert "cannot be read" in capsys.readouterr().err
+    (tmp_path / "empty").write_text("\n")
+    assert main(["serve", "--token-file", str(tmp_path / "empty")]) == 2
+    assert "no token" in capsys.readouterr().err

@@ -1,0 +1,64 @@
+"""Opening the socket: free ports, taken ports, Unix sockets left behind."""
+
+import http.client
+import socket
+
+import pytest
+
+from bnserve_service.cpu import available_cpus, parse_cpu_max
+from bnserve_service.listening import CannotListen, address_of, listen_tcp, listen_unix
+from tests.service.chirp import ChirpModel
+
+
+def test_port_zero_takes_a_free_port():
+    with listen_tcp("127.0.0.1", 0) as listener:
+        assert address_of(listener).startswith("http://127.0.0.1:")
+        assert not address_of(listener).endswith(":0")
+
+
+def test_a_port_in_use_is_said_with_what_to_do():
+    with listen_tcp("127.0.0.1", 0) as listener:
+        port = listener.getsockname()[1]
+        with pytest.raises(CannotListen, match=rf"Port {port} .* in use.*--port"):
+            listen_tcp("127.0.0.1", port)
+
+
+def test_an_address_that_is_not_ours_is_said():
+    with pytest.raises(CannotListen, match=r"no\.such\.host\.invalid"):
+        listen_tcp("no.such.host.invalid", 0)
+
+
+def test_a_unix_socket_left_behind_is_replaced_and_a_living_one_is_not(tmp_path):
+    path = tmp_path / "bnserve.sock"
+    listen_unix(path).close()
+    assert path.is_socket()
+    with listen_unix(path) as listener:
+        assert address_of(listener) == f"unix:{path}"
+        with pytest.raises(CannotListen, match="already listening"):
+            listen_unix(path)
+    with pytest.raises(CannotListen):
+        listen_unix(tmp_path / "missing" / "bnserve.sock")
+    (tmp_path / "file").write_text("not a socket")
+    with pytest.raises(CannotListen):
+        listen_unix(tmp_path / "file")
+
+
+def test_serving_on_a_unix_socket(start, tmp_path):
+    path = tmp_path / "bnserve.sock"
+    server = start(ChirpModel(), uds=path)
+    assert server.address == f"unix:{path}"
+    connection = http.client.HTTPConnection("localhost")
+    connection.sock = socket.socket(socket.AF_UNIX)
+    connection.sock.connect(str(path))
+    connection.request("GET", "/v2/health/ready")
+    answer = connection.getresponse()
+    assert (answer.status, answer.read()) == (200, b'{"ready":true}')
+    connection.close()
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"), [("max 100000", None), ("200000 100000\n", 2.0), ("50000 100000", 0.5), ("", None)]
+)
+def test_a_containers_quota(text, expected):
+    assert parse_cpu_max(text) == expected
+    assert available_cpus() >= 1

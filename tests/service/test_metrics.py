@@ -1,0 +1,88 @@
+"""What Prometheus reads: base units, true counts, labels that callers cannot invent."""
+
+import json
+import urllib.request
+
+import numpy as np
+import pytest
+from prometheus_client.parser import text_string_to_metric_families
+
+from tests.service.asking import GW170817, ask, evaluate, question
+from tests.service.chirp import ChirpModel, until
+
+
+def samples(text):
+    return {
+        (sample.name, frozenset(sample.labels.items())): sample.value
+        for family in text_string_to_metric_families(text)
+        for sample in family.samples
+    }
+
+
+def value(server, metric, **labels):
+    return samples(ask(server.address, "GET", "/metrics").body.decode()).get((metric, frozenset(labels.items())))
+
+
+def test_requests_rows_and_samples_are_counted(start):
+    server = start(ChirpModel())
+    for _ in range(3):
+        evaluate(server.address, question(GW170817 | {"total_mass": [2.5, 2.6]}))
+    evaluate(server.address, question(), model="unheard-of")
+    route = "/v1/models/{name}/waveforms"
+    labels = {"route": route, "method": "POST"}
+    # counted when the answer has left, which may be after it has arrived
+    until(lambda: value(server, "bnserve_requests_total", status="200", **labels) == 3, "three answers")
+    until(lambda: value(server, "bnserve_requests_total", status="404", **labels) == 1, "one refusal")
+    assert value(server, "bnserve_rows_total", model="chirp") == 6
+    assert value(server, "bnserve_samples_total", model="chirp") == 6 * 9
+    assert value(server, "bnserve_errors_total", code="model-unknown") == 1
+    assert value(server, "bnserve_request_duration_seconds_count", route=route) == 4
+    assert value(server, "bnserve_queue_samples") == 0
+    assert value(server, "bnserve_model_info", name="chirp", version="1.0.0", digest="sha256:0") == 1
+    assert value(server, "bnserve_ready") == 1
+
+
+def test_labels_do_not_grow_with_what_callers_invent(start):
+    server = start(ChirpModel())
+    for index in range(50):
+        ask(server.address, "GET", f"/invented/{index}")
+        ask(server.address, "GET", f"/v1/models/invented-{index}")
+        ask(server.address, f"M{'ABCDEFGHIJ'[index % 10]}", "/v1/models")
+    text = ask(server.address, "GET", "/metrics").body.decode()
+    assert "invented" not in text
+    labelled = {labels for name, labels in samples(text) if name == "bnserve_requests_total"}
+    assert len(labelled) < 10
+
+
+def test_units_are_base_units(server):
+    text = ask(server.address, "GET", "/metrics").body.decode()
+    names = {family.name for family in text_string_to_metric_families(text) if family.name.startswith("bnserve")}
+    assert names
+    assert not [name for name in names if name.endswith(("_ms", "_milliseconds", "_mb", "_kb"))]
+
+
+def test_grids_are_measured(start):
+    import hashlib
+
+    server = start(ChirpModel())
+    body = np.arange(1.0, 101.0).tobytes()
+    ask(server.address, "PUT", f"/v1/grids/{hashlib.sha256(body).hexdigest()}", body)
+    assert value(server, "bnserve_grids_bytes") == 800
+
+
+def test_on_a_port_of_its_own_the_metrics_are_not_beside_the_waveforms(start):
+    server = start(ChirpModel(), metrics_port=0)
+    assert ask(server.address, "GET", "/metrics").status == 404
+    with urllib.request.urlopen(server.metrics_address) as answer:
+        assert b"bnserve_ready" in answer.read()
+    assert "/metrics" not in json.loads(ask(server.address, "GET", "/openapi.json").body)["paths"]
+
+
+def test_the_content_type_is_prometheus(server):
+    assert ask(server.address, "GET", "/metrics").headers["content-type"].startswith("text/plain; version=")
+
+
+@pytest.mark.parametrize("outcome", ["changed", "unchanged"])
+def test_looks_at_the_stores_are_counted(start, outcome):
+    server = start(ChirpModel())
+    until(lambda: (value(server, "bnserve_reloads_total", outcome=outcome) or 0) > 0, outcome)

@@ -1,0 +1,122 @@
+"""The OpenAPI document is valid and says what the service does; the pages need nothing from elsewhere."""
+
+import re
+
+import jsonschema
+import pytest
+from openapi_spec_validator import validate
+
+from bnserve_protocol import PARAMETER_NAMES
+from tests.service.asking import GW170817, JSON, MSGPACK, ask, evaluate_json, question
+
+
+@pytest.fixture(scope="module")
+def document(server):
+    return ask(server.address, "GET", "/openapi.json").document
+
+
+def schema(document, name):
+    return {"$ref": f"#/components/schemas/{name}", "components": document["components"]}
+
+
+def test_it_is_valid_openapi(document):
+    validate(document)
+    assert document["openapi"].startswith("3.1")
+
+
+def test_every_path_is_described_and_nothing_else(server, document):
+    described = {(path, method.upper()) for path, methods in document["paths"].items() for method in methods}
+    expected = {
+        ("/v1/models", "GET"),
+        ("/v1/models/{name}", "GET"),
+        ("/v1/models/{name}/versions/{version}", "GET"),
+        ("/v1/models/{name}/waveforms", "POST"),
+        ("/v1/models/{name}/versions/{version}/waveforms", "POST"),
+        ("/v1/grids/{sha256}", "PUT"),
+        ("/v1/grids/{sha256}", "HEAD"),
+        ("/v1/limits", "GET"),
+        ("/v2/health/live", "GET"),
+        ("/v2/health/ready", "GET"),
+        ("/v2/models/{name}/ready", "GET"),
+        ("/metrics", "GET"),
+    }
+    assert described == expected
+    for path, method in described:
+        filled = re.sub(r"\{\w+\}", "chirp", path)
+        answer = ask(server.address, method, filled)
+        assert answer.status != 405, (method, path)
+        if answer.status == 404 and answer.body:
+            assert answer.code != "path-unknown", (method, path)
+
+
+@pytest.mark.parametrize(
+    ("path", "name"),
+    [
+        ("/v1/models", "ModelList"),
+        ("/v1/models/chirp", "ModelDocument"),
+        ("/v1/limits", "ServiceLimits"),
+        ("/nowhere", "Problem"),
+    ],
+)
+def test_answers_fit_their_schema(server, document, path, name):
+    jsonschema.validate(ask(server.address, "GET", path).document, schema(document, name))
+
+
+def test_nothing_is_claimed_that_is_not_so(document):
+    assert "HTTPValidationError" not in str(document), "FastAPI's own form of errors, which is not ours"
+    for path, methods in document["paths"].items():
+        for method, operation in methods.items():
+            assert "default" in operation["responses"], (method, path)
+
+
+@pytest.mark.parametrize("output", ["polarizations", "factored", "amplitude_phase", "modes"])
+def test_waveforms_fit_their_schema_in_json(server, document, output):
+    answer = evaluate_json(server.address, question(output=output))
+    jsonschema.validate(answer.document, schema(document, "WaveformAnswer"))
+
+
+GOOD = [question(), question(names=list(GW170817), parameters=[list(GW170817.values())]), question(dtype="complex64")]
+BAD = [
+    question(outptu="modes"),
+    question(output="mode"),
+    question(GW170817 | {"lamda_1": 1}),
+    {"parameters": GW170817},
+    question(grid={"f_min": 1, "f_max": 2}),
+    question(grid={"frequencies": "all"}),
+]
+
+
+@pytest.mark.parametrize("message", GOOD)
+def test_what_the_schema_allows_is_answered(server, document, message):
+    jsonschema.validate(message, schema(document, "WaveformRequest"))
+    assert evaluate_json(server.address, message).status == 200
+
+
+@pytest.mark.parametrize("message", BAD)
+def test_what_the_schema_forbids_is_refused(server, document, message):
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(message, schema(document, "WaveformRequest"))
+    assert evaluate_json(server.address, message).status in (400, 422)
+
+
+def test_the_example_works(server, document):
+    content = document["paths"]["/v1/models/{name}/waveforms"]["post"]["requestBody"]["content"]
+    assert set(content) == {JSON, MSGPACK}
+    assert evaluate_json(server.address, content[JSON]["example"]).status == 200
+
+
+def test_parameters_are_those_of_the_protocol(document):
+    forms = document["components"]["schemas"]["WaveformRequest"]["properties"]["parameters"]["oneOf"]
+    assert set(forms[0]["properties"]) == set(PARAMETER_NAMES)
+
+
+@pytest.mark.parametrize("path", ["/", "/docs"])
+def test_pages_load_nothing_from_elsewhere(server, path):
+    answer = ask(server.address, "GET", path)
+    assert answer.status == 200
+    assert answer.headers["content-type"].startswith("text/html")
+    assert "default-src 'none'" in answer.headers["content-security-policy"]
+    page = answer.body.decode()
+    assert not re.search(r"(?:src|href)\s*=\s*[\"'](?:https?:)?//", page)
+    assert "<script src" not in page
+    assert "@import" not in page
