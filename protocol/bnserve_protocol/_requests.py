@@ -122,7 +122,9 @@ def _batch(reader: _Reader, wire: _WireRequest) -> ParameterBatch:
 
 
 def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> ParameterBatch:
-    check_names(names)
+    ours = tuple(names) == PARAMETER_NAMES
+    if not ours:
+        check_names(names)
     if reader.arrays and is_array(raw):
         rows = _real(decode_array(raw))
     else:
@@ -134,6 +136,8 @@ def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> Par
         raise InvalidParameters(
             f"With 'names' given, 'parameters' is an array [N, {len(names)}]; got shape {list(rows.shape)}."
         )
+    if ours:  # what our client sends
+        return ParameterBatch(rows.copy())  # a copy, because the body it views is read-only
     return ParameterBatch.coerce({name: rows[:, column] for column, name in enumerate(names)})
 
 

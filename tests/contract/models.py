@@ -12,16 +12,16 @@ class Blocking:
     """An asynchronous model whose calls are waited for."""
 
     def __init__(self, address):
-        self._runner = asyncio.Runner()
-        self._model = self._runner.run(AsyncModel.connect(address))
+        self._loop = asyncio.new_event_loop()
+        self._model = self._loop.run_until_complete(AsyncModel.connect(address))
 
     @property
     def description(self):
         return self._model.description
 
     def close(self):
-        self._runner.run(self._model.close())
-        self._runner.close()
+        self._loop.run_until_complete(self._model.close())
+        self._loop.close()
 
 
 class Forked:
@@ -37,7 +37,7 @@ class Forked:
 
 def _waiting(name):
     def method(self, *arguments, **options):
-        return self._runner.run(getattr(self._model, name)(*arguments, **options))
+        return self._loop.run_until_complete(getattr(self._model, name)(*arguments, **options))
 
     return method
 

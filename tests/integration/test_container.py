@@ -2,7 +2,6 @@
 
 import json
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -43,11 +42,11 @@ def usable_python(user: tuple[int, int]) -> str:
 @pytest.fixture(scope="module")
 def image():
     """The image, built once below a folder that everybody may read and only its owner may write."""
-    root = Path(tempfile.mkdtemp(prefix="bnserve-image-"))
-    root.chmod(0o755)
     inherited = {name: value for name, value in os.environ.items() if not name.startswith(("PYTHON", "VIRTUAL_ENV"))}
-    yield Builder(ROOT, root, usable_python((10001, 10001)), inherited).build()
-    shutil.rmtree(root)
+    with tempfile.TemporaryDirectory(prefix="bnserve-image-") as folder:
+        root = Path(folder)
+        root.chmod(0o755)
+        yield Builder(ROOT, root, usable_python((10001, 10001)), inherited).build()
 
 
 @pytest.fixture

@@ -30,8 +30,9 @@ class ChirpModel:
     """Amplitude f^(-7/6), phase of the leading post-Newtonian order; one row at a time, so that batches keep bits."""
 
     def __init__(self, name="chirp", version="1.0.0", digest="sha256:0", scale=1.0, healthy=True):
-        parameters = [ParameterDescription(name=key, unit="1", minimum=low, maximum=high) for key, (low, high) in
-                      RANGES.items()]
+        parameters = [
+            ParameterDescription(name=key, unit="1", minimum=low, maximum=high) for key, (low, high) in RANGES.items()
+        ]
         self.description = ModelDescription(
             name=name, version=version, digest=digest, modes=[(2, 2)], parameters=parameters,
             frequency_band=(5.0, 2048.0), training_band=(5.0, 2048.0), reference_mass=2.8,

@@ -98,9 +98,7 @@ def test_405_a_method_that_is_not_offered(server, method, path):
 
 
 def test_413_a_declared_body_over_the_limit(server):
-    check(
-        ask(server.address, "POST", PATH, b"x" * (2**20 + 1), content_type=MSGPACK), 413, "too-large", str(2**20)
-    )
+    check(ask(server.address, "POST", PATH, b"x" * (2**20 + 1), content_type=MSGPACK), 413, "too-large", str(2**20))
 
 
 def test_413_a_json_body_over_its_own_limit(server):

@@ -129,9 +129,7 @@ JSON_VALUES = st.recursive(
 
 @settings(max_examples=150)
 @given(
-    parameters=st.one_of(
-        JSON_VALUES, st.fixed_dictionaries({}, optional=dict.fromkeys(GW170817, JSON_VALUES))
-    ),
+    parameters=st.one_of(JSON_VALUES, st.fixed_dictionaries({}, optional=dict.fromkeys(GW170817, JSON_VALUES))),
     grid=st.one_of(JSON_VALUES, st.fixed_dictionaries({}, optional=dict.fromkeys(GRID, JSON_VALUES))),
     rest=st.fixed_dictionaries({}, optional={"output": JSON_VALUES, "dtype": JSON_VALUES, "names": JSON_VALUES}),
 )

@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
+
 from bnserve_protocol import SOLAR_MASS_SECONDS
-from bnserve_surrogate import ModeMetadata, Model, SurrogateMetadata
+from bnserve_surrogate import Model, ModeMetadata, SurrogateMetadata
 from bnserve_surrogate._tensors import read_modes
 
 OUTPUTS = 7

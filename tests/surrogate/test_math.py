@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from bnserve_surrogate.kernel._math import exponential, sincos
 from hypothesis import given
 from hypothesis import strategies as st
 from numba import njit
+
+from bnserve_surrogate.kernel._math import exponential, sincos
 
 
 @njit

@@ -1,8 +1,9 @@
 """The spline operator is scipy's not-a-knot cubic spline."""
 
 import numpy as np
-from bnserve_surrogate.kernel._splines import second_derivative_operator
 from scipy.interpolate import CubicSpline
+
+from bnserve_surrogate.kernel._splines import second_derivative_operator
 
 
 def test_second_derivatives_are_those_of_scipys_not_a_knot_spline():

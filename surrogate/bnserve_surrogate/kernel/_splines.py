@@ -30,4 +30,4 @@ def second_derivative_operator(knots: NDArray[np.float64]) -> NDArray[np.float64
     # Not-a-knot: the third derivative is continuous at the second and the second-to-last knot.
     left[0, :3] = widths[1], -(widths[0] + widths[1]), widths[0]
     left[-1, -3:] = widths[-1], -(widths[-2] + widths[-1]), widths[-2]
-    return np.linalg.solve(left, right)
+    return np.asarray(np.linalg.solve(left, right), dtype=np.float64)

@@ -42,9 +42,10 @@ def compile_kernel() -> str:
     arguments = (doubles, size, *grid_types, *model_types, size, doubles, size, doubles, *output_types)
 
     @cfunc(types.void(*arguments), **{name: value for name, value in JIT_OPTIONS.items() if name != "nogil"})
-    def entry(
-        parameters, n_parameters, f, log_f, cbrt_f, points, contents, n_contents, exponents, n_exponents, weights,
-        n_weights, alignment, scratch, n_scratch, series, wide, n_wide, narrow, n_narrow, amplitude, phase, n_polar,
+    def entry(  # type: ignore[no-untyped-def]  # noqa: ANN202
+        parameters, n_parameters, f, log_f, cbrt_f, points,  # noqa: ANN001
+        contents, n_contents, exponents, n_exponents, weights, n_weights, alignment,  # noqa: ANN001
+        scratch, n_scratch, series, wide, n_wide, narrow, n_narrow, amplitude, phase, n_polar,  # noqa: ANN001
     ):  # fmt: skip
         evaluate(
             carray(parameters, n_parameters),

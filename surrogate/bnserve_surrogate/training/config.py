@@ -24,14 +24,14 @@ class _Section(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
     """Unknown keys are errors in every section."""
 
 
-class GeneratorSection(_Section):
+class GeneratorSection(_Section, frozen=True, forbid_unknown_fields=True):
     """Which waveforms: a name of ``GENERATORS`` and its options."""
 
     name: str = "teobresums"
     options: dict[str, Any] = {}
 
 
-class RangesSection(_Section):
+class RangesSection(_Section, frozen=True, forbid_unknown_fields=True):
     """The box, and the band that is guaranteed for every total mass in it."""
 
     mass_ratio: tuple[float, float] = (1.0, 3.0)
@@ -42,7 +42,7 @@ class RangesSection(_Section):
     frequency_band: tuple[float, float] = (5.0, 2048.0)
 
 
-class NodesSection(_Section):
+class NodesSection(_Section, frozen=True, forbid_unknown_fields=True):
     """``smooth``: ``count`` nodes for both quantities. ``greedy``: the paper's, on residuals or on waveforms."""
 
     kind: Literal["smooth", "greedy"] = "smooth"
@@ -52,7 +52,7 @@ class NodesSection(_Section):
     on: Literal["residuals", "waveforms"] = "residuals"
 
 
-class DatasetSection(_Section):
+class DatasetSection(_Section, frozen=True, forbid_unknown_fields=True):
     """How many waveforms, drawn how; ``arcsine_fraction`` is the mixture's share of arcsine points."""
 
     count: int
@@ -62,7 +62,7 @@ class DatasetSection(_Section):
     max_failed_fraction: float = 0.01
 
 
-class ReductionSection(_Section):
+class ReductionSection(_Section, frozen=True, forbid_unknown_fields=True):
     """``metric``: components in the metric of the mismatch. ``paper``: unweighted, scaled by lambda^exponent."""
 
     kind: Literal["metric", "paper"] = "metric"
@@ -71,7 +71,7 @@ class ReductionSection(_Section):
     noise: str = "ET-D"
 
 
-class PolynomialSection(_Section):
+class PolynomialSection(_Section, frozen=True, forbid_unknown_fields=True):
     """Options of ``ChebyshevPolynomial``."""
 
     degree: float = 9.0
@@ -79,7 +79,7 @@ class PolynomialSection(_Section):
     weights: tuple[float, float, float, float, float] = (1.0, 0.8, 1.0, 1.5, 1.5)
 
 
-class NetworkSection(_Section):
+class NetworkSection(_Section, frozen=True, forbid_unknown_fields=True):
     """Options of ``MLP``; the defaults are the paper's."""
 
     hidden_layer_sizes: tuple[int, ...] = (82, 95)
@@ -94,7 +94,7 @@ class NetworkSection(_Section):
     seed: int = 0
 
 
-class RegressorSection(_Section):
+class RegressorSection(_Section, frozen=True, forbid_unknown_fields=True):
     """``polynomial``, ``network``, or ``sum``: a network on what the polynomial leaves."""
 
     kind: Literal["polynomial", "network", "sum"] = "polynomial"
@@ -103,7 +103,7 @@ class RegressorSection(_Section):
     network: NetworkSection = NetworkSection()
 
 
-class ValidationSection(_Section):
+class ValidationSection(_Section, frozen=True, forbid_unknown_fields=True):
     """Fresh waveforms: ``count`` uniform in the box, ``edge_count`` on its faces, edges and corners."""
 
     count: int = 512
@@ -111,7 +111,7 @@ class ValidationSection(_Section):
     seed: int = 1000
 
 
-class TrainingConfiguration(_Section, kw_only=True):
+class TrainingConfiguration(_Section, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A whole configuration file."""
 
     name: str
@@ -150,6 +150,11 @@ def parse_configuration(table: dict[str, Any]) -> TrainingConfiguration:
         return msgspec.convert(table, TrainingConfiguration)
     except msgspec.ValidationError as error:
         raise ConfigurationInvalid(f"The training configuration is wrong: {_explain(str(error))}.") from error
+
+
+def with_version(configuration: TrainingConfiguration, version: str) -> TrainingConfiguration:
+    """The same configuration under another version."""
+    return msgspec.structs.replace(configuration, version=version)
 
 
 def _explain(message: str) -> str:

@@ -2,25 +2,23 @@
 
 from __future__ import annotations
 
-import importlib.metadata
-import platform
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import EvaluationOptions, ParametersWithExtrinsic, __version__
-from bnserve_store import Manifest, ModelStore
+from bnserve_protocol import VersionExists
+from bnserve_store import Artifact, Manifest, ModelStore
 from bnserve_surrogate._coordinates import CoordinateMap
-from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
+from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._model import Model
-from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.training._baseline import baseline_amplitude
-from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
 from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
 from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, make_generator, mass_seconds
@@ -28,6 +26,7 @@ from bnserve_surrogate.training.greedy_nodes import greedy_nodes
 from bnserve_surrogate.training.metric import MismatchMetric
 from bnserve_surrogate.training.nodes import smooth_nodes
 from bnserve_surrogate.training.noise import noise_curve
+from bnserve_surrogate.training.publication import assemble, describe, provenance, with_results
 from bnserve_surrogate.training.quadrature import noise_weights, spline_matrix
 from bnserve_surrogate.training.ranges import ParameterRanges
 from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction, Reduction
@@ -97,12 +96,13 @@ def train(
     regressor = _regressor(configuration, metric).fit(coordinates(dataset.theta), targets)
     exported = export_regressor(regressor)
     tensors = model_tensors(reduction, exported, coordinates, mf_amplitude, mf_phase)
-    metadata = _metadata(configuration, exported.metadata.get("mlp_activation", "tanh"), start_mf)
+    metadata = describe(configuration, exported.metadata.get("mlp_activation", "tanh"), start_mf)
     say("Validation on fresh waveforms")
-    validations = _validate(configuration, generate, _model(configuration, metadata, tensors), metadata)
-    provenance = _provenance(configuration, generator, dataset, tensors, time.monotonic() - started)
-    metadata = _with_results(metadata, provenance, validations, _model(configuration, metadata, tensors))
-    return Trained(tensors, metadata, _model(configuration, metadata, tensors), validations)
+    model = assemble(configuration, metadata, tensors)
+    validations = _validate(configuration, generate, model, metadata)
+    origin = provenance(configuration, generator, dataset, tensors, time.monotonic() - started)
+    metadata = with_results(metadata, origin, validations, model)
+    return Trained(tensors, metadata, model, validations)
 
 
 def publish(configuration: TrainingConfiguration, trained: Trained, store: Path | str) -> Manifest:
@@ -112,8 +112,67 @@ def publish(configuration: TrainingConfiguration, trained: Trained, store: Path 
         configuration.version,
         trained.tensors,
         trained.metadata.write(),
-        labels=tuple(configuration.labels),
+        labels=configuration.labels,
+        created=datetime.now(UTC),
     )
+
+
+def check_publishable(configuration: TrainingConfiguration, store: Path | str) -> None:
+    """Raise ``VersionExists`` before hours are spent on a version that is there already."""
+    root = Path(store)
+    if (root / configuration.name / configuration.version).exists():
+        raise VersionExists(
+            f"{configuration.name} {configuration.version} is already published in {root}; "
+            "choose another version in the configuration or with --version."
+        )
+
+
+def validate_artifact(
+    artifact: Artifact,
+    directory: Path,
+    *,
+    counts: dict[str, int],
+    seed: int,
+    noise: str = "ET-D",
+    total_mass: float | None = None,
+    f_min: float | None = None,
+    n_jobs: int = -1,
+) -> dict[str, Validation]:
+    """Measure a published model on fresh waveforms of the generator it was trained on.
+
+    Parameters
+    ----------
+    artifact:
+        Of a store.
+    directory:
+        Where waveforms are kept.
+    counts:
+        How many ``"uniform"`` in the box and on its ``"edges"``.
+    seed:
+        Of the waveforms; different from the configuration's seeds, they are new to the model.
+    noise, total_mass, f_min:
+        As for :func:`validate`.
+    n_jobs:
+        Processes at once.
+    """
+    metadata = SurrogateMetadata.read(artifact.manifest.metadata)
+    configuration = parse_configuration(metadata.provenance["configuration"])
+    generator = make_generator(configuration.generator.name, **configuration.generator.options)
+    generate = _Generation(configuration, generator, directory, n_jobs, "loky", None)
+    model = Model.from_artifact(artifact)
+    nodes = _validation_nodes(configuration)
+    return {
+        kind: validate(
+            model,
+            metadata,
+            generate(_VALIDATION_SAMPLING[kind], f"validate {kind}", seed, count, nodes, nodes),
+            noise=noise,
+            total_mass=total_mass,
+            f_min=f_min,
+        )
+        for kind, count in counts.items()
+        if count > 0
+    }
 
 
 def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfiguration) -> MismatchMetric:
@@ -208,7 +267,8 @@ def _reduce(
     )
     if section.kind == "metric":
         reduction: Reduction = MetricReduction(metric, section.components)
-        phase, constant, slope = dataset.psi_residual, 0.0, 0.0
+        phase = dataset.psi_residual
+        constant = slope = np.zeros(len(dataset))
     else:
         reduction = PaperReduction(section.components, section.eigenvalue_exponent)
         flat = flatten_phase(dataset.mf_phase, dataset.psi_residual)
@@ -244,100 +304,23 @@ def _regressor(configuration: TrainingConfiguration, metric: MismatchMetric) -> 
     return polynomial if section.kind == "polynomial" else network
 
 
-def _metadata(configuration: TrainingConfiguration, activation: str, start_mf: float) -> SurrogateMetadata:
-    ranges = configuration.ranges
-    mode = ModeMetadata(
-        coordinates=configuration.regressor.coordinates,
-        activation=activation,  # type: ignore[arg-type]
-        merger_start_mf=start_mf,
-    )
-    return SurrogateMetadata(
-        modes={"22": mode},
-        reference_mass=ranges.reference_mass,
-        total_mass=ranges.total_mass,
-        mass_ratio=ranges.mass_ratio,
-        chi=ranges.chi,
-        lambda_=ranges.tidal_deformability,
-        frequency_band=ranges.frequency_band,
-        citation=configuration.citation,
-    )
-
-
-def _model(
-    configuration: TrainingConfiguration, metadata: SurrogateMetadata, tensors: dict[str, NDArray[Any]]
-) -> Model:
-    description = metadata.describe(configuration.name, configuration.version, "")
-    return Model(metadata, description, read_modes(metadata, tensors))
+_VALIDATION_SAMPLING: dict[str, Sampling] = {"uniform": UniformSampling(), "edges": EdgeSampling()}
 
 
 def _validate(
     configuration: TrainingConfiguration, generate: _Generation, model: Model, metadata: SurrogateMetadata
 ) -> dict[str, Validation]:
     section = configuration.validation
-    nodes = smooth_nodes(*training_band(configuration), 300, configuration.ranges.reference_mass)
-    wanted: dict[str, tuple[Sampling, int]] = {
-        "uniform": (UniformSampling(), section.count),
-        "edges": (EdgeSampling(), section.edge_count),
-    }
+    nodes = _validation_nodes(configuration)
     return {
-        name: validate(model, metadata, generate(sampling, f"validate {name}", section.seed, count, nodes, nodes))
-        for name, (sampling, count) in wanted.items()
+        kind: validate(
+            model, metadata, generate(_VALIDATION_SAMPLING[kind], f"validate {kind}", section.seed, count, nodes, nodes)
+        )
+        for kind, count in {"uniform": section.count, "edges": section.edge_count}.items()
         if count > 0
     }
 
 
-def _provenance(
-    configuration: TrainingConfiguration,
-    generator: WaveformGenerator,
-    dataset: ResidualDataset,
-    tensors: dict[str, NDArray[Any]],
-    seconds: float,
-) -> dict[str, Any]:
-    packages = ("numpy", "scipy", "scikit-learn", "joblib")
-    return {
-        "generator": {"name": generator.name, "version": generator.version, "settings": dict(generator.settings)},
-        "waveforms": len(dataset),
-        "failed_waveforms": len(dataset.failures),
-        "dataset_digest": dataset.digest,
-        "configuration": _plain(configuration),
-        "regressor_multiply_adds": _multiply_adds(tensors),
-        "seconds": round(seconds),
-        "bnserve": __version__,
-        "python": platform.python_version(),
-        "packages": {name: importlib.metadata.version(name) for name in packages},
-    }
-
-
-def _plain(configuration: TrainingConfiguration) -> dict[str, Any]:
-    import msgspec
-
-    plain: dict[str, Any] = msgspec.to_builtins(configuration)
-    return plain
-
-
-def _multiply_adds(tensors: dict[str, NDArray[Any]]) -> int:
-    names = ("22/polynomial_coefficients", *(name for name in tensors if name.startswith("22/mlp_weights_")))
-    return int(sum(tensors[name].size for name in names if name in tensors))
-
-
-def _with_results(
-    metadata: SurrogateMetadata, provenance: dict[str, Any], validations: dict[str, Validation], model: Model
-) -> SurrogateMetadata:
-    import msgspec
-
-    accuracy = {
-        "noise": "ET-D",
-        "total_mass": metadata.reference_mass,
-        "band_hz": list(metadata.training_band),
-        **{name: validation.summary() for name, validation in validations.items()},
-    }
-    binary = ParametersWithExtrinsic.gw170817()
-    frequencies = np.geomspace(metadata.frequency_band[0], 0.5 * metadata.frequency_band[1], 5)
-    answer = model.predict_amplitude_phase(frequencies, binary, options=EvaluationOptions())
-    check = SelfCheck(
-        parameters={name: getattr(binary, name) for name in binary.__slots__},
-        frequencies=frequencies.tolist(),
-        amplitude=answer.amplitude.tolist(),
-        phase=answer.phase.tolist(),
-    )
-    return msgspec.structs.replace(metadata, accuracy=accuracy, provenance=provenance, self_check=check)
+def _validation_nodes(configuration: TrainingConfiguration) -> FloatArray:
+    """Not the nodes of the model: its interpolation between them is measured as well."""
+    return smooth_nodes(*training_band(configuration), 300, configuration.ranges.reference_mass)

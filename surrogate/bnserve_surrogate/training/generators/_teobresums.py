@@ -26,7 +26,8 @@ _RADIAL_STEPS_BELOW = 20
 rad after one step, 1e-5 after five, rounding after ten)."""
 _SAMPLING_RATE = 0.25
 """Of the time-domain dynamics, in units of 1 / M. At 1.0 the amplitude above 1 kHz jitters by 3 % from one binary to
-the next (a mismatch of up to 5e-8), at 0.25 by a tenth of that; at 4.0, or below 0.06, some amplitudes are zero or NaN."""
+the next (a mismatch of up to 5e-8), at 0.25 by a tenth of that for the same cost; at 4.0, or below 0.06, some
+amplitudes are zero or NaN."""
 _LOWEST_MARGIN = 0.06 * mass_seconds()
 """At least 0.06 Hz at the reference mass below the first frequency."""
 

@@ -1,0 +1,52 @@
+"""``bnserve train``: from a configuration to a published model, resumable at any point."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+
+def add_parser(subparsers: Any) -> None:
+    """Add the subcommand."""
+    parser = subparsers.add_parser(
+        "train",
+        help="train a model from a configuration and publish it",
+        description="Generate waveforms, fit a surrogate, validate it on fresh waveforms and publish it. Finished "
+        "waveforms are kept: run the same command again after an interruption and it goes on.",
+    )
+    parser.add_argument("configuration", type=Path, metavar="CONFIG.toml")
+    parser.add_argument("--store", type=Path, required=True, metavar="DIR", help="model store to publish to")
+    parser.add_argument(
+        "--work", type=Path, default=Path("runs"), metavar="DIR", help="where waveforms are kept (runs)"
+    )
+    parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
+    parser.add_argument("--backend", default="loky", metavar="NAME", help="joblib backend (loky)")
+    parser.add_argument("--version", metavar="VERSION", help="publish under this version instead of the configured")
+    parser.add_argument("--no-progress", action="store_true", help="no progress bars")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Train and publish."""
+    from bnserve_service.training_extra import import_training
+
+    config, pipeline, report = import_training("config", "pipeline", "report")
+    configuration = config.read_configuration(options.configuration)
+    if options.version:
+        configuration = config.with_version(configuration, options.version)
+    pipeline.check_publishable(configuration, options.store)
+    trained = pipeline.train(
+        configuration,
+        options.work,
+        n_jobs=options.jobs,
+        backend=options.backend,
+        progress=False if options.no_progress else None,
+    )
+    manifest = pipeline.publish(configuration, trained, options.store)
+    page = options.work / f"{manifest.name}-{manifest.version}-report.html"
+    report.write_report(page, f"{manifest.name} {manifest.version}", manifest.digest, trained)
+    print(report.table(trained.validations))
+    print(f"Published {manifest.name} {manifest.version} ({manifest.digest}) to {options.store}")
+    print(f"Report: {page}")
+    return 0

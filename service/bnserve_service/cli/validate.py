@@ -1,0 +1,59 @@
+"""``bnserve validate``: the mismatch of a model on waveforms of its generator that it never saw."""
+
+from __future__ import annotations
+
+import argparse
+import json
+from pathlib import Path
+from typing import Any
+
+
+def add_parser(subparsers: Any) -> None:
+    """Add the subcommand."""
+    parser = subparsers.add_parser(
+        "validate",
+        help="measure a model's mismatch on fresh waveforms",
+        description="Generate fresh waveforms with the model's own generator and print the mismatch, maximised over "
+        "time and phase, over the whole trained band.",
+    )
+    parser.add_argument("model", metavar="NAME[@VERSION]")
+    parser.add_argument("--store", type=Path, action="append", metavar="DIR", help="searched before the shipped models")
+    parser.add_argument("--count", type=int, default=512, metavar="N", help="waveforms, uniform in the box (512)")
+    parser.add_argument("--edges", type=int, default=0, metavar="N", help="waveforms on faces, edges, corners (0)")
+    parser.add_argument("--seed", type=int, default=2024, metavar="N", help="of the fresh waveforms (2024)")
+    parser.add_argument("--noise", default="ET-D", metavar="NAME", help="ET-D, aLIGO-design or flat (ET-D)")
+    parser.add_argument("--total-mass", type=float, metavar="MSUN", help="of the binaries (the reference mass)")
+    parser.add_argument("--f-min", type=float, metavar="HZ", help="lower end of the integral (the band's beginning)")
+    parser.add_argument(
+        "--work", type=Path, default=Path("runs"), metavar="DIR", help="where waveforms are kept (runs)"
+    )
+    parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
+    parser.add_argument("--output", type=Path, metavar="FILE.json", help="also save the figures and every mismatch")
+    parser.set_defaults(run=run)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Validate, print, save."""
+    from bnserve_service.training_extra import import_training
+    from bnserve_store import ModelStore
+
+    pipeline, report = import_training("pipeline", "report")
+    name, _, version = options.model.partition("@")
+    artifact = ModelStore.default(options.store or ()).load(name, version or "stable")
+    validations = pipeline.validate_artifact(
+        artifact,
+        options.work,
+        counts={"uniform": options.count, "edges": options.edges},
+        seed=options.seed,
+        noise=options.noise,
+        total_mass=options.total_mass,
+        f_min=options.f_min,
+        n_jobs=options.jobs,
+    )
+    print(f"{artifact.manifest.name} {artifact.manifest.version} ({artifact.manifest.digest})")
+    print(report.table(validations))
+    if options.output:
+        document = {kind: report.as_json(validation) for kind, validation in validations.items()}
+        report.write_text(options.output, json.dumps({"digest": artifact.manifest.digest, **document}, indent=1))
+        print(f"Saved {options.output}")
+    return 0

@@ -1,0 +1,1 @@
+"""``bnserve demo``: the one place of the service that uses the client, and that draws."""

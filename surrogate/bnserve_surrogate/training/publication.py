@@ -1,0 +1,126 @@
+"""What a trained model says about itself: metadata, provenance, measured accuracy, a stored answer."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import platform
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import ParametersWithExtrinsic, __version__
+from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
+from bnserve_surrogate._model import Model
+from bnserve_surrogate._tensors import read_modes
+from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.dataset import ResidualDataset
+from bnserve_surrogate.training.generators import WaveformGenerator
+from bnserve_surrogate.training.validation import Validation
+
+Tensors = dict[str, NDArray[Any]]
+
+
+def describe(configuration: TrainingConfiguration, activation: str, start_mf: float) -> SurrogateMetadata:
+    """The metadata of a model that has just been fitted, before anything was measured."""
+    ranges = configuration.ranges
+    mode = ModeMetadata(
+        coordinates=configuration.regressor.coordinates,
+        activation=activation,  # type: ignore[arg-type]
+        merger_start_mf=start_mf,
+    )
+    return SurrogateMetadata(
+        modes={"22": mode},
+        reference_mass=ranges.reference_mass,
+        total_mass=ranges.total_mass,
+        mass_ratio=ranges.mass_ratio,
+        chi=ranges.chi,
+        lambda_=ranges.tidal_deformability,
+        frequency_band=ranges.frequency_band,
+        citation=configuration.citation,
+    )
+
+
+def assemble(configuration: TrainingConfiguration, metadata: SurrogateMetadata, tensors: Tensors) -> Model:
+    """The model that these tensors make, evaluated as it will be when it is served."""
+    description = metadata.describe(configuration.name, configuration.version, "")
+    return Model(metadata, description, read_modes(metadata, tensors))
+
+
+def provenance(
+    configuration: TrainingConfiguration,
+    generator: WaveformGenerator,
+    dataset: ResidualDataset,
+    tensors: Tensors,
+    seconds: float,
+) -> dict[str, Any]:
+    """Where a model comes from, in enough detail to train it again."""
+    packages = ("numpy", "scipy", "scikit-learn", "joblib")
+    return {
+        "generator": {"name": generator.name, "version": generator.version, "settings": dict(generator.settings)},
+        "waveforms": len(dataset),
+        "failed_waveforms": len(dataset.failures),
+        "dataset_digest": dataset.digest,
+        "configuration": msgspec.to_builtins(configuration),
+        "commit": _commit(),
+        "regressor_multiply_adds": _multiply_adds(tensors),
+        "seconds": round(seconds),
+        "bnserve": __version__,
+        "python": platform.python_version(),
+        "packages": {name: importlib.metadata.version(name) for name in packages},
+    }
+
+
+def _multiply_adds(tensors: Tensors) -> int:
+    names = ("22/polynomial_coefficients", *(name for name in tensors if name.startswith("22/mlp_weights_")))
+    return int(sum(tensors[name].size for name in names if name in tensors))
+
+
+def with_results(
+    metadata: SurrogateMetadata, origin: dict[str, Any], validations: dict[str, Validation], model: Model
+) -> SurrogateMetadata:
+    """Add measured accuracy, provenance, and an answer by which a loaded model can be checked."""
+    accuracy = {
+        "noise": "ET-D",
+        "total_mass": metadata.reference_mass,
+        "band_hz": list(metadata.training_band),
+        **{name: validation.summary() for name, validation in validations.items()},
+    }
+    binary = _typical(metadata)
+    frequencies = np.geomspace(metadata.frequency_band[0], 0.5 * metadata.frequency_band[1], 5)
+    answer = model.predict_amplitude_phase(frequencies, binary)
+    check = SelfCheck(
+        parameters={name: getattr(binary, name) for name in binary.__slots__},
+        frequencies=frequencies.tolist(),
+        amplitude=answer.amplitude.tolist(),
+        phase=answer.phase.tolist(),
+    )
+    return msgspec.structs.replace(metadata, accuracy=accuracy, provenance=origin, self_check=check)
+
+
+def _typical(metadata: SurrogateMetadata) -> ParametersWithExtrinsic:
+    """The binary in the middle of the box."""
+    middle = {
+        name: 0.5 * (low + high)
+        for name, (low, high) in {
+            "mass_ratio": metadata.mass_ratio,
+            "lambda_1": metadata.lambda_,
+            "lambda_2": metadata.lambda_,
+            "chi_1": metadata.chi,
+            "chi_2": metadata.chi,
+            "total_mass": metadata.total_mass,
+        }.items()
+    }
+    return ParametersWithExtrinsic(**middle, distance_mpc=40.0, inclination=0.0)
+
+
+def _commit() -> str:
+    """The commit of the checkout this runs from, or nothing."""
+    command = ["git", "-C", str(Path(__file__).parent), "rev-parse", "HEAD"]
+    try:
+        return subprocess.run(command, capture_output=True, text=True, check=True, timeout=10).stdout.strip()
+    except (OSError, subprocess.SubprocessError):
+        return ""
