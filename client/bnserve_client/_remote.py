@@ -65,7 +65,12 @@ class RemoteModel:
     ) -> Conversation[Polarizations]:
         """One waveform."""
         batch = yield from self.predict_batch(frequencies, parameters, options, dtype)
-        return Polarizations(plus=batch.plus[0], cross=batch.cross[0], status=batch.status)
+        return Polarizations(
+            plus=batch.plus[0],
+            cross=batch.cross[0],
+            status=batch.status,
+            estimated_mismatch=batch.estimated_mismatch,
+        )
 
     def predict_batch(
         self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DtypeName
@@ -73,7 +78,7 @@ class RemoteModel:
         """N waveforms."""
         question = self._question(frequencies, batch, self._strain, options, dtype)
         arrays = yield from self._evaluator.evaluate(question, multiply_out)
-        return Polarizations(plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
+        return Polarizations(**arrays)
 
     def predict_factored(
         self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DtypeName
@@ -81,7 +86,7 @@ class RemoteModel:
         """N waveforms before the polarisations are multiplied out."""
         question = self._question(frequencies, batch, "factored", options, dtype)
         arrays = yield from self._evaluator.evaluate(question, own)
-        return Factored(h=arrays["h"], plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
+        return Factored(**arrays)
 
     def predict_amplitude_phase(
         self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions
@@ -89,10 +94,9 @@ class RemoteModel:
         """Amplitude and phase."""
         question = self._question(frequencies, batch, "amplitude_phase", options, "complex128")
         arrays = yield from self._evaluator.evaluate(question, own)
-        amplitude, phase, status = arrays["amplitude"], arrays["phase"], arrays["status"]
         if isinstance(batch, ParametersWithExtrinsic):
-            return AmplitudePhase(amplitude=amplitude[0], phase=phase[0], status=status)
-        return AmplitudePhase(amplitude=amplitude, phase=phase, status=status)
+            arrays = {**arrays, "amplitude": arrays["amplitude"][0], "phase": arrays["phase"][0]}
+        return AmplitudePhase(**arrays)
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> Conversation[float]:
         """Seconds from ``frequency`` to the merger."""

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._errors import UndecodableBody
 
-ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status")
+ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
 """The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
-cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm ``[N, M]``; always status ``[N]``."""
+cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm ``[N, M]``; always status ``[N]``,
+and estimated_mismatch ``[N]`` from models that have it."""
 
 
 class ModelIdentity(msgspec.Struct, frozen=True):
@@ -71,7 +72,16 @@ def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
     except (msgspec.MsgspecError, RecursionError, KeyError, UnicodeDecodeError) as error:
         raise UndecodableBody("The answer is not a waveform answer of bnserve.") from error
     arrays = {name: decode_array(fields[name]) for name in ARRAY_NAMES if name in fields}
-    rows = {len(array) for array in arrays.values()}
-    if "status" not in arrays or len(rows) != 1:
+    if not _fit_together(arrays):
         raise UndecodableBody("The arrays of the answer do not fit together.")
     return WaveformAnswer(arrays=arrays, model=model)
+
+
+def _fit_together(arrays: Mapping[str, NDArray[Any]]) -> bool:
+    """Whether there is a uint8 status of N rows, and all else has N rows and one number of columns, if any."""
+    status = arrays.get("status")
+    if status is None or status.ndim != 1 or status.dtype != np.uint8:
+        return False
+    rows = {len(array) for array in arrays.values()}
+    columns = {array.shape[1] for array in arrays.values() if array.ndim == 2}
+    return len(rows) == 1 and len(columns) <= 1

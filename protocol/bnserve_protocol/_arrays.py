@@ -19,6 +19,8 @@ from bnserve_protocol._errors import UndecodableBody
 ARRAY_DTYPES = {name: np.dtype(name) for name in ("<f8", "<f4", "<c16", "<c8", "|u1")}
 """The only array types that travel."""
 
+_EXTENT_LIMIT = 2**32
+"""No body holds more; an empty array may claim any extent, and numpy fails above 2**60."""
 _FIXMAP_5 = 0x85
 _BIN_8 = 0xC4
 _FIELDS = ("nd", "type", "kind", "shape", "data")
@@ -62,7 +64,7 @@ def decode_array(raw: bytes | msgspec.Raw) -> NDArray[Any]:
         kind = bytes(fields["kind"])
         shape = _shape.decode(fields["shape"])
         data = _data.decode(fields["data"])
-    except (msgspec.MsgspecError, RecursionError, KeyError) as error:
+    except (msgspec.MsgspecError, RecursionError, KeyError, UnicodeDecodeError) as error:
         raise UndecodableBody(
             "An array must be the map that msgpack-numpy writes: nd, type, kind, shape, data, each of its own type."
         ) from error
@@ -70,8 +72,8 @@ def decode_array(raw: bytes | msgspec.Raw) -> NDArray[Any]:
         raise UndecodableBody(f"Arrays travel as one of {', '.join(ARRAY_DTYPES)}; convert the array before sending.")
     if kind not in (b"\xc4\x00", b"\xa0"):
         raise UndecodableBody("The 'kind' of an array must be empty: structured and object arrays are not accepted.")
-    if len(shape) > 2 or any(extent < 0 for extent in shape):
-        raise UndecodableBody("Arrays have one or two dimensions.")
+    if not 1 <= len(shape) <= 2 or not all(0 <= extent < _EXTENT_LIMIT for extent in shape):
+        raise UndecodableBody("Arrays have one or two dimensions, each of 0 to 4294967295 entries.")
     if math.prod(shape) * dtype.itemsize != data.nbytes:
         raise UndecodableBody(f"The data of an array of shape {shape} has {data.nbytes} bytes, which does not fit.")
     return np.frombuffer(data, dtype=dtype).reshape(shape)

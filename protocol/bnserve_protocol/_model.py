@@ -70,11 +70,14 @@ class Polarizations:
     """Plus and cross polarisation in 1/Hz; unpacks as ``hp, hc = ...``.
 
     For one waveform the arrays have shape ``(M,)``, for a batch ``(N, M)``; ``status`` is uint8, ``(N,)``.
+    ``estimated_mismatch``, float64 ``(N,)``, is the model's own estimate of its mismatch to the generator it was
+    trained on; at most one binary in a hundred exceeds three times it. None where a model has no such estimate.
     """
 
     plus: ComplexArray
     cross: ComplexArray
     status: NDArray[np.uint8]
+    estimated_mismatch: NDArray[np.float64] | None = None
 
     def __iter__(self) -> Iterator[ComplexArray]:
         yield self.plus
@@ -85,13 +88,15 @@ class Polarizations:
 class Factored:
     """A batch of a model with one mode: ``hp = plus[:, None] * h`` and ``hc = cross[:, None] * h``.
 
-    ``h`` is complex ``(N, M)`` in 1/Hz; ``plus`` float64 and ``cross`` complex128, ``(N,)``; ``status`` uint8 ``(N,)``.
+    ``h`` is complex ``(N, M)`` in 1/Hz; ``plus`` float64 and ``cross`` complex128, ``(N,)``; ``status`` uint8 ``(N,)``;
+    ``estimated_mismatch`` as in :class:`Polarizations`.
     """
 
     h: ComplexArray
     plus: NDArray[np.float64]
     cross: NDArray[np.complex128]
     status: NDArray[np.uint8]
+    estimated_mismatch: NDArray[np.float64] | None = None
 
     def polarizations(self) -> Polarizations:
         """Multiply out; the one place where it is done, so that every path gives the same bits."""
@@ -99,6 +104,7 @@ class Factored:
             plus=self.h * self.plus.astype(self.h.real.dtype)[:, None],
             cross=self.h * self.cross.astype(self.h.dtype)[:, None],
             status=self.status,
+            estimated_mismatch=self.estimated_mismatch,
         )
 
 
@@ -113,6 +119,7 @@ class AmplitudePhase:
     amplitude: NDArray[np.float64]
     phase: NDArray[np.float64]
     status: NDArray[np.uint8]
+    estimated_mismatch: NDArray[np.float64] | None = None
 
     def __iter__(self) -> Iterator[NDArray[np.float64]]:
         yield self.amplitude

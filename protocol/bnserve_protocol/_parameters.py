@@ -90,7 +90,7 @@ class ParameterBatch:
     values: NDArray[np.float64]
 
     def __init__(self, values: ArrayLike) -> None:
-        array = np.ascontiguousarray(values, dtype=np.float64)
+        array = np.ascontiguousarray(_as_floats("parameters", values))
         if array.ndim != 2 or array.shape[1] != len(PARAMETER_NAMES):
             raise InvalidParameters(
                 f"A parameter array has shape (N, {len(PARAMETER_NAMES)}), one column for each of "

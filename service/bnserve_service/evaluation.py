@@ -113,13 +113,24 @@ def _check_sizes(rows: int, points: int, limits: Limits) -> None:
 
 
 def evaluate_output(model: ServedModel, question: Question, batch: ParameterBatch) -> Arrays:
-    """The arrays of one ``output``, one row per row of ``batch``."""
+    """The arrays of one ``output``, one row per row of ``batch``; with the model's own error estimate if it has one."""
+    arrays, estimates = _evaluate_output(model, question, batch)
+    return arrays if estimates is None else arrays | {"estimated_mismatch": estimates}
+
+
+def _evaluate_output(
+    model: ServedModel, question: Question, batch: ParameterBatch
+) -> tuple[Arrays, NDArray[np.float64] | None]:
     if question.output == "amplitude_phase":
         curves = model.predict_amplitude_phase(question.grid, batch, options=question.options)
-        return {"amplitude": curves.amplitude, "phase": curves.phase, "status": curves.status}
+        return {
+            "amplitude": curves.amplitude,
+            "phase": curves.phase,
+            "status": curves.status,
+        }, curves.estimated_mismatch
     if question.output == "polarizations":
         both = model.predict_batch(question.grid, batch, options=question.options, dtype=question.dtype)
-        return {"h_plus": both.plus, "h_cross": both.cross, "status": both.status}
+        return {"h_plus": both.plus, "h_cross": both.cross, "status": both.status}, both.estimated_mismatch
     if len(model.description.modes) != 1:
         raise InvalidRequest(
             f"output '{question.output}' is for models of one mode; ask this model for 'polarizations'."
@@ -127,8 +138,8 @@ def evaluate_output(model: ServedModel, question: Question, batch: ParameterBatc
     one = model.predict_factored(question.grid, batch, options=question.options, dtype=question.dtype)
     if question.output == "modes":
         degree, order = model.description.modes[0]
-        return {f"h_{degree}{order}": one.h, "status": one.status}
-    return {"h": one.h, "plus": one.plus, "cross": one.cross, "status": one.status}
+        return {f"h_{degree}{order}": one.h, "status": one.status}, one.estimated_mismatch
+    return {"h": one.h, "plus": one.plus, "cross": one.cross, "status": one.status}, one.estimated_mismatch
 
 
 class Evaluator:

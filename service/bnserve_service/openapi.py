@@ -204,6 +204,7 @@ _ANSWER = {
         "amplitude": _REAL,
         "phase": _REAL,
         "h_22": _COMPLEX,
+        "estimated_mismatch": _VECTOR | {"description": "[N], the model's own estimate, if it has one"},
     },
 }
 

@@ -66,6 +66,7 @@ class BnserveServer:
                 log_config=None,
                 access_log=False,
                 server_header=False,
+                proxy_headers=False,  # nothing here depends on who is behind a proxy
                 backlog=BACKLOG,
                 timeout_keep_alive=self._settings.keep_alive,  # type: ignore[arg-type]  # seconds; it takes fractions
                 timeout_graceful_shutdown=self._settings.drain_timeout,  # type: ignore[arg-type]  # as above

@@ -18,6 +18,8 @@ class ModeMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fie
     baseline: Literal["taylorf2-5.5pn-7.5pn-tides"] = "taylorf2-5.5pn-7.5pn-tides"
     coordinates: Literal["physical", "raw"]
     activation: Literal["tanh", "relu", "logistic"] = "tanh"
+    estimates_mismatch: bool = False
+    """Whether the regressor's last output is the logarithm of the model's own estimate of its mismatch."""
     merger_start_mf: float = 0.0
     """M f at which the generator's phase starts from zero: with ``alignment="merger"`` the phase constant is what the
     model's tensors say less Psi - f dPsi/df of the baseline at this frequency. 0: less nothing."""

@@ -17,12 +17,12 @@ from bnserve_protocol import (
     EvaluationOptions,
     Factored,
     GridLike,
-    InvalidRequest,
     ModelDescription,
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
     RowStatus,
+    check_dtype,
     time_until_merger,
 )
 from bnserve_store import Artifact, ModelStore
@@ -31,8 +31,6 @@ from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._prepared_grid import GridCache
 from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.kernel import KernelModel, evaluate_amplitude_phase, evaluate_strain
-
-_DTYPES = ("complex128", "complex64")
 
 
 class Model:
@@ -123,7 +121,12 @@ class Model:
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
         """
         batch = self.predict_batch(frequencies, parameters, options=options, dtype=dtype)
-        return Polarizations(plus=batch.plus[0], cross=batch.cross[0], status=batch.status)
+        return Polarizations(
+            plus=batch.plus[0],
+            cross=batch.cross[0],
+            status=batch.status,
+            estimated_mismatch=batch.estimated_mismatch,
+        )
 
     def predict_batch(
         self,
@@ -146,13 +149,13 @@ class Model:
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
         grid, coerced, status = self._check(frequencies, batch, options)
-        if dtype not in _DTYPES:
-            raise InvalidRequest(f"dtype must be one of {', '.join(_DTYPES)}; got {str(dtype)[:40]!r}.")
+        check_dtype(dtype)
         valid = status == RowStatus.OK
-        h = evaluate_strain(coerced.values[valid], grid, self._mode, options.alignment, dtype)
+        h, estimates = evaluate_strain(coerced.values[valid], grid, self._mode, options.alignment, dtype)
         plus, cross = _polarization_factors(coerced["inclination"], status)
-        h = _spread(h, valid)
-        return Factored(h=h, plus=plus, cross=cross, status=status)
+        return Factored(
+            h=_spread(h, valid), plus=plus, cross=cross, status=status, estimated_mismatch=_spread(estimates, valid)
+        )
 
     def predict_amplitude_phase(
         self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
@@ -163,13 +166,13 @@ class Model:
         """
         grid, coerced, status = self._check(frequencies, batch, options)
         valid = status == RowStatus.OK
-        amplitude, phase = (
+        amplitude, phase, estimates = (
             _spread(array, valid)
             for array in evaluate_amplitude_phase(coerced.values[valid], grid, self._mode, options.alignment)
         )
         if isinstance(batch, ParametersWithExtrinsic):
-            return AmplitudePhase(amplitude=amplitude[0], phase=phase[0], status=status)
-        return AmplitudePhase(amplitude=amplitude, phase=phase, status=status)
+            amplitude, phase = amplitude[0], phase[0]
+        return AmplitudePhase(amplitude=amplitude, phase=phase, status=status, estimated_mismatch=estimates)
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
@@ -205,11 +208,11 @@ class Model:
         return grid, coerced, status
 
 
-def _spread(rows: NDArray[Any], valid: NDArray[np.bool_]) -> NDArray[Any]:
+def _spread(rows: NDArray[Any] | None, valid: NDArray[np.bool_]) -> Any:
     """Put the rows that were evaluated back into their places; the others are NaN."""
-    if valid.all():
+    if rows is None or valid.all():
         return rows
-    spread = np.full((len(valid), rows.shape[1]), np.nan, dtype=rows.dtype)
+    spread = np.full((len(valid), *rows.shape[1:]), np.nan, dtype=rows.dtype)
     spread[valid] = rows
     return spread
 

@@ -71,6 +71,7 @@ def _read_mode(
         activation=metadata.activation,
         mf_band=band,
         merger_start_mf=metadata.merger_start_mf,
+        estimates_mismatch=metadata.estimates_mismatch,
     )
 
 

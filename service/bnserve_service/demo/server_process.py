@@ -48,7 +48,7 @@ class ServerProcess:
 
     def __enter__(self) -> Self:
         started = time.perf_counter()
-        self._log: IO[bytes] = tempfile.TemporaryFile()  # noqa: SIM115  # closed by stop()
+        self._log: IO[bytes] = tempfile.TemporaryFile()  # closed by stop()
         self._process = subprocess.Popen(_COMMAND, stdout=subprocess.PIPE, stderr=self._log, text=True)
         try:
             self._wait_until_ready()

@@ -37,24 +37,25 @@ _scratch = _Scratch()
 
 def evaluate_strain(
     parameters: NDArray[np.float64], grid: PreparedGrid, model: KernelModel, alignment: str, dtype: str
-) -> NDArray[Any]:
-    """The strain h = A exp(i phi) of N valid rows on M frequencies, complex ``(N, M)`` in 1/Hz, without inclination."""
+) -> tuple[NDArray[Any], NDArray[np.float64] | None]:
+    """The strain h = A exp(i phi) of N valid rows on M frequencies, complex ``(N, M)`` in 1/Hz, without inclination.
+
+    With it the estimated mismatches, ``(N,)``, of a model that has them.
+    """
     out = np.empty((len(parameters), len(grid.frequencies)), dtype=dtype)
     if dtype == "complex128":
-        _call(parameters, grid, model, alignment, wide=out)
-    else:
-        _call(parameters, grid, model, alignment, narrow=out)
-    return out
+        return out, _call(parameters, grid, model, alignment, wide=out)
+    return out, _call(parameters, grid, model, alignment, narrow=out)
 
 
 def evaluate_amplitude_phase(
     parameters: NDArray[np.float64], grid: PreparedGrid, model: KernelModel, alignment: str
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Amplitude (1/Hz) and continuous phase (rad) of N valid rows, float64 ``(N, M)`` each."""
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64] | None]:
+    """Amplitude (1/Hz) and continuous phase (rad) of N valid rows, ``(N, M)`` each, and the estimated mismatches."""
     amplitude = np.empty((len(parameters), len(grid.frequencies)))
     phase = np.empty_like(amplitude)
-    _call(parameters, grid, model, alignment, amplitude=amplitude, phase=phase)
-    return amplitude, phase
+    estimates = _call(parameters, grid, model, alignment, amplitude=amplitude, phase=phase)
+    return amplitude, phase, estimates
 
 
 def _call(
@@ -66,9 +67,10 @@ def _call(
     narrow: NDArray[Any] = _EMPTY,
     amplitude: NDArray[Any] = _EMPTY,
     phase: NDArray[Any] = _EMPTY,
-) -> None:
+) -> NDArray[np.float64] | None:
     rows = np.ascontiguousarray(parameters)
     scratch = _scratch.of_size(model.scratch_size)
+    estimates = np.empty(len(rows)) if model.estimates_mismatch else _EMPTY
     slots = ctypes.addressof(_scratch.slots)
     status = load_kernel()(
         slots,
@@ -94,9 +96,12 @@ def _call(
         _at(amplitude),
         _at(phase),
         phase.size,
+        _at(estimates),
+        estimates.size,
     )
     if status != 0:
         raise RuntimeError(f"The kernel stopped with status {status}.")
+    return estimates if model.estimates_mismatch else None
 
 
 def _at(array: NDArray[Any]) -> int:

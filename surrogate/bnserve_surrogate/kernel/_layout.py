@@ -58,12 +58,15 @@ class KernelModel:
         that the phase gets.
     mf_band:
         First and last trained M f (dimensionless).
+    estimates_mismatch:
+        Whether the last output is the logarithm of the estimated mismatch.
     """
 
     contents: NDArray[np.int64]
     exponents: NDArray[np.int64]
     weights: NDArray[np.float64]
     mf_band: tuple[float, float]
+    estimates_mismatch: bool = False
 
     @property
     def scratch_size(self) -> int:
@@ -88,6 +91,7 @@ def build_kernel_model(
     activation: str,
     mf_band: tuple[float, float],
     merger_start_mf: float = 0.0,
+    estimates_mismatch: bool = False,
 ) -> KernelModel:
     """Arrange the checked tensors of one mode (see :mod:`bnserve_surrogate._tensors`) for the kernel."""
     outputs = tensors["basis"].shape[0]
@@ -117,7 +121,7 @@ def build_kernel_model(
         contents[entry] = position
         position += section.size
     weights = np.concatenate([np.ravel(section).astype(np.float64) for _, section in sections])
-    return KernelModel(contents, exponents.reshape(-1), weights, mf_band)
+    return KernelModel(contents, exponents.reshape(-1), weights, mf_band, estimates_mismatch)
 
 
 def _network(tensors: dict[str, NDArray[Any]]) -> tuple[list[int], NDArray[np.float64]]:

@@ -15,7 +15,7 @@ ASSEMBLY = Path(__file__).with_name("kernel.ll")
 DIGEST_PREFIX = "; sources: "
 ENTRY_POINT = "bnserve_evaluate"
 _POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
-_SIGNATURE = "pp pi pppi pipipi i pi p pipi ppi"
+_SIGNATURE = "pp pi pppi pipipi i pi p pipi ppi pi"
 """Pointers and integers: return and exception slots; parameters; grid; model; alignment; scratch; series; outputs."""
 
 _lock = threading.Lock()

@@ -292,6 +292,7 @@ def evaluate(
     wide: NDArray[np.complex128],
     narrow: NDArray[np.complex64],
     polar: tuple[Floats, Floats],
+    estimates: Floats,
 ) -> None:
     """Evaluate every row into whichever of ``wide``, ``narrow`` and ``polar`` is not empty.
 
@@ -313,6 +314,8 @@ def evaluate(
         ``(N * M,)``: h = A exp(i phi), without inclination.
     polar:
         A and phi, ``(N * M,)`` float64 each.
+    estimates:
+        ``(N,)`` for the estimated mismatches, or empty.
     """
     f, log_f, cbrt_f = grid
     contents, exponents, weights = model
@@ -325,6 +328,8 @@ def evaluate(
     for i in range(parameters.shape[0] // _COLUMNS):
         row = parameters[i * _COLUMNS : (i + 1) * _COLUMNS]
         _prepare(row, contents, exponents, weights, scratch[:prepare_end], linear, phase_series, amplitude_series)
+        if estimates.shape[0] > 0:
+            estimates[i] = np.exp(scratch[contents[_OUTPUTS] - 1])
         for start in range(0, points, BLOCK):
             stop = min(start + BLOCK, points)
             size = stop - start

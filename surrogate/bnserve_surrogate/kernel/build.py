@@ -39,13 +39,14 @@ def compile_kernel() -> str:
         doubles,
         size,
     )
-    arguments = (doubles, size, *grid_types, *model_types, size, doubles, size, doubles, *output_types)
+    arguments = (doubles, size, *grid_types, *model_types, size, doubles, size, doubles, *output_types, doubles, size)
 
     @cfunc(types.void(*arguments), **{name: value for name, value in JIT_OPTIONS.items() if name != "nogil"})
     def entry(  # type: ignore[no-untyped-def]  # noqa: ANN202
         parameters, n_parameters, f, log_f, cbrt_f, points,  # noqa: ANN001
         contents, n_contents, exponents, n_exponents, weights, n_weights, alignment,  # noqa: ANN001
         scratch, n_scratch, series, wide, n_wide, narrow, n_narrow, amplitude, phase, n_polar,  # noqa: ANN001
+        estimates, n_estimates,  # noqa: ANN001
     ):  # fmt: skip
         evaluate(
             carray(parameters, n_parameters),
@@ -57,6 +58,7 @@ def compile_kernel() -> str:
             carray(wide, n_wide),
             carray(narrow, n_narrow),
             (carray(amplitude, n_polar), carray(phase, n_polar)),
+            carray(estimates, n_estimates),
         )
 
     return _detach(entry._library.get_llvm_str(), entry.native_name)

@@ -1,4 +1,4 @@
-; sources: c52acd0aa8eb64781b7e2f4a9e13e10f7f6681070988c51b2243ed6a927c63d0
+; sources: a2d8ccd0a74e83d89bb395d0c5e8dd73b59165056c7ebda038a31eae21996198
 ; ModuleID = '<string>'
 source_filename = "<string>"
 
@@ -7,174 +7,198 @@ source_filename = "<string>"
 @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366, i32 69, ptr @.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366.sha1, ptr null, i32 0 }
 
 ; Function Attrs: nofree norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define noundef range(i32 0, 2) i32 @bnserve_evaluate(ptr noalias writeonly captures(none) %retptr, ptr noalias writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.parameters, i64 %arg.n_parameters, ptr readonly captures(none) %arg.f, ptr readonly captures(none) %arg.log_f, ptr readonly captures(none) %arg.cbrt_f, i64 %arg.points, ptr readonly captures(none) %arg.contents, i64 %arg.n_contents, ptr readonly captures(none) %arg.exponents, i64 %arg.n_exponents, ptr readonly captures(none) %arg.weights, i64 %arg.n_weights, i64 %arg.alignment, ptr captures(none) %arg.scratch, i64 %arg.n_scratch, ptr %arg.series, ptr writeonly captures(none) %arg.wide, i64 %arg.n_wide, ptr writeonly captures(none) %arg.narrow, i64 %arg.n_narrow, ptr captures(none) %arg.amplitude, ptr captures(none) %arg.phase, i64 %arg.n_polar) local_unnamed_addr #0 {
+define noundef range(i32 0, 2) i32 @bnserve_evaluate(ptr noalias writeonly captures(none) %retptr, ptr noalias writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.parameters, i64 %arg.n_parameters, ptr readonly captures(none) %arg.f, ptr readonly captures(none) %arg.log_f, ptr readonly captures(none) %arg.cbrt_f, i64 %arg.points, ptr readonly captures(none) %arg.contents, i64 %arg.n_contents, ptr readonly captures(none) %arg.exponents, i64 %arg.n_exponents, ptr readonly captures(none) %arg.weights, i64 %arg.n_weights, i64 %arg.alignment, ptr captures(none) %arg.scratch, i64 %arg.n_scratch, ptr %arg.series, ptr writeonly captures(none) %arg.wide, i64 %arg.n_wide, ptr writeonly captures(none) %arg.narrow, i64 %arg.n_narrow, ptr captures(none) %arg.amplitude, ptr captures(none) %arg.phase, i64 %arg.n_polar, ptr writeonly captures(none) %arg.estimates, i64 %arg.n_estimates) local_unnamed_addr #0 {
 entry:
   %.2457.i.i = alloca ptr, align 8
   %.3101.i.i = alloca ptr, align 8
-  %.392.i = getelementptr i8, ptr %arg.contents, i64 24
-  %.393.i = load i64, ptr %.392.i, align 8, !noalias !0
-  %.394.i = add nsw i64 %.393.i, 2378
-  %.426.i = getelementptr i8, ptr %arg.contents, i64 48
-  %.427.i = load i64, ptr %.426.i, align 8, !noalias !0
-  %.456.i = getelementptr i8, ptr %arg.contents, i64 56
-  %.457.i = load i64, ptr %.456.i, align 8, !noalias !0
-  %.458.i = add nsw i64 %.457.i, %.427.i
-  %.459.i = shl nsw i64 %.458.i, 1
-  %.461.i = add nsw i64 %.459.i, %.394.i
-  %.462.i = add nsw i64 %.461.i, 4
-  %.463.i = add nsw i64 %.461.i, 12
-  %.504.i = icmp slt i64 %.393.i, -2378
-  %.505.i = select i1 %.504.i, i64 %arg.n_scratch, i64 0
-  %.506.i = add i64 %.505.i, %.394.i
-  %.509.i = icmp slt i64 %.506.i, 0
-  br i1 %.509.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !4
+  %.406.i = getelementptr i8, ptr %arg.contents, i64 24
+  %.407.i = load i64, ptr %.406.i, align 8, !noalias !0
+  %.408.i = add nsw i64 %.407.i, 2378
+  %.440.i = getelementptr i8, ptr %arg.contents, i64 48
+  %.441.i = load i64, ptr %.440.i, align 8, !noalias !0
+  %.470.i = getelementptr i8, ptr %arg.contents, i64 56
+  %.471.i = load i64, ptr %.470.i, align 8, !noalias !0
+  %.472.i = add nsw i64 %.471.i, %.441.i
+  %.473.i = shl nsw i64 %.472.i, 1
+  %.475.i = add nsw i64 %.473.i, %.408.i
+  %.476.i = add nsw i64 %.475.i, 4
+  %.477.i = add nsw i64 %.475.i, 12
+  %.518.i = icmp slt i64 %.407.i, -2378
+  %.519.i = select i1 %.518.i, i64 %arg.n_scratch, i64 0
+  %.520.i = add i64 %.519.i, %.408.i
+  %.523.i = icmp slt i64 %.520.i, 0
+  br i1 %.523.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !4
 
-B514.i:                                           ; preds = %B514.preheader.i, %B1054.i
-  %excinfo.3.0.i = phi ptr [ %excinfo.3.3.i, %B1054.i ], [ %excinfo.3.2.i, %B514.preheader.i ]
-  %.1503.sroa.0.015.i = phi i64 [ %.1503.sroa.0.0.i, %B1054.i ], [ 0, %B514.preheader.i ]
-  %.1459.114.in.i = phi i64 [ %1, %B1054.i ], [ %3, %B514.preheader.i ]
-  %.1456.113.i = phi i64 [ %.1456.1.i, %B1054.i ], [ 1024, %B514.preheader.i ]
-  %.1555.i = add nsw i64 %.1503.sroa.0.015.i, 1024
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %arg.points, i64 %.1555.i)
-  %.1590.i = sub nsw i64 %.13.i.i, %.1503.sroa.0.015.i
-  %.1598.i = add nsw i64 %.1503.sroa.0.015.i, %.1596.i
-  br i1 %50, label %B594.i, label %B672.i
+B500.i:                                           ; preds = %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.1488.i = load i64, ptr %.406.i, align 8, !noalias !0
+  %.1503.inv.i = icmp sgt i64 %.1488.i, 0
+  %.1504.i = select i1 %.1503.inv.i, i64 0, i64 %arg.n_scratch
+  %0 = getelementptr double, ptr %arg.scratch, i64 %.1488.i
+  %1 = getelementptr i8, ptr %0, i64 -8
+  %.1518.i = getelementptr double, ptr %1, i64 %.1504.i
+  %.1519.i = load double, ptr %.1518.i, align 8, !noalias !0
+  %.1527.le.i = tail call contract double @llvm.exp.f64(double %.1519.i)
+  %2 = getelementptr double, ptr %arg.estimates, i64 %.939.017.i
+  store double %.1527.le.i, ptr %2, align 8, !noalias !0
+  br label %B586.i
 
-B594.i:                                           ; preds = %B514.i
-  %.1611.i = add i64 %.13.i.i, %.1596.i
-  %.1648.i = icmp slt i64 %.1598.i, 0
-  %.1649.i = select i1 %.1648.i, i64 %arg.n_polar, i64 0
-  %.1650.i = add i64 %.1649.i, %.1598.i
-  %.1653.i = icmp slt i64 %.1650.i, 0
-  br i1 %.1653.i, label %B594.else.if.i, label %B594.else.endif.i, !prof !4
+B586.i:                                           ; preds = %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B500.i
+  %.1728.i = mul nsw i64 %.939.017.i, %arg.points
+  br i1 %37, label %B1178.i, label %B634.preheader.i
 
-B672.i:                                           ; preds = %B514.i
-  %.1995.i = add nsw i64 %.1590.i, %.463.i
-  br i1 %.698.i, label %B672.else.if.i, label %B672.else.endif.i, !prof !4
+B634.preheader.i:                                 ; preds = %B586.i
+  %.209.i3.i = getelementptr i8, ptr %.1183.i, i64 56
+  %.3314.i.i = getelementptr i8, ptr %.1183.i, i64 40
+  %.3565.i.i = getelementptr i8, ptr %.1183.i, i64 64
+  %.3763.i.i = getelementptr i8, ptr %.1183.i, i64 72
+  br label %B634.i
 
-B756.i:                                           ; preds = %B672.endif.else.endif.endif.endif.endif.i, %B594.endif.else.endif.endif.endif.endif.i
-  %a.2.sroa.60.2.i = phi i64 [ %.1735.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2120.i, %B672.endif.else.endif.endif.endif.endif.i ]
-  %a.2.sroa.48.2.i = phi ptr [ %.1751.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2136.i, %B672.endif.else.endif.endif.endif.endif.i ]
-  %p.2.sroa.60.2.i = phi i64 [ %.1929.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2308.i, %B672.endif.else.endif.endif.endif.endif.i ]
-  %p.2.sroa.48.2.i = phi ptr [ %.1945.i, %B594.endif.else.endif.endif.endif.endif.i ], [ %.2324.i, %B672.endif.else.endif.endif.endif.endif.i ]
-  %.2406.i = icmp slt i64 %.1503.sroa.0.015.i, 0
-  %.2407.i = select i1 %.2406.i, i64 %arg.points, i64 0
-  %.2408.i = add i64 %.2407.i, %.1503.sroa.0.015.i
-  %.2411.i = icmp slt i64 %.2408.i, 0
-  br i1 %.2411.i, label %B756.else.if.i, label %B756.else.endif.i, !prof !4
+B634.i:                                           ; preds = %B1174.i, %B634.preheader.i
+  %excinfo.3.1.i = phi ptr [ %excinfo.3.3.i, %B1174.i ], [ %excinfo.3.2.i, %B634.preheader.i ]
+  %.1635.sroa.0.015.i = phi i64 [ %.1635.sroa.0.0.i, %B1174.i ], [ 0, %B634.preheader.i ]
+  %.1591.114.in.i = phi i64 [ %4, %B1174.i ], [ %6, %B634.preheader.i ]
+  %.1588.113.i = phi i64 [ %.1588.1.i, %B1174.i ], [ 1024, %B634.preheader.i ]
+  %.1687.i = add nsw i64 %.1635.sroa.0.015.i, 1024
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %arg.points, i64 %.1687.i)
+  %.1722.i = sub nsw i64 %.13.i.i, %.1635.sroa.0.015.i
+  %.1730.i = add nsw i64 %.1635.sroa.0.015.i, %.1728.i
+  br i1 %54, label %B714.i, label %B792.i
 
-B908.i:                                           ; preds = %B756.endif.endif.endif.endif.i
-  %.3292.i = add i64 %.13.i.i, %.1596.i
-  %.3330.i = icmp slt i64 %.1598.i, 0
-  %.3331.i = select i1 %.3330.i, i64 %arg.n_wide, i64 0
-  %.3332.i = add i64 %.3331.i, %.1598.i
-  %.3335.i = icmp slt i64 %.3332.i, 0
-  br i1 %.3335.i, label %B908.else.if.i, label %B908.else.endif.i, !prof !4
+B714.i:                                           ; preds = %B634.i
+  %.1743.i = add i64 %.13.i.i, %.1728.i
+  %.1780.i = icmp slt i64 %.1730.i, 0
+  %.1781.i = select i1 %.1780.i, i64 %arg.n_polar, i64 0
+  %.1782.i = add i64 %.1781.i, %.1730.i
+  %.1785.i = icmp slt i64 %.1782.i, 0
+  br i1 %.1785.i, label %B714.else.if.i, label %B714.else.endif.i, !prof !4
 
-B964.i:                                           ; preds = %B56.if.i.i, %B908.else.endif.endif.endif.endif.i, %B756.endif.endif.endif.endif.i
-  br i1 %54, label %B998.i, label %B1054.i
+B792.i:                                           ; preds = %B634.i
+  %.2127.i = add nsw i64 %.1722.i, %.477.i
+  br i1 %.712.i, label %B792.else.if.i, label %B792.else.endif.i, !prof !4
 
-B998.i:                                           ; preds = %B964.i
-  %.3517.i = add i64 %.13.i.i, %.1596.i
-  %.3559.i = icmp slt i64 %.1598.i, 0
-  %.3560.i = select i1 %.3559.i, i64 %arg.n_narrow, i64 0
-  %.3561.i = add i64 %.3560.i, %.1598.i
-  %.3564.i = icmp slt i64 %.3561.i, 0
-  br i1 %.3564.i, label %B998.else.if.i, label %B998.else.endif.i, !prof !4
+B876.i:                                           ; preds = %B792.endif.else.endif.endif.endif.endif.i, %B714.endif.else.endif.endif.endif.endif.i
+  %a.2.sroa.60.2.i = phi i64 [ %.1867.i, %B714.endif.else.endif.endif.endif.endif.i ], [ %.2252.i, %B792.endif.else.endif.endif.endif.endif.i ]
+  %a.2.sroa.48.2.i = phi ptr [ %.1883.i, %B714.endif.else.endif.endif.endif.endif.i ], [ %.2268.i, %B792.endif.else.endif.endif.endif.endif.i ]
+  %p.2.sroa.60.2.i = phi i64 [ %.2061.i, %B714.endif.else.endif.endif.endif.endif.i ], [ %.2440.i, %B792.endif.else.endif.endif.endif.endif.i ]
+  %p.2.sroa.48.2.i = phi ptr [ %.2077.i, %B714.endif.else.endif.endif.endif.endif.i ], [ %.2456.i, %B792.endif.else.endif.endif.endif.endif.i ]
+  %.2538.i = icmp slt i64 %.1635.sroa.0.015.i, 0
+  %.2539.i = select i1 %.2538.i, i64 %arg.points, i64 0
+  %.2540.i = add i64 %.2539.i, %.1635.sroa.0.015.i
+  %.2543.i = icmp slt i64 %.2540.i, 0
+  br i1 %.2543.i, label %B876.else.if.i, label %B876.else.endif.i, !prof !4
 
-B1054.i:                                          ; preds = %B56.if.i19.i, %B998.else.endif.endif.endif.endif.i, %B964.i
-  %.1513.i = icmp samesign ugt i64 %.1459.114.in.i, 1
-  %.1526.i = add i64 %.1456.113.i, 1024
-  %.1456.1.i = select i1 %.1513.i, i64 %.1526.i, i64 %.1456.113.i
-  %0 = tail call i64 @llvm.smax.i64(i64 %.1459.114.in.i, i64 2)
-  %1 = add nsw i64 %0, -1
-  %.1503.sroa.0.0.i = select i1 %.1513.i, i64 %.1456.113.i, i64 0
-  br i1 %.1513.i, label %B514.i, label %B1058.i
+B1028.i:                                          ; preds = %B876.endif.endif.endif.endif.i
+  %.3424.i = add i64 %.13.i.i, %.1728.i
+  %.3462.i = icmp slt i64 %.1730.i, 0
+  %.3463.i = select i1 %.3462.i, i64 %arg.n_wide, i64 0
+  %.3464.i = add i64 %.3463.i, %.1730.i
+  %.3467.i = icmp slt i64 %.3464.i, 0
+  br i1 %.3467.i, label %B1028.else.if.i, label %B1028.else.endif.i, !prof !4
 
-B1058.i:                                          ; preds = %B1054.i, %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %excinfo.3.1.i = phi ptr [ %excinfo.3.2.i, %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %excinfo.3.3.i, %B1054.i ]
-  %exitcond.not.i = icmp eq i64 %.997.i, %.869.1.i
-  br i1 %exitcond.not.i, label %B0.endif.endif.endif.endi...endif.2, label %B344.if.i
+B1084.i:                                          ; preds = %B56.if.i.i, %B1028.else.endif.endif.endif.endif.i, %B876.endif.endif.endif.endif.i
+  br i1 %58, label %B1118.i, label %B1174.i
+
+B1118.i:                                          ; preds = %B1084.i
+  %.3649.i = add i64 %.13.i.i, %.1728.i
+  %.3691.i = icmp slt i64 %.1730.i, 0
+  %.3692.i = select i1 %.3691.i, i64 %arg.n_narrow, i64 0
+  %.3693.i = add i64 %.3692.i, %.1730.i
+  %.3696.i = icmp slt i64 %.3693.i, 0
+  br i1 %.3696.i, label %B1118.else.if.i, label %B1118.else.endif.i, !prof !4
+
+B1174.i:                                          ; preds = %B56.if.i19.i, %B1118.else.endif.endif.endif.endif.i, %B1084.i
+  %.1645.i = icmp samesign ugt i64 %.1591.114.in.i, 1
+  %.1658.i = add i64 %.1588.113.i, 1024
+  %.1588.1.i = select i1 %.1645.i, i64 %.1658.i, i64 %.1588.113.i
+  %3 = tail call i64 @llvm.smax.i64(i64 %.1591.114.in.i, i64 2)
+  %4 = add nsw i64 %3, -1
+  %.1635.sroa.0.0.i = select i1 %.1645.i, i64 %.1588.113.i, i64 0
+  br i1 %.1645.i, label %B634.i, label %B1178.i
+
+B1178.i:                                          ; preds = %B1174.i, %B586.i
+  %excinfo.3.0.i = phi ptr [ %excinfo.3.2.i, %B586.i ], [ %excinfo.3.3.i, %B1174.i ]
+  %exitcond.not.i = icmp eq i64 %.1011.i, %.883.1.i
+  br i1 %exitcond.not.i, label %B0.endif.endif.endif.endi...endif.2.endif, label %B344.if.i
 
 B0.else.if.i:                                     ; preds = %entry
   br label %B0.else.endif.i
 
 B0.else.endif.i:                                  ; preds = %B0.else.if.i, %entry
-  %.494.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.506.i, %entry ]
-  %.514.not.i = icmp slt i64 %.506.i, %arg.n_scratch
-  br i1 %.514.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !5
+  %.508.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.520.i, %entry ]
+  %.528.not.i = icmp slt i64 %.520.i, %arg.n_scratch
+  br i1 %.528.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !5
 
 B0.else.endif.if.i:                               ; preds = %B0.else.endif.i
   br label %B0.else.endif.endif.i
 
 B0.else.endif.endif.i:                            ; preds = %B0.else.endif.if.i, %B0.else.endif.i
-  %.494.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B0.else.endif.if.i ], [ %.494.sroa.0.1.i, %B0.else.endif.i ]
-  %.521.i = icmp slt i64 %.461.i, -4
-  %.522.i = select i1 %.521.i, i64 %arg.n_scratch, i64 0
-  %.523.i = add i64 %.462.i, %.522.i
-  %.526.i = icmp slt i64 %.523.i, 0
-  br i1 %.526.i, label %B0.else.endif.endif.if.i, label %B0.else.endif.endif.endif.i, !prof !4
+  %.508.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B0.else.endif.if.i ], [ %.508.sroa.0.1.i, %B0.else.endif.i ]
+  %.535.i = icmp slt i64 %.475.i, -4
+  %.536.i = select i1 %.535.i, i64 %arg.n_scratch, i64 0
+  %.537.i = add i64 %.476.i, %.536.i
+  %.540.i = icmp slt i64 %.537.i, 0
+  br i1 %.540.i, label %B0.else.endif.endif.if.i, label %B0.else.endif.endif.endif.i, !prof !4
 
 B0.else.endif.endif.if.i:                         ; preds = %B0.else.endif.endif.i
   br label %B0.else.endif.endif.endif.i
 
 B0.else.endif.endif.endif.i:                      ; preds = %B0.else.endif.endif.if.i, %B0.else.endif.endif.i
-  %.494.sroa.13.1.i = phi i64 [ 0, %B0.else.endif.endif.if.i ], [ %.523.i, %B0.else.endif.endif.i ]
-  %.531.not.i = icmp slt i64 %.523.i, %arg.n_scratch
-  br i1 %.531.not.i, label %B0.else.endif.endif.endif.endif.i, label %B0.else.endif.endif.endif.if.i, !prof !5
+  %.508.sroa.13.1.i = phi i64 [ 0, %B0.else.endif.endif.if.i ], [ %.537.i, %B0.else.endif.endif.i ]
+  %.545.not.i = icmp slt i64 %.537.i, %arg.n_scratch
+  br i1 %.545.not.i, label %B0.else.endif.endif.endif.endif.i, label %B0.else.endif.endif.endif.if.i, !prof !5
 
 B0.else.endif.endif.endif.if.i:                   ; preds = %B0.else.endif.endif.endif.i
   br label %B0.else.endif.endif.endif.endif.i
 
 B0.else.endif.endif.endif.endif.i:                ; preds = %B0.else.endif.endif.endif.if.i, %B0.else.endif.endif.endif.i
-  %.494.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B0.else.endif.endif.endif.if.i ], [ %.494.sroa.13.1.i, %B0.else.endif.endif.endif.i ]
-  %.582.i = sub i64 %.494.sroa.13.2.i, %.494.sroa.0.3.i
-  %.591.i = tail call i64 @llvm.smax.i64(i64 %.582.i, i64 0)
-  %.607.i = getelementptr double, ptr %arg.scratch, i64 %.494.sroa.0.3.i
-  br i1 %.526.i, label %B0.endif.else.if.i, label %B0.endif.else.endif.i, !prof !4
+  %.508.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B0.else.endif.endif.endif.if.i ], [ %.508.sroa.13.1.i, %B0.else.endif.endif.endif.i ]
+  %.596.i = sub i64 %.508.sroa.13.2.i, %.508.sroa.0.3.i
+  %.605.i = tail call i64 @llvm.smax.i64(i64 %.596.i, i64 0)
+  %.621.i = getelementptr double, ptr %arg.scratch, i64 %.508.sroa.0.3.i
+  br i1 %.540.i, label %B0.endif.else.if.i, label %B0.endif.else.endif.i, !prof !4
 
 B0.endif.else.if.i:                               ; preds = %B0.else.endif.endif.endif.endif.i
   br label %B0.endif.else.endif.i
 
 B0.endif.else.endif.i:                            ; preds = %B0.endif.else.if.i, %B0.else.endif.endif.endif.endif.i
-  %.666.sroa.0.1.i = phi i64 [ 0, %B0.endif.else.if.i ], [ %.523.i, %B0.else.endif.endif.endif.endif.i ]
-  br i1 %.531.not.i, label %B0.endif.else.endif.endif.i, label %B0.endif.else.endif.if.i, !prof !5
+  %.680.sroa.0.1.i = phi i64 [ 0, %B0.endif.else.if.i ], [ %.537.i, %B0.else.endif.endif.endif.endif.i ]
+  br i1 %.545.not.i, label %B0.endif.else.endif.endif.i, label %B0.endif.else.endif.if.i, !prof !5
 
 B0.endif.else.endif.if.i:                         ; preds = %B0.endif.else.endif.i
   br label %B0.endif.else.endif.endif.i
 
 B0.endif.else.endif.endif.i:                      ; preds = %B0.endif.else.endif.if.i, %B0.endif.else.endif.i
-  %.666.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B0.endif.else.endif.if.i ], [ %.666.sroa.0.1.i, %B0.endif.else.endif.i ]
-  %.693.i = icmp slt i64 %.461.i, -12
-  %.694.i = select i1 %.693.i, i64 %arg.n_scratch, i64 0
-  %.695.i = add i64 %.694.i, %.463.i
-  %.698.i = icmp slt i64 %.695.i, 0
-  %.703.not.i = icmp slt i64 %.695.i, %arg.n_scratch
-  %.779.i = getelementptr double, ptr %arg.scratch, i64 %.666.sroa.0.3.i
-  %.880.i = sdiv i64 %arg.n_parameters, 10
-  %.881.i = srem i64 %arg.n_parameters, 10
-  %.881.lobit.i = ashr i64 %.881.i, 63
-  %.869.1.i = add nsw i64 %.881.lobit.i, %.880.i
-  %.2180.i = add nsw i64 %.461.i, 1036
-  %.2221.i = icmp slt i64 %.461.i, -1036
-  %.2222.i = select i1 %.2221.i, i64 %arg.n_scratch, i64 0
-  %.2223.i = add i64 %.2222.i, %.2180.i
-  %.98416.not.i = icmp slt i64 %.869.1.i, 1
-  br i1 %.98416.not.i, label %B0.endif.endif.endif.endi...endif.2, label %B344.if.preheader.i
+  %.680.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B0.endif.else.endif.if.i ], [ %.680.sroa.0.1.i, %B0.endif.else.endif.i ]
+  %.707.i = icmp slt i64 %.475.i, -12
+  %.708.i = select i1 %.707.i, i64 %arg.n_scratch, i64 0
+  %.709.i = add i64 %.708.i, %.477.i
+  %.712.i = icmp slt i64 %.709.i, 0
+  %.717.not.i = icmp slt i64 %.709.i, %arg.n_scratch
+  %.793.i = getelementptr double, ptr %arg.scratch, i64 %.680.sroa.0.3.i
+  %.894.i = sdiv i64 %arg.n_parameters, 10
+  %.895.i = srem i64 %arg.n_parameters, 10
+  %.895.lobit.i = ashr i64 %.895.i, 63
+  %.883.1.i = add nsw i64 %.895.lobit.i, %.894.i
+  %.2312.i = add nsw i64 %.475.i, 1036
+  %.2353.i = icmp slt i64 %.475.i, -1036
+  %.2354.i = select i1 %.2353.i, i64 %arg.n_scratch, i64 0
+  %.2355.i = add i64 %.2354.i, %.2312.i
+  %.99816.not.i = icmp slt i64 %.883.1.i, 1
+  br i1 %.99816.not.i, label %B0.endif.endif.endif.endi...endif.2.endif, label %B344.if.preheader.i
 
 B344.if.preheader.i:                              ; preds = %B0.endif.else.endif.endif.i
-  %.1470.inv.i = icmp sgt i64 %arg.points, 0
-  %2 = add nuw i64 %arg.points, 1023
-  %.1491.i = lshr i64 %2, 10
-  %storemerge940.i = select i1 %.1470.inv.i, i64 %.1491.i, i64 0
-  %3 = tail call i64 @llvm.smax.i64(i64 %storemerge940.i, i64 1)
+  %.1602.inv.i = icmp sgt i64 %arg.points, 0
+  %5 = add nuw i64 %arg.points, 1023
+  %.1623.i = lshr i64 %5, 10
+  %storemerge998.i = select i1 %.1602.inv.i, i64 %.1623.i, i64 0
+  %6 = tail call i64 @llvm.smax.i64(i64 %storemerge998.i, i64 1)
   %scevgep98.i = getelementptr i8, ptr %arg.narrow, i64 4
-  %4 = icmp slt i64 %arg.n_scratch, 1
+  %7 = icmp slt i64 %arg.n_scratch, 1
   %.537.i.i.i = getelementptr i8, ptr %arg.contents, i64 64
   %.1157.i.i.i = getelementptr i8, ptr %arg.contents, i64 8
   %.1676.i.i.i = getelementptr i8, ptr %arg.contents, i64 32
   %.758.i.i = getelementptr i8, ptr %arg.contents, i64 88
-  %.98.i.not.i.i = icmp slt i64 %.582.i, 1
+  %.98.i.not.i.i = icmp slt i64 %.596.i, 1
   %.183.i.i.i.i = getelementptr i8, ptr %arg.series, i64 16
   %.308.i.i.i.i = getelementptr i8, ptr %arg.series, i64 24
   %.413.i.i.i.i = getelementptr i8, ptr %arg.series, i64 32
@@ -190,134 +214,135 @@ B344.if.preheader.i:                              ; preds = %B0.endif.else.endif
   %.2145.i.i.i.i = getelementptr i8, ptr %arg.series, i64 208
   %.2256.i.i.i.i = getelementptr i8, ptr %arg.series, i64 88
   %.2474.i.i.i.i = getelementptr i8, ptr %arg.series, i64 216
-  %5 = getelementptr i8, ptr %arg.series, i64 128
+  %8 = getelementptr i8, ptr %arg.series, i64 128
   %.211.i.i.i.i = getelementptr i8, ptr %arg.series, i64 96
   %.328.i123.i.i.i = getelementptr i8, ptr %arg.series, i64 104
   %.442.i.i.i.i = getelementptr i8, ptr %arg.series, i64 112
   %.559.i.i.i.i = getelementptr i8, ptr %arg.series, i64 120
-  %6 = getelementptr i8, ptr %arg.series, i64 8
-  %7 = getelementptr i8, ptr %arg.series, i64 40
-  %8 = getelementptr i8, ptr %arg.series, i64 64
-  %9 = getelementptr i8, ptr %arg.series, i64 136
-  %10 = getelementptr i8, ptr %arg.series, i64 144
-  %11 = getelementptr i8, ptr %arg.series, i64 152
-  %12 = getelementptr i8, ptr %arg.series, i64 160
-  %13 = getelementptr i8, ptr %arg.series, i64 184
-  %14 = getelementptr i8, ptr %arg.series, i64 224
-  %15 = getelementptr i8, ptr %arg.series, i64 232
-  %16 = getelementptr i8, ptr %arg.series, i64 240
-  %17 = getelementptr i8, ptr %arg.series, i64 248
-  %18 = getelementptr i8, ptr %arg.series, i64 256
-  %19 = getelementptr i8, ptr %arg.series, i64 264
-  %20 = getelementptr i8, ptr %arg.series, i64 272
-  %21 = getelementptr i8, ptr %arg.series, i64 280
-  %22 = getelementptr i8, ptr %arg.series, i64 288
-  %23 = getelementptr i8, ptr %arg.series, i64 296
-  %24 = getelementptr i8, ptr %arg.series, i64 304
-  %25 = getelementptr i8, ptr %arg.series, i64 312
-  %26 = getelementptr i8, ptr %arg.series, i64 328
-  %27 = getelementptr i8, ptr %arg.series, i64 336
-  %28 = getelementptr i8, ptr %arg.series, i64 344
-  %29 = getelementptr i8, ptr %arg.series, i64 352
-  %30 = getelementptr i8, ptr %arg.series, i64 360
-  %31 = getelementptr i8, ptr %arg.series, i64 368
-  %32 = getelementptr i8, ptr %arg.series, i64 376
-  %.138.i.i.i = getelementptr i8, ptr %.779.i, i64 8
-  %.169.i.i.i = getelementptr i8, ptr %.779.i, i64 16
-  %.203.i.i.i = getelementptr i8, ptr %.779.i, i64 24
-  %.236.i.i.i = getelementptr i8, ptr %.779.i, i64 32
-  %.427.i.i.i = getelementptr i8, ptr %.779.i, i64 40
-  %.548.i.i.i = getelementptr i8, ptr %.779.i, i64 48
-  %.948.i.i.i = getelementptr i8, ptr %.779.i, i64 56
-  %33 = icmp eq i64 %storemerge940.i, 0
+  %9 = getelementptr i8, ptr %arg.series, i64 8
+  %10 = getelementptr i8, ptr %arg.series, i64 40
+  %11 = getelementptr i8, ptr %arg.series, i64 64
+  %12 = getelementptr i8, ptr %arg.series, i64 136
+  %13 = getelementptr i8, ptr %arg.series, i64 144
+  %14 = getelementptr i8, ptr %arg.series, i64 152
+  %15 = getelementptr i8, ptr %arg.series, i64 160
+  %16 = getelementptr i8, ptr %arg.series, i64 184
+  %17 = getelementptr i8, ptr %arg.series, i64 224
+  %18 = getelementptr i8, ptr %arg.series, i64 232
+  %19 = getelementptr i8, ptr %arg.series, i64 240
+  %20 = getelementptr i8, ptr %arg.series, i64 248
+  %21 = getelementptr i8, ptr %arg.series, i64 256
+  %22 = getelementptr i8, ptr %arg.series, i64 264
+  %23 = getelementptr i8, ptr %arg.series, i64 272
+  %24 = getelementptr i8, ptr %arg.series, i64 280
+  %25 = getelementptr i8, ptr %arg.series, i64 288
+  %26 = getelementptr i8, ptr %arg.series, i64 296
+  %27 = getelementptr i8, ptr %arg.series, i64 304
+  %28 = getelementptr i8, ptr %arg.series, i64 312
+  %29 = getelementptr i8, ptr %arg.series, i64 328
+  %30 = getelementptr i8, ptr %arg.series, i64 336
+  %31 = getelementptr i8, ptr %arg.series, i64 344
+  %32 = getelementptr i8, ptr %arg.series, i64 352
+  %33 = getelementptr i8, ptr %arg.series, i64 360
+  %34 = getelementptr i8, ptr %arg.series, i64 368
+  %35 = getelementptr i8, ptr %arg.series, i64 376
+  %.138.i.i.i = getelementptr i8, ptr %.793.i, i64 8
+  %.169.i.i.i = getelementptr i8, ptr %.793.i, i64 16
+  %.203.i.i.i = getelementptr i8, ptr %.793.i, i64 24
+  %.236.i.i.i = getelementptr i8, ptr %.793.i, i64 32
+  %.427.i.i.i = getelementptr i8, ptr %.793.i, i64 40
+  %.548.i.i.i = getelementptr i8, ptr %.793.i, i64 48
+  %.948.i.i.i = getelementptr i8, ptr %.793.i, i64 56
+  %36 = icmp sgt i64 %arg.n_estimates, 0
+  %37 = icmp eq i64 %storemerge998.i, 0
   %.1189.i.i.i = getelementptr i8, ptr %arg.contents, i64 72
   %.1421.i.i.i = getelementptr i8, ptr %arg.contents, i64 16
   %.1709.i.i.i = getelementptr i8, ptr %arg.contents, i64 80
   %sunkaddr104.i.i.i.i = getelementptr i8, ptr %arg.contents, i64 40
-  %xtraiter.i.i.i = and i64 %.591.i, 3
-  %34 = icmp slt i64 %.582.i, 4
-  %35 = add nsw i64 %.591.i, -4
-  %36 = lshr i64 %35, 2
-  %37 = icmp eq i64 %36, 0
-  %38 = add nuw nsw i64 %36, 1
-  %39 = and i64 %38, 9223372036854775806
-  %40 = and i64 %35, 4
-  %lcmp.mod.not.not.i.i = icmp eq i64 %40, 0
+  %xtraiter.i.i.i = and i64 %.605.i, 3
+  %38 = icmp slt i64 %.596.i, 4
+  %39 = add nsw i64 %.605.i, -4
+  %40 = lshr i64 %39, 2
+  %41 = icmp eq i64 %40, 0
+  %42 = add nuw nsw i64 %40, 1
+  %43 = and i64 %42, 9223372036854775806
+  %44 = and i64 %39, 4
+  %lcmp.mod.not.not.i.i = icmp eq i64 %44, 0
   %lcmp.mod.not.i.i.i = icmp eq i64 %xtraiter.i.i.i, 0
-  %unroll_iter6.i.i.i = and i64 %.591.i, 9223372036854775806
-  %41 = add nsw i64 %unroll_iter6.i.i.i, -2
-  %42 = lshr exact i64 %41, 1
-  %43 = add nuw i64 %42, 1
-  %44 = and i64 %43, -2
-  %trunc.i.i = trunc nuw i64 %.591.i to i63
-  %45 = icmp eq i64 %41, 0
-  %46 = and i64 %41, 2
-  %47 = icmp eq i64 %46, 0
-  %48 = and i64 %.591.i, 1
-  %49 = icmp eq i64 %48, 0
-  %50 = icmp sgt i64 %arg.n_polar, 0
+  %unroll_iter6.i.i.i = and i64 %.605.i, 9223372036854775806
+  %45 = add nsw i64 %unroll_iter6.i.i.i, -2
+  %46 = lshr exact i64 %45, 1
+  %47 = add nuw i64 %46, 1
+  %48 = and i64 %47, -2
+  %trunc.i.i = trunc nuw i64 %.605.i to i63
+  %49 = icmp eq i64 %45, 0
+  %50 = and i64 %45, 2
+  %51 = icmp eq i64 %50, 0
+  %52 = and i64 %.605.i, 1
+  %53 = icmp eq i64 %52, 0
+  %54 = icmp sgt i64 %arg.n_polar, 0
   %.243.i.i = getelementptr i8, ptr %arg.contents, i64 112
-  %51 = icmp slt i64 %.2223.i, 0
-  %52 = icmp slt i64 %.2223.i, %arg.n_scratch
+  %55 = icmp slt i64 %.2355.i, 0
+  %56 = icmp slt i64 %.2355.i, %arg.n_scratch
   %.1732.i.i = getelementptr i8, ptr %arg.contents, i64 96
   %.2531.i.i = getelementptr i8, ptr %arg.contents, i64 104
   %.3582.i.i = icmp slt i64 %arg.alignment, 0
   %.idx.i.i = shl i64 %arg.alignment, 4
   %.3682.i.i = icmp eq i64 %arg.alignment, 1
-  %53 = icmp sgt i64 %arg.n_wide, 0
-  %54 = icmp sgt i64 %arg.n_narrow, 0
+  %57 = icmp sgt i64 %arg.n_wide, 0
+  %58 = icmp sgt i64 %arg.n_narrow, 0
   br label %B344.if.i
 
-B344.if.i:                                        ; preds = %B344.if.preheader.i, %B1058.i
-  %excinfo.3.2.i = phi ptr [ null, %B344.if.preheader.i ], [ %excinfo.3.1.i, %B1058.i ]
-  %.925.017.i = phi i64 [ 0, %B344.if.preheader.i ], [ %.997.i, %B1058.i ]
-  %.997.i = add nuw nsw i64 %.925.017.i, 1
-  %.1026.i = mul nuw nsw i64 %.925.017.i, 10
-  %.1076.not.i = icmp slt i64 %.1026.i, %arg.n_parameters
-  br i1 %.1076.not.i, label %B346.else.endif.endif.i, label %B346.else.endif.if.i, !prof !5
+B344.if.i:                                        ; preds = %B344.if.preheader.i, %B1178.i
+  %excinfo.3.2.i = phi ptr [ null, %B344.if.preheader.i ], [ %excinfo.3.0.i, %B1178.i ]
+  %.939.017.i = phi i64 [ 0, %B344.if.preheader.i ], [ %.1011.i, %B1178.i ]
+  %.1011.i = add nuw nsw i64 %.939.017.i, 1
+  %.1040.i = mul nuw nsw i64 %.939.017.i, 10
+  %.1090.not.i = icmp slt i64 %.1040.i, %arg.n_parameters
+  br i1 %.1090.not.i, label %B346.else.endif.endif.i, label %B346.else.endif.if.i, !prof !5
 
 B346.else.endif.if.i:                             ; preds = %B344.if.i
   br label %B346.else.endif.endif.i
 
 B346.else.endif.endif.i:                          ; preds = %B346.else.endif.if.i, %B344.if.i
-  %.1056.sroa.0.3.i = phi i64 [ %arg.n_parameters, %B346.else.endif.if.i ], [ %.1026.i, %B344.if.i ]
-  %.1169.i = getelementptr double, ptr %arg.parameters, i64 %.1056.sroa.0.3.i
-  br i1 %4, label %B346.endif.else.endif.if.i, label %B346.endif.else.endif.endif.i, !prof !4
+  %.1070.sroa.0.3.i = phi i64 [ %arg.n_parameters, %B346.else.endif.if.i ], [ %.1040.i, %B344.if.i ]
+  %.1183.i = getelementptr double, ptr %arg.parameters, i64 %.1070.sroa.0.3.i
+  br i1 %7, label %B346.endif.else.endif.if.i, label %B346.endif.else.endif.endif.i, !prof !4
 
 B346.endif.else.endif.if.i:                       ; preds = %B346.else.endif.endif.i
   br label %B346.endif.else.endif.endif.i
 
 B346.endif.else.endif.endif.i:                    ; preds = %B346.endif.else.endif.if.i, %B346.else.endif.endif.i
-  %.1235.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B346.endif.else.endif.if.i ], [ 0, %B346.else.endif.endif.i ]
-  br i1 %.509.i, label %B346.endif.else.endif.endif.if.i, label %B346.endif.else.endif.endif.endif.i, !prof !4
+  %.1249.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B346.endif.else.endif.if.i ], [ 0, %B346.else.endif.endif.i ]
+  br i1 %.523.i, label %B346.endif.else.endif.endif.if.i, label %B346.endif.else.endif.endif.endif.i, !prof !4
 
 B346.endif.else.endif.endif.if.i:                 ; preds = %B346.endif.else.endif.endif.i
   br label %B346.endif.else.endif.endif.endif.i
 
 B346.endif.else.endif.endif.endif.i:              ; preds = %B346.endif.else.endif.endif.if.i, %B346.endif.else.endif.endif.i
-  %.1235.sroa.13.1.i = phi i64 [ 0, %B346.endif.else.endif.endif.if.i ], [ %.506.i, %B346.endif.else.endif.endif.i ]
-  br i1 %.514.not.i, label %B346.endif.else.endif.endif.endif.endif.i, label %B346.endif.else.endif.endif.endif.if.i, !prof !5
+  %.1249.sroa.13.1.i = phi i64 [ 0, %B346.endif.else.endif.endif.if.i ], [ %.520.i, %B346.endif.else.endif.endif.i ]
+  br i1 %.528.not.i, label %B346.endif.else.endif.endif.endif.endif.i, label %B346.endif.else.endif.endif.endif.if.i, !prof !5
 
 B346.endif.else.endif.endif.endif.if.i:           ; preds = %B346.endif.else.endif.endif.endif.i
   br label %B346.endif.else.endif.endif.endif.endif.i
 
 B346.endif.else.endif.endif.endif.endif.i:        ; preds = %B346.endif.else.endif.endif.endif.if.i, %B346.endif.else.endif.endif.endif.i
-  %.1235.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B346.endif.else.endif.endif.endif.if.i ], [ %.1235.sroa.13.1.i, %B346.endif.else.endif.endif.endif.i ]
-  %.1323.i = sub i64 %.1235.sroa.13.2.i, %.1235.sroa.0.3.i
-  %.1332.i = tail call i64 @llvm.smax.i64(i64 %.1323.i, i64 0)
-  %.1348.i = getelementptr double, ptr %arg.scratch, i64 %.1235.sroa.0.3.i
-  %.136.i.i = load double, ptr %.1169.i, align 8, !noalias !6
-  %.164.i.i = getelementptr i8, ptr %.1169.i, i64 24
+  %.1249.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B346.endif.else.endif.endif.endif.if.i ], [ %.1249.sroa.13.1.i, %B346.endif.else.endif.endif.endif.i ]
+  %.1337.i = sub i64 %.1249.sroa.13.2.i, %.1249.sroa.0.3.i
+  %.1346.i = tail call i64 @llvm.smax.i64(i64 %.1337.i, i64 0)
+  %.1362.i = getelementptr double, ptr %arg.scratch, i64 %.1249.sroa.0.3.i
+  %.136.i.i = load double, ptr %.1183.i, align 8, !noalias !6
+  %.164.i.i = getelementptr i8, ptr %.1183.i, i64 24
   %.165.i.i = load double, ptr %.164.i.i, align 8, !noalias !6
-  %.193.i.i = getelementptr i8, ptr %.1169.i, i64 32
+  %.193.i.i = getelementptr i8, ptr %.1183.i, i64 32
   %.194.i.i = load double, ptr %.193.i.i, align 8, !noalias !6
-  %.222.i.i = getelementptr i8, ptr %.1169.i, i64 8
+  %.222.i.i = getelementptr i8, ptr %.1183.i, i64 8
   %.223.i.i = load double, ptr %.222.i.i, align 8, !noalias !6
-  %.251.i.i = getelementptr i8, ptr %.1169.i, i64 16
+  %.251.i.i = getelementptr i8, ptr %.1183.i, i64 16
   %.252.i.i = load double, ptr %.251.i.i, align 8, !noalias !6
-  %.314.i2.i = load i64, ptr %.392.i, align 8, !noalias !6
+  %.314.i2.i = load i64, ptr %.406.i, align 8, !noalias !6
   %.367.i.i = icmp slt i64 %.314.i2.i, 0
-  %.368.i.i = select i1 %.367.i.i, i64 %.1332.i, i64 0
+  %.368.i.i = select i1 %.367.i.i, i64 %.1346.i, i64 0
   %.369.i.i = add i64 %.368.i.i, %.314.i2.i
   %.372.i.i = icmp slt i64 %.369.i.i, 0
   br i1 %.372.i.i, label %B0.else.endif.endif.if.i.i, label %B0.else.endif.endif.endif.i.i, !prof !4
@@ -327,14 +352,14 @@ B0.else.endif.endif.if.i.i:                       ; preds = %B346.endif.else.end
 
 B0.else.endif.endif.endif.i.i:                    ; preds = %B0.else.endif.endif.if.i.i, %B346.endif.else.endif.endif.endif.endif.i
   %.340.sroa.13.1.i.i = phi i64 [ 0, %B0.else.endif.endif.if.i.i ], [ %.369.i.i, %B346.endif.else.endif.endif.endif.endif.i ]
-  %.377.not.i.i = icmp slt i64 %.369.i.i, %.1332.i
+  %.377.not.i.i = icmp slt i64 %.369.i.i, %.1346.i
   br i1 %.377.not.i.i, label %B0.else.endif.endif.endif.endif.i.i, label %B0.else.endif.endif.endif.if.i.i, !prof !5
 
 B0.else.endif.endif.endif.if.i.i:                 ; preds = %B0.else.endif.endif.endif.i.i
   br label %B0.else.endif.endif.endif.endif.i.i
 
 B0.else.endif.endif.endif.endif.i.i:              ; preds = %B0.else.endif.endif.endif.if.i.i, %B0.else.endif.endif.endif.i.i
-  %.340.sroa.13.2.i.i = phi i64 [ %.1332.i, %B0.else.endif.endif.endif.if.i.i ], [ %.340.sroa.13.1.i.i, %B0.else.endif.endif.endif.i.i ]
+  %.340.sroa.13.2.i.i = phi i64 [ %.1346.i, %B0.else.endif.endif.endif.if.i.i ], [ %.340.sroa.13.1.i.i, %B0.else.endif.endif.endif.i.i ]
   br i1 %.372.i.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !4
 
 B0.endif.else.if.i.i:                             ; preds = %B0.else.endif.endif.endif.endif.i.i
@@ -348,10 +373,10 @@ B0.endif.else.endif.if.i.i:                       ; preds = %B0.endif.else.endif
   br label %B0.endif.else.endif.endif.i.i
 
 B0.endif.else.endif.endif.i.i:                    ; preds = %B0.endif.else.endif.if.i.i, %B0.endif.else.endif.i.i
-  %.539.sroa.0.3.i.i = phi i64 [ %.1332.i, %B0.endif.else.endif.if.i.i ], [ %.539.sroa.0.1.i.i, %B0.endif.else.endif.i.i ]
-  %.627.i.i = sub nsw i64 %.1332.i, %.539.sroa.0.3.i.i
+  %.539.sroa.0.3.i.i = phi i64 [ %.1346.i, %B0.endif.else.endif.if.i.i ], [ %.539.sroa.0.1.i.i, %B0.endif.else.endif.i.i ]
+  %.627.i.i = sub nsw i64 %.1346.i, %.539.sroa.0.3.i.i
   %.636.i.i = tail call i64 @llvm.smax.i64(i64 %.627.i.i, i64 0)
-  %.652.i.i = getelementptr double, ptr %.1348.i, i64 %.539.sroa.0.3.i.i
+  %.652.i.i = getelementptr double, ptr %.1362.i, i64 %.539.sroa.0.3.i.i
   %.295.i.i.i = load i64, ptr %arg.contents, align 8, !noalias !9
   %.296.not.i.i.i = icmp eq i64 %.295.i.i.i, 0
   br i1 %.296.not.i.i.i, label %B100.i.i.i, label %B58.i.i.i
@@ -448,50 +473,50 @@ B150.else.endif.endif.i.i.i:                      ; preds = %B150.else.endif.if.
   %.862.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !9
   %.892.i.i.i = load double, ptr %.678.i.i.i, align 8, !noalias !9
   %.893.i.i.i = fsub contract double %.862.i.i.i, %.892.i.i.i
-  %55 = getelementptr i8, ptr %.678.i.i.i, i64 40
-  %.924.i.i.i = load double, ptr %55, align 8, !noalias !9
+  %59 = getelementptr i8, ptr %.678.i.i.i, i64 40
+  %.924.i.i.i = load double, ptr %59, align 8, !noalias !9
   %.925.i.i.i = fmul contract double %.893.i.i.i, %.924.i.i.i
   store double %.925.i.i.i, ptr %.652.i.i, align 8, !noalias !9
-  %56 = getelementptr i8, ptr %.652.i.i, i64 8
-  %.862.1.i.i.i = load double, ptr %56, align 8, !noalias !9
-  %57 = getelementptr i8, ptr %.678.i.i.i, i64 8
-  %.892.1.i.i.i = load double, ptr %57, align 8, !noalias !9
+  %60 = getelementptr i8, ptr %.652.i.i, i64 8
+  %.862.1.i.i.i = load double, ptr %60, align 8, !noalias !9
+  %61 = getelementptr i8, ptr %.678.i.i.i, i64 8
+  %.892.1.i.i.i = load double, ptr %61, align 8, !noalias !9
   %.893.1.i.i.i = fsub contract double %.862.1.i.i.i, %.892.1.i.i.i
-  %58 = getelementptr i8, ptr %.678.i.i.i, i64 48
-  %.924.1.i.i.i = load double, ptr %58, align 8, !noalias !9
+  %62 = getelementptr i8, ptr %.678.i.i.i, i64 48
+  %.924.1.i.i.i = load double, ptr %62, align 8, !noalias !9
   %.925.1.i.i.i = fmul contract double %.893.1.i.i.i, %.924.1.i.i.i
-  store double %.925.1.i.i.i, ptr %56, align 8, !noalias !9
-  %59 = getelementptr i8, ptr %.652.i.i, i64 16
-  %.862.2.i.i.i = load double, ptr %59, align 8, !noalias !9
-  %60 = getelementptr i8, ptr %.678.i.i.i, i64 16
-  %.892.2.i.i.i = load double, ptr %60, align 8, !noalias !9
+  store double %.925.1.i.i.i, ptr %60, align 8, !noalias !9
+  %63 = getelementptr i8, ptr %.652.i.i, i64 16
+  %.862.2.i.i.i = load double, ptr %63, align 8, !noalias !9
+  %64 = getelementptr i8, ptr %.678.i.i.i, i64 16
+  %.892.2.i.i.i = load double, ptr %64, align 8, !noalias !9
   %.893.2.i.i.i = fsub contract double %.862.2.i.i.i, %.892.2.i.i.i
-  %61 = getelementptr i8, ptr %.678.i.i.i, i64 56
-  %.924.2.i.i.i = load double, ptr %61, align 8, !noalias !9
+  %65 = getelementptr i8, ptr %.678.i.i.i, i64 56
+  %.924.2.i.i.i = load double, ptr %65, align 8, !noalias !9
   %.925.2.i.i.i = fmul contract double %.893.2.i.i.i, %.924.2.i.i.i
-  store double %.925.2.i.i.i, ptr %59, align 8, !noalias !9
-  %62 = getelementptr i8, ptr %.652.i.i, i64 24
-  %.862.3.i.i.i = load double, ptr %62, align 8, !noalias !9
-  %63 = getelementptr i8, ptr %.678.i.i.i, i64 24
-  %.892.3.i.i.i = load double, ptr %63, align 8, !noalias !9
+  store double %.925.2.i.i.i, ptr %63, align 8, !noalias !9
+  %66 = getelementptr i8, ptr %.652.i.i, i64 24
+  %.862.3.i.i.i = load double, ptr %66, align 8, !noalias !9
+  %67 = getelementptr i8, ptr %.678.i.i.i, i64 24
+  %.892.3.i.i.i = load double, ptr %67, align 8, !noalias !9
   %.893.3.i.i.i = fsub contract double %.862.3.i.i.i, %.892.3.i.i.i
-  %64 = getelementptr i8, ptr %.678.i.i.i, i64 64
-  %.924.3.i.i.i = load double, ptr %64, align 8, !noalias !9
+  %68 = getelementptr i8, ptr %.678.i.i.i, i64 64
+  %.924.3.i.i.i = load double, ptr %68, align 8, !noalias !9
   %.925.3.i.i.i = fmul contract double %.893.3.i.i.i, %.924.3.i.i.i
-  store double %.925.3.i.i.i, ptr %62, align 8, !noalias !9
-  %65 = getelementptr i8, ptr %.678.i.i.i, i64 32
-  %.892.4.i.i.i = load double, ptr %65, align 8, !noalias !9
+  store double %.925.3.i.i.i, ptr %66, align 8, !noalias !9
+  %69 = getelementptr i8, ptr %.678.i.i.i, i64 32
+  %.892.4.i.i.i = load double, ptr %69, align 8, !noalias !9
   %.893.4.i.i.i = fsub contract double %.172.i.sink.i.i.i, %.892.4.i.i.i
-  %66 = getelementptr i8, ptr %.678.i.i.i, i64 72
-  %.924.4.i.i.i = load double, ptr %66, align 8, !noalias !9
+  %70 = getelementptr i8, ptr %.678.i.i.i, i64 72
+  %.924.4.i.i.i = load double, ptr %70, align 8, !noalias !9
   %.925.4.i.i.i = fmul contract double %.893.4.i.i.i, %.924.4.i.i.i
   store double %.925.4.i.i.i, ptr %.200.i.i.i.i, align 8, !noalias !9
   %.1056673.not.i.i.i = icmp eq i64 %.340.sroa.13.2.i.i, 0
   br i1 %.1056673.not.i.i.i, label %B360.i.i.i, label %B344.if.preheader.i.i.i
 
 B344.if.preheader.i.i.i:                          ; preds = %B150.else.endif.endif.i.i.i
-  %67 = shl nuw i64 %.340.sroa.13.2.i.i, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.1348.i, i8 0, i64 %67, i1 false), !noalias !9
+  %71 = shl nuw i64 %.340.sroa.13.2.i.i, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.1362.i, i8 0, i64 %71, i1 false), !noalias !9
   br label %B360.i.i.i
 
 B394.else.if.i.i.i:                               ; preds = %B394.i.i.i
@@ -525,12 +550,12 @@ B394.endif.else.endif.endif.i.i.i:                ; preds = %B394.endif.else.end
   %.81.i.i.i.i = add nsw i64 %.1422.i.i.i, 1
   %.518.i.i.i.i = add i64 %.1422.i.i.i, -1
   %..518.i.i.i.i = tail call i64 @llvm.smax.i64(i64 %.518.i.i.i.i, i64 0)
-  %68 = and i64 %..518.i.i.i.i, 9223372036854775806
-  %69 = icmp sgt i64 %.1422.i.i.i, 0
-  %70 = icmp slt i64 %.518.i.i.i.i, 1
-  %71 = icmp eq i64 %.518.i.i.i.i, 1
-  %72 = and i64 %..518.i.i.i.i, 1
-  %73 = icmp eq i64 %72, 0
+  %72 = and i64 %..518.i.i.i.i, 9223372036854775806
+  %73 = icmp sgt i64 %.1422.i.i.i, 0
+  %74 = icmp slt i64 %.518.i.i.i.i, 1
+  %75 = icmp eq i64 %.518.i.i.i.i, 1
+  %76 = and i64 %..518.i.i.i.i, 1
+  %77 = icmp eq i64 %76, 0
   br label %B44.if.i.i.i.i
 
 B112.i.i.i.i:                                     ; preds = %B46.else.endif.endif.i.i.i.i
@@ -539,58 +564,58 @@ B112.i.i.i.i:                                     ; preds = %B46.else.endif.endi
   br label %B122.i.i.i.i
 
 B122.i.i.i.i:                                     ; preds = %B46.else.endif.endif.i.i.i.i, %B112.i.i.i.i
-  br i1 %70, label %B224.i.i.i.i, label %B154.if.lr.ph.i.i.i.i
+  br i1 %74, label %B224.i.i.i.i, label %B154.if.lr.ph.i.i.i.i
 
 B154.if.lr.ph.i.i.i.i:                            ; preds = %B122.i.i.i.i
   %.600.i.i.i.i = fmul contract double %.233.i.i.i.i, 2.000000e+00
-  br i1 %71, label %.thread16.i.i.i.i, label %B154.if.preheader.i.i.i.i
+  br i1 %75, label %.thread16.i.i.i.i, label %B154.if.preheader.i.i.i.i
 
 B154.if.preheader.i.i.i.i:                        ; preds = %B154.if.lr.ph.i.i.i.i
-  %74 = shl i64 %.362.i.i.i.i, 3
+  %78 = shl i64 %.362.i.i.i.i, 3
   br label %B154.if.i.i.i.i
 
 .thread16.i.i.i.i:                                ; preds = %B154.if.lr.ph.i.i.i.i
-  %75 = getelementptr i8, ptr %.378.i.i.i.i, i64 8
-  %.631.epil10.i.i.i.i = load double, ptr %75, align 8, !noalias !15
+  %79 = getelementptr i8, ptr %.378.i.i.i.i, i64 8
+  %.631.epil10.i.i.i.i = load double, ptr %79, align 8, !noalias !15
   %.632.epil11.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.epil10.i.i.i.i
   %.663.epil20.i.i.i.i = load double, ptr %.378.i.i.i.i, align 8, !noalias !15
   %.664.epil21.i.i.i.i = fsub contract double %.632.epil11.i.i.i.i, %.663.epil20.i.i.i.i
-  br label %80
+  br label %84
 
 B224.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B154.if.i.i.i.i
-  br i1 %73, label %B224.i.i.i.i, label %B154.if.epil.preheader.i.i.i.i
+  br i1 %77, label %B224.i.i.i.i, label %B154.if.epil.preheader.i.i.i.i
 
 B154.if.epil.preheader.i.i.i.i:                   ; preds = %B224.loopexit.unr-lcssa.i.i.i.i
-  %76 = add i64 %lsr.iv57.i.i.i.i, 1
+  %80 = add i64 %lsr.iv57.i.i.i.i, 1
   %.615.inv.epil.i.i.i.i = icmp ult i64 %lsr.iv57.i.i.i.i, 9223372036854775807
-  %77 = select i1 %.615.inv.epil.i.i.i.i, i64 0, i64 %74
-  %scevgep65.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %77
-  %78 = shl i64 %lsr.iv.next58.i.i.i.i, 3
-  %scevgep66.i.i.i.i = getelementptr i8, ptr %scevgep65.i.i.i.i, i64 %78
+  %81 = select i1 %.615.inv.epil.i.i.i.i, i64 0, i64 %78
+  %scevgep65.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %81
+  %82 = shl i64 %lsr.iv.next58.i.i.i.i, 3
+  %scevgep66.i.i.i.i = getelementptr i8, ptr %scevgep65.i.i.i.i, i64 %82
   %scevgep67.i.i.i.i = getelementptr i8, ptr %scevgep66.i.i.i.i, i64 -16
   %.631.epil.i.i.i.i = load double, ptr %scevgep67.i.i.i.i, align 8, !noalias !15
   %.632.epil.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.epil.i.i.i.i
-  %.647.epil.i.i.i.i = icmp slt i64 %76, 2
-  %79 = select i1 %.647.epil.i.i.i.i, i64 %74, i64 0
-  %scevgep59.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %79
-  %scevgep20.i.i.i.i = getelementptr i8, ptr %scevgep59.i.i.i.i, i64 %78
+  %.647.epil.i.i.i.i = icmp slt i64 %80, 2
+  %83 = select i1 %.647.epil.i.i.i.i, i64 %78, i64 0
+  %scevgep59.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %83
+  %scevgep20.i.i.i.i = getelementptr i8, ptr %scevgep59.i.i.i.i, i64 %82
   %scevgep21.i.i.i.i = getelementptr i8, ptr %scevgep20.i.i.i.i, i64 -24
   %.663.epil.i.i.i.i = load double, ptr %scevgep21.i.i.i.i, align 8, !noalias !15
   %.664.epil.i.i.i.i = fsub contract double %.632.epil.i.i.i.i, %.663.epil.i.i.i.i
-  %.678.epil.i.i.i.i = icmp slt i64 %76, 0
+  %.678.epil.i.i.i.i = icmp slt i64 %80, 0
   %spec.select25.i.i.i.i = select i1 %.678.epil.i.i.i.i, i64 %.362.i.i.i.i, i64 0
-  br label %80
+  br label %84
 
-80:                                               ; preds = %B154.if.epil.preheader.i.i.i.i, %.thread16.i.i.i.i
+84:                                               ; preds = %B154.if.epil.preheader.i.i.i.i, %.thread16.i.i.i.i
   %.664.epil24.i.i.i.i = phi double [ %.664.epil21.i.i.i.i, %.thread16.i.i.i.i ], [ %.664.epil.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
-  %81 = phi i64 [ 16, %.thread16.i.i.i.i ], [ %lsr.iv.next.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
-  %82 = phi i64 [ 0, %.thread16.i.i.i.i ], [ %spec.select25.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
-  %83 = getelementptr i8, ptr %.378.i.i.i.i, i64 %81
-  %.693.epil.i.i.i.i = getelementptr double, ptr %83, i64 %82
+  %85 = phi i64 [ 16, %.thread16.i.i.i.i ], [ %lsr.iv.next.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
+  %86 = phi i64 [ 0, %.thread16.i.i.i.i ], [ %spec.select25.i.i.i.i, %B154.if.epil.preheader.i.i.i.i ]
+  %87 = getelementptr i8, ptr %.378.i.i.i.i, i64 %85
+  %.693.epil.i.i.i.i = getelementptr double, ptr %87, i64 %86
   store double %.664.epil24.i.i.i.i, ptr %.693.epil.i.i.i.i, align 8, !noalias !15
   br label %B224.i.i.i.i
 
-B224.i.i.i.i:                                     ; preds = %80, %B224.loopexit.unr-lcssa.i.i.i.i, %B122.i.i.i.i
+B224.i.i.i.i:                                     ; preds = %84, %B224.loopexit.unr-lcssa.i.i.i.i, %B122.i.i.i.i
   %exitcond545.not.i.i.i.i = icmp eq i64 %.179.i.i.i.i, 5
   br i1 %exitcond545.not.i.i.i.i, label %B282.if.lr.ph.i.i.i.i, label %B44.if.i.i.i.i
 
@@ -600,29 +625,29 @@ B282.if.lr.ph.i.i.i.i:                            ; preds = %B224.i.i.i.i
   %.1039.3.i.i.i.i = shl nsw i64 %.81.i.i.i.i, 2
   %unroll_iter5.i.i.i.i = and i64 %.340.sroa.13.2.i.i, 9223372036854775806
   %scevgep11.i.i.i.i = getelementptr i8, ptr %.1330.i.i.i, i64 8
-  %84 = add nsw i64 %unroll_iter5.i.i.i.i, -2
-  %85 = lshr exact i64 %84, 1
-  %86 = add nuw i64 %85, 1
+  %88 = add nsw i64 %unroll_iter5.i.i.i.i, -2
+  %89 = lshr exact i64 %88, 1
+  %90 = add nuw i64 %89, 1
   %scevgep49.i.i.i.i = getelementptr i8, ptr %.1330.i.i.i, i64 24
-  %87 = lshr i64 %86, 1
-  %88 = mul nsw i64 %87, -2
+  %91 = lshr i64 %90, 1
+  %92 = mul nsw i64 %91, -2
   %trunc.i.i.i.i = trunc nuw i64 %.340.sroa.13.2.i.i to i63
-  %89 = icmp eq i64 %84, 0
-  %90 = and i64 %84, 2
-  %91 = icmp eq i64 %90, 0
-  %92 = and i64 %.340.sroa.13.2.i.i, 1
-  %93 = icmp eq i64 %92, 0
+  %93 = icmp eq i64 %88, 0
+  %94 = and i64 %88, 2
+  %95 = icmp eq i64 %94, 0
+  %96 = and i64 %.340.sroa.13.2.i.i, 1
+  %97 = icmp eq i64 %96, 0
   br label %B282.if.i.i.i.i
 
 B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i:        ; preds = %B484.if.i.i.i.i
-  br i1 %91, label %B484.if.epil.preheader27.i.i.i.i, label %B540.loopexit.unr-lcssa.i.i.i.i
+  br i1 %95, label %B484.if.epil.preheader27.i.i.i.i, label %B540.loopexit.unr-lcssa.i.i.i.i
 
 B484.if.epil.preheader27.i.i.i.i:                 ; preds = %B484.if.preheader7.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
   %.1385520522.epil.init32.i.i.i.i = phi i64 [ 0, %B484.if.preheader7.i.i.i.i ], [ %.1392.1.1.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
-  %94 = shl i64 %.1385520522.epil.init32.i.i.i.i, 3
-  %sunkaddr33.epil.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %94
+  %98 = shl i64 %.1385520522.epil.init32.i.i.i.i, 3
+  %sunkaddr33.epil.i.i.i.i = getelementptr i8, ptr %.1362.i, i64 %98
   %.1446.epil28.i.i.i.i = load double, ptr %sunkaddr33.epil.i.i.i.i, align 8, !noalias !15
-  %scevgep14.epil.i.i.i.i = getelementptr i8, ptr %scevgep12.i.i.i.i, i64 %94
+  %scevgep14.epil.i.i.i.i = getelementptr i8, ptr %scevgep12.i.i.i.i, i64 %98
   %scevgep15.epil.i.i.i.i = getelementptr i8, ptr %scevgep14.epil.i.i.i.i, i64 -8
   %.1476.epil29.i.i.i.i = load double, ptr %scevgep15.epil.i.i.i.i, align 8, !noalias !15
   %.1478.epil30.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.epil29.i.i.i.i
@@ -639,17 +664,17 @@ B484.if.epil.preheader27.i.i.i.i:                 ; preds = %B484.if.preheader7.
 
 B540.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B484.if.epil.preheader27.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
   %.1392.1.lcssa.i.i.i.i = phi i64 [ %.1392.1.epil.i.i.i.i, %B484.if.epil.preheader27.i.i.i.i ], [ %.1392.1.1.i.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
-  br i1 %93, label %B540.i.i.i.i, label %B484.if.epil.preheader.i.i.i.i
+  br i1 %97, label %B540.i.i.i.i, label %B484.if.epil.preheader.i.i.i.i
 
 B484.if.epil.preheader.i.i.i.i:                   ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i
   %.1385520522.epil.init.i.i.i.i = phi i64 [ 0, %B416.else.endif.endif.endif.endif.i.i.i.i ], [ %.1392.1.lcssa.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i ]
-  %95 = getelementptr double, ptr %.1348.i, i64 %.1385520522.epil.init.i.i.i.i
-  %.1446.epil.i.i.i.i = load double, ptr %95, align 8, !noalias !15
-  %96 = getelementptr double, ptr %.1261.i.i.i.i, i64 %.1385520522.epil.init.i.i.i.i
-  %.1476.epil.i.i.i.i = load double, ptr %96, align 8, !noalias !15
+  %99 = getelementptr double, ptr %.1362.i, i64 %.1385520522.epil.init.i.i.i.i
+  %.1446.epil.i.i.i.i = load double, ptr %99, align 8, !noalias !15
+  %100 = getelementptr double, ptr %.1261.i.i.i.i, i64 %.1385520522.epil.init.i.i.i.i
+  %.1476.epil.i.i.i.i = load double, ptr %100, align 8, !noalias !15
   %.1478.epil.i.i.i.i = fmul contract double %.1105.3.i.i.i.i, %.1476.epil.i.i.i.i
   %.1479.epil.i.i.i.i = fadd contract double %.1446.epil.i.i.i.i, %.1478.epil.i.i.i.i
-  store double %.1479.epil.i.i.i.i, ptr %95, align 8, !noalias !15
+  store double %.1479.epil.i.i.i.i, ptr %99, align 8, !noalias !15
   br label %B540.i.i.i.i
 
 B540.i.i.i.i:                                     ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i, %B484.if.epil.preheader.i.i.i.i, %B540.loopexit.unr-lcssa.i.i.i.i
@@ -659,8 +684,8 @@ B540.i.i.i.i:                                     ; preds = %B416.else.endif.end
 B44.if.i.i.i.i:                                   ; preds = %B224.i.i.i.i, %B394.endif.else.endif.endif.i.i.i
   %.172498504.i.i.i.i = phi i64 [ 0, %B394.endif.else.endif.endif.i.i.i ], [ %.179.i.i.i.i, %B224.i.i.i.i ]
   %.179.i.i.i.i = add nuw nsw i64 %.172498504.i.i.i.i, 1
-  %97 = getelementptr double, ptr %.652.i.i, i64 %.172498504.i.i.i.i
-  %.233.i.i.i.i = load double, ptr %97, align 8, !noalias !15
+  %101 = getelementptr double, ptr %.652.i.i, i64 %.172498504.i.i.i.i
+  %.233.i.i.i.i = load double, ptr %101, align 8, !noalias !15
   %.238.i.i.i.i = mul nsw i64 %.172498504.i.i.i.i, %.81.i.i.i.i
   %.275.i.i.i.i = icmp slt i64 %.238.i.i.i.i, 0
   %.276.i.i.i.i = select i1 %.275.i.i.i.i, i64 %.1546.i.i.i, i64 0
@@ -685,93 +710,93 @@ B46.else.endif.endif.i.i.i.i:                     ; preds = %B46.else.endif.if.i
   %.362.i.i.i.i = tail call i64 @llvm.smax.i64(i64 %.353.i.i.i.i, i64 0)
   %.378.i.i.i.i = getelementptr double, ptr %.1562.i.i.i, i64 %.265.sroa.0.3.i.i.i.i
   store double 1.000000e+00, ptr %.378.i.i.i.i, align 8, !noalias !15
-  br i1 %69, label %B112.i.i.i.i, label %B122.i.i.i.i
+  br i1 %73, label %B112.i.i.i.i, label %B122.i.i.i.i
 
 B154.if.i.i.i.i:                                  ; preds = %B154.if.i.i.i.i, %B154.if.preheader.i.i.i.i
   %lsr.iv.i.i.i.i = phi i64 [ %lsr.iv.next.i.i.i.i, %B154.if.i.i.i.i ], [ 16, %B154.if.preheader.i.i.i.i ]
   %lsr.iv57.i.i.i.i = phi i64 [ %lsr.iv.next58.i.i.i.i, %B154.if.i.i.i.i ], [ 3, %B154.if.preheader.i.i.i.i ]
   %.615.inv.i.i.i.i = icmp sgt i64 %lsr.iv57.i.i.i.i, 1
-  %98 = select i1 %.615.inv.i.i.i.i, i64 0, i64 %74
-  %scevgep30.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %98
-  %99 = shl i64 %lsr.iv57.i.i.i.i, 3
-  %scevgep76.i.i.i.i = getelementptr i8, ptr %scevgep30.i.i.i.i, i64 %99
+  %102 = select i1 %.615.inv.i.i.i.i, i64 0, i64 %78
+  %scevgep30.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %102
+  %103 = shl i64 %lsr.iv57.i.i.i.i, 3
+  %scevgep76.i.i.i.i = getelementptr i8, ptr %scevgep30.i.i.i.i, i64 %103
   %scevgep77.i.i.i.i = getelementptr i8, ptr %scevgep76.i.i.i.i, i64 -16
   %.631.i.i.i.i = load double, ptr %scevgep77.i.i.i.i, align 8, !noalias !15
   %.632.i.i.i.i = fmul contract double %.600.i.i.i.i, %.631.i.i.i.i
-  %100 = add i64 %lsr.iv57.i.i.i.i, 9223372036854775807
-  %.647.i.i.i.i = icmp ult i64 %100, -9223372036854775806
-  %101 = select i1 %.647.i.i.i.i, i64 %74, i64 0
-  %scevgep28.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %101
-  %scevgep27.i.i.i.i = getelementptr i8, ptr %scevgep28.i.i.i.i, i64 %99
+  %104 = add i64 %lsr.iv57.i.i.i.i, 9223372036854775807
+  %.647.i.i.i.i = icmp ult i64 %104, -9223372036854775806
+  %105 = select i1 %.647.i.i.i.i, i64 %78, i64 0
+  %scevgep28.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %105
+  %scevgep27.i.i.i.i = getelementptr i8, ptr %scevgep28.i.i.i.i, i64 %103
   %scevgep29.i.i.i.i = getelementptr i8, ptr %scevgep27.i.i.i.i, i64 -24
   %.663.i.i.i.i = load double, ptr %scevgep29.i.i.i.i, align 8, !noalias !15
   %.664.i.i.i.i = fsub contract double %.632.i.i.i.i, %.663.i.i.i.i
   %.678.inv.i.i.i.i = icmp sgt i64 %lsr.iv57.i.i.i.i, 0
-  %102 = select i1 %.678.inv.i.i.i.i, i64 0, i64 %74
-  %scevgep25.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %102
-  %scevgep24.i.i.i.i = getelementptr i8, ptr %scevgep25.i.i.i.i, i64 %99
+  %106 = select i1 %.678.inv.i.i.i.i, i64 0, i64 %78
+  %scevgep25.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %106
+  %scevgep24.i.i.i.i = getelementptr i8, ptr %scevgep25.i.i.i.i, i64 %103
   %scevgep26.i.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i.i, i64 -8
   store double %.664.i.i.i.i, ptr %scevgep26.i.i.i.i, align 8, !noalias !15
   %.632.1.i.i.i.i = fmul contract double %.600.i.i.i.i, %.664.i.i.i.i
   %.647.1.i.i.i.i = icmp slt i64 %lsr.iv57.i.i.i.i, 2
-  %103 = select i1 %.647.1.i.i.i.i, i64 %74, i64 0
-  %scevgep19.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %103
-  %scevgep22.i.i.i.i = getelementptr i8, ptr %scevgep19.i.i.i.i, i64 %99
+  %107 = select i1 %.647.1.i.i.i.i, i64 %78, i64 0
+  %scevgep19.i.i.i.i = getelementptr i8, ptr %.378.i.i.i.i, i64 %107
+  %scevgep22.i.i.i.i = getelementptr i8, ptr %scevgep19.i.i.i.i, i64 %103
   %scevgep23.i.i.i.i = getelementptr i8, ptr %scevgep22.i.i.i.i, i64 -16
   %.663.1.i.i.i.i = load double, ptr %scevgep23.i.i.i.i, align 8, !noalias !15
   %.664.1.i.i.i.i = fsub contract double %.632.1.i.i.i.i, %.663.1.i.i.i.i
   store double %.664.1.i.i.i.i, ptr %scevgep24.i.i.i.i, align 8, !noalias !15
   %lsr.iv.next58.i.i.i.i = add i64 %lsr.iv57.i.i.i.i, 2
   %lsr.iv.next.i.i.i.i = add i64 %lsr.iv.i.i.i.i, 16
-  %104 = sub i64 %lsr.iv.next58.i.i.i.i, %68
-  %niter.ncmp.1.i.i.i.i = icmp eq i64 %104, 3
+  %108 = sub i64 %lsr.iv.next58.i.i.i.i, %72
+  %niter.ncmp.1.i.i.i.i = icmp eq i64 %108, 3
   br i1 %niter.ncmp.1.i.i.i.i, label %B224.loopexit.unr-lcssa.i.i.i.i, label %B154.if.i.i.i.i
 
 B282.if.i.i.i.i:                                  ; preds = %B540.i.i.i.i, %B282.if.lr.ph.i.i.i.i
   %.821527537.i.i.i.i = phi i64 [ 0, %B282.if.lr.ph.i.i.i.i ], [ %.828.i.i.i.i, %B540.i.i.i.i ]
   %.828.i.i.i.i = add nuw nsw i64 %.821527537.i.i.i.i, 1
   %.idx.i.i.i.i = mul i64 %.821527537.i.i.i.i, 40
-  %105 = getelementptr i8, ptr %arg.exponents, i64 %.idx.i.i.i.i
-  %.887.i.i.i.i = load i64, ptr %105, align 8, !noalias !15
+  %109 = getelementptr i8, ptr %arg.exponents, i64 %.idx.i.i.i.i
+  %.887.i.i.i.i = load i64, ptr %109, align 8, !noalias !15
   %.901.i.i.i.i = icmp slt i64 %.887.i.i.i.i, 0
   %.902.i.i.i.i = select i1 %.901.i.i.i.i, i64 %.1546.i.i.i, i64 0
-  %106 = getelementptr double, ptr %.1562.i.i.i, i64 %.887.i.i.i.i
-  %.916.i.i.i.i = getelementptr double, ptr %106, i64 %.902.i.i.i.i
+  %110 = getelementptr double, ptr %.1562.i.i.i, i64 %.887.i.i.i.i
+  %.916.i.i.i.i = getelementptr double, ptr %110, i64 %.902.i.i.i.i
   %.917.i.i.i.i = load double, ptr %.916.i.i.i.i, align 8, !noalias !15
-  %107 = getelementptr i8, ptr %105, i64 8
-  %.1072.i.i.i.i = load i64, ptr %107, align 8, !noalias !15
+  %111 = getelementptr i8, ptr %109, i64 8
+  %.1072.i.i.i.i = load i64, ptr %111, align 8, !noalias !15
   %.1073.i.i.i.i = add nsw i64 %.1072.i.i.i.i, %.81.i.i.i.i
   %.1087.i.i.i.i = icmp slt i64 %.1073.i.i.i.i, 0
   %.1088.i.i.i.i = select i1 %.1087.i.i.i.i, i64 %.1546.i.i.i, i64 0
-  %108 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.i.i.i.i
-  %.1102.i.i.i.i = getelementptr double, ptr %108, i64 %.1088.i.i.i.i
+  %112 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.i.i.i.i
+  %.1102.i.i.i.i = getelementptr double, ptr %112, i64 %.1088.i.i.i.i
   %.1103.i.i.i.i = load double, ptr %.1102.i.i.i.i, align 8, !noalias !15
   %.1105.i.i.i.i = fmul contract double %.917.i.i.i.i, %.1103.i.i.i.i
-  %109 = getelementptr i8, ptr %105, i64 16
-  %.1072.1.i.i.i.i = load i64, ptr %109, align 8, !noalias !15
+  %113 = getelementptr i8, ptr %109, i64 16
+  %.1072.1.i.i.i.i = load i64, ptr %113, align 8, !noalias !15
   %.1073.1.i.i.i.i = add nsw i64 %.1072.1.i.i.i.i, %.1039.1.i.i.i.i
   %.1087.1.i.i.i.i = icmp slt i64 %.1073.1.i.i.i.i, 0
   %.1088.1.i.i.i.i = select i1 %.1087.1.i.i.i.i, i64 %.1546.i.i.i, i64 0
-  %110 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.1.i.i.i.i
-  %.1102.1.i.i.i.i = getelementptr double, ptr %110, i64 %.1088.1.i.i.i.i
+  %114 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.1.i.i.i.i
+  %.1102.1.i.i.i.i = getelementptr double, ptr %114, i64 %.1088.1.i.i.i.i
   %.1103.1.i.i.i.i = load double, ptr %.1102.1.i.i.i.i, align 8, !noalias !15
   %.1105.1.i.i.i.i = fmul contract double %.1105.i.i.i.i, %.1103.1.i.i.i.i
-  %111 = getelementptr i8, ptr %105, i64 24
-  %.1072.2.i.i.i.i = load i64, ptr %111, align 8, !noalias !15
+  %115 = getelementptr i8, ptr %109, i64 24
+  %.1072.2.i.i.i.i = load i64, ptr %115, align 8, !noalias !15
   %.1073.2.i.i.i.i = add nsw i64 %.1072.2.i.i.i.i, %.1039.2.i.i.i.i
   %.1087.2.i.i.i.i = icmp slt i64 %.1073.2.i.i.i.i, 0
   %.1088.2.i.i.i.i = select i1 %.1087.2.i.i.i.i, i64 %.1546.i.i.i, i64 0
-  %112 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.2.i.i.i.i
-  %.1102.2.i.i.i.i = getelementptr double, ptr %112, i64 %.1088.2.i.i.i.i
+  %116 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.2.i.i.i.i
+  %.1102.2.i.i.i.i = getelementptr double, ptr %116, i64 %.1088.2.i.i.i.i
   %.1103.2.i.i.i.i = load double, ptr %.1102.2.i.i.i.i, align 8, !noalias !15
   %.1105.2.i.i.i.i = fmul contract double %.1105.1.i.i.i.i, %.1103.2.i.i.i.i
-  %113 = getelementptr i8, ptr %105, i64 32
-  %.1072.3.i.i.i.i = load i64, ptr %113, align 8, !noalias !15
+  %117 = getelementptr i8, ptr %109, i64 32
+  %.1072.3.i.i.i.i = load i64, ptr %117, align 8, !noalias !15
   %.1073.3.i.i.i.i = add nsw i64 %.1072.3.i.i.i.i, %.1039.3.i.i.i.i
   %.1087.3.i.i.i.i = icmp slt i64 %.1073.3.i.i.i.i, 0
   %.1088.3.i.i.i.i = select i1 %.1087.3.i.i.i.i, i64 %.1546.i.i.i, i64 0
-  %114 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.3.i.i.i.i
-  %.1102.3.i.i.i.i = getelementptr double, ptr %114, i64 %.1088.3.i.i.i.i
+  %118 = getelementptr double, ptr %.1562.i.i.i, i64 %.1073.3.i.i.i.i
+  %.1102.3.i.i.i.i = getelementptr double, ptr %118, i64 %.1088.3.i.i.i.i
   %.1103.3.i.i.i.i = load double, ptr %.1102.3.i.i.i.i, align 8, !noalias !15
   %.1105.3.i.i.i.i = fmul contract double %.1105.2.i.i.i.i, %.1103.3.i.i.i.i
   %.1115.i.i.i.i = mul nuw nsw i64 %.821527537.i.i.i.i, %.340.sroa.13.2.i.i
@@ -790,21 +815,21 @@ B416.else.endif.endif.endif.endif.i.i.i.i:        ; preds = %B416.else.endif.if.
   ]
 
 B484.if.preheader7.i.i.i.i:                       ; preds = %B416.else.endif.endif.endif.endif.i.i.i.i
-  %115 = shl i64 %.1148.sroa.0.3.i.i.i.i, 3
-  %scevgep12.i.i.i.i = getelementptr i8, ptr %scevgep11.i.i.i.i, i64 %115
-  br i1 %89, label %B484.if.epil.preheader27.i.i.i.i, label %B484.if.preheader41.i.i.i.i
+  %119 = shl i64 %.1148.sroa.0.3.i.i.i.i, 3
+  %scevgep12.i.i.i.i = getelementptr i8, ptr %scevgep11.i.i.i.i, i64 %119
+  br i1 %93, label %B484.if.epil.preheader27.i.i.i.i, label %B484.if.preheader41.i.i.i.i
 
 B484.if.preheader41.i.i.i.i:                      ; preds = %B484.if.preheader7.i.i.i.i
-  %scevgep50.i.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i.i, i64 %115
+  %scevgep50.i.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i.i, i64 %119
   br label %B484.if.i.i.i.i
 
 B484.if.i.i.i.i:                                  ; preds = %B484.if.i.i.i.i, %B484.if.preheader41.i.i.i.i
-  %lsr.iv1.i.i.i.i = phi i64 [ %lsr.iv.next2.i.i.i.i, %B484.if.i.i.i.i ], [ %88, %B484.if.preheader41.i.i.i.i ]
+  %lsr.iv1.i.i.i.i = phi i64 [ %lsr.iv.next2.i.i.i.i, %B484.if.i.i.i.i ], [ %92, %B484.if.preheader41.i.i.i.i ]
   %.1385520522.i.i.i.i = phi i64 [ %.1392.1.1.i.i.i.i, %B484.if.i.i.i.i ], [ 0, %B484.if.preheader41.i.i.i.i ]
-  %116 = shl i64 %.1385520522.i.i.i.i, 3
-  %sunkaddr31.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %116
+  %120 = shl i64 %.1385520522.i.i.i.i, 3
+  %sunkaddr31.i.i.i.i = getelementptr i8, ptr %.1362.i, i64 %120
   %.1446.i.i.i.i = load double, ptr %sunkaddr31.i.i.i.i, align 8, !noalias !15
-  %scevgep53.i.i.i.i = getelementptr i8, ptr %scevgep50.i.i.i.i, i64 %116
+  %scevgep53.i.i.i.i = getelementptr i8, ptr %scevgep50.i.i.i.i, i64 %120
   %scevgep18.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -16
   %scevgep15.i.i.i.i = getelementptr i8, ptr %scevgep53.i.i.i.i, i64 -24
   %.1476.i.i.i.i = load double, ptr %scevgep15.i.i.i.i, align 8, !noalias !15
@@ -826,7 +851,7 @@ B484.if.i.i.i.i:                                  ; preds = %B484.if.i.i.i.i, %B
   store double %.1479.140.i.i.i.i, ptr %sunkaddr37.i.i.i.i, align 8, !noalias !15
   %.1392.1.1.i.i.i.i = add i64 %.1385520522.i.i.i.i, 4
   %sunkaddr38.i.i.i.i = shl i64 %.1392.1.1.i.i.i.i, 3
-  %sunkaddr39.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %sunkaddr38.i.i.i.i
+  %sunkaddr39.i.i.i.i = getelementptr i8, ptr %.1362.i, i64 %sunkaddr38.i.i.i.i
   %sunkaddr40.i.i.i.i = getelementptr i8, ptr %sunkaddr39.i.i.i.i, i64 -8
   %.1446.1.1.i.i.i.i = load double, ptr %sunkaddr40.i.i.i.i, align 8, !noalias !15
   %.1476.1.1.i.i.i.i = load double, ptr %scevgep53.i.i.i.i, align 8, !noalias !15
@@ -864,18 +889,18 @@ B572.endif.else.endif.endif.i.i.i:                ; preds = %B572.endif.else.end
   %.2026.i.i.i = getelementptr double, ptr %.652.i.i, i64 %.1913.sroa.0.3.i.i.i
   %.576.i.i.i.i = load double, ptr %.652.i.i, align 8, !noalias !18
   store double %.576.i.i.i.i, ptr %.2026.i.i.i, align 8, !noalias !18
-  %.576.1.i.i.i.i = load double, ptr %56, align 8, !noalias !18
-  %117 = getelementptr i8, ptr %.2026.i.i.i, i64 8
-  store double %.576.1.i.i.i.i, ptr %117, align 8, !noalias !18
-  %.576.2.i.i.i.i = load double, ptr %59, align 8, !noalias !18
-  %118 = getelementptr i8, ptr %.2026.i.i.i, i64 16
-  store double %.576.2.i.i.i.i, ptr %118, align 8, !noalias !18
-  %.576.3.i.i.i.i = load double, ptr %62, align 8, !noalias !18
-  %119 = getelementptr i8, ptr %.2026.i.i.i, i64 24
-  store double %.576.3.i.i.i.i, ptr %119, align 8, !noalias !18
+  %.576.1.i.i.i.i = load double, ptr %60, align 8, !noalias !18
+  %121 = getelementptr i8, ptr %.2026.i.i.i, i64 8
+  store double %.576.1.i.i.i.i, ptr %121, align 8, !noalias !18
+  %.576.2.i.i.i.i = load double, ptr %63, align 8, !noalias !18
+  %122 = getelementptr i8, ptr %.2026.i.i.i, i64 16
+  store double %.576.2.i.i.i.i, ptr %122, align 8, !noalias !18
+  %.576.3.i.i.i.i = load double, ptr %66, align 8, !noalias !18
+  %123 = getelementptr i8, ptr %.2026.i.i.i, i64 24
+  store double %.576.3.i.i.i.i, ptr %123, align 8, !noalias !18
   %.576.4.i.i.i.i = load double, ptr %.200.i.i.i.i, align 8, !noalias !18
-  %120 = getelementptr i8, ptr %.2026.i.i.i, i64 32
-  store double %.576.4.i.i.i.i, ptr %120, align 8, !noalias !18
+  %124 = getelementptr i8, ptr %.2026.i.i.i, i64 32
+  store double %.576.4.i.i.i.i, ptr %124, align 8, !noalias !18
   %.679.i.i.i.i = load i64, ptr %.1676.i.i.i, align 8, !noalias !18
   %.680.i.i.i.i = add nsw i64 %.679.i.i.i.i, -1
   %.765771.not.i.i.i.i = icmp slt i64 %.679.i.i.i.i, 1
@@ -892,17 +917,17 @@ B210.if.lr.ph.i.i.i.i:                            ; preds = %B572.endif.else.end
   br label %B210.if.i.i.i.i
 
 B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i:        ; preds = %B346.if.i.i.i.i
-  %121 = and i64 %150, 4
-  %lcmp.mod.not28.not.i.i.i.i = icmp eq i64 %121, 0
+  %125 = and i64 %154, 4
+  %lcmp.mod.not28.not.i.i.i.i = icmp eq i64 %125, 0
   br i1 %lcmp.mod.not28.not.i.i.i.i, label %B346.if.epil.preheader1.i.i.i.i, label %B374.loopexit.unr-lcssa.i.i.i.i
 
 B346.if.epil.preheader1.i.i.i.i:                  ; preds = %B346.if.preheader.new.i.i.i.i, %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
   %.1083.0.epil.init6.i.i.i.i = phi i64 [ 0, %B346.if.preheader.new.i.i.i.i ], [ %.1152.3.1.i.i.i.i, %B374.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
-  %122 = shl i64 %.1083.0.epil.init6.i.i.i.i, 3
-  %scevgep56.epil.i.i.i.i = getelementptr i8, ptr %scevgep50.i2.i.i.i, i64 %122
+  %126 = shl i64 %.1083.0.epil.init6.i.i.i.i, 3
+  %scevgep56.epil.i.i.i.i = getelementptr i8, ptr %scevgep50.i2.i.i.i, i64 %126
   %scevgep57.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -24
   %.1206.epil4.i.i.i.i = load double, ptr %scevgep57.epil.i.i.i.i, align 8, !noalias !18
-  %sunkaddr81.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %122
+  %sunkaddr81.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %126
   store double %.1206.epil4.i.i.i.i, ptr %sunkaddr81.epil.i.i.i.i, align 8, !noalias !18
   %scevgep55.epil.i.i.i.i = getelementptr i8, ptr %scevgep56.epil.i.i.i.i, i64 -16
   %.1206.1.epil.i.i.i.i = load double, ptr %scevgep55.epil.i.i.i.i, align 8, !noalias !18
@@ -925,19 +950,19 @@ B374.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B346.if.epil.prehea
 
 B346.if.epil.preheader.i.i.i.i:                   ; preds = %B346.if.preheader.i.i.i.i, %B374.loopexit.unr-lcssa.i.i.i.i
   %.1083.0.epil.init.i.i.i.i = phi i64 [ 0, %B346.if.preheader.i.i.i.i ], [ %.1152.3.lcssa.i.i.i.i, %B374.loopexit.unr-lcssa.i.i.i.i ]
-  %123 = shl i64 %.1083.0.epil.init.i.i.i.i, 3
-  %scevgep66.i7.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %123
-  %124 = add i64 %.1083.0.epil.init.i.i.i.i, %.908.sroa.0.3.i.i.i.i
-  %125 = shl i64 %124, 3
-  %scevgep68.i.i.i.i = getelementptr i8, ptr %.1850.i.i.i, i64 %125
+  %127 = shl i64 %.1083.0.epil.init.i.i.i.i, 3
+  %scevgep66.i7.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %127
+  %128 = add i64 %.1083.0.epil.init.i.i.i.i, %.908.sroa.0.3.i.i.i.i
+  %129 = shl i64 %128, 3
+  %scevgep68.i.i.i.i = getelementptr i8, ptr %.1850.i.i.i, i64 %129
   br label %B346.if.epil.i.i.i.i
 
 B346.if.epil.i.i.i.i:                             ; preds = %B346.if.epil.i.i.i.i, %B346.if.epil.preheader.i.i.i.i
   %epil.iter.i.i.i.i = phi i64 [ %epil.iter.next.i.i.i.i, %B346.if.epil.i.i.i.i ], [ 0, %B346.if.epil.preheader.i.i.i.i ]
-  %126 = shl i64 %epil.iter.i.i.i.i, 3
-  %scevgep98.i.i.i.i = getelementptr i8, ptr %scevgep68.i.i.i.i, i64 %126
+  %130 = shl i64 %epil.iter.i.i.i.i, 3
+  %scevgep98.i.i.i.i = getelementptr i8, ptr %scevgep68.i.i.i.i, i64 %130
   %.1206.epil.i.i.i.i = load double, ptr %scevgep98.i.i.i.i, align 8, !noalias !18
-  %scevgep97.i.i.i.i = getelementptr i8, ptr %scevgep66.i7.i.i.i, i64 %126
+  %scevgep97.i.i.i.i = getelementptr i8, ptr %scevgep66.i7.i.i.i, i64 %130
   store double %.1206.epil.i.i.i.i, ptr %scevgep97.i.i.i.i, align 8, !noalias !18
   %epil.iter.next.i.i.i.i = add i64 %epil.iter.i.i.i.i, 1
   %epil.iter.cmp.not.i.i.i.i = icmp eq i64 %xtraiter.i.i.i.i, %epil.iter.next.i.i.i.i
@@ -949,29 +974,29 @@ B374.i.i.i.i:                                     ; preds = %B346.if.epil.i.i.i.
 
 B404.if.lr.ph.i.i.i.i:                            ; preds = %B374.i.i.i.i
   %unroll_iter21.i.i.i.i = and i64 %.870.i.i.i.i, 9223372036854775806
-  %127 = add nsw i64 %unroll_iter21.i.i.i.i, -2
-  %128 = lshr exact i64 %127, 1
-  %129 = add nuw i64 %128, 1
-  %130 = lshr i64 %129, 1
-  %131 = mul nsw i64 %130, -2
-  %132 = icmp slt i64 %.870.i.i.i.i, 1
-  %133 = icmp eq i64 %.870.i.i.i.i, 1
-  %134 = icmp eq i64 %127, 0
-  %135 = and i64 %127, 2
-  %136 = icmp eq i64 %135, 0
-  %137 = and i64 %.870.i.i.i.i, 1
-  %138 = icmp eq i64 %137, 0
+  %131 = add nsw i64 %unroll_iter21.i.i.i.i, -2
+  %132 = lshr exact i64 %131, 1
+  %133 = add nuw i64 %132, 1
+  %134 = lshr i64 %133, 1
+  %135 = mul nsw i64 %134, -2
+  %136 = icmp slt i64 %.870.i.i.i.i, 1
+  %137 = icmp eq i64 %.870.i.i.i.i, 1
+  %138 = icmp eq i64 %131, 0
+  %139 = and i64 %131, 2
+  %140 = icmp eq i64 %139, 0
+  %141 = and i64 %.870.i.i.i.i, 1
+  %142 = icmp eq i64 %141, 0
   br label %B404.if.i.i.i.i
 
 B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i:        ; preds = %B486.if.i.i.i.i
-  br i1 %136, label %B486.if.epil.preheader11.i.i.i.i, label %B542.loopexit.unr-lcssa.i.i.i.i
+  br i1 %140, label %B486.if.epil.preheader11.i.i.i.i, label %B542.loopexit.unr-lcssa.i.i.i.i
 
 B486.if.epil.preheader11.i.i.i.i:                 ; preds = %B486.if.preheader29.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
   %.1603.0.epil.init18.i.i.i.i = phi i64 [ 0, %B486.if.preheader29.i.i.i.i ], [ %.1672.1.1.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
-  %139 = shl i64 %.1603.0.epil.init18.i.i.i.i, 3
-  %sunkaddr92.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %139
+  %143 = shl i64 %.1603.0.epil.init18.i.i.i.i, 3
+  %sunkaddr92.epil.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %143
   %.1726.epil13.i.i.i.i = load double, ptr %sunkaddr92.epil.i.i.i.i, align 8, !noalias !18
-  %scevgep77.epil.i.i.i.i = getelementptr i8, ptr %scevgep75.i.i.i.i, i64 %139
+  %scevgep77.epil.i.i.i.i = getelementptr i8, ptr %scevgep75.i.i.i.i, i64 %143
   %scevgep78.epil.i.i.i.i = getelementptr i8, ptr %scevgep77.epil.i.i.i.i, i64 -8
   %.1756.epil14.i.i.i.i = load double, ptr %scevgep78.epil.i.i.i.i, align 8, !noalias !18
   %.1758.epil15.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.epil14.i.i.i.i
@@ -988,17 +1013,17 @@ B486.if.epil.preheader11.i.i.i.i:                 ; preds = %B486.if.preheader29
 
 B542.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B486.if.epil.preheader11.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i
   %.1672.1.lcssa.i.i.i.i = phi i64 [ %.1672.1.epil.i.i.i.i, %B486.if.epil.preheader11.i.i.i.i ], [ %.1672.1.1.i.i.i.i, %B542.loopexit.unr-lcssa.unr-lcssa.i.i.i.i ]
-  br i1 %138, label %B542.i.i.i.i, label %B486.if.epil.preheader.i.i.i.i
+  br i1 %142, label %B542.i.i.i.i, label %B486.if.epil.preheader.i.i.i.i
 
 B486.if.epil.preheader.i.i.i.i:                   ; preds = %B486.if.preheader.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i
   %.1603.0.epil.init.i.i.i.i = phi i64 [ 0, %B486.if.preheader.i.i.i.i ], [ %.1672.1.lcssa.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i ]
-  %140 = getelementptr double, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
-  %.1726.epil.i.i.i.i = load double, ptr %140, align 8, !noalias !18
-  %141 = getelementptr double, ptr %.1508.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
-  %.1756.epil.i.i.i.i = load double, ptr %141, align 8, !noalias !18
+  %144 = getelementptr double, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
+  %.1726.epil.i.i.i.i = load double, ptr %144, align 8, !noalias !18
+  %145 = getelementptr double, ptr %.1508.i.i.i.i, i64 %.1603.0.epil.init.i.i.i.i
+  %.1756.epil.i.i.i.i = load double, ptr %145, align 8, !noalias !18
   %.1758.epil.i.i.i.i = fmul contract double %.1575.i.i.i.i, %.1756.epil.i.i.i.i
   %.1759.epil.i.i.i.i = fadd contract double %.1726.epil.i.i.i.i, %.1758.epil.i.i.i.i
-  store double %.1759.epil.i.i.i.i, ptr %140, align 8, !noalias !18
+  store double %.1759.epil.i.i.i.i, ptr %144, align 8, !noalias !18
   br label %B542.i.i.i.i
 
 B542.i.i.i.i:                                     ; preds = %B406.else.endif.endif.i.i.i.i, %B486.if.epil.preheader.i.i.i.i, %B542.loopexit.unr-lcssa.i.i.i.i
@@ -1024,8 +1049,8 @@ B696.i.i.i.i:                                     ; preds = %B664.i.i.i.i, %B572
 
 B748.if.preheader.i.i.i.i:                        ; preds = %B696.i.i.i.i
   %xtraiter23.i.i.i.i = and i64 %.340.sroa.13.2.i.i, 3
-  %142 = icmp samesign ult i64 %.340.sroa.13.2.i.i, 4
-  br i1 %142, label %B748.if.epil.preheader.i.i.i.i, label %B748.if.preheader.new.i.i.i.i
+  %146 = icmp samesign ult i64 %.340.sroa.13.2.i.i, 4
+  br i1 %146, label %B748.if.epil.preheader.i.i.i.i, label %B748.if.preheader.new.i.i.i.i
 
 B748.if.preheader.new.i.i.i.i:                    ; preds = %B748.if.preheader.i.i.i.i
   %unroll_iter27.i.i.i.i = and i64 %.340.sroa.13.2.i.i, 9223372036854775804
@@ -1037,17 +1062,17 @@ B798.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B748.if.i.i.i.i
 
 B748.if.epil.preheader.i.i.i.i:                   ; preds = %B798.loopexit.unr-lcssa.i.i.i.i, %B748.if.preheader.i.i.i.i
   %.2219781783.epil.init.i.i.i.i = phi i64 [ 0, %B748.if.preheader.i.i.i.i ], [ %.2226.3.i.i.i.i, %B798.loopexit.unr-lcssa.i.i.i.i ]
-  %143 = shl i64 %.2219781783.epil.init.i.i.i.i, 3
-  %scevgep.i.i.i.i = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.i.i.i.i, i64 %143
-  %scevgep31.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %143
+  %147 = shl i64 %.2219781783.epil.init.i.i.i.i, 3
+  %scevgep.i.i.i.i = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.i.i.i.i, i64 %147
+  %scevgep31.i.i.i.i = getelementptr i8, ptr %.1362.i, i64 %147
   br label %B748.if.epil.i.i.i.i
 
 B748.if.epil.i.i.i.i:                             ; preds = %B748.if.epil.i.i.i.i, %B748.if.epil.preheader.i.i.i.i
   %epil.iter24.i.i.i.i = phi i64 [ %epil.iter24.next.i.i.i.i, %B748.if.epil.i.i.i.i ], [ 0, %B748.if.epil.preheader.i.i.i.i ]
-  %144 = shl i64 %epil.iter24.i.i.i.i, 3
-  %scevgep34.i.i.i.i = getelementptr i8, ptr %scevgep31.i.i.i.i, i64 %144
+  %148 = shl i64 %epil.iter24.i.i.i.i, 3
+  %scevgep34.i.i.i.i = getelementptr i8, ptr %scevgep31.i.i.i.i, i64 %148
   %.2280.epil.i.i.i.i = load double, ptr %scevgep34.i.i.i.i, align 8, !noalias !18
-  %scevgep33.i.i.i.i = getelementptr i8, ptr %scevgep.i.i.i.i, i64 %144
+  %scevgep33.i.i.i.i = getelementptr i8, ptr %scevgep.i.i.i.i, i64 %148
   %.2310.epil.i.i.i.i = load double, ptr %scevgep33.i.i.i.i, align 8, !noalias !18
   %.2311.epil.i.i.i.i = fadd contract double %.2280.epil.i.i.i.i, %.2310.epil.i.i.i.i
   store double %.2311.epil.i.i.i.i, ptr %scevgep34.i.i.i.i, align 8, !noalias !18
@@ -1061,11 +1086,11 @@ B210.if.i.i.i.i:                                  ; preds = %B664.i.i.i.i, %B210
   %following.2.sroa.52.0775.i.i.i.i = phi ptr [ %.387.i.i.i.i, %B210.if.lr.ph.i.i.i.i ], [ %current.2.sroa.40.0773.i.i.i.i, %B664.i.i.i.i ]
   %current.2.sroa.40.0773.i.i.i.i = phi ptr [ %.2026.i.i.i, %B210.if.lr.ph.i.i.i.i ], [ %following.2.sroa.52.0775.i.i.i.i, %B664.i.i.i.i ]
   %.778.i.i.i.i = add nuw nsw i64 %.709.0.i.i.i.i, 1
-  %145 = getelementptr i64, ptr %arg.contents, i64 %.709.0.i.i.i.i
-  %146 = getelementptr i8, ptr %145, i64 120
-  %.837.i.i.i.i = load i64, ptr %146, align 8, !noalias !18
-  %147 = getelementptr i8, ptr %145, i64 128
-  %.870.i.i.i.i = load i64, ptr %147, align 8, !noalias !18
+  %149 = getelementptr i64, ptr %arg.contents, i64 %.709.0.i.i.i.i
+  %150 = getelementptr i8, ptr %149, i64 120
+  %.837.i.i.i.i = load i64, ptr %150, align 8, !noalias !18
+  %151 = getelementptr i8, ptr %149, i64 128
+  %.870.i.i.i.i = load i64, ptr %151, align 8, !noalias !18
   %.879.i.i.i.i = mul nsw i64 %.870.i.i.i.i, %.837.i.i.i.i
   %.881.i.i.i.i = add nsw i64 %.879.i.i.i.i, %at.2.0776.i.i.i.i
   %.918.i.i.i.i = icmp slt i64 %.881.i.i.i.i, 0
@@ -1092,33 +1117,33 @@ B212.else.endif.endif.i.i.i.i:                    ; preds = %B212.else.endif.if.
 
 B346.if.preheader.i.i.i.i:                        ; preds = %B212.else.endif.endif.i.i.i.i
   %xtraiter.i.i.i.i = and i64 %.870.i.i.i.i, 3
-  %148 = icmp ult i64 %.870.i.i.i.i, 4
-  br i1 %148, label %B346.if.epil.preheader.i.i.i.i, label %B346.if.preheader.new.i.i.i.i
+  %152 = icmp ult i64 %.870.i.i.i.i, 4
+  br i1 %152, label %B346.if.epil.preheader.i.i.i.i, label %B346.if.preheader.new.i.i.i.i
 
 B346.if.preheader.new.i.i.i.i:                    ; preds = %B346.if.preheader.i.i.i.i
-  %149 = shl i64 %.908.sroa.0.3.i.i.i.i, 3
-  %scevgep50.i2.i.i.i = getelementptr i8, ptr %scevgep49.i1.i.i.i, i64 %149
-  %150 = add nsw i64 %.870.i.i.i.i, -4
-  %151 = lshr i64 %150, 2
-  %152 = icmp eq i64 %151, 0
-  br i1 %152, label %B346.if.epil.preheader1.i.i.i.i, label %B346.if.preheader.new.new.i.i.i.i
+  %153 = shl i64 %.908.sroa.0.3.i.i.i.i, 3
+  %scevgep50.i2.i.i.i = getelementptr i8, ptr %scevgep49.i1.i.i.i, i64 %153
+  %154 = add nsw i64 %.870.i.i.i.i, -4
+  %155 = lshr i64 %154, 2
+  %156 = icmp eq i64 %155, 0
+  br i1 %156, label %B346.if.epil.preheader1.i.i.i.i, label %B346.if.preheader.new.new.i.i.i.i
 
 B346.if.preheader.new.new.i.i.i.i:                ; preds = %B346.if.preheader.new.i.i.i.i
-  %153 = add nuw nsw i64 %151, 1
-  %scevgep58.i.i.i.i = getelementptr i8, ptr %scevgep54.i.i.i.i, i64 %149
-  %154 = lshr i64 %153, 1
-  %155 = mul nsw i64 %154, -2
+  %157 = add nuw nsw i64 %155, 1
+  %scevgep58.i.i.i.i = getelementptr i8, ptr %scevgep54.i.i.i.i, i64 %153
+  %158 = lshr i64 %157, 1
+  %159 = mul nsw i64 %158, -2
   br label %B346.if.i.i.i.i
 
 B346.if.i.i.i.i:                                  ; preds = %B346.if.i.i.i.i, %B346.if.preheader.new.new.i.i.i.i
-  %lsr.iv.i3.i.i.i = phi i64 [ %lsr.iv.next.i5.i.i.i, %B346.if.i.i.i.i ], [ %155, %B346.if.preheader.new.new.i.i.i.i ]
+  %lsr.iv.i3.i.i.i = phi i64 [ %lsr.iv.next.i5.i.i.i, %B346.if.i.i.i.i ], [ %159, %B346.if.preheader.new.new.i.i.i.i ]
   %.1083.0.i.i.i.i = phi i64 [ %.1152.3.1.i.i.i.i, %B346.if.i.i.i.i ], [ 0, %B346.if.preheader.new.new.i.i.i.i ]
-  %156 = shl i64 %.1083.0.i.i.i.i, 3
-  %scevgep65.i4.i.i.i = getelementptr i8, ptr %scevgep58.i.i.i.i, i64 %156
+  %160 = shl i64 %.1083.0.i.i.i.i, 3
+  %scevgep65.i4.i.i.i = getelementptr i8, ptr %scevgep58.i.i.i.i, i64 %160
   %scevgep70.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -32
   %scevgep80.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -56
   %.1206.i.i.i.i = load double, ptr %scevgep80.i.i.i.i, align 8, !noalias !18
-  %sunkaddr71.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %156
+  %sunkaddr71.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %160
   store double %.1206.i.i.i.i, ptr %sunkaddr71.i.i.i.i, align 8, !noalias !18
   %scevgep48.i.i.i.i = getelementptr i8, ptr %scevgep65.i4.i.i.i, i64 -48
   %.1206.1.i.i.i.i = load double, ptr %scevgep48.i.i.i.i, align 8, !noalias !18
@@ -1178,29 +1203,29 @@ B406.else.endif.if.i.i.i.i:                       ; preds = %B406.else.endif.i.i
 B406.else.endif.endif.i.i.i.i:                    ; preds = %B406.else.endif.if.i.i.i.i, %B406.else.endif.i.i.i.i
   %.1395.sroa.0.3.i.i.i.i = phi i64 [ %.1834.i.i.i, %B406.else.endif.if.i.i.i.i ], [ %.1395.sroa.0.1.i.i.i.i, %B406.else.endif.i.i.i.i ]
   %.1508.i.i.i.i = getelementptr double, ptr %.1850.i.i.i, i64 %.1395.sroa.0.3.i.i.i.i
-  %157 = getelementptr double, ptr %current.2.sroa.40.0773.i.i.i.i, i64 %.1271.0.i.i.i.i
-  %.1575.i.i.i.i = load double, ptr %157, align 8, !noalias !18
-  br i1 %132, label %B542.i.i.i.i, label %B486.if.preheader.i.i.i.i
+  %161 = getelementptr double, ptr %current.2.sroa.40.0773.i.i.i.i, i64 %.1271.0.i.i.i.i
+  %.1575.i.i.i.i = load double, ptr %161, align 8, !noalias !18
+  br i1 %136, label %B542.i.i.i.i, label %B486.if.preheader.i.i.i.i
 
 B486.if.preheader.i.i.i.i:                        ; preds = %B406.else.endif.endif.i.i.i.i
-  br i1 %133, label %B486.if.epil.preheader.i.i.i.i, label %B486.if.preheader29.i.i.i.i
+  br i1 %137, label %B486.if.epil.preheader.i.i.i.i, label %B486.if.preheader29.i.i.i.i
 
 B486.if.preheader29.i.i.i.i:                      ; preds = %B486.if.preheader.i.i.i.i
-  %158 = shl i64 %.1395.sroa.0.3.i.i.i.i, 3
-  %scevgep75.i.i.i.i = getelementptr i8, ptr %scevgep74.i.i.i.i, i64 %158
-  br i1 %134, label %B486.if.epil.preheader11.i.i.i.i, label %B486.if.preheader30.i.i.i.i
+  %162 = shl i64 %.1395.sroa.0.3.i.i.i.i, 3
+  %scevgep75.i.i.i.i = getelementptr i8, ptr %scevgep74.i.i.i.i, i64 %162
+  br i1 %138, label %B486.if.epil.preheader11.i.i.i.i, label %B486.if.preheader30.i.i.i.i
 
 B486.if.preheader30.i.i.i.i:                      ; preds = %B486.if.preheader29.i.i.i.i
-  %scevgep108.i.i.i.i = getelementptr i8, ptr %scevgep49.i1.i.i.i, i64 %158
+  %scevgep108.i.i.i.i = getelementptr i8, ptr %scevgep49.i1.i.i.i, i64 %162
   br label %B486.if.i.i.i.i
 
 B486.if.i.i.i.i:                                  ; preds = %B486.if.i.i.i.i, %B486.if.preheader30.i.i.i.i
-  %lsr.iv49.i.i.i.i = phi i64 [ %lsr.iv.next50.i.i.i.i, %B486.if.i.i.i.i ], [ %131, %B486.if.preheader30.i.i.i.i ]
+  %lsr.iv49.i.i.i.i = phi i64 [ %lsr.iv.next50.i.i.i.i, %B486.if.i.i.i.i ], [ %135, %B486.if.preheader30.i.i.i.i ]
   %.1603.0.i.i.i.i = phi i64 [ %.1672.1.1.i.i.i.i, %B486.if.i.i.i.i ], [ 0, %B486.if.preheader30.i.i.i.i ]
-  %159 = shl i64 %.1603.0.i.i.i.i, 3
-  %sunkaddr94.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %159
+  %163 = shl i64 %.1603.0.i.i.i.i, 3
+  %sunkaddr94.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %163
   %.1726.i.i.i.i = load double, ptr %sunkaddr94.i.i.i.i, align 8, !noalias !18
-  %scevgep111.i.i.i.i = getelementptr i8, ptr %scevgep108.i.i.i.i, i64 %159
+  %scevgep111.i.i.i.i = getelementptr i8, ptr %scevgep108.i.i.i.i, i64 %163
   %scevgep69.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -16
   %scevgep64.i.i.i.i = getelementptr i8, ptr %scevgep111.i.i.i.i, i64 -24
   %.1756.i.i.i.i = load double, ptr %scevgep64.i.i.i.i, align 8, !noalias !18
@@ -1235,8 +1260,8 @@ B486.if.i.i.i.i:                                  ; preds = %B486.if.i.i.i.i, %B
 
 B586.if.i.i.i.i:                                  ; preds = %B544.i.i.i.i, %B588.endif.i.i.i.i
   %.1837.0.i.i.i.i = phi i64 [ %.1906.i.i.i.i, %B588.endif.i.i.i.i ], [ 0, %B544.i.i.i.i ]
-  %160 = shl i64 %.1837.0.i.i.i.i, 3
-  %scevgep79.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %160
+  %164 = shl i64 %.1837.0.i.i.i.i, 3
+  %scevgep79.i.i.i.i = getelementptr i8, ptr %following.2.sroa.52.0775.i.i.i.i, i64 %164
   %.1961.i.i.i.i = load double, ptr %scevgep79.i.i.i.i, align 8, !noalias !18
   %.1991.i.i.i.i = load i64, ptr %sunkaddr104.i.i.i.i, align 8, !noalias !18
   switch i64 %.1991.i.i.i.i, label %B120.i.i.i.i.i [
@@ -1270,7 +1295,7 @@ B588.endif.i.i.i.i:                               ; preds = %B120.i.i.i.i.i, %B8
 B748.if.i.i.i.i:                                  ; preds = %B748.if.i.i.i.i, %B748.if.preheader.new.i.i.i.i
   %.2219781783.i.i.i.i = phi i64 [ 0, %B748.if.preheader.new.i.i.i.i ], [ %.2226.3.i.i.i.i, %B748.if.i.i.i.i ]
   %sunkaddr107.i.i.i.i = shl i64 %.2219781783.i.i.i.i, 3
-  %sunkaddr108.i.i.i.i = getelementptr i8, ptr %.1348.i, i64 %sunkaddr107.i.i.i.i
+  %sunkaddr108.i.i.i.i = getelementptr i8, ptr %.1362.i, i64 %sunkaddr107.i.i.i.i
   %.2280.i.i.i.i = load double, ptr %sunkaddr108.i.i.i.i, align 8, !noalias !18
   %sunkaddr110.i.i.i.i = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.i.i.i.i, i64 %sunkaddr107.i.i.i.i
   %.2310.i.i.i.i = load double, ptr %sunkaddr110.i.i.i.i, align 8, !noalias !18
@@ -1325,15 +1350,15 @@ B0.endif.endif.endif.else.endif.endif.i.i:        ; preds = %B0.endif.endif.endi
   br i1 %.98.i.not.i.i, label %B88.i.i.i, label %B60.if.preheader.i.i.i
 
 B60.if.preheader.i.i.i:                           ; preds = %B0.endif.endif.endif.else.endif.endif.i.i
-  br i1 %34, label %B60.if.epil.preheader.i.i.i, label %B60.if.preheader.new.i.i.i
+  br i1 %38, label %B60.if.epil.preheader.i.i.i, label %B60.if.preheader.new.i.i.i
 
 B60.if.preheader.new.i.i.i:                       ; preds = %B60.if.preheader.i.i.i
-  br i1 %37, label %B60.if.i.epil.preheader.i.i, label %B60.if.preheader.new.i.new.i.i
+  br i1 %41, label %B60.if.i.epil.preheader.i.i, label %B60.if.preheader.new.i.new.i.i
 
 B60.if.preheader.new.i.new.i.i:                   ; preds = %B60.if.preheader.new.i.i.i
-  %161 = shl i64 %.788.sroa.0.3.i.i, 3
-  %162 = getelementptr i8, ptr %arg.weights, i64 %161
-  %scevgep28.i.i = getelementptr i8, ptr %162, i64 56
+  %165 = shl i64 %.788.sroa.0.3.i.i, 3
+  %166 = getelementptr i8, ptr %arg.weights, i64 %165
+  %scevgep28.i.i = getelementptr i8, ptr %166, i64 56
   br label %B60.if.i.i.i
 
 B88.loopexit.unr-lcssa.i.unr-lcssa.i.i:           ; preds = %B60.if.i.i.i
@@ -1344,7 +1369,7 @@ B60.if.i.epil.preheader.i.i:                      ; preds = %B88.loopexit.unr-lc
   %sunkaddr.i.epil.i.i = shl i64 %.148276278.i.epil.init.i.i, 3
   %sunkaddr38.i.epil.i.i = getelementptr i8, ptr %.901.i.i, i64 %sunkaddr.i.epil.i.i
   %.209.i.epil.i.i = load double, ptr %sunkaddr38.i.epil.i.i, align 8, !noalias !24
-  %sunkaddr40.i.epil.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr.i.epil.i.i
+  %sunkaddr40.i.epil.i.i = getelementptr i8, ptr %.621.i, i64 %sunkaddr.i.epil.i.i
   store double %.209.i.epil.i.i, ptr %sunkaddr40.i.epil.i.i, align 8, !noalias !24
   %sunkaddr43.i.epil.i.i = getelementptr i8, ptr %sunkaddr38.i.epil.i.i, i64 8
   %.209.1.i.epil.i.i = load double, ptr %sunkaddr43.i.epil.i.i, align 8, !noalias !24
@@ -1367,19 +1392,19 @@ B88.loopexit.unr-lcssa.i.i.i:                     ; preds = %B60.if.i.epil.prehe
 
 B60.if.epil.preheader.i.i.i:                      ; preds = %B88.loopexit.unr-lcssa.i.i.i, %B60.if.preheader.i.i.i
   %.148276278.epil.init.i.i.i = phi i64 [ 0, %B60.if.preheader.i.i.i ], [ %.155.3.i.lcssa.i.i, %B88.loopexit.unr-lcssa.i.i.i ]
-  %163 = shl i64 %.148276278.epil.init.i.i.i, 3
-  %scevgep17.i.i.i = getelementptr i8, ptr %.607.i, i64 %163
-  %164 = add i64 %.148276278.epil.init.i.i.i, %.788.sroa.0.3.i.i
-  %165 = shl i64 %164, 3
-  %scevgep26.i.i = getelementptr i8, ptr %arg.weights, i64 %165
+  %167 = shl i64 %.148276278.epil.init.i.i.i, 3
+  %scevgep17.i.i.i = getelementptr i8, ptr %.621.i, i64 %167
+  %168 = add i64 %.148276278.epil.init.i.i.i, %.788.sroa.0.3.i.i
+  %169 = shl i64 %168, 3
+  %scevgep26.i.i = getelementptr i8, ptr %arg.weights, i64 %169
   br label %B60.if.epil.i.i.i
 
 B60.if.epil.i.i.i:                                ; preds = %B60.if.epil.i.i.i, %B60.if.epil.preheader.i.i.i
   %epil.iter.i.i.i = phi i64 [ %epil.iter.next.i.i.i, %B60.if.epil.i.i.i ], [ 0, %B60.if.epil.preheader.i.i.i ]
-  %166 = shl i64 %epil.iter.i.i.i, 3
-  %scevgep27.i.i = getelementptr i8, ptr %scevgep26.i.i, i64 %166
+  %170 = shl i64 %epil.iter.i.i.i, 3
+  %scevgep27.i.i = getelementptr i8, ptr %scevgep26.i.i, i64 %170
   %.209.epil.i.i.i = load double, ptr %scevgep27.i.i, align 8, !noalias !24
-  %scevgep25.i.i = getelementptr i8, ptr %scevgep17.i.i.i, i64 %166
+  %scevgep25.i.i = getelementptr i8, ptr %scevgep17.i.i.i, i64 %170
   store double %.209.epil.i.i.i, ptr %scevgep25.i.i, align 8, !noalias !24
   %epil.iter.next.i.i.i = add i64 %epil.iter.i.i.i, 1
   %epil.iter.cmp.not.i.i.i = icmp eq i64 %xtraiter.i.i.i, %epil.iter.next.i.i.i
@@ -1391,20 +1416,20 @@ B88.i.i.i:                                        ; preds = %B60.if.epil.i.i.i, 
 
 B140.if.lr.ph.i.i.i:                              ; preds = %B88.i.i.i
   %scevgep12.i.i.i = getelementptr i8, ptr %.901.i.i, i64 8
-  %167 = shl i64 %.788.sroa.0.3.i.i, 3
-  %168 = getelementptr i8, ptr %arg.weights, i64 %167
-  %scevgep17.i.i = getelementptr i8, ptr %168, i64 24
+  %171 = shl i64 %.788.sroa.0.3.i.i, 3
+  %172 = getelementptr i8, ptr %arg.weights, i64 %171
+  %scevgep17.i.i = getelementptr i8, ptr %172, i64 24
   br label %B140.if.i.i.i
 
 B290.loopexit.unr-lcssa.i.unr-lcssa.i.i:          ; preds = %B234.if.i.i.i
-  br i1 %47, label %B234.if.i.epil.preheader.i.i, label %B290.loopexit.unr-lcssa.i.i.i
+  br i1 %51, label %B234.if.i.epil.preheader.i.i, label %B290.loopexit.unr-lcssa.i.i.i
 
 B234.if.i.epil.preheader.i.i:                     ; preds = %B234.if.preheader8.i.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i
   %.675282284.i.epil.init.i.i = phi i64 [ 0, %B234.if.preheader8.i.i.i ], [ %.682.1.i.1.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
-  %169 = shl i64 %.675282284.i.epil.init.i.i, 3
-  %sunkaddr60.i.epil.i.i = getelementptr i8, ptr %.607.i, i64 %169
+  %173 = shl i64 %.675282284.i.epil.init.i.i, 3
+  %sunkaddr60.i.epil.i.i = getelementptr i8, ptr %.621.i, i64 %173
   %.736.i.epil.i.i = load double, ptr %sunkaddr60.i.epil.i.i, align 8, !noalias !24
-  %scevgep15.i.epil.i.i = getelementptr i8, ptr %scevgep13.i.i.i, i64 %169
+  %scevgep15.i.epil.i.i = getelementptr i8, ptr %scevgep13.i.i.i, i64 %173
   %scevgep16.i.epil.i.i = getelementptr i8, ptr %scevgep15.i.epil.i.i, i64 -8
   %.766.i.epil.i.i = load double, ptr %scevgep16.i.epil.i.i, align 8, !noalias !24
   %.768.i.epil.i.i = fmul contract double %.585.i.i.i, %.766.i.epil.i.i
@@ -1421,17 +1446,17 @@ B234.if.i.epil.preheader.i.i:                     ; preds = %B234.if.preheader8.
 
 B290.loopexit.unr-lcssa.i.i.i:                    ; preds = %B234.if.i.epil.preheader.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i
   %.682.1.i.lcssa.i.i = phi i64 [ %.682.1.i.epil.i.i, %B234.if.i.epil.preheader.i.i ], [ %.682.1.i.1.i.i, %B290.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
-  br i1 %49, label %B290.i.i.i, label %B234.if.epil.preheader.i.i.i
+  br i1 %53, label %B290.i.i.i, label %B234.if.epil.preheader.i.i.i
 
 B234.if.epil.preheader.i.i.i:                     ; preds = %B142.else.endif.endif.endif.endif.i.i.i, %B290.loopexit.unr-lcssa.i.i.i
   %.675282284.epil.init.i.i.i = phi i64 [ 0, %B142.else.endif.endif.endif.endif.i.i.i ], [ %.682.1.i.lcssa.i.i, %B290.loopexit.unr-lcssa.i.i.i ]
-  %170 = getelementptr double, ptr %.607.i, i64 %.675282284.epil.init.i.i.i
-  %.736.epil.i.i.i = load double, ptr %170, align 8, !noalias !24
-  %171 = getelementptr double, ptr %.518.i.i.i, i64 %.675282284.epil.init.i.i.i
-  %.766.epil.i.i.i = load double, ptr %171, align 8, !noalias !24
+  %174 = getelementptr double, ptr %.621.i, i64 %.675282284.epil.init.i.i.i
+  %.736.epil.i.i.i = load double, ptr %174, align 8, !noalias !24
+  %175 = getelementptr double, ptr %.518.i.i.i, i64 %.675282284.epil.init.i.i.i
+  %.766.epil.i.i.i = load double, ptr %175, align 8, !noalias !24
   %.768.epil.i.i.i = fmul contract double %.585.i.i.i, %.766.epil.i.i.i
   %.769.epil.i.i.i = fadd contract double %.736.epil.i.i.i, %.768.epil.i.i.i
-  store double %.769.epil.i.i.i, ptr %170, align 8, !noalias !24
+  store double %.769.epil.i.i.i, ptr %174, align 8, !noalias !24
   br label %B290.i.i.i
 
 B290.i.i.i:                                       ; preds = %B142.else.endif.endif.endif.endif.i.i.i, %B234.if.epil.preheader.i.i.i, %B290.loopexit.unr-lcssa.i.i.i
@@ -1439,13 +1464,13 @@ B290.i.i.i:                                       ; preds = %B142.else.endif.end
   br i1 %exitcond302.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B140.if.i.i.i
 
 B60.if.i.i.i:                                     ; preds = %B60.if.i.i.i, %B60.if.preheader.new.i.new.i.i
-  %lsr.iv24.i.i = phi i64 [ %lsr.iv.next25.i.i, %B60.if.i.i.i ], [ %39, %B60.if.preheader.new.i.new.i.i ]
+  %lsr.iv24.i.i = phi i64 [ %lsr.iv.next25.i.i, %B60.if.i.i.i ], [ %43, %B60.if.preheader.new.i.new.i.i ]
   %.148276278.i.i.i = phi i64 [ %.155.3.i.1.i.i, %B60.if.i.i.i ], [ 0, %B60.if.preheader.new.i.new.i.i ]
   %sunkaddr.i.i.i = shl i64 %.148276278.i.i.i, 3
   %scevgep42.i.i = getelementptr i8, ptr %scevgep28.i.i, i64 %sunkaddr.i.i.i
   %scevgep43.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -56
   %.209.i.i.i = load double, ptr %scevgep43.i.i, align 8, !noalias !24
-  %sunkaddr66.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr.i.i.i
+  %sunkaddr66.i.i = getelementptr i8, ptr %.621.i, i64 %sunkaddr.i.i.i
   store double %.209.i.i.i, ptr %sunkaddr66.i.i, align 8, !noalias !24
   %scevgep64.i.i = getelementptr i8, ptr %scevgep42.i.i, i64 -48
   %.209.1.i.i.i = load double, ptr %scevgep64.i.i, align 8, !noalias !24
@@ -1474,7 +1499,7 @@ B60.if.i.i.i:                                     ; preds = %B60.if.i.i.i, %B60.
   %.155.3.i.1.i.i = add i64 %.148276278.i.i.i, 8
   %.209.3.i.1.i.i = load double, ptr %scevgep42.i.i, align 8, !noalias !24
   %sunkaddr85.i.i = shl i64 %.155.3.i.1.i.i, 3
-  %sunkaddr86.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr85.i.i
+  %sunkaddr86.i.i = getelementptr i8, ptr %.621.i, i64 %sunkaddr85.i.i
   %sunkaddr87.i.i = getelementptr i8, ptr %sunkaddr86.i.i, i64 -8
   store double %.209.3.i.1.i.i, ptr %sunkaddr87.i.i, align 8, !noalias !24
   %lsr.iv.next25.i.i = add i64 %lsr.iv24.i.i, -2
@@ -1484,7 +1509,7 @@ B60.if.i.i.i:                                     ; preds = %B60.if.i.i.i, %B60.
 B140.if.i.i.i:                                    ; preds = %B290.i.i.i, %B140.if.lr.ph.i.i.i
   %.341289295.i.i.i = phi i64 [ 0, %B140.if.lr.ph.i.i.i ], [ %.348.i.i.i, %B290.i.i.i ]
   %.348.i.i.i = add nuw nsw i64 %.341289295.i.i.i, 1
-  %.375.i.i.i = mul nuw nsw i64 %.348.i.i.i, %.591.i
+  %.375.i.i.i = mul nuw nsw i64 %.348.i.i.i, %.605.i
   %.425.not.i.i.i = icmp sgt i64 %.876.i.i, %.375.i.i.i
   br i1 %.425.not.i.i.i, label %B142.else.endif.endif.endif.endif.i.i.i, label %B142.else.endif.if.i.i.i, !prof !5
 
@@ -1494,29 +1519,29 @@ B142.else.endif.if.i.i.i:                         ; preds = %B140.if.i.i.i
 B142.else.endif.endif.endif.endif.i.i.i:          ; preds = %B142.else.endif.if.i.i.i, %B140.if.i.i.i
   %.405.sroa.0.3.i.i.i = phi i64 [ %.885.i.i, %B142.else.endif.if.i.i.i ], [ %.375.i.i.i, %B140.if.i.i.i ]
   %.518.i.i.i = getelementptr double, ptr %.901.i.i, i64 %.405.sroa.0.3.i.i.i
-  %172 = getelementptr double, ptr %.1348.i, i64 %.341289295.i.i.i
-  %.585.i.i.i = load double, ptr %172, align 8, !noalias !24
+  %176 = getelementptr double, ptr %.1362.i, i64 %.341289295.i.i.i
+  %.585.i.i.i = load double, ptr %176, align 8, !noalias !24
   switch i63 %trunc.i.i, label %B234.if.preheader8.i.i.i [
     i63 0, label %B290.i.i.i
     i63 1, label %B234.if.epil.preheader.i.i.i
   ]
 
 B234.if.preheader8.i.i.i:                         ; preds = %B142.else.endif.endif.endif.endif.i.i.i
-  %173 = shl i64 %.405.sroa.0.3.i.i.i, 3
-  %scevgep13.i.i.i = getelementptr i8, ptr %scevgep12.i.i.i, i64 %173
-  br i1 %45, label %B234.if.i.epil.preheader.i.i, label %B234.if.i.preheader.i.i
+  %177 = shl i64 %.405.sroa.0.3.i.i.i, 3
+  %scevgep13.i.i.i = getelementptr i8, ptr %scevgep12.i.i.i, i64 %177
+  br i1 %49, label %B234.if.i.epil.preheader.i.i, label %B234.if.i.preheader.i.i
 
 B234.if.i.preheader.i.i:                          ; preds = %B234.if.preheader8.i.i.i
-  %scevgep18.i.i = getelementptr i8, ptr %scevgep17.i.i, i64 %173
+  %scevgep18.i.i = getelementptr i8, ptr %scevgep17.i.i, i64 %177
   br label %B234.if.i.i.i
 
 B234.if.i.i.i:                                    ; preds = %B234.if.i.i.i, %B234.if.i.preheader.i.i
-  %lsr.iv3.i.i = phi i64 [ %lsr.iv.next4.i.i, %B234.if.i.i.i ], [ %44, %B234.if.i.preheader.i.i ]
+  %lsr.iv3.i.i = phi i64 [ %lsr.iv.next4.i.i, %B234.if.i.i.i ], [ %48, %B234.if.i.preheader.i.i ]
   %.675282284.i.i.i = phi i64 [ %.682.1.i.1.i.i, %B234.if.i.i.i ], [ 0, %B234.if.i.preheader.i.i ]
-  %174 = shl i64 %.675282284.i.i.i, 3
-  %sunkaddr89.i.i = getelementptr i8, ptr %.607.i, i64 %174
+  %178 = shl i64 %.675282284.i.i.i, 3
+  %sunkaddr89.i.i = getelementptr i8, ptr %.621.i, i64 %178
   %.736.i.i.i = load double, ptr %sunkaddr89.i.i, align 8, !noalias !24
-  %scevgep21.i.i = getelementptr i8, ptr %scevgep18.i.i, i64 %174
+  %scevgep21.i.i = getelementptr i8, ptr %scevgep18.i.i, i64 %178
   %scevgep23.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -16
   %scevgep20.i.i = getelementptr i8, ptr %scevgep21.i.i, i64 -24
   %.766.i.i.i = load double, ptr %scevgep20.i.i, align 8, !noalias !24
@@ -1538,7 +1563,7 @@ B234.if.i.i.i:                                    ; preds = %B234.if.i.i.i, %B23
   store double %.769.i.1.i.i, ptr %sunkaddr95.i.i, align 8, !noalias !24
   %.682.1.i.1.i.i = add i64 %.675282284.i.i.i, 4
   %sunkaddr96.i.i = shl i64 %.682.1.i.1.i.i, 3
-  %sunkaddr97.i.i = getelementptr i8, ptr %.607.i, i64 %sunkaddr96.i.i
+  %sunkaddr97.i.i = getelementptr i8, ptr %.621.i, i64 %sunkaddr96.i.i
   %sunkaddr98.i.i = getelementptr i8, ptr %sunkaddr97.i.i, i64 -8
   %.736.1.i.1.i.i = load double, ptr %sunkaddr98.i.i, align 8, !noalias !24
   %.766.1.i.1.i.i = load double, ptr %scevgep21.i.i, align 8, !noalias !24
@@ -1571,13 +1596,13 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.458.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !31
   %.562.i.i.i.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !31
   %.581.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40510457810E2933
-  %175 = fsub contract double 0x407E1C5F0E074C89, %.581.i.i.i.i
-  %.583.i.i.i.i = fadd contract double %175, %.562.i.i.i.i
+  %179 = fsub contract double 0x407E1C5F0E074C89, %.581.i.i.i.i
+  %.583.i.i.i.i = fadd contract double %179, %.562.i.i.i.i
   store double %.583.i.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !31
   %.687.i.i.i.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !31
   %.756.i.i.i.i = fmul contract double %.39.i2.i.i, 0x4058A8587E6B74F0
-  %176 = fsub contract double 0x404601B425ED097B, %.756.i.i.i.i
-  %.758.i.i.i.i = fmul contract double %.39.i2.i.i, %176
+  %180 = fsub contract double 0x404601B425ED097B, %.756.i.i.i.i
+  %.758.i.i.i.i = fmul contract double %.39.i2.i.i, %180
   %.759.i.i.i.i = fadd contract double %.758.i.i.i.i, 0xC0A9D8A41ED3317E
   %.760.i.i.i.i = fmul contract double %.39.i2.i.i, %.759.i.i.i.i
   %.761.i.i.i.i = fadd contract double %.760.i.i.i.i, 0xC071640B49E85C3E
@@ -1588,8 +1613,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.867.i.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !31
   %.971.i.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !31
   %.1011.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40733B288412FE12
-  %177 = fsub contract double 0x408893BEE8443B83, %.1011.i.i.i.i
-  %.1013.i.i.i.i = fmul contract double %.39.i2.i.i, %177
+  %181 = fsub contract double 0x408893BEE8443B83, %.1011.i.i.i.i
+  %.1013.i.i.i.i = fmul contract double %.39.i2.i.i, %181
   %.1014.i.i.i.i = fadd contract double %.1013.i.i.i.i, 0x408DCC10DD757C0B
   %.1015.i.i.i.i = fadd contract double %.1014.i.i.i.i, %.971.i.i.i.i
   store double %.1015.i.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !31
@@ -1662,8 +1687,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.2371.i.i.i.i, ptr %.2256.i.i.i.i, align 8, !noalias !31
   %.2475.i.i.i.i = load double, ptr %.2474.i.i.i.i, align 8, !noalias !31
   %.2494.i.i.i.i = fmul contract double %.39.i2.i.i, 0x40BD257CD0AE1310
-  %178 = fsub contract double 0xC09600901EF7C9A4, %.2494.i.i.i.i
-  %.2496.i.i.i.i = fadd contract double %178, %.2475.i.i.i.i
+  %182 = fsub contract double 0xC09600901EF7C9A4, %.2494.i.i.i.i
+  %.2496.i.i.i.i = fadd contract double %182, %.2475.i.i.i.i
   store double %.2496.i.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !31
   %.24.i.i.i.i = fsub contract double 1.000000e+00, %.33.i.i.i
   %.25.i.i4.i.i = fmul contract double %.33.i.i.i, %.24.i.i.i.i
@@ -1681,8 +1706,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.193.i.i.i.i = fmul contract double %.33.i.i.i, %.192.i.i.i.i
   %.194.i.i.i.i = fadd contract double %.190.i.i.i.i, %.193.i.i.i.i
   %.195.i.i.i.i = fmul contract double %.188.i.i.i.i, %.194.i.i.i.i
-  %179 = fsub contract double %.583.i.i.i.i, %.195.i.i.i.i
-  store double %179, ptr %.561.i.i.i.i, align 8, !noalias !34
+  %183 = fsub contract double %.583.i.i.i.i, %.195.i.i.i.i
+  store double %183, ptr %.561.i.i.i.i, align 8, !noalias !34
   %.301.i.i.i.i = fmul contract double %.26.i.i.i.i, 0x400921FB54442D18
   %.302.i.i.i.i = fmul contract double %.33.i.i.i, 2.600000e+02
   %.303.i.i.i.i = fadd contract double %.302.i.i.i.i, 0x407F0AAAAAAAAAAB
@@ -1721,8 +1746,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.193.i23.i.i.i = fmul contract double %.38.i.i.i, %.192.i22.i.i.i
   %.194.i24.i.i.i = fadd contract double %.190.i20.i.i.i, %.193.i23.i.i.i
   %.195.i25.i.i.i = fmul contract double %.188.i18.i.i.i, %.194.i24.i.i.i
-  %180 = fsub contract double %179, %.195.i25.i.i.i
-  store double %180, ptr %.561.i.i.i.i, align 8, !noalias !37
+  %184 = fsub contract double %183, %.195.i25.i.i.i
+  store double %184, ptr %.561.i.i.i.i, align 8, !noalias !37
   %.301.i28.i.i.i = fmul contract double %.26.i9.i.i.i, 0x400921FB54442D18
   %.302.i29.i.i.i = fmul contract double %.38.i.i.i, 2.600000e+02
   %.303.i30.i.i.i = fadd contract double %.302.i29.i.i.i, 0x407F0AAAAAAAAAAB
@@ -1747,9 +1772,9 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.424.i49.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !37
   %.15.le.i.i.i.i = fcmp contract uno double %.223.i.i, 0.000000e+00
   %.17.le.i.i.i.i = fcmp contract oge double %.223.i.i, 1.000000e+00
-  %181 = or i1 %.15.le.i.i.i.i, %.17.le.i.i.i.i
-  %182 = tail call contract double @llvm.log.f64(double %.223.i.i)
-  %.31.le.i.i.i.i = select i1 %181, double %182, double 0.000000e+00
+  %185 = or i1 %.15.le.i.i.i.i, %.17.le.i.i.i.i
+  %186 = tail call contract double @llvm.log.f64(double %.223.i.i)
+  %.31.le.i.i.i.i = select i1 %185, double %186, double 0.000000e+00
   %.36.i.i.i.i = fmul contract double %.31.le.i.i.i.i, 1.230000e-04
   %.37.i.i.i.i = fadd contract double %.36.i.i.i.i, -4.210000e-03
   %.38.i.i.i.i = fmul contract double %.31.le.i.i.i.i, %.37.i.i.i.i
@@ -1765,8 +1790,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.147.i.i.i7.i.i = fmul contract double %.26.i.i.i.i, %.26.i.i.i.i
   %.106.i.i.i.i = fmul contract double %.55.le.i.i.i.i, 5.000000e+01
   %.107.i.i.i.i = fadd contract double %.106.i.i.i.i, 6.250000e-01
-  %183 = fmul contract double %.147.i.i.i7.i.i, %.107.i.i.i.i
-  %.109.i.i.i.i = fsub contract double %.458.i.i.i.i, %183
+  %187 = fmul contract double %.147.i.i.i7.i.i, %.107.i.i.i.i
+  %.109.i.i.i.i = fsub contract double %.458.i.i.i.i, %187
   store double %.109.i.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !40
   %.214.i.i.i.i = fmul contract double %.33.i.i.i, 1.200000e+02
   %.215.i.i.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i.i.i.i
@@ -1783,13 +1808,13 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.225.i.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !40
   %.331.i.i.i.i = fmul contract double %.147.i.i.i7.i.i, 0x4093A28C59D5433B
   %.332.i.i.i.i = fmul contract double %.331.i.i.i.i, %.55.le.i.i.i.i
-  %184 = fsub contract double %.424.i49.i.i.i, %.332.i.i.i.i
-  store double %184, ptr %.970.i.i.i.i, align 8, !noalias !40
+  %188 = fsub contract double %.424.i49.i.i.i, %.332.i.i.i.i
+  store double %188, ptr %.970.i.i.i.i, align 8, !noalias !40
   %.15.le.i51.i.i.i = fcmp contract uno double %.252.i.i, 0.000000e+00
   %.17.le.i52.i.i.i = fcmp contract oge double %.252.i.i, 1.000000e+00
-  %185 = or i1 %.15.le.i51.i.i.i, %.17.le.i52.i.i.i
-  %186 = tail call contract double @llvm.log.f64(double %.252.i.i)
-  %.31.le.i53.i.i.i = select i1 %185, double %186, double 0.000000e+00
+  %189 = or i1 %.15.le.i51.i.i.i, %.17.le.i52.i.i.i
+  %190 = tail call contract double @llvm.log.f64(double %.252.i.i)
+  %.31.le.i53.i.i.i = select i1 %189, double %190, double 0.000000e+00
   %.36.i54.i.i.i = fmul contract double %.31.le.i53.i.i.i, 1.230000e-04
   %.37.i55.i.i.i = fadd contract double %.36.i54.i.i.i, -4.210000e-03
   %.38.i56.i.i.i = fmul contract double %.31.le.i53.i.i.i, %.37.i55.i.i.i
@@ -1805,8 +1830,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.147.i.i67.i.i.i = fmul contract double %.26.i9.i.i.i, %.26.i9.i.i.i
   %.106.i70.i.i.i = fmul contract double %.55.le.i65.i.i.i, 5.000000e+01
   %.107.i71.i.i.i = fadd contract double %.106.i70.i.i.i, 6.250000e-01
-  %187 = fmul contract double %.147.i.i67.i.i.i, %.107.i71.i.i.i
-  %.109.i72.i.i.i = fsub contract double %.109.i.i.i.i, %187
+  %191 = fmul contract double %.147.i.i67.i.i.i, %.107.i71.i.i.i
+  %.109.i72.i.i.i = fsub contract double %.109.i.i.i.i, %191
   store double %.109.i72.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !43
   %.214.i75.i.i.i = fmul contract double %.38.i.i.i, 1.200000e+02
   %.215.i76.i.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i75.i.i.i
@@ -1823,13 +1848,13 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.225.i86.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !43
   %.331.i89.i.i.i = fmul contract double %.147.i.i67.i.i.i, 0x4093A28C59D5433B
   %.332.i90.i.i.i = fmul contract double %.331.i89.i.i.i, %.55.le.i65.i.i.i
-  %188 = fsub contract double %184, %.332.i90.i.i.i
-  store double %188, ptr %.970.i.i.i.i, align 8, !noalias !43
+  %192 = fsub contract double %188, %.332.i90.i.i.i
+  store double %192, ptr %.970.i.i.i.i, align 8, !noalias !43
   %.27.i.i.i.i = fmul contract double %.165.i.i, %.25.i.i4.i.i
   %.28.i.i.i.i = fmul contract double %.194.i.i, %.27.i.i.i.i
   %.82.i95.i.i.i = fmul contract double %.28.i.i.i.i, 9.875000e+01
-  %189 = fsub contract double %.109.i72.i.i.i, %.82.i95.i.i.i
-  store double %189, ptr %.413.i.i.i.i, align 8, !noalias !46
+  %193 = fsub contract double %.109.i72.i.i.i, %.82.i95.i.i.i
+  store double %193, ptr %.413.i.i.i.i, align 8, !noalias !46
   %.188.i98.i.i.i = fmul contract double %.25.i.i4.i.i, 0x40735B8E38E38E39
   %.189.i99.i.i.i = fadd contract double %.188.i98.i.i.i, 0x40723BDB6DB6DB6E
   %.190.i100.i.i.i = fmul contract double %.28.i.i.i.i, %.189.i99.i.i.i
@@ -1842,8 +1867,8 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.328.i105.i.i.i = fmul contract double %.147.i.i103.i.i.i, 7.500000e+00
   %.329.i106.i.i.i = fadd contract double %.301.i104.i.i.i, %.328.i105.i.i.i
   %.330.i.i.i.i = fmul contract double %.329.i106.i.i.i, 0x400921FB54442D18
-  %190 = fsub contract double %188, %.330.i.i.i.i
-  store double %190, ptr %.970.i.i.i.i, align 8, !noalias !46
+  %194 = fsub contract double %192, %.330.i.i.i.i
+  store double %194, ptr %.970.i.i.i.i, align 8, !noalias !46
   %.147.i.i107.i.i.i = fmul contract double %.33.i.i.i, %.33.i.i.i
   %.147.i.1.i.i.i.i = fmul contract double %.147.i.i107.i.i.i, %.147.i.i107.i.i.i
   %.50.i.i.i.i = fmul contract double %.147.i.1.i.i.i.i, -2.400000e+01
@@ -1945,25 +1970,25 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.671.i.i.i = fmul contract double %.39.i2.i.i, 1.280000e+02
   %.675.i.i.i = fdiv contract double 3.000000e+00, %.671.i.i.i
   store double %.675.i.i.i, ptr %arg.series, align 8, !noalias !28
-  %.968.1.i.i.i = load double, ptr %6, align 8, !noalias !28
+  %.968.1.i.i.i = load double, ptr %9, align 8, !noalias !28
   %.970.1.i.i.i = fmul contract double %.675.i.i.i, %.968.1.i.i.i
-  store double %.970.1.i.i.i, ptr %6, align 8, !noalias !28
+  store double %.970.1.i.i.i, ptr %9, align 8, !noalias !28
   %.970.2.i.i.i = fmul contract double %.675.i.i.i, %.204.i.i.i.i
   store double %.970.2.i.i.i, ptr %.183.i.i.i.i, align 8, !noalias !28
   %.970.3.i.i.i = fmul contract double %.675.i.i.i, %.83.i15.i.i.i
   store double %.970.3.i.i.i, ptr %.308.i.i.i.i, align 8, !noalias !28
-  %.970.4.i.i.i = fmul contract double %.675.i.i.i, %189
+  %.970.4.i.i.i = fmul contract double %.675.i.i.i, %193
   store double %.970.4.i.i.i, ptr %.413.i.i.i.i, align 8, !noalias !28
-  %.968.5.i.i.i = load double, ptr %7, align 8, !noalias !28
+  %.968.5.i.i.i = load double, ptr %10, align 8, !noalias !28
   %.970.5.i.i.i = fmul contract double %.675.i.i.i, %.968.5.i.i.i
-  store double %.970.5.i.i.i, ptr %7, align 8, !noalias !28
+  store double %.970.5.i.i.i, ptr %10, align 8, !noalias !28
   %.970.6.i.i.i = fmul contract double %.675.i.i.i, %.191.i101.i.i.i
   store double %.970.6.i.i.i, ptr %.686.i.i.i.i, align 8, !noalias !28
-  %.970.7.i.i.i = fmul contract double %.675.i.i.i, %190
+  %.970.7.i.i.i = fmul contract double %.675.i.i.i, %194
   store double %.970.7.i.i.i, ptr %.970.i.i.i.i, align 8, !noalias !28
-  %.968.8.i.i.i = load double, ptr %8, align 8, !noalias !28
+  %.968.8.i.i.i = load double, ptr %11, align 8, !noalias !28
   %.970.8.i.i.i = fmul contract double %.675.i.i.i, %.968.8.i.i.i
-  store double %.970.8.i.i.i, ptr %8, align 8, !noalias !28
+  store double %.970.8.i.i.i, ptr %11, align 8, !noalias !28
   %.970.9.i.i.i = fmul contract double %.675.i.i.i, %.1537.i.i.i.i
   store double %.970.9.i.i.i, ptr %.1461.i.i.i.i, align 8, !noalias !28
   %.970.10.i.i.i = fmul contract double %.675.i.i.i, %.108.i135.i.i.i
@@ -1978,28 +2003,28 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.970.14.i.i.i, ptr %.442.i.i.i.i, align 8, !noalias !28
   %.970.15.i.i.i = fmul contract double %.675.i.i.i, %.574.i178.i.i.i
   store double %.970.15.i.i.i, ptr %.559.i.i.i.i, align 8, !noalias !28
-  %.968.1276.i.i.i = load double, ptr %5, align 8, !noalias !28
+  %.968.1276.i.i.i = load double, ptr %8, align 8, !noalias !28
   %.970.1277.i.i.i = fmul contract double %.675.i.i.i, %.968.1276.i.i.i
-  store double %.970.1277.i.i.i, ptr %5, align 8, !noalias !28
-  %.968.1.1.i.i.i = load double, ptr %9, align 8, !noalias !28
+  store double %.970.1277.i.i.i, ptr %8, align 8, !noalias !28
+  %.968.1.1.i.i.i = load double, ptr %12, align 8, !noalias !28
   %.970.1.1.i.i.i = fmul contract double %.675.i.i.i, %.968.1.1.i.i.i
-  store double %.970.1.1.i.i.i, ptr %9, align 8, !noalias !28
-  %.968.2.1.i.i.i = load double, ptr %10, align 8, !noalias !28
+  store double %.970.1.1.i.i.i, ptr %12, align 8, !noalias !28
+  %.968.2.1.i.i.i = load double, ptr %13, align 8, !noalias !28
   %.970.2.1.i.i.i = fmul contract double %.675.i.i.i, %.968.2.1.i.i.i
-  store double %.970.2.1.i.i.i, ptr %10, align 8, !noalias !28
-  %.968.3.1.i.i.i = load double, ptr %11, align 8, !noalias !28
+  store double %.970.2.1.i.i.i, ptr %13, align 8, !noalias !28
+  %.968.3.1.i.i.i = load double, ptr %14, align 8, !noalias !28
   %.970.3.1.i.i.i = fmul contract double %.675.i.i.i, %.968.3.1.i.i.i
-  store double %.970.3.1.i.i.i, ptr %11, align 8, !noalias !28
-  %.968.4.1.i.i.i = load double, ptr %12, align 8, !noalias !28
+  store double %.970.3.1.i.i.i, ptr %14, align 8, !noalias !28
+  %.968.4.1.i.i.i = load double, ptr %15, align 8, !noalias !28
   %.970.4.1.i.i.i = fmul contract double %.675.i.i.i, %.968.4.1.i.i.i
-  store double %.970.4.1.i.i.i, ptr %12, align 8, !noalias !28
-  %.970.5.1.i.i.i = fmul contract double %.675.i.i.i, %180
+  store double %.970.4.1.i.i.i, ptr %15, align 8, !noalias !28
+  %.970.5.1.i.i.i = fmul contract double %.675.i.i.i, %184
   store double %.970.5.1.i.i.i, ptr %.561.i.i.i.i, align 8, !noalias !28
   %.970.6.1.i.i.i = fmul contract double %.675.i.i.i, %.867.i.i.i.i
   store double %.970.6.1.i.i.i, ptr %.865.i.i.i.i, align 8, !noalias !28
-  %.968.7.1.i.i.i = load double, ptr %13, align 8, !noalias !28
+  %.968.7.1.i.i.i = load double, ptr %16, align 8, !noalias !28
   %.970.7.1.i.i.i = fmul contract double %.675.i.i.i, %.968.7.1.i.i.i
-  store double %.970.7.1.i.i.i, ptr %13, align 8, !noalias !28
+  store double %.970.7.1.i.i.i, ptr %16, align 8, !noalias !28
   %.970.8.1.i.i.i = fmul contract double %.675.i.i.i, %.1233.i.i.i.i
   store double %.970.8.1.i.i.i, ptr %.1118.i.i.i.i, align 8, !noalias !28
   %.970.9.1.i.i.i = fmul contract double %.675.i.i.i, %.1642.i.i.i.i
@@ -2008,65 +2033,65 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.970.10.1.i.i.i, ptr %.2145.i.i.i.i, align 8, !noalias !28
   %.970.11.1.i.i.i = fmul contract double %.675.i.i.i, %.2496.i.i.i.i
   store double %.970.11.1.i.i.i, ptr %.2474.i.i.i.i, align 8, !noalias !28
-  %.968.12.1.i.i.i = load double, ptr %14, align 8, !noalias !28
+  %.968.12.1.i.i.i = load double, ptr %17, align 8, !noalias !28
   %.970.12.1.i.i.i = fmul contract double %.675.i.i.i, %.968.12.1.i.i.i
-  store double %.970.12.1.i.i.i, ptr %14, align 8, !noalias !28
-  %.968.13.1.i.i.i = load double, ptr %15, align 8, !noalias !28
+  store double %.970.12.1.i.i.i, ptr %17, align 8, !noalias !28
+  %.968.13.1.i.i.i = load double, ptr %18, align 8, !noalias !28
   %.970.13.1.i.i.i = fmul contract double %.675.i.i.i, %.968.13.1.i.i.i
-  store double %.970.13.1.i.i.i, ptr %15, align 8, !noalias !28
-  %.968.14.1.i.i.i = load double, ptr %16, align 8, !noalias !28
+  store double %.970.13.1.i.i.i, ptr %18, align 8, !noalias !28
+  %.968.14.1.i.i.i = load double, ptr %19, align 8, !noalias !28
   %.970.14.1.i.i.i = fmul contract double %.675.i.i.i, %.968.14.1.i.i.i
-  store double %.970.14.1.i.i.i, ptr %16, align 8, !noalias !28
-  %.968.15.1.i.i.i = load double, ptr %17, align 8, !noalias !28
+  store double %.970.14.1.i.i.i, ptr %19, align 8, !noalias !28
+  %.968.15.1.i.i.i = load double, ptr %20, align 8, !noalias !28
   %.970.15.1.i.i.i = fmul contract double %.675.i.i.i, %.968.15.1.i.i.i
-  store double %.970.15.1.i.i.i, ptr %17, align 8, !noalias !28
-  %.968.2278.i.i.i = load double, ptr %18, align 8, !noalias !28
+  store double %.970.15.1.i.i.i, ptr %20, align 8, !noalias !28
+  %.968.2278.i.i.i = load double, ptr %21, align 8, !noalias !28
   %.970.2279.i.i.i = fmul contract double %.675.i.i.i, %.968.2278.i.i.i
-  store double %.970.2279.i.i.i, ptr %18, align 8, !noalias !28
-  %.968.1.2.i.i.i = load double, ptr %19, align 8, !noalias !28
+  store double %.970.2279.i.i.i, ptr %21, align 8, !noalias !28
+  %.968.1.2.i.i.i = load double, ptr %22, align 8, !noalias !28
   %.970.1.2.i.i.i = fmul contract double %.675.i.i.i, %.968.1.2.i.i.i
-  store double %.970.1.2.i.i.i, ptr %19, align 8, !noalias !28
-  %.968.2.2.i.i.i = load double, ptr %20, align 8, !noalias !28
+  store double %.970.1.2.i.i.i, ptr %22, align 8, !noalias !28
+  %.968.2.2.i.i.i = load double, ptr %23, align 8, !noalias !28
   %.970.2.2.i.i.i = fmul contract double %.675.i.i.i, %.968.2.2.i.i.i
-  store double %.970.2.2.i.i.i, ptr %20, align 8, !noalias !28
-  %.968.3.2.i.i.i = load double, ptr %21, align 8, !noalias !28
+  store double %.970.2.2.i.i.i, ptr %23, align 8, !noalias !28
+  %.968.3.2.i.i.i = load double, ptr %24, align 8, !noalias !28
   %.970.3.2.i.i.i = fmul contract double %.675.i.i.i, %.968.3.2.i.i.i
-  store double %.970.3.2.i.i.i, ptr %21, align 8, !noalias !28
-  %.968.4.2.i.i.i = load double, ptr %22, align 8, !noalias !28
+  store double %.970.3.2.i.i.i, ptr %24, align 8, !noalias !28
+  %.968.4.2.i.i.i = load double, ptr %25, align 8, !noalias !28
   %.970.4.2.i.i.i = fmul contract double %.675.i.i.i, %.968.4.2.i.i.i
-  store double %.970.4.2.i.i.i, ptr %22, align 8, !noalias !28
-  %.968.5.2.i.i.i = load double, ptr %23, align 8, !noalias !28
+  store double %.970.4.2.i.i.i, ptr %25, align 8, !noalias !28
+  %.968.5.2.i.i.i = load double, ptr %26, align 8, !noalias !28
   %.970.5.2.i.i.i = fmul contract double %.675.i.i.i, %.968.5.2.i.i.i
-  store double %.970.5.2.i.i.i, ptr %23, align 8, !noalias !28
-  %.968.6.2.i.i.i = load double, ptr %24, align 8, !noalias !28
+  store double %.970.5.2.i.i.i, ptr %26, align 8, !noalias !28
+  %.968.6.2.i.i.i = load double, ptr %27, align 8, !noalias !28
   %.970.6.2.i.i.i = fmul contract double %.675.i.i.i, %.968.6.2.i.i.i
-  store double %.970.6.2.i.i.i, ptr %24, align 8, !noalias !28
-  %.968.7.2.i.i.i = load double, ptr %25, align 8, !noalias !28
+  store double %.970.6.2.i.i.i, ptr %27, align 8, !noalias !28
+  %.968.7.2.i.i.i = load double, ptr %28, align 8, !noalias !28
   %.970.7.2.i.i.i = fmul contract double %.675.i.i.i, %.968.7.2.i.i.i
-  store double %.970.7.2.i.i.i, ptr %25, align 8, !noalias !28
+  store double %.970.7.2.i.i.i, ptr %28, align 8, !noalias !28
   %.970.8.2.i.i.i = fmul contract double %.675.i.i.i, %.1358.i.i.i.i
   store double %.970.8.2.i.i.i, ptr %.1336.i.i.i.i, align 8, !noalias !28
-  %.968.9.2.i.i.i = load double, ptr %26, align 8, !noalias !28
+  %.968.9.2.i.i.i = load double, ptr %29, align 8, !noalias !28
   %.970.9.2.i.i.i = fmul contract double %.675.i.i.i, %.968.9.2.i.i.i
-  store double %.970.9.2.i.i.i, ptr %26, align 8, !noalias !28
-  %.968.10.2.i.i.i = load double, ptr %27, align 8, !noalias !28
+  store double %.970.9.2.i.i.i, ptr %29, align 8, !noalias !28
+  %.968.10.2.i.i.i = load double, ptr %30, align 8, !noalias !28
   %.970.10.2.i.i.i = fmul contract double %.675.i.i.i, %.968.10.2.i.i.i
-  store double %.970.10.2.i.i.i, ptr %27, align 8, !noalias !28
-  %.968.11.2.i.i.i = load double, ptr %28, align 8, !noalias !28
+  store double %.970.10.2.i.i.i, ptr %30, align 8, !noalias !28
+  %.968.11.2.i.i.i = load double, ptr %31, align 8, !noalias !28
   %.970.11.2.i.i.i = fmul contract double %.675.i.i.i, %.968.11.2.i.i.i
-  store double %.970.11.2.i.i.i, ptr %28, align 8, !noalias !28
-  %.968.12.2.i.i.i = load double, ptr %29, align 8, !noalias !28
+  store double %.970.11.2.i.i.i, ptr %31, align 8, !noalias !28
+  %.968.12.2.i.i.i = load double, ptr %32, align 8, !noalias !28
   %.970.12.2.i.i.i = fmul contract double %.675.i.i.i, %.968.12.2.i.i.i
-  store double %.970.12.2.i.i.i, ptr %29, align 8, !noalias !28
-  %.968.13.2.i.i.i = load double, ptr %30, align 8, !noalias !28
+  store double %.970.12.2.i.i.i, ptr %32, align 8, !noalias !28
+  %.968.13.2.i.i.i = load double, ptr %33, align 8, !noalias !28
   %.970.13.2.i.i.i = fmul contract double %.675.i.i.i, %.968.13.2.i.i.i
-  store double %.970.13.2.i.i.i, ptr %30, align 8, !noalias !28
-  %.968.14.2.i.i.i = load double, ptr %31, align 8, !noalias !28
+  store double %.970.13.2.i.i.i, ptr %33, align 8, !noalias !28
+  %.968.14.2.i.i.i = load double, ptr %34, align 8, !noalias !28
   %.970.14.2.i.i.i = fmul contract double %.675.i.i.i, %.968.14.2.i.i.i
-  store double %.970.14.2.i.i.i, ptr %31, align 8, !noalias !28
-  %.968.15.2.i.i.i = load double, ptr %32, align 8, !noalias !28
+  store double %.970.14.2.i.i.i, ptr %34, align 8, !noalias !28
+  %.968.15.2.i.i.i = load double, ptr %35, align 8, !noalias !28
   %.970.15.2.i.i.i = fmul contract double %.675.i.i.i, %.968.15.2.i.i.i
-  store double %.970.15.2.i.i.i, ptr %32, align 8, !noalias !28
+  store double %.970.15.2.i.i.i, ptr %35, align 8, !noalias !28
   %.54.i.i.i = fsub contract double %.165.i.i, %.194.i.i
   %.147.i.i.i.i = fmul contract double %.54.i.i.i, %.54.i.i.i
   %.147.i.i.i10.i.i = fmul contract double %.29.i.i.i, %.29.i.i.i
@@ -2078,7 +2103,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.53.i.i.i = fmul contract double %.50.i.i.i, 5.000000e-01
   %.55.i.i.i = fmul contract double %.53.i.i.i, %.54.i.i.i
   %.81.i.i.i = fmul contract double %.147.i.i.i.i, 2.500000e-01
-  store double 1.000000e+00, ptr %.779.i, align 8, !noalias !55
+  store double 1.000000e+00, ptr %.793.i, align 8, !noalias !55
   store double 0.000000e+00, ptr %.138.i.i.i, align 8, !noalias !55
   %.140.i.i.i = fmul contract double %.35.i.i11.i.i, 0x400579E79E79E79E
   %.141.i.i.i = fadd contract double %.140.i.i.i, 0xBFF7124924924925
@@ -2112,13 +2137,13 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   %.396.i.i.i = fmul contract double %.35.i.i11.i.i, 0x3FD9104104104104
   %.397.i.i.i = fsub contract double 0x4031AEEFBEFBEFBF, %.396.i.i.i
   %.398.i.i.i = fmul contract double %.55.i.i.i, %.397.i.i.i
-  %191 = fsub contract double %.398.i.i.i, %.395.i.i.i
+  %195 = fsub contract double %.398.i.i.i, %.395.i.i.i
   %.458.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4001ACB2CB2CB2CB
   %.459.i.i.i = fadd contract double %.458.i.i.i, 0x4036CB0C30C30C31
   %.460.i.i.i = fmul contract double %.35.i.i11.i.i, %.459.i.i.i
   %.461.i.i.i = fsub contract double 0x4031AEEFBEFBEFBF, %.460.i.i.i
   %.462.i.i.i = fmul contract double %.52.i.i.i, %.461.i.i.i
-  %.463.i.i.i = fadd contract double %191, %.462.i.i.i
+  %.463.i.i.i = fadd contract double %195, %.462.i.i.i
   store double %.463.i.i.i, ptr %.427.i.i.i, align 8, !noalias !55
   %.519.i.i.i = fmul contract double %.35.i.i11.i.i, 0x4050B13F2FF5EE90
   %.520.i.i.i = fadd contract double %.519.i.i.i, 0xC034AE5A84540D99
@@ -2160,7 +2185,7 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.920.i.i.i, ptr %.948.i.i.i, align 8, !noalias !55
   %.39.i.i.i = fdiv contract double 0x3FE4F1A6C638D03F, %.35.i.i11.i.i
   %.47.i.i.i = tail call contract double @sqrt(double %.39.i.i.i)
-  store double %.47.i.i.i, ptr %.779.i, align 8, !noalias !6
+  store double %.47.i.i.i, ptr %.793.i, align 8, !noalias !6
   %.1210.1.i.i = fmul contract double %.47.i.i.i, 0.000000e+00
   store double %.1210.1.i.i, ptr %.138.i.i.i, align 8, !noalias !6
   %.1210.2.i.i = fmul contract double %.141.i.i.i, %.47.i.i.i
@@ -2175,254 +2200,246 @@ _ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z
   store double %.1210.6.i.i, ptr %.548.i.i.i, align 8, !noalias !6
   %.1210.7.i.i = fmul contract double %.920.i.i.i, %.47.i.i.i
   store double %.1210.7.i.i, ptr %.948.i.i.i, align 8, !noalias !6
-  %.1596.i = mul nsw i64 %.925.017.i, %arg.points
-  br i1 %33, label %B1058.i, label %B514.preheader.i
+  br i1 %36, label %B500.i, label %B586.i
 
-B514.preheader.i:                                 ; preds = %_ZN17bnserve_surrogate6kernel7_source8_prepareB2v8B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.209.i3.i = getelementptr i8, ptr %.1169.i, i64 56
-  %.3314.i.i = getelementptr i8, ptr %.1169.i, i64 40
-  %.3565.i.i = getelementptr i8, ptr %.1169.i, i64 64
-  %.3763.i.i = getelementptr i8, ptr %.1169.i, i64 72
-  br label %B514.i
+B714.else.if.i:                                   ; preds = %B714.i
+  br label %B714.else.endif.i
 
-B594.else.if.i:                                   ; preds = %B594.i
-  br label %B594.else.endif.i
+B714.else.endif.i:                                ; preds = %B714.else.if.i, %B714.i
+  %.1770.sroa.0.1.i = phi i64 [ 0, %B714.else.if.i ], [ %.1782.i, %B714.i ]
+  %.1790.not.i = icmp slt i64 %.1782.i, %arg.n_polar
+  br i1 %.1790.not.i, label %B714.else.endif.endif.i, label %B714.else.endif.if.i, !prof !5
 
-B594.else.endif.i:                                ; preds = %B594.else.if.i, %B594.i
-  %.1638.sroa.0.1.i = phi i64 [ 0, %B594.else.if.i ], [ %.1650.i, %B594.i ]
-  %.1658.not.i = icmp slt i64 %.1650.i, %arg.n_polar
-  br i1 %.1658.not.i, label %B594.else.endif.endif.i, label %B594.else.endif.if.i, !prof !5
+B714.else.endif.if.i:                             ; preds = %B714.else.endif.i
+  br label %B714.else.endif.endif.i
 
-B594.else.endif.if.i:                             ; preds = %B594.else.endif.i
-  br label %B594.else.endif.endif.i
+B714.else.endif.endif.i:                          ; preds = %B714.else.endif.if.i, %B714.else.endif.i
+  %.1770.sroa.0.3.i = phi i64 [ %arg.n_polar, %B714.else.endif.if.i ], [ %.1770.sroa.0.1.i, %B714.else.endif.i ]
+  %.1797.i = icmp slt i64 %.1743.i, 0
+  %.1798.i = select i1 %.1797.i, i64 %arg.n_polar, i64 0
+  %.1799.i = add i64 %.1798.i, %.1743.i
+  %.1802.i = icmp slt i64 %.1799.i, 0
+  br i1 %.1802.i, label %B714.else.endif.endif.if.i, label %B714.else.endif.endif.endif.i, !prof !4
 
-B594.else.endif.endif.i:                          ; preds = %B594.else.endif.if.i, %B594.else.endif.i
-  %.1638.sroa.0.3.i = phi i64 [ %arg.n_polar, %B594.else.endif.if.i ], [ %.1638.sroa.0.1.i, %B594.else.endif.i ]
-  %.1665.i = icmp slt i64 %.1611.i, 0
-  %.1666.i = select i1 %.1665.i, i64 %arg.n_polar, i64 0
-  %.1667.i = add i64 %.1666.i, %.1611.i
-  %.1670.i = icmp slt i64 %.1667.i, 0
-  br i1 %.1670.i, label %B594.else.endif.endif.if.i, label %B594.else.endif.endif.endif.i, !prof !4
+B714.else.endif.endif.if.i:                       ; preds = %B714.else.endif.endif.i
+  br label %B714.else.endif.endif.endif.i
 
-B594.else.endif.endif.if.i:                       ; preds = %B594.else.endif.endif.i
-  br label %B594.else.endif.endif.endif.i
+B714.else.endif.endif.endif.i:                    ; preds = %B714.else.endif.endif.if.i, %B714.else.endif.endif.i
+  %.1770.sroa.13.1.i = phi i64 [ 0, %B714.else.endif.endif.if.i ], [ %.1799.i, %B714.else.endif.endif.i ]
+  %.1807.not.i = icmp slt i64 %.1799.i, %arg.n_polar
+  br i1 %.1807.not.i, label %B714.else.endif.endif.endif.endif.i, label %B714.else.endif.endif.endif.if.i, !prof !5
 
-B594.else.endif.endif.endif.i:                    ; preds = %B594.else.endif.endif.if.i, %B594.else.endif.endif.i
-  %.1638.sroa.13.1.i = phi i64 [ 0, %B594.else.endif.endif.if.i ], [ %.1667.i, %B594.else.endif.endif.i ]
-  %.1675.not.i = icmp slt i64 %.1667.i, %arg.n_polar
-  br i1 %.1675.not.i, label %B594.else.endif.endif.endif.endif.i, label %B594.else.endif.endif.endif.if.i, !prof !5
+B714.else.endif.endif.endif.if.i:                 ; preds = %B714.else.endif.endif.endif.i
+  br label %B714.else.endif.endif.endif.endif.i
 
-B594.else.endif.endif.endif.if.i:                 ; preds = %B594.else.endif.endif.endif.i
-  br label %B594.else.endif.endif.endif.endif.i
+B714.else.endif.endif.endif.endif.i:              ; preds = %B714.else.endif.endif.endif.if.i, %B714.else.endif.endif.endif.i
+  %.1770.sroa.13.2.i = phi i64 [ %arg.n_polar, %B714.else.endif.endif.endif.if.i ], [ %.1770.sroa.13.1.i, %B714.else.endif.endif.endif.i ]
+  %.1858.i = sub nsw i64 %.1770.sroa.13.2.i, %.1770.sroa.0.3.i
+  %.1867.i = tail call i64 @llvm.smax.i64(i64 %.1858.i, i64 0)
+  %.1883.i = getelementptr double, ptr %arg.amplitude, i64 %.1770.sroa.0.3.i
+  br i1 %.1785.i, label %B714.endif.else.if.i, label %B714.endif.else.endif.i, !prof !4
 
-B594.else.endif.endif.endif.endif.i:              ; preds = %B594.else.endif.endif.endif.if.i, %B594.else.endif.endif.endif.i
-  %.1638.sroa.13.2.i = phi i64 [ %arg.n_polar, %B594.else.endif.endif.endif.if.i ], [ %.1638.sroa.13.1.i, %B594.else.endif.endif.endif.i ]
-  %.1726.i = sub nsw i64 %.1638.sroa.13.2.i, %.1638.sroa.0.3.i
-  %.1735.i = tail call i64 @llvm.smax.i64(i64 %.1726.i, i64 0)
-  %.1751.i = getelementptr double, ptr %arg.amplitude, i64 %.1638.sroa.0.3.i
-  br i1 %.1653.i, label %B594.endif.else.if.i, label %B594.endif.else.endif.i, !prof !4
+B714.endif.else.if.i:                             ; preds = %B714.else.endif.endif.endif.endif.i
+  br label %B714.endif.else.endif.i
 
-B594.endif.else.if.i:                             ; preds = %B594.else.endif.endif.endif.endif.i
-  br label %B594.endif.else.endif.i
+B714.endif.else.endif.i:                          ; preds = %B714.endif.else.if.i, %B714.else.endif.endif.endif.endif.i
+  %.1964.sroa.0.1.i = phi i64 [ 0, %B714.endif.else.if.i ], [ %.1782.i, %B714.else.endif.endif.endif.endif.i ]
+  br i1 %.1790.not.i, label %B714.endif.else.endif.endif.i, label %B714.endif.else.endif.if.i, !prof !5
 
-B594.endif.else.endif.i:                          ; preds = %B594.endif.else.if.i, %B594.else.endif.endif.endif.endif.i
-  %.1832.sroa.0.1.i = phi i64 [ 0, %B594.endif.else.if.i ], [ %.1650.i, %B594.else.endif.endif.endif.endif.i ]
-  br i1 %.1658.not.i, label %B594.endif.else.endif.endif.i, label %B594.endif.else.endif.if.i, !prof !5
+B714.endif.else.endif.if.i:                       ; preds = %B714.endif.else.endif.i
+  br label %B714.endif.else.endif.endif.i
 
-B594.endif.else.endif.if.i:                       ; preds = %B594.endif.else.endif.i
-  br label %B594.endif.else.endif.endif.i
+B714.endif.else.endif.endif.i:                    ; preds = %B714.endif.else.endif.if.i, %B714.endif.else.endif.i
+  %.1964.sroa.0.3.i = phi i64 [ %arg.n_polar, %B714.endif.else.endif.if.i ], [ %.1964.sroa.0.1.i, %B714.endif.else.endif.i ]
+  br i1 %.1802.i, label %B714.endif.else.endif.endif.if.i, label %B714.endif.else.endif.endif.endif.i, !prof !4
 
-B594.endif.else.endif.endif.i:                    ; preds = %B594.endif.else.endif.if.i, %B594.endif.else.endif.i
-  %.1832.sroa.0.3.i = phi i64 [ %arg.n_polar, %B594.endif.else.endif.if.i ], [ %.1832.sroa.0.1.i, %B594.endif.else.endif.i ]
-  br i1 %.1670.i, label %B594.endif.else.endif.endif.if.i, label %B594.endif.else.endif.endif.endif.i, !prof !4
+B714.endif.else.endif.endif.if.i:                 ; preds = %B714.endif.else.endif.endif.i
+  br label %B714.endif.else.endif.endif.endif.i
 
-B594.endif.else.endif.endif.if.i:                 ; preds = %B594.endif.else.endif.endif.i
-  br label %B594.endif.else.endif.endif.endif.i
+B714.endif.else.endif.endif.endif.i:              ; preds = %B714.endif.else.endif.endif.if.i, %B714.endif.else.endif.endif.i
+  %.1964.sroa.13.1.i = phi i64 [ 0, %B714.endif.else.endif.endif.if.i ], [ %.1799.i, %B714.endif.else.endif.endif.i ]
+  br i1 %.1807.not.i, label %B714.endif.else.endif.endif.endif.endif.i, label %B714.endif.else.endif.endif.endif.if.i, !prof !5
 
-B594.endif.else.endif.endif.endif.i:              ; preds = %B594.endif.else.endif.endif.if.i, %B594.endif.else.endif.endif.i
-  %.1832.sroa.13.1.i = phi i64 [ 0, %B594.endif.else.endif.endif.if.i ], [ %.1667.i, %B594.endif.else.endif.endif.i ]
-  br i1 %.1675.not.i, label %B594.endif.else.endif.endif.endif.endif.i, label %B594.endif.else.endif.endif.endif.if.i, !prof !5
+B714.endif.else.endif.endif.endif.if.i:           ; preds = %B714.endif.else.endif.endif.endif.i
+  br label %B714.endif.else.endif.endif.endif.endif.i
 
-B594.endif.else.endif.endif.endif.if.i:           ; preds = %B594.endif.else.endif.endif.endif.i
-  br label %B594.endif.else.endif.endif.endif.endif.i
+B714.endif.else.endif.endif.endif.endif.i:        ; preds = %B714.endif.else.endif.endif.endif.if.i, %B714.endif.else.endif.endif.endif.i
+  %.1964.sroa.13.2.i = phi i64 [ %arg.n_polar, %B714.endif.else.endif.endif.endif.if.i ], [ %.1964.sroa.13.1.i, %B714.endif.else.endif.endif.endif.i ]
+  %.2052.i = sub nsw i64 %.1964.sroa.13.2.i, %.1964.sroa.0.3.i
+  %.2061.i = tail call i64 @llvm.smax.i64(i64 %.2052.i, i64 0)
+  %.2077.i = getelementptr double, ptr %arg.phase, i64 %.1964.sroa.0.3.i
+  br label %B876.i
 
-B594.endif.else.endif.endif.endif.endif.i:        ; preds = %B594.endif.else.endif.endif.endif.if.i, %B594.endif.else.endif.endif.endif.i
-  %.1832.sroa.13.2.i = phi i64 [ %arg.n_polar, %B594.endif.else.endif.endif.endif.if.i ], [ %.1832.sroa.13.1.i, %B594.endif.else.endif.endif.endif.i ]
-  %.1920.i = sub nsw i64 %.1832.sroa.13.2.i, %.1832.sroa.0.3.i
-  %.1929.i = tail call i64 @llvm.smax.i64(i64 %.1920.i, i64 0)
-  %.1945.i = getelementptr double, ptr %arg.phase, i64 %.1832.sroa.0.3.i
-  br label %B756.i
+B792.else.if.i:                                   ; preds = %B792.i
+  br label %B792.else.endif.i
 
-B672.else.if.i:                                   ; preds = %B672.i
-  br label %B672.else.endif.i
+B792.else.endif.i:                                ; preds = %B792.else.if.i, %B792.i
+  %.2155.sroa.0.1.i = phi i64 [ 0, %B792.else.if.i ], [ %.709.i, %B792.i ]
+  br i1 %.717.not.i, label %B792.else.endif.endif.i, label %B792.else.endif.if.i, !prof !5
 
-B672.else.endif.i:                                ; preds = %B672.else.if.i, %B672.i
-  %.2023.sroa.0.1.i = phi i64 [ 0, %B672.else.if.i ], [ %.695.i, %B672.i ]
-  br i1 %.703.not.i, label %B672.else.endif.endif.i, label %B672.else.endif.if.i, !prof !5
+B792.else.endif.if.i:                             ; preds = %B792.else.endif.i
+  br label %B792.else.endif.endif.i
 
-B672.else.endif.if.i:                             ; preds = %B672.else.endif.i
-  br label %B672.else.endif.endif.i
+B792.else.endif.endif.i:                          ; preds = %B792.else.endif.if.i, %B792.else.endif.i
+  %.2155.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B792.else.endif.if.i ], [ %.2155.sroa.0.1.i, %B792.else.endif.i ]
+  %.2182.i = icmp slt i64 %.2127.i, 0
+  %.2183.i = select i1 %.2182.i, i64 %arg.n_scratch, i64 0
+  %.2184.i = add i64 %.2183.i, %.2127.i
+  %.2187.i = icmp slt i64 %.2184.i, 0
+  br i1 %.2187.i, label %B792.else.endif.endif.if.i, label %B792.else.endif.endif.endif.i, !prof !4
 
-B672.else.endif.endif.i:                          ; preds = %B672.else.endif.if.i, %B672.else.endif.i
-  %.2023.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B672.else.endif.if.i ], [ %.2023.sroa.0.1.i, %B672.else.endif.i ]
-  %.2050.i = icmp slt i64 %.1995.i, 0
-  %.2051.i = select i1 %.2050.i, i64 %arg.n_scratch, i64 0
-  %.2052.i = add i64 %.2051.i, %.1995.i
-  %.2055.i = icmp slt i64 %.2052.i, 0
-  br i1 %.2055.i, label %B672.else.endif.endif.if.i, label %B672.else.endif.endif.endif.i, !prof !4
+B792.else.endif.endif.if.i:                       ; preds = %B792.else.endif.endif.i
+  br label %B792.else.endif.endif.endif.i
 
-B672.else.endif.endif.if.i:                       ; preds = %B672.else.endif.endif.i
-  br label %B672.else.endif.endif.endif.i
+B792.else.endif.endif.endif.i:                    ; preds = %B792.else.endif.endif.if.i, %B792.else.endif.endif.i
+  %.2155.sroa.13.1.i = phi i64 [ 0, %B792.else.endif.endif.if.i ], [ %.2184.i, %B792.else.endif.endif.i ]
+  %.2192.not.i = icmp slt i64 %.2184.i, %arg.n_scratch
+  br i1 %.2192.not.i, label %B792.else.endif.endif.endif.endif.i, label %B792.else.endif.endif.endif.if.i, !prof !5
 
-B672.else.endif.endif.endif.i:                    ; preds = %B672.else.endif.endif.if.i, %B672.else.endif.endif.i
-  %.2023.sroa.13.1.i = phi i64 [ 0, %B672.else.endif.endif.if.i ], [ %.2052.i, %B672.else.endif.endif.i ]
-  %.2060.not.i = icmp slt i64 %.2052.i, %arg.n_scratch
-  br i1 %.2060.not.i, label %B672.else.endif.endif.endif.endif.i, label %B672.else.endif.endif.endif.if.i, !prof !5
+B792.else.endif.endif.endif.if.i:                 ; preds = %B792.else.endif.endif.endif.i
+  br label %B792.else.endif.endif.endif.endif.i
 
-B672.else.endif.endif.endif.if.i:                 ; preds = %B672.else.endif.endif.endif.i
-  br label %B672.else.endif.endif.endif.endif.i
+B792.else.endif.endif.endif.endif.i:              ; preds = %B792.else.endif.endif.endif.if.i, %B792.else.endif.endif.endif.i
+  %.2155.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B792.else.endif.endif.endif.if.i ], [ %.2155.sroa.13.1.i, %B792.else.endif.endif.endif.i ]
+  %.2243.i = sub i64 %.2155.sroa.13.2.i, %.2155.sroa.0.3.i
+  %.2252.i = tail call i64 @llvm.smax.i64(i64 %.2243.i, i64 0)
+  %.2268.i = getelementptr double, ptr %arg.scratch, i64 %.2155.sroa.0.3.i
+  %.2316.i = add nsw i64 %.1722.i, %.2312.i
+  br i1 %55, label %B792.endif.else.if.i, label %B792.endif.else.endif.i, !prof !4
 
-B672.else.endif.endif.endif.endif.i:              ; preds = %B672.else.endif.endif.endif.if.i, %B672.else.endif.endif.endif.i
-  %.2023.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B672.else.endif.endif.endif.if.i ], [ %.2023.sroa.13.1.i, %B672.else.endif.endif.endif.i ]
-  %.2111.i = sub i64 %.2023.sroa.13.2.i, %.2023.sroa.0.3.i
-  %.2120.i = tail call i64 @llvm.smax.i64(i64 %.2111.i, i64 0)
-  %.2136.i = getelementptr double, ptr %arg.scratch, i64 %.2023.sroa.0.3.i
-  %.2184.i = add nsw i64 %.1590.i, %.2180.i
-  br i1 %51, label %B672.endif.else.if.i, label %B672.endif.else.endif.i, !prof !4
+B792.endif.else.if.i:                             ; preds = %B792.else.endif.endif.endif.endif.i
+  br label %B792.endif.else.endif.i
 
-B672.endif.else.if.i:                             ; preds = %B672.else.endif.endif.endif.endif.i
-  br label %B672.endif.else.endif.i
+B792.endif.else.endif.i:                          ; preds = %B792.endif.else.if.i, %B792.else.endif.endif.endif.endif.i
+  %.2343.sroa.0.1.i = phi i64 [ 0, %B792.endif.else.if.i ], [ %.2355.i, %B792.else.endif.endif.endif.endif.i ]
+  br i1 %56, label %B792.endif.else.endif.endif.i, label %B792.endif.else.endif.if.i, !prof !5
 
-B672.endif.else.endif.i:                          ; preds = %B672.endif.else.if.i, %B672.else.endif.endif.endif.endif.i
-  %.2211.sroa.0.1.i = phi i64 [ 0, %B672.endif.else.if.i ], [ %.2223.i, %B672.else.endif.endif.endif.endif.i ]
-  br i1 %52, label %B672.endif.else.endif.endif.i, label %B672.endif.else.endif.if.i, !prof !5
+B792.endif.else.endif.if.i:                       ; preds = %B792.endif.else.endif.i
+  br label %B792.endif.else.endif.endif.i
 
-B672.endif.else.endif.if.i:                       ; preds = %B672.endif.else.endif.i
-  br label %B672.endif.else.endif.endif.i
+B792.endif.else.endif.endif.i:                    ; preds = %B792.endif.else.endif.if.i, %B792.endif.else.endif.i
+  %.2343.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B792.endif.else.endif.if.i ], [ %.2343.sroa.0.1.i, %B792.endif.else.endif.i ]
+  %.2370.i = icmp slt i64 %.2316.i, 0
+  %.2371.i = select i1 %.2370.i, i64 %arg.n_scratch, i64 0
+  %.2372.i = add i64 %.2371.i, %.2316.i
+  %.2375.i = icmp slt i64 %.2372.i, 0
+  br i1 %.2375.i, label %B792.endif.else.endif.endif.if.i, label %B792.endif.else.endif.endif.endif.i, !prof !4
 
-B672.endif.else.endif.endif.i:                    ; preds = %B672.endif.else.endif.if.i, %B672.endif.else.endif.i
-  %.2211.sroa.0.3.i = phi i64 [ %arg.n_scratch, %B672.endif.else.endif.if.i ], [ %.2211.sroa.0.1.i, %B672.endif.else.endif.i ]
-  %.2238.i = icmp slt i64 %.2184.i, 0
-  %.2239.i = select i1 %.2238.i, i64 %arg.n_scratch, i64 0
-  %.2240.i = add i64 %.2239.i, %.2184.i
-  %.2243.i = icmp slt i64 %.2240.i, 0
-  br i1 %.2243.i, label %B672.endif.else.endif.endif.if.i, label %B672.endif.else.endif.endif.endif.i, !prof !4
+B792.endif.else.endif.endif.if.i:                 ; preds = %B792.endif.else.endif.endif.i
+  br label %B792.endif.else.endif.endif.endif.i
 
-B672.endif.else.endif.endif.if.i:                 ; preds = %B672.endif.else.endif.endif.i
-  br label %B672.endif.else.endif.endif.endif.i
+B792.endif.else.endif.endif.endif.i:              ; preds = %B792.endif.else.endif.endif.if.i, %B792.endif.else.endif.endif.i
+  %.2343.sroa.13.1.i = phi i64 [ 0, %B792.endif.else.endif.endif.if.i ], [ %.2372.i, %B792.endif.else.endif.endif.i ]
+  %.2380.not.i = icmp slt i64 %.2372.i, %arg.n_scratch
+  br i1 %.2380.not.i, label %B792.endif.else.endif.endif.endif.endif.i, label %B792.endif.else.endif.endif.endif.if.i, !prof !5
 
-B672.endif.else.endif.endif.endif.i:              ; preds = %B672.endif.else.endif.endif.if.i, %B672.endif.else.endif.endif.i
-  %.2211.sroa.13.1.i = phi i64 [ 0, %B672.endif.else.endif.endif.if.i ], [ %.2240.i, %B672.endif.else.endif.endif.i ]
-  %.2248.not.i = icmp slt i64 %.2240.i, %arg.n_scratch
-  br i1 %.2248.not.i, label %B672.endif.else.endif.endif.endif.endif.i, label %B672.endif.else.endif.endif.endif.if.i, !prof !5
+B792.endif.else.endif.endif.endif.if.i:           ; preds = %B792.endif.else.endif.endif.endif.i
+  br label %B792.endif.else.endif.endif.endif.endif.i
 
-B672.endif.else.endif.endif.endif.if.i:           ; preds = %B672.endif.else.endif.endif.endif.i
-  br label %B672.endif.else.endif.endif.endif.endif.i
+B792.endif.else.endif.endif.endif.endif.i:        ; preds = %B792.endif.else.endif.endif.endif.if.i, %B792.endif.else.endif.endif.endif.i
+  %.2343.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B792.endif.else.endif.endif.endif.if.i ], [ %.2343.sroa.13.1.i, %B792.endif.else.endif.endif.endif.i ]
+  %.2431.i = sub i64 %.2343.sroa.13.2.i, %.2343.sroa.0.3.i
+  %.2440.i = tail call i64 @llvm.smax.i64(i64 %.2431.i, i64 0)
+  %.2456.i = getelementptr double, ptr %arg.scratch, i64 %.2343.sroa.0.3.i
+  br label %B876.i
 
-B672.endif.else.endif.endif.endif.endif.i:        ; preds = %B672.endif.else.endif.endif.endif.if.i, %B672.endif.else.endif.endif.endif.i
-  %.2211.sroa.13.2.i = phi i64 [ %arg.n_scratch, %B672.endif.else.endif.endif.endif.if.i ], [ %.2211.sroa.13.1.i, %B672.endif.else.endif.endif.endif.i ]
-  %.2299.i = sub i64 %.2211.sroa.13.2.i, %.2211.sroa.0.3.i
-  %.2308.i = tail call i64 @llvm.smax.i64(i64 %.2299.i, i64 0)
-  %.2324.i = getelementptr double, ptr %arg.scratch, i64 %.2211.sroa.0.3.i
-  br label %B756.i
+B876.else.if.i:                                   ; preds = %B876.i
+  br label %B876.else.endif.i
 
-B756.else.if.i:                                   ; preds = %B756.i
-  br label %B756.else.endif.i
+B876.else.endif.i:                                ; preds = %B876.else.if.i, %B876.i
+  %.2528.sroa.0.1.i = phi i64 [ 0, %B876.else.if.i ], [ %.2540.i, %B876.i ]
+  %.2548.not.i = icmp slt i64 %.2540.i, %arg.points
+  br i1 %.2548.not.i, label %B876.else.endif.endif.i, label %B876.else.endif.if.i, !prof !5
 
-B756.else.endif.i:                                ; preds = %B756.else.if.i, %B756.i
-  %.2396.sroa.0.1.i = phi i64 [ 0, %B756.else.if.i ], [ %.2408.i, %B756.i ]
-  %.2416.not.i = icmp slt i64 %.2408.i, %arg.points
-  br i1 %.2416.not.i, label %B756.else.endif.endif.i, label %B756.else.endif.if.i, !prof !5
+B876.else.endif.if.i:                             ; preds = %B876.else.endif.i
+  br label %B876.else.endif.endif.i
 
-B756.else.endif.if.i:                             ; preds = %B756.else.endif.i
-  br label %B756.else.endif.endif.i
+B876.else.endif.endif.i:                          ; preds = %B876.else.endif.if.i, %B876.else.endif.i
+  %.2528.sroa.0.3.i = phi i64 [ %arg.points, %B876.else.endif.if.i ], [ %.2528.sroa.0.1.i, %B876.else.endif.i ]
+  %.2555.i = icmp slt i64 %.13.i.i, 0
+  %.2556.i = select i1 %.2555.i, i64 %arg.points, i64 0
+  %.2557.i = add i64 %.2556.i, %.13.i.i
+  %.2560.i = icmp slt i64 %.2557.i, 0
+  br i1 %.2560.i, label %B876.else.endif.endif.if.i, label %B876.else.endif.endif.endif.i, !prof !4
 
-B756.else.endif.endif.i:                          ; preds = %B756.else.endif.if.i, %B756.else.endif.i
-  %.2396.sroa.0.3.i = phi i64 [ %arg.points, %B756.else.endif.if.i ], [ %.2396.sroa.0.1.i, %B756.else.endif.i ]
-  %.2423.i = icmp slt i64 %.13.i.i, 0
-  %.2424.i = select i1 %.2423.i, i64 %arg.points, i64 0
-  %.2425.i = add i64 %.2424.i, %.13.i.i
-  %.2428.i = icmp slt i64 %.2425.i, 0
-  br i1 %.2428.i, label %B756.else.endif.endif.if.i, label %B756.else.endif.endif.endif.i, !prof !4
+B876.else.endif.endif.if.i:                       ; preds = %B876.else.endif.endif.i
+  br label %B876.else.endif.endif.endif.i
 
-B756.else.endif.endif.if.i:                       ; preds = %B756.else.endif.endif.i
-  br label %B756.else.endif.endif.endif.i
+B876.else.endif.endif.endif.i:                    ; preds = %B876.else.endif.endif.if.i, %B876.else.endif.endif.i
+  %.2528.sroa.13.1.i = phi i64 [ 0, %B876.else.endif.endif.if.i ], [ %.2557.i, %B876.else.endif.endif.i ]
+  %.2565.not.i = icmp slt i64 %.2557.i, %arg.points
+  br i1 %.2565.not.i, label %B876.else.endif.endif.endif.endif.i, label %B876.else.endif.endif.endif.if.i, !prof !5
 
-B756.else.endif.endif.endif.i:                    ; preds = %B756.else.endif.endif.if.i, %B756.else.endif.endif.i
-  %.2396.sroa.13.1.i = phi i64 [ 0, %B756.else.endif.endif.if.i ], [ %.2425.i, %B756.else.endif.endif.i ]
-  %.2433.not.i = icmp slt i64 %.2425.i, %arg.points
-  br i1 %.2433.not.i, label %B756.else.endif.endif.endif.endif.i, label %B756.else.endif.endif.endif.if.i, !prof !5
+B876.else.endif.endif.endif.if.i:                 ; preds = %B876.else.endif.endif.endif.i
+  br label %B876.else.endif.endif.endif.endif.i
 
-B756.else.endif.endif.endif.if.i:                 ; preds = %B756.else.endif.endif.endif.i
-  br label %B756.else.endif.endif.endif.endif.i
+B876.else.endif.endif.endif.endif.i:              ; preds = %B876.else.endif.endif.endif.if.i, %B876.else.endif.endif.endif.i
+  %.2528.sroa.13.2.i = phi i64 [ %arg.points, %B876.else.endif.endif.endif.if.i ], [ %.2528.sroa.13.1.i, %B876.else.endif.endif.endif.i ]
+  %.2616.i = sub i64 %.2528.sroa.13.2.i, %.2528.sroa.0.3.i
+  %.2625.i = tail call i64 @llvm.smax.i64(i64 %.2616.i, i64 0)
+  %.2641.i = getelementptr double, ptr %arg.f, i64 %.2528.sroa.0.3.i
+  br i1 %.2543.i, label %B876.endif.else.if.i, label %B876.endif.else.endif.i, !prof !4
 
-B756.else.endif.endif.endif.endif.i:              ; preds = %B756.else.endif.endif.endif.if.i, %B756.else.endif.endif.endif.i
-  %.2396.sroa.13.2.i = phi i64 [ %arg.points, %B756.else.endif.endif.endif.if.i ], [ %.2396.sroa.13.1.i, %B756.else.endif.endif.endif.i ]
-  %.2484.i = sub i64 %.2396.sroa.13.2.i, %.2396.sroa.0.3.i
-  %.2493.i = tail call i64 @llvm.smax.i64(i64 %.2484.i, i64 0)
-  %.2509.i = getelementptr double, ptr %arg.f, i64 %.2396.sroa.0.3.i
-  br i1 %.2411.i, label %B756.endif.else.if.i, label %B756.endif.else.endif.i, !prof !4
+B876.endif.else.if.i:                             ; preds = %B876.else.endif.endif.endif.endif.i
+  br label %B876.endif.else.endif.i
 
-B756.endif.else.if.i:                             ; preds = %B756.else.endif.endif.endif.endif.i
-  br label %B756.endif.else.endif.i
+B876.endif.else.endif.i:                          ; preds = %B876.endif.else.if.i, %B876.else.endif.endif.endif.endif.i
+  %.2701.sroa.0.1.i = phi i64 [ 0, %B876.endif.else.if.i ], [ %.2540.i, %B876.else.endif.endif.endif.endif.i ]
+  br i1 %.2548.not.i, label %B876.endif.else.endif.endif.i, label %B876.endif.else.endif.if.i, !prof !5
 
-B756.endif.else.endif.i:                          ; preds = %B756.endif.else.if.i, %B756.else.endif.endif.endif.endif.i
-  %.2569.sroa.0.1.i = phi i64 [ 0, %B756.endif.else.if.i ], [ %.2408.i, %B756.else.endif.endif.endif.endif.i ]
-  br i1 %.2416.not.i, label %B756.endif.else.endif.endif.i, label %B756.endif.else.endif.if.i, !prof !5
+B876.endif.else.endif.if.i:                       ; preds = %B876.endif.else.endif.i
+  br label %B876.endif.else.endif.endif.i
 
-B756.endif.else.endif.if.i:                       ; preds = %B756.endif.else.endif.i
-  br label %B756.endif.else.endif.endif.i
+B876.endif.else.endif.endif.i:                    ; preds = %B876.endif.else.endif.if.i, %B876.endif.else.endif.i
+  %.2701.sroa.0.3.i = phi i64 [ %arg.points, %B876.endif.else.endif.if.i ], [ %.2701.sroa.0.1.i, %B876.endif.else.endif.i ]
+  br i1 %.2560.i, label %B876.endif.else.endif.endif.if.i, label %B876.endif.else.endif.endif.endif.i, !prof !4
 
-B756.endif.else.endif.endif.i:                    ; preds = %B756.endif.else.endif.if.i, %B756.endif.else.endif.i
-  %.2569.sroa.0.3.i = phi i64 [ %arg.points, %B756.endif.else.endif.if.i ], [ %.2569.sroa.0.1.i, %B756.endif.else.endif.i ]
-  br i1 %.2428.i, label %B756.endif.else.endif.endif.if.i, label %B756.endif.else.endif.endif.endif.i, !prof !4
+B876.endif.else.endif.endif.if.i:                 ; preds = %B876.endif.else.endif.endif.i
+  br label %B876.endif.else.endif.endif.endif.i
 
-B756.endif.else.endif.endif.if.i:                 ; preds = %B756.endif.else.endif.endif.i
-  br label %B756.endif.else.endif.endif.endif.i
+B876.endif.else.endif.endif.endif.i:              ; preds = %B876.endif.else.endif.endif.if.i, %B876.endif.else.endif.endif.i
+  %.2701.sroa.13.1.i = phi i64 [ 0, %B876.endif.else.endif.endif.if.i ], [ %.2557.i, %B876.endif.else.endif.endif.i ]
+  br i1 %.2565.not.i, label %B876.endif.else.endif.endif.endif.endif.i, label %B876.endif.else.endif.endif.endif.if.i, !prof !5
 
-B756.endif.else.endif.endif.endif.i:              ; preds = %B756.endif.else.endif.endif.if.i, %B756.endif.else.endif.endif.i
-  %.2569.sroa.13.1.i = phi i64 [ 0, %B756.endif.else.endif.endif.if.i ], [ %.2425.i, %B756.endif.else.endif.endif.i ]
-  br i1 %.2433.not.i, label %B756.endif.else.endif.endif.endif.endif.i, label %B756.endif.else.endif.endif.endif.if.i, !prof !5
+B876.endif.else.endif.endif.endif.if.i:           ; preds = %B876.endif.else.endif.endif.endif.i
+  br label %B876.endif.else.endif.endif.endif.endif.i
 
-B756.endif.else.endif.endif.endif.if.i:           ; preds = %B756.endif.else.endif.endif.endif.i
-  br label %B756.endif.else.endif.endif.endif.endif.i
+B876.endif.else.endif.endif.endif.endif.i:        ; preds = %B876.endif.else.endif.endif.endif.if.i, %B876.endif.else.endif.endif.endif.i
+  %.2701.sroa.13.2.i = phi i64 [ %arg.points, %B876.endif.else.endif.endif.endif.if.i ], [ %.2701.sroa.13.1.i, %B876.endif.else.endif.endif.endif.i ]
+  %.2789.i = sub i64 %.2701.sroa.13.2.i, %.2701.sroa.0.3.i
+  %.2798.i = tail call i64 @llvm.smax.i64(i64 %.2789.i, i64 0)
+  %.2814.i = getelementptr double, ptr %arg.log_f, i64 %.2701.sroa.0.3.i
+  br i1 %.2543.i, label %B876.endif.endif.else.if.i, label %B876.endif.endif.else.endif.i, !prof !4
 
-B756.endif.else.endif.endif.endif.endif.i:        ; preds = %B756.endif.else.endif.endif.endif.if.i, %B756.endif.else.endif.endif.endif.i
-  %.2569.sroa.13.2.i = phi i64 [ %arg.points, %B756.endif.else.endif.endif.endif.if.i ], [ %.2569.sroa.13.1.i, %B756.endif.else.endif.endif.endif.i ]
-  %.2657.i = sub i64 %.2569.sroa.13.2.i, %.2569.sroa.0.3.i
-  %.2666.i = tail call i64 @llvm.smax.i64(i64 %.2657.i, i64 0)
-  %.2682.i = getelementptr double, ptr %arg.log_f, i64 %.2569.sroa.0.3.i
-  br i1 %.2411.i, label %B756.endif.endif.else.if.i, label %B756.endif.endif.else.endif.i, !prof !4
+B876.endif.endif.else.if.i:                       ; preds = %B876.endif.else.endif.endif.endif.endif.i
+  br label %B876.endif.endif.else.endif.i
 
-B756.endif.endif.else.if.i:                       ; preds = %B756.endif.else.endif.endif.endif.endif.i
-  br label %B756.endif.endif.else.endif.i
+B876.endif.endif.else.endif.i:                    ; preds = %B876.endif.endif.else.if.i, %B876.endif.else.endif.endif.endif.endif.i
+  %.2878.sroa.0.1.i = phi i64 [ 0, %B876.endif.endif.else.if.i ], [ %.2540.i, %B876.endif.else.endif.endif.endif.endif.i ]
+  br i1 %.2548.not.i, label %B876.endif.endif.else.endif.endif.i, label %B876.endif.endif.else.endif.if.i, !prof !5
 
-B756.endif.endif.else.endif.i:                    ; preds = %B756.endif.endif.else.if.i, %B756.endif.else.endif.endif.endif.endif.i
-  %.2746.sroa.0.1.i = phi i64 [ 0, %B756.endif.endif.else.if.i ], [ %.2408.i, %B756.endif.else.endif.endif.endif.endif.i ]
-  br i1 %.2416.not.i, label %B756.endif.endif.else.endif.endif.i, label %B756.endif.endif.else.endif.if.i, !prof !5
+B876.endif.endif.else.endif.if.i:                 ; preds = %B876.endif.endif.else.endif.i
+  br label %B876.endif.endif.else.endif.endif.i
 
-B756.endif.endif.else.endif.if.i:                 ; preds = %B756.endif.endif.else.endif.i
-  br label %B756.endif.endif.else.endif.endif.i
+B876.endif.endif.else.endif.endif.i:              ; preds = %B876.endif.endif.else.endif.if.i, %B876.endif.endif.else.endif.i
+  %.2878.sroa.0.3.i = phi i64 [ %arg.points, %B876.endif.endif.else.endif.if.i ], [ %.2878.sroa.0.1.i, %B876.endif.endif.else.endif.i ]
+  br i1 %.2560.i, label %B876.endif.endif.else.endif.endif.if.i, label %B876.endif.endif.else.endif.endif.endif.i, !prof !4
 
-B756.endif.endif.else.endif.endif.i:              ; preds = %B756.endif.endif.else.endif.if.i, %B756.endif.endif.else.endif.i
-  %.2746.sroa.0.3.i = phi i64 [ %arg.points, %B756.endif.endif.else.endif.if.i ], [ %.2746.sroa.0.1.i, %B756.endif.endif.else.endif.i ]
-  br i1 %.2428.i, label %B756.endif.endif.else.endif.endif.if.i, label %B756.endif.endif.else.endif.endif.endif.i, !prof !4
+B876.endif.endif.else.endif.endif.if.i:           ; preds = %B876.endif.endif.else.endif.endif.i
+  br label %B876.endif.endif.else.endif.endif.endif.i
 
-B756.endif.endif.else.endif.endif.if.i:           ; preds = %B756.endif.endif.else.endif.endif.i
-  br label %B756.endif.endif.else.endif.endif.endif.i
+B876.endif.endif.else.endif.endif.endif.i:        ; preds = %B876.endif.endif.else.endif.endif.if.i, %B876.endif.endif.else.endif.endif.i
+  %.2878.sroa.13.1.i = phi i64 [ 0, %B876.endif.endif.else.endif.endif.if.i ], [ %.2557.i, %B876.endif.endif.else.endif.endif.i ]
+  br i1 %.2565.not.i, label %B876.endif.endif.else.endif.endif.endif.endif.i, label %B876.endif.endif.else.endif.endif.endif.if.i, !prof !5
 
-B756.endif.endif.else.endif.endif.endif.i:        ; preds = %B756.endif.endif.else.endif.endif.if.i, %B756.endif.endif.else.endif.endif.i
-  %.2746.sroa.13.1.i = phi i64 [ 0, %B756.endif.endif.else.endif.endif.if.i ], [ %.2425.i, %B756.endif.endif.else.endif.endif.i ]
-  br i1 %.2433.not.i, label %B756.endif.endif.else.endif.endif.endif.endif.i, label %B756.endif.endif.else.endif.endif.endif.if.i, !prof !5
+B876.endif.endif.else.endif.endif.endif.if.i:     ; preds = %B876.endif.endif.else.endif.endif.endif.i
+  br label %B876.endif.endif.else.endif.endif.endif.endif.i
 
-B756.endif.endif.else.endif.endif.endif.if.i:     ; preds = %B756.endif.endif.else.endif.endif.endif.i
-  br label %B756.endif.endif.else.endif.endif.endif.endif.i
-
-B756.endif.endif.else.endif.endif.endif.endif.i:  ; preds = %B756.endif.endif.else.endif.endif.endif.if.i, %B756.endif.endif.else.endif.endif.endif.i
-  %.2746.sroa.13.2.i = phi i64 [ %arg.points, %B756.endif.endif.else.endif.endif.endif.if.i ], [ %.2746.sroa.13.1.i, %B756.endif.endif.else.endif.endif.endif.i ]
-  %.2834.i = sub i64 %.2746.sroa.13.2.i, %.2746.sroa.0.3.i
-  %.2843.i = tail call i64 @llvm.smax.i64(i64 %.2834.i, i64 0)
-  %.2859.i = getelementptr double, ptr %arg.cbrt_f, i64 %.2746.sroa.0.3.i
+B876.endif.endif.else.endif.endif.endif.endif.i:  ; preds = %B876.endif.endif.else.endif.endif.endif.if.i, %B876.endif.endif.else.endif.endif.endif.i
+  %.2878.sroa.13.2.i = phi i64 [ %arg.points, %B876.endif.endif.else.endif.endif.endif.if.i ], [ %.2878.sroa.13.1.i, %B876.endif.endif.else.endif.endif.endif.i ]
+  %.2966.i = sub i64 %.2878.sroa.13.2.i, %.2878.sroa.0.3.i
+  %.2975.i = tail call i64 @llvm.smax.i64(i64 %.2966.i, i64 0)
+  %.2991.i = getelementptr double, ptr %arg.cbrt_f, i64 %.2878.sroa.0.3.i
   call void @llvm.lifetime.start.p0(ptr nonnull %.2457.i.i), !noalias !0
   call void @llvm.lifetime.start.p0(ptr nonnull %.3101.i.i), !noalias !0
   store ptr null, ptr %.2457.i.i, align 8, !noalias !58
@@ -2432,21 +2449,21 @@ B756.endif.endif.else.endif.endif.endif.endif.i:  ; preds = %B756.endif.endif.el
   %.244.i.i = load i64, ptr %.243.i.i, align 8, !noalias !58
   %.258.i.i = icmp slt i64 %.244.i.i, 0
   %.259.i.i = select i1 %.258.i.i, i64 %arg.n_weights, i64 0
-  %192 = getelementptr double, ptr %arg.weights, i64 %.244.i.i
-  %.273.i.i = getelementptr double, ptr %192, i64 %.259.i.i
+  %196 = getelementptr double, ptr %arg.weights, i64 %.244.i.i
+  %.273.i.i = getelementptr double, ptr %196, i64 %.259.i.i
   %.274.i.i = load double, ptr %.273.i.i, align 8, !noalias !58
   %.319.i4.i = icmp slt i64 %.244.i.i, -1
   %.320.i.i = select i1 %.319.i4.i, i64 %arg.n_weights, i64 0
-  %193 = getelementptr i8, ptr %192, i64 8
-  %.334.i5.i = getelementptr double, ptr %193, i64 %.320.i.i
+  %197 = getelementptr i8, ptr %196, i64 8
+  %.334.i5.i = getelementptr double, ptr %197, i64 %.320.i.i
   %.335.i6.i = load double, ptr %.334.i5.i, align 8, !noalias !58
   %.342.i.i = fmul contract double %.274.i.i, 0x3FEFFFFFFF768FA1
   %.347.i.i = fdiv contract double %.342.i.i, %.211.i.i
-  %.44.i.not.i.i = icmp slt i64 %.2484.i, 1
+  %.44.i.not.i.i = icmp slt i64 %.2616.i, 1
   br i1 %.44.i.not.i.i, label %B118.i.i.i, label %B28.i.i.i
 
-B28.i.i.i:                                        ; preds = %B756.endif.endif.else.endif.endif.endif.endif.i
-  %.94.i.i.i = load double, ptr %.2509.i, align 8, !noalias !62
+B28.i.i.i:                                        ; preds = %B876.endif.endif.else.endif.endif.endif.endif.i
+  %.94.i.i.i = load double, ptr %.2641.i, align 8, !noalias !62
   %.98.i.i.i = fcmp contract ugt double %.94.i.i.i, %.347.i.i
   br i1 %.98.i.i.i, label %B118.i.i.i, label %B52.i.i.i
 
@@ -2454,24 +2471,24 @@ B52.i.i.i:                                        ; preds = %B28.i.i.i, %B94.i.i
   %step.2.1.i.i.i = phi i64 [ %.123.i.i.i, %B94.i.i.i ], [ 1, %B28.i.i.i ]
   %high.4.1.i.i.i = phi i64 [ %.113.i.i.i, %B94.i.i.i ], [ 0, %B28.i.i.i ]
   %.113.i.i.i = add nuw nsw i64 %high.4.1.i.i.i, %step.2.1.i.i.i
-  %.131.i.i.i = icmp slt i64 %.113.i.i.i, %.2493.i
+  %.131.i.i.i = icmp slt i64 %.113.i.i.i, %.2625.i
   br i1 %.131.i.i.i, label %B94.i.i.i, label %B118.loopexit.i.i.i
 
 B94.i.i.i:                                        ; preds = %B52.i.i.i
   %.123.i.i.i = shl nsw i64 %step.2.1.i.i.i, 1
-  %.178.i.i.i = getelementptr double, ptr %.2509.i, i64 %.113.i.i.i
+  %.178.i.i.i = getelementptr double, ptr %.2641.i, i64 %.113.i.i.i
   %.179.i.i.i = load double, ptr %.178.i.i.i, align 8, !noalias !62
   %.183.i.i.i = fcmp contract ugt double %.179.i.i.i, %.347.i.i
   br i1 %.183.i.i.i, label %B118.loopexit.i.i.i, label %B52.i.i.i
 
 B118.loopexit.i.i.i:                              ; preds = %B94.i.i.i, %B52.i.i.i
   %.104.le.i.i.i = add nuw nsw i64 %high.4.1.i.i.i, 1
-  %194 = tail call i64 @llvm.smin.i64(i64 %.113.i.i.i, i64 range(i64 0, -9223372036854775808) %.2493.i)
+  %198 = tail call i64 @llvm.smin.i64(i64 %.113.i.i.i, i64 range(i64 0, -9223372036854775808) %.2625.i)
   br label %B118.i.i.i
 
-B118.i.i.i:                                       ; preds = %B118.loopexit.i.i.i, %B28.i.i.i, %B756.endif.endif.else.endif.endif.endif.endif.i
-  %low.3.0.i.i.i = phi i64 [ 0, %B28.i.i.i ], [ 0, %B756.endif.endif.else.endif.endif.endif.endif.i ], [ %.104.le.i.i.i, %B118.loopexit.i.i.i ]
-  %high.5.0.i.i.i = phi i64 [ 0, %B28.i.i.i ], [ 0, %B756.endif.endif.else.endif.endif.endif.endif.i ], [ %194, %B118.loopexit.i.i.i ]
+B118.i.i.i:                                       ; preds = %B118.loopexit.i.i.i, %B28.i.i.i, %B876.endif.endif.else.endif.endif.endif.endif.i
+  %low.3.0.i.i.i = phi i64 [ 0, %B28.i.i.i ], [ 0, %B876.endif.endif.else.endif.endif.endif.endif.i ], [ %.104.le.i.i.i, %B118.loopexit.i.i.i ]
+  %high.5.0.i.i.i = phi i64 [ 0, %B28.i.i.i ], [ 0, %B876.endif.endif.else.endif.endif.endif.endif.i ], [ %198, %B118.loopexit.i.i.i ]
   %.238.i.i.i = icmp slt i64 %low.3.0.i.i.i, %high.5.0.i.i.i
   br i1 %.238.i.i.i, label %B146.i.i.i, label %B0.endif.endif.i.i
 
@@ -2481,9 +2498,9 @@ B146.i.i.i:                                       ; preds = %B118.i.i.i, %B146.i
   %.251.i.i.i = add nsw i64 %high.7.0.i.i.i, %low.4.0.i.i.i
   %.259.1.i.i.i = ashr i64 %.251.i.i.i, 1
   %.309.i.i.i = icmp slt i64 %.259.1.i.i.i, 0
-  %.310.i.i.i = select i1 %.309.i.i.i, i64 %.2493.i, i64 0
-  %195 = getelementptr double, ptr %.2509.i, i64 %.259.1.i.i.i
-  %.324.i.i.i = getelementptr double, ptr %195, i64 %.310.i.i.i
+  %.310.i.i.i = select i1 %.309.i.i.i, i64 %.2625.i, i64 0
+  %199 = getelementptr double, ptr %.2641.i, i64 %.259.1.i.i.i
+  %.324.i.i.i = getelementptr double, ptr %199, i64 %.310.i.i.i
   %.325.i.i.i = load double, ptr %.324.i.i.i, align 8, !noalias !62
   %.327.i.i.i = fcmp contract ole double %.325.i.i.i, %.347.i.i
   %.338.i.i.i = add nsw i64 %.259.1.i.i.i, 1
@@ -2498,13 +2515,13 @@ B554.i.i:                                         ; preds = %B154.i.i.i, %B416.e
 
 B566.i.i:                                         ; preds = %B554.i.i
   %.1556.i.i = icmp slt i64 %low.6.1.i.i.i, 0
-  %.1557.i.i = select i1 %.1556.i.i, i64 %.2666.i, i64 0
+  %.1557.i.i = select i1 %.1556.i.i, i64 %.2798.i, i64 0
   %.1558.i.i = add i64 %.1557.i.i, %low.6.1.i.i.i
   %.1561.i.i = icmp slt i64 %.1558.i.i, 0
   br i1 %.1561.i.i, label %B566.else.if.i.i, label %B566.else.endif.i.i, !prof !4
 
 B960.i.i:                                         ; preds = %for.end.endif.endif.endif...endif.4.endif.endif.endif.i.i, %B554.i.i
-  %.3198.i.i = load double, ptr %.1169.i, align 8, !noalias !58
+  %.3198.i.i = load double, ptr %.1183.i, align 8, !noalias !58
   %.5.i.i.i = fadd contract double %.3198.i.i, 1.000000e+00
   %.147.i.i.i7.i = fmul contract double %.5.i.i.i, %.5.i.i.i
   %.35.i.i.i = fdiv contract double %.3198.i.i, %.147.i.i.i7.i
@@ -2539,8 +2556,8 @@ B124.if.i.i.i:                                    ; preds = %B124.if.i.i.i, %B12
   %lsr.iv3.i.i.i = phi i64 [ -5, %B124.if.lr.ph.i.i.i ], [ %lsr.iv.next.i.i.i, %B124.if.i.i.i ]
   %power.2.0146.i.i.i = phi double [ %.175.i.i.i.i, %B124.if.lr.ph.i.i.i ], [ %.493.i.i.i, %B124.if.i.i.i ]
   %result.2.0145.i.i.i = phi double [ 0.000000e+00, %B124.if.lr.ph.i.i.i ], [ %.488.i.i.i, %B124.if.i.i.i ]
-  %196 = shl nsw i64 %lsr.iv3.i.i.i, 3
-  %scevgep20.i28.i = getelementptr i8, ptr %arg.series, i64 %196
+  %200 = shl nsw i64 %lsr.iv3.i.i.i, 3
+  %scevgep20.i28.i = getelementptr i8, ptr %arg.series, i64 %200
   %scevgep21.i29.i = getelementptr i8, ptr %scevgep20.i28.i, i64 40
   %.249.i.i.i = load double, ptr %scevgep21.i29.i, align 8, !noalias !66
   %scevgep19.i.i = getelementptr i8, ptr %scevgep20.i28.i, i64 168
@@ -2574,8 +2591,8 @@ B1324.i.i:                                        ; preds = %B1286.endif.i.i, %_
   %constant.2.0.i.i = phi double [ %.3724.i.i, %B1286.endif.i.i ], [ %.3599.i.i, %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %.3764.i.i = load double, ptr %.3763.i.i, align 8, !noalias !58
   %.3770.i.i = fmul contract double %.3764.i.i, 0x401921FB54442D18
-  %197 = getelementptr i8, ptr %226, i64 8
-  %.3804.i.i = getelementptr double, ptr %197, i64 %.3583.i.i
+  %201 = getelementptr i8, ptr %230, i64 8
+  %.3804.i.i = getelementptr double, ptr %201, i64 %.3583.i.i
   %.3805.i.i = load double, ptr %.3804.i.i, align 8, !noalias !58
   %.3812.i.i = fmul contract double %.211.i.i, %.3805.i.i
   %.3813.i.i = fsub contract double %.3770.i.i, %.3812.i.i
@@ -2588,14 +2605,14 @@ B0.endif.endif.i.i:                               ; preds = %B146.i.i.i, %B118.i
   %low.6.1.i.i.i = phi i64 [ %low.3.0.i.i.i, %B118.i.i.i ], [ %low.5.1.i.i.i, %B146.i.i.i ]
   %.383.i.i = fmul contract double %.335.i6.i, 0x3FF000000044B830
   %.388.i.i = fdiv contract double %.383.i.i, %.211.i.i
-  %.44.i3.i.i = icmp slt i64 %low.6.1.i.i.i, %.2493.i
+  %.44.i3.i.i = icmp slt i64 %low.6.1.i.i.i, %.2625.i
   br i1 %.44.i3.i.i, label %B28.i24.i.i, label %B118.i4.i.i
 
 B28.i24.i.i:                                      ; preds = %B0.endif.endif.i.i
   %.78.i.i.i = icmp slt i64 %low.6.1.i.i.i, 0
-  %.79.i.i.i = select i1 %.78.i.i.i, i64 %.2493.i, i64 0
-  %198 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i
-  %.93.i.i.i = getelementptr double, ptr %198, i64 %.79.i.i.i
+  %.79.i.i.i = select i1 %.78.i.i.i, i64 %.2625.i, i64 0
+  %202 = getelementptr double, ptr %.2641.i, i64 %low.6.1.i.i.i
+  %.93.i.i.i = getelementptr double, ptr %202, i64 %.79.i.i.i
   %.94.i25.i.i = load double, ptr %.93.i.i.i, align 8, !noalias !70
   %.98.i26.i.i = fcmp contract ugt double %.94.i25.i.i, %.388.i.i
   br i1 %.98.i26.i.i, label %B118.i4.i.i, label %B52.i27.i.i
@@ -2604,15 +2621,15 @@ B52.i27.i.i:                                      ; preds = %B28.i24.i.i, %B94.i
   %step.2.1.i28.i.i = phi i64 [ %.123.i35.i.i, %B94.i34.i.i ], [ 1, %B28.i24.i.i ]
   %high.4.1.i29.i.i = phi i64 [ %.113.i30.i.i, %B94.i34.i.i ], [ %low.6.1.i.i.i, %B28.i24.i.i ]
   %.113.i30.i.i = add nsw i64 %high.4.1.i29.i.i, %step.2.1.i28.i.i
-  %.131.i31.i.i = icmp slt i64 %.113.i30.i.i, %.2493.i
+  %.131.i31.i.i = icmp slt i64 %.113.i30.i.i, %.2625.i
   br i1 %.131.i31.i.i, label %B94.i34.i.i, label %B118.loopexit.i32.i.i
 
 B94.i34.i.i:                                      ; preds = %B52.i27.i.i
   %.123.i35.i.i = shl nsw i64 %step.2.1.i28.i.i, 1
   %.163.i.i.i = icmp slt i64 %.113.i30.i.i, 0
-  %.164.i.i.i = select i1 %.163.i.i.i, i64 %.2493.i, i64 0
-  %199 = getelementptr double, ptr %.2509.i, i64 %.113.i30.i.i
-  %.178.i36.i.i = getelementptr double, ptr %199, i64 %.164.i.i.i
+  %.164.i.i.i = select i1 %.163.i.i.i, i64 %.2625.i, i64 0
+  %203 = getelementptr double, ptr %.2641.i, i64 %.113.i30.i.i
+  %.178.i36.i.i = getelementptr double, ptr %203, i64 %.164.i.i.i
   %.179.i37.i.i = load double, ptr %.178.i36.i.i, align 8, !noalias !70
   %.183.i38.i.i = fcmp contract ugt double %.179.i37.i.i, %.388.i.i
   br i1 %.183.i38.i.i, label %B118.loopexit.i32.i.i, label %B52.i27.i.i
@@ -2624,7 +2641,7 @@ B118.loopexit.i32.i.i:                            ; preds = %B94.i34.i.i, %B52.i
 B118.i4.i.i:                                      ; preds = %B118.loopexit.i32.i.i, %B28.i24.i.i, %B0.endif.endif.i.i
   %low.3.0.i5.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i24.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.104.le.i33.i.i, %B118.loopexit.i32.i.i ]
   %high.5.0.i6.i.i = phi i64 [ %low.6.1.i.i.i, %B28.i24.i.i ], [ %low.6.1.i.i.i, %B0.endif.endif.i.i ], [ %.113.i30.i.i, %B118.loopexit.i32.i.i ]
-  %spec.select.i7.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i6.i.i, i64 range(i64 0, -9223372036854775808) %.2493.i)
+  %spec.select.i7.i.i = tail call i64 @llvm.smin.i64(i64 %high.5.0.i6.i.i, i64 range(i64 0, -9223372036854775808) %.2625.i)
   %.238.i8.i.i = icmp slt i64 %low.3.0.i5.i.i, %spec.select.i7.i.i
   br i1 %.238.i8.i.i, label %B146.i10.i.i, label %B0.endif.endif.endif.endif.i.i
 
@@ -2634,9 +2651,9 @@ B146.i10.i.i:                                     ; preds = %B118.i4.i.i, %B146.
   %.251.i13.i.i = add nsw i64 %high.7.0.i12.i.i, %low.4.0.i11.i.i
   %.259.1.i14.i.i = ashr i64 %.251.i13.i.i, 1
   %.309.i15.i.i = icmp slt i64 %.259.1.i14.i.i, 0
-  %.310.i16.i.i = select i1 %.309.i15.i.i, i64 %.2493.i, i64 0
-  %200 = getelementptr double, ptr %.2509.i, i64 %.259.1.i14.i.i
-  %.324.i17.i.i = getelementptr double, ptr %200, i64 %.310.i16.i.i
+  %.310.i16.i.i = select i1 %.309.i15.i.i, i64 %.2625.i, i64 0
+  %204 = getelementptr double, ptr %.2641.i, i64 %.259.1.i14.i.i
+  %.324.i17.i.i = getelementptr double, ptr %204, i64 %.310.i16.i.i
   %.325.i18.i.i = load double, ptr %.324.i17.i.i, align 8, !noalias !70
   %.327.i19.i.i = fcmp contract ole double %.325.i18.i.i, %.388.i.i
   %.338.i20.i.i = add nsw i64 %.259.1.i14.i.i, 1
@@ -2647,12 +2664,12 @@ B146.i10.i.i:                                     ; preds = %B118.i4.i.i, %B146.
 
 B0.endif.endif.endif.endif.i.i:                   ; preds = %B146.i10.i.i, %B118.i4.i.i
   %low.6.1.i9.i.i = phi i64 [ %low.3.0.i5.i.i, %B118.i4.i.i ], [ %low.5.1.i22.i.i, %B146.i10.i.i ]
-  %.450.i.i = load i64, ptr %.426.i, align 8, !noalias !58
-  %.480.i.i = load i64, ptr %.456.i, align 8, !noalias !58
+  %.450.i.i = load i64, ptr %.440.i, align 8, !noalias !58
+  %.480.i.i = load i64, ptr %.470.i, align 8, !noalias !58
   %.489.i.i = add nsw i64 %.480.i.i, %.450.i.i
   %.490.i.i = shl nsw i64 %.489.i.i, 1
   %.527.i.i = icmp slt i64 %.489.i.i, 0
-  %.528.i.i = select i1 %.527.i.i, i64 %.591.i, i64 0
+  %.528.i.i = select i1 %.527.i.i, i64 %.605.i, i64 0
   %.529.i.i = add i64 %.528.i.i, %.490.i.i
   %.532.i.i = icmp slt i64 %.529.i.i, 0
   br i1 %.532.i.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !4
@@ -2662,21 +2679,21 @@ B0.endif.endif.endif.endif.else.if.i.i:           ; preds = %B0.endif.endif.endi
 
 B0.endif.endif.endif.endif.else.endif.i.i:        ; preds = %B0.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endif.i.i
   %.517.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.else.if.i.i ], [ %.529.i.i, %B0.endif.endif.endif.endif.i.i ]
-  %.537.not.i.i = icmp slt i64 %.529.i.i, %.591.i
+  %.537.not.i.i = icmp slt i64 %.529.i.i, %.605.i
   br i1 %.537.not.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, !prof !5
 
 B0.endif.endif.endif.endif.else.endif.if.i.i:     ; preds = %B0.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endif.else.endif.endif.i.i
 
 B0.endif.endif.endif.endif.else.endif.endif.i.i:  ; preds = %B0.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.else.endif.i.i
-  %.517.sroa.0.3.i.i = phi i64 [ %.591.i, %B0.endif.endif.endif.endif.else.endif.if.i.i ], [ %.517.sroa.0.1.i.i, %B0.endif.endif.endif.endif.else.endif.i.i ]
-  %.605.i.i = sub nsw i64 %.591.i, %.517.sroa.0.3.i.i
+  %.517.sroa.0.3.i.i = phi i64 [ %.605.i, %B0.endif.endif.endif.endif.else.endif.if.i.i ], [ %.517.sroa.0.1.i.i, %B0.endif.endif.endif.endif.else.endif.i.i ]
+  %.605.i.i = sub nsw i64 %.605.i, %.517.sroa.0.3.i.i
   %.614.i.i = tail call i64 @llvm.smax.i64(i64 %.605.i.i, i64 0)
-  %.630.i.i = getelementptr double, ptr %.607.i, i64 %.517.sroa.0.3.i.i
+  %.630.i.i = getelementptr double, ptr %.621.i, i64 %.517.sroa.0.3.i.i
   %.669.i.i = shl nsw i64 %.450.i.i, 1
   %.673.i.i = add nsw i64 %.669.i.i, %.480.i.i
   %.710.i.i = icmp slt i64 %.450.i.i, 0
-  %.711.i.i = select i1 %.710.i.i, i64 %.591.i, i64 0
+  %.711.i.i = select i1 %.710.i.i, i64 %.605.i, i64 0
   %.712.i.i = add i64 %.711.i.i, %.669.i.i
   %.715.i.i = icmp slt i64 %.712.i.i, 0
   br i1 %.715.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !4
@@ -2686,20 +2703,20 @@ B0.endif.endif.endif.endif.endif.else.if.i.i:     ; preds = %B0.endif.endif.endi
 
 B0.endif.endif.endif.endif.endif.else.endif.i.i:  ; preds = %B0.endif.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endif.else.endif.endif.i.i
   %.700.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if.i.i ], [ %.712.i.i, %B0.endif.endif.endif.endif.else.endif.endif.i.i ]
-  %.720.not.i.i = icmp slt i64 %.712.i.i, %.591.i
+  %.720.not.i.i = icmp slt i64 %.712.i.i, %.605.i
   br i1 %.720.not.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !5
 
 B0.endif.endif.endif.endif.endif.else.endif.if.i.i: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.else.endif.endif.i.i
 
 B0.endif.endif.endif.endif.endif.else.endif.endif.i.i: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i
-  %.700.sroa.0.3.i.i = phi i64 [ %.591.i, %B0.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.700.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.700.sroa.0.3.i.i = phi i64 [ %.605.i, %B0.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.700.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i ]
   %.727.i.i = icmp slt i64 %.673.i.i, 0
-  %.728.i.i = select i1 %.727.i.i, i64 %.591.i, i64 0
+  %.728.i.i = select i1 %.727.i.i, i64 %.605.i, i64 0
   %.729.i.i = add i64 %.728.i.i, %.673.i.i
   %.732.i.i = icmp slt i64 %.729.i.i, 0
-  %.737.not.i.i = icmp slt i64 %.729.i.i, %.591.i
-  %.813.i.i = getelementptr double, ptr %.607.i, i64 %.700.sroa.0.3.i.i
+  %.737.not.i.i = icmp slt i64 %.729.i.i, %.605.i
+  %.813.i.i = getelementptr double, ptr %.621.i, i64 %.700.sroa.0.3.i.i
   %.852.i.i = icmp sgt i64 %low.6.1.i.i.i, 0
   br i1 %.852.i.i, label %B416.else.endif.i.i, label %B554.i.i
 
@@ -2712,7 +2729,7 @@ B416.else.endif.endif.endif.if.i.i:               ; preds = %B416.else.endif.i.i
 
 B416.else.endif.endif.endif.endif.i.i:            ; preds = %B416.else.endif.endif.endif.if.i.i, %B416.else.endif.i.i
   %.881.sroa.13.2.i.i = phi i64 [ %a.2.sroa.60.2.i, %B416.else.endif.endif.endif.if.i.i ], [ %low.6.1.i.i.i, %B416.else.endif.i.i ]
-  %.1406.i.i = load double, ptr %.607.i, align 8, !noalias !58
+  %.1406.i.i = load double, ptr %.621.i, align 8, !noalias !58
   %.1436.i.i = load double, ptr %.813.i.i, align 8, !noalias !58
   %.1465.i.i = getelementptr i8, ptr %.630.i.i, i64 8
   %.1466.i.i = load double, ptr %.1465.i.i, align 8, !noalias !58
@@ -2735,8 +2752,8 @@ B116.i.i.i:                                       ; preds = %B56.if.i.i.i
   %.86.i.i.i.i = fmul contract double %.85.i.i.i.i, %.85.i.i.i.i
   %.87.i.i.i.i = fmul contract double %.85.i.i.i.i, %.86.i.i.i.i
   %.88.i.i.i.i = fmul contract double %.86.i.i.i.i, 0x3D6AE7F3E733B81F
-  %201 = fsub contract double 0x3DE6124613A86D09, %.88.i.i.i.i
-  %.90.i.i.i.i = fmul contract double %.86.i.i.i.i, %201
+  %205 = fsub contract double 0x3DE6124613A86D09, %.88.i.i.i.i
+  %.90.i.i.i.i = fmul contract double %.86.i.i.i.i, %205
   %.91.i.i.i.i = fadd contract double %.90.i.i.i.i, 0xBE5AE64567F544E4
   %.92.i.i.i.i = fmul contract double %.86.i.i.i.i, %.91.i.i.i.i
   %.93.i.i.i.i = fadd contract double %.92.i.i.i.i, 0x3EC71DE3A556C734
@@ -2766,11 +2783,11 @@ B116.i.i.i:                                       ; preds = %B56.if.i.i.i
   %.117.i.i.i.i = fadd contract double %.116.i.i.i.i, 1.000000e+00
   %.118.i.i.i.i = bitcast double %.8.i.i.i.i to i64
   %.119.i.i.i.i = and i64 %.118.i.i.i.i, 1
-  %202 = icmp eq i64 %.119.i.i.i.i, 0
+  %206 = icmp eq i64 %.119.i.i.i.i, 0
   %.127.i.i.i.i = shl i64 %.118.i.i.i.i, 62
   %.128.i.i.i.i = add i64 %.127.i.i.i.i, 4611686018427387904
   %.129.i.i.i.i = and i64 %.128.i.i.i.i, -9223372036854775808
-  %.133.v.i.i.i.i = select i1 %202, double %.117.i.i.i.i, double %.101.i.i.i41.i
+  %.133.v.i.i.i.i = select i1 %206, double %.117.i.i.i.i, double %.101.i.i.i41.i
   %.133.i.i.i.i = bitcast double %.133.v.i.i.i.i to i64
   %.134.i.i.i49.i = xor i64 %.129.i.i.i.i, %.133.i.i.i.i
   %.135.i.i.i50.i = bitcast i64 %.134.i.i.i49.i to double
@@ -2781,12 +2798,12 @@ B116.i.i.i:                                       ; preds = %B56.if.i.i.i
 
 B154.i.i.i:                                       ; preds = %B56.if.i.i.i, %B116.i.i.i
   %"$phi154.1.2.1.i.i.i" = phi double [ %.273.i.i51.i, %B116.i.i.i ], [ 0.000000e+00, %B56.if.i.i.i ]
-  %scevgep22.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %204
+  %scevgep22.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %208
   store double %"$phi154.1.2.1.i.i.i", ptr %scevgep22.i.i, align 8, !noalias !73
   %.319.i.i.i = fsub contract double %.226.i.i.i, %.274.i.i
-  %203 = fmul contract double %.1466.i.i, %.319.i.i.i
-  %.325.i40.i.i = fsub contract double %.1436.i.i, %203
-  %scevgep.i36.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %204
+  %207 = fmul contract double %.1466.i.i, %.319.i.i.i
+  %.325.i40.i.i = fsub contract double %.1436.i.i, %207
+  %scevgep.i36.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %208
   store double %.325.i40.i.i, ptr %scevgep.i36.i, align 8, !noalias !73
   %exitcond.not.i42.i.i = icmp eq i64 %.881.sroa.13.2.i.i, %.166.i.i.i
   br i1 %exitcond.not.i42.i.i, label %B554.i.i, label %B56.if.i.i.i
@@ -2794,8 +2811,8 @@ B154.i.i.i:                                       ; preds = %B56.if.i.i.i, %B116
 B56.if.i.i.i:                                     ; preds = %B416.else.endif.endif.endif.endif.i.i, %B154.i.i.i
   %.159111113.i.i.i = phi i64 [ %.166.i.i.i, %B154.i.i.i ], [ 0, %B416.else.endif.endif.endif.endif.i.i ]
   %.166.i.i.i = add nuw nsw i64 %.159111113.i.i.i, 1
-  %204 = shl i64 %.159111113.i.i.i, 3
-  %scevgep2.i39.i.i = getelementptr i8, ptr %.2509.i, i64 %204
+  %208 = shl i64 %.159111113.i.i.i, 3
+  %scevgep2.i39.i.i = getelementptr i8, ptr %.2641.i, i64 %208
   %.224.i.i.i = load double, ptr %scevgep2.i39.i.i, align 8, !noalias !73
   %.226.i.i.i = fmul contract double %.211.i.i, %.224.i.i.i
   %.231.i.i.i = fmul contract double %.226.i.i.i, 2.000000e+00
@@ -2809,16 +2826,16 @@ B566.else.if.i.i:                                 ; preds = %B566.i.i
 
 B566.else.endif.i.i:                              ; preds = %B566.else.if.i.i, %B566.i.i
   %.1546.sroa.0.1.i.i = phi i64 [ 0, %B566.else.if.i.i ], [ %.1558.i.i, %B566.i.i ]
-  %.1566.not.i.i = icmp slt i64 %.1558.i.i, %.2666.i
+  %.1566.not.i.i = icmp slt i64 %.1558.i.i, %.2798.i
   br i1 %.1566.not.i.i, label %B566.else.endif.endif.i.i, label %B566.else.endif.if.i.i, !prof !5
 
 B566.else.endif.if.i.i:                           ; preds = %B566.else.endif.i.i
   br label %B566.else.endif.endif.i.i
 
 B566.else.endif.endif.i.i:                        ; preds = %B566.else.endif.if.i.i, %B566.else.endif.i.i
-  %.1546.sroa.0.3.i.i = phi i64 [ %.2666.i, %B566.else.endif.if.i.i ], [ %.1546.sroa.0.1.i.i, %B566.else.endif.i.i ]
+  %.1546.sroa.0.3.i.i = phi i64 [ %.2798.i, %B566.else.endif.if.i.i ], [ %.1546.sroa.0.1.i.i, %B566.else.endif.i.i ]
   %.1573.i.i = icmp slt i64 %low.6.1.i9.i.i, 0
-  %.1574.i.i = select i1 %.1573.i.i, i64 %.2666.i, i64 0
+  %.1574.i.i = select i1 %.1573.i.i, i64 %.2798.i, i64 0
   %.1575.i.i = add i64 %.1574.i.i, %low.6.1.i9.i.i
   %.1578.i.i = icmp slt i64 %.1575.i.i, 0
   br i1 %.1578.i.i, label %B566.else.endif.endif.if.i.i, label %B566.else.endif.endif.endif.i.i, !prof !4
@@ -2828,17 +2845,17 @@ B566.else.endif.endif.if.i.i:                     ; preds = %B566.else.endif.end
 
 B566.else.endif.endif.endif.i.i:                  ; preds = %B566.else.endif.endif.if.i.i, %B566.else.endif.endif.i.i
   %.1546.sroa.13.1.i.i = phi i64 [ 0, %B566.else.endif.endif.if.i.i ], [ %.1575.i.i, %B566.else.endif.endif.i.i ]
-  %.1583.not.i.i = icmp slt i64 %.1575.i.i, %.2666.i
+  %.1583.not.i.i = icmp slt i64 %.1575.i.i, %.2798.i
   br i1 %.1583.not.i.i, label %B566.else.endif.endif.endif.endif.i.i, label %B566.else.endif.endif.endif.if.i.i, !prof !5
 
 B566.else.endif.endif.endif.if.i.i:               ; preds = %B566.else.endif.endif.endif.i.i
   br label %B566.else.endif.endif.endif.endif.i.i
 
 B566.else.endif.endif.endif.endif.i.i:            ; preds = %B566.else.endif.endif.endif.if.i.i, %B566.else.endif.endif.endif.i.i
-  %.1546.sroa.13.2.i.i = phi i64 [ %.2666.i, %B566.else.endif.endif.endif.if.i.i ], [ %.1546.sroa.13.1.i.i, %B566.else.endif.endif.endif.i.i ]
+  %.1546.sroa.13.2.i.i = phi i64 [ %.2798.i, %B566.else.endif.endif.endif.if.i.i ], [ %.1546.sroa.13.1.i.i, %B566.else.endif.endif.endif.i.i ]
   %.1634.i.i = sub nsw i64 %.1546.sroa.13.2.i.i, %.1546.sroa.0.3.i.i
   %.1643.i.i = tail call i64 @llvm.smax.i64(i64 %.1634.i.i, i64 0)
-  %.1659.i.i = getelementptr double, ptr %.2682.i, i64 %.1546.sroa.0.3.i.i
+  %.1659.i.i = getelementptr double, ptr %.2814.i, i64 %.1546.sroa.0.3.i.i
   %.1699.le.i.i = tail call contract double @llvm.log.f64(double %.211.i.i)
   %.1733.i.i = load i64, ptr %.1732.i.i, align 8, !noalias !58
   %.1765.i.i = add nsw i64 %.1733.i.i, %.450.i.i
@@ -2885,7 +2902,7 @@ for.end.else.endif.endif.endif.endif.i.i:         ; preds = %for.end.else.endif.
   %.1905.i.i = getelementptr double, ptr %arg.weights, i64 %.1792.sroa.0.3.i.i
   %.1994.i.i = add i64 %.711.i.i, %.450.i.i
   %.1997.i.i = icmp slt i64 %.1994.i.i, 0
-  %.2002.not.i.i = icmp slt i64 %.1994.i.i, %.591.i
+  %.2002.not.i.i = icmp slt i64 %.1994.i.i, %.605.i
   br i1 %.1997.i.i, label %for.end.endif.endif.else.if.i.i, label %for.end.endif.endif.else.endif.i.i, !prof !4
 
 for.end.endif.endif.else.if.i.i:                  ; preds = %for.end.else.endif.endif.endif.endif.i.i
@@ -2899,8 +2916,8 @@ for.end.endif.endif.else.endif.if.i.i:            ; preds = %for.end.endif.endif
   br label %for.end.endif.endif.else.endif.endif.i.i
 
 for.end.endif.endif.else.endif.endif.i.i:         ; preds = %for.end.endif.endif.else.endif.if.i.i, %for.end.endif.endif.else.endif.i.i
-  %.2139.sroa.0.3.i.i = phi i64 [ %.591.i, %for.end.endif.endif.else.endif.if.i.i ], [ %.2139.sroa.0.1.i.i, %for.end.endif.endif.else.endif.i.i ]
-  %.2252.i.i = getelementptr double, ptr %.607.i, i64 %.2139.sroa.0.3.i.i
+  %.2139.sroa.0.3.i.i = phi i64 [ %.605.i, %for.end.endif.endif.else.endif.if.i.i ], [ %.2139.sroa.0.1.i.i, %for.end.endif.endif.else.endif.i.i ]
+  %.2252.i.i = getelementptr double, ptr %.621.i, i64 %.2139.sroa.0.3.i.i
   %.2323.i.i = select i1 %.1556.i.i, i64 %a.2.sroa.60.2.i, i64 0
   %.2324.i.i = add i64 %.2323.i.i, %low.6.1.i.i.i
   %.2327.i.i = icmp slt i64 %.2324.i.i, 0
@@ -2941,7 +2958,7 @@ for.end.endif.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %for.end.e
   %.2409.i.i = tail call i64 @llvm.smax.i64(i64 %.2400.i.i, i64 0)
   %.2425.i.i = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %.2312.sroa.0.3.i.i
   store ptr null, ptr %.2457.i.i, align 8, !noalias !58
-  call fastcc void @inner_0(ptr nonnull %.2457.i.i, ptr readonly %.1659.i.i, i64 %.1643.i.i, double %.1699.le.i.i, ptr readonly %.1905.i.i, i64 %.1889.i.i, ptr readonly %.607.i, ptr readonly %.2252.i.i, ptr %.2425.i.i, i64 %.2409.i.i)
+  call fastcc void @inner_0(ptr nonnull %.2457.i.i, ptr readonly %.1659.i.i, i64 %.1643.i.i, double %.1699.le.i.i, ptr readonly %.1905.i.i, i64 %.1889.i.i, ptr readonly %.621.i, ptr readonly %.2252.i.i, ptr %.2425.i.i, i64 %.2409.i.i)
   %.2532.i.i = load i64, ptr %.2531.i.i, align 8, !noalias !58
   %.2564.i.i = add nsw i64 %.2532.i.i, %.480.i.i
   %.2601.i.i = icmp slt i64 %.2532.i.i, 0
@@ -2998,8 +3015,8 @@ for.end.endif.endif.endif...if.2.i.i:             ; preds = %for.end.endif.endif
   br label %for.end.endif.endif.endif...endif.2.i.i
 
 for.end.endif.endif.endif...endif.2.i.i:          ; preds = %for.end.endif.endif.endif...if.2.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i
-  %.2774.sroa.0.3.i.i = phi i64 [ %.591.i, %for.end.endif.endif.endif...if.2.i.i ], [ %.2774.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
-  %.2887.i.i = getelementptr double, ptr %.607.i, i64 %.2774.sroa.0.3.i.i
+  %.2774.sroa.0.3.i.i = phi i64 [ %.605.i, %for.end.endif.endif.endif...if.2.i.i ], [ %.2774.sroa.0.1.i.i, %for.end.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.2887.i.i = getelementptr double, ptr %.621.i, i64 %.2774.sroa.0.3.i.i
   %.2966.i.i = select i1 %.1556.i.i, i64 %p.2.sroa.60.2.i, i64 0
   %.2967.i.i = add i64 %.2966.i.i, %low.6.1.i.i.i
   %.2970.i.i = icmp slt i64 %.2967.i.i, 0
@@ -3063,7 +3080,7 @@ B960.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %B960.endif.endif.e
   br i1 %.44.i.not.i.i.i, label %B118.i.i.i.i, label %B28.i.i.i.i
 
 B28.i.i.i.i:                                      ; preds = %B960.endif.endif.else.endif.endif.endif.endif.i.i
-  %.94.i.i1.i.i = load double, ptr %.2509.i, align 8, !noalias !76
+  %.94.i.i1.i.i = load double, ptr %.2641.i, align 8, !noalias !76
   %.98.i.i2.i.i = fcmp contract ugt double %.94.i.i1.i.i, %.87.i.i.i
   br i1 %.98.i.i2.i.i, label %B118.i.i.i.i, label %B52.i.i.i.i
 
@@ -3076,19 +3093,19 @@ B52.i.i.i.i:                                      ; preds = %B28.i.i.i.i, %B94.i
 
 B94.i.i.i.i:                                      ; preds = %B52.i.i.i.i
   %.123.i.i.i.i = shl nsw i64 %step.2.1.i.i.i.i, 1
-  %.178.i.i.i.i = getelementptr double, ptr %.2509.i, i64 %.113.i.i3.i.i
+  %.178.i.i.i.i = getelementptr double, ptr %.2641.i, i64 %.113.i.i3.i.i
   %.179.i.i.i33.i = load double, ptr %.178.i.i.i.i, align 8, !noalias !76
   %.183.i.i.i34.i = fcmp contract ugt double %.179.i.i.i33.i, %.87.i.i.i
   br i1 %.183.i.i.i34.i, label %B118.loopexit.i.i.i.i, label %B52.i.i.i.i
 
 B118.loopexit.i.i.i.i:                            ; preds = %B94.i.i.i.i, %B52.i.i.i.i
   %.104.le.i.i.i.i = add nuw nsw i64 %high.4.1.i.i.i.i, 1
-  %205 = tail call i64 @llvm.smin.i64(i64 %.113.i.i3.i.i, i64 range(i64 0, -9223372036854775808) %.3348.sroa.13.2.i.i)
+  %209 = tail call i64 @llvm.smin.i64(i64 %.113.i.i3.i.i, i64 range(i64 0, -9223372036854775808) %.3348.sroa.13.2.i.i)
   br label %B118.i.i.i.i
 
 B118.i.i.i.i:                                     ; preds = %B118.loopexit.i.i.i.i, %B28.i.i.i.i, %B960.endif.endif.else.endif.endif.endif.endif.i.i
   %low.3.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %.104.le.i.i.i.i, %B118.loopexit.i.i.i.i ]
-  %high.5.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %205, %B118.loopexit.i.i.i.i ]
+  %high.5.0.i.i.i.i = phi i64 [ 0, %B28.i.i.i.i ], [ 0, %B960.endif.endif.else.endif.endif.endif.endif.i.i ], [ %209, %B118.loopexit.i.i.i.i ]
   %.238.i.i.i8.i = icmp slt i64 %low.3.0.i.i.i.i, %high.5.0.i.i.i.i
   br i1 %.238.i.i.i8.i, label %B146.i.i.i.i, label %B0.endif.endif.i.i.i
 
@@ -3098,9 +3115,9 @@ B146.i.i.i.i:                                     ; preds = %B118.i.i.i.i, %B146
   %.251.i.i.i.i = add nsw i64 %high.7.0.i.i.i.i, %low.4.0.i.i.i.i
   %.259.1.i.i.i.i = ashr i64 %.251.i.i.i.i, 1
   %.309.i.i.i31.i = icmp slt i64 %.259.1.i.i.i.i, 0
-  %.310.i.i.i32.i = select i1 %.309.i.i.i31.i, i64 %.2493.i, i64 0
-  %206 = getelementptr double, ptr %.2509.i, i64 %.259.1.i.i.i.i
-  %.324.i.i.i.i = getelementptr double, ptr %206, i64 %.310.i.i.i32.i
+  %.310.i.i.i32.i = select i1 %.309.i.i.i31.i, i64 %.2625.i, i64 0
+  %210 = getelementptr double, ptr %.2641.i, i64 %.259.1.i.i.i.i
+  %.324.i.i.i.i = getelementptr double, ptr %210, i64 %.310.i.i.i32.i
   %.325.i.i.i.i = load double, ptr %.324.i.i.i.i, align 8, !noalias !76
   %.327.i.i.i.i = fcmp contract ole double %.325.i.i.i.i, %.87.i.i.i
   %.338.i.i.i.i = add nsw i64 %.259.1.i.i.i.i, 1
@@ -3115,10 +3132,10 @@ B648.i.i.i:                                       ; preds = %B408.if.i.i.i, %B0.
   br i1 %.858404.not.i.i.i, label %B1038.i.i.i, label %B680.if.preheader.i.i.i
 
 B680.if.preheader.i.i.i:                          ; preds = %B648.i.i.i
-  %207 = add nuw i64 %.815.i.i.i, 1
-  %208 = shl i64 %.2843.i, 3
-  %209 = shl i64 %.2493.i, 3
-  %210 = shl i64 %.3348.sroa.13.2.i.i, 3
+  %211 = add nuw i64 %.815.i.i.i, 1
+  %212 = shl i64 %.2975.i, 3
+  %213 = shl i64 %.2625.i, 3
+  %214 = shl i64 %.3348.sroa.13.2.i.i, 3
   br label %B680.if.i.i.i
 
 B1038.i.i.i:                                      ; preds = %B680.if.i.i.i, %B648.i.i.i
@@ -3127,9 +3144,9 @@ B1038.i.i.i:                                      ; preds = %B680.if.i.i.i, %B64
   br i1 %.1257411.not.i.i.i, label %_ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B1070.if.preheader.i.i.i
 
 B1070.if.preheader.i.i.i:                         ; preds = %B1038.i.i.i
-  %211 = add nuw i64 %.3348.sroa.13.2.i.i, 1
-  %212 = sub i64 %211, %low.6.1.i8.i.i.i
-  %213 = shl i64 %.3348.sroa.13.2.i.i, 3
+  %215 = add nuw i64 %.3348.sroa.13.2.i.i, 1
+  %216 = sub i64 %215, %low.6.1.i8.i.i.i
+  %217 = shl i64 %.3348.sroa.13.2.i.i, 3
   br label %B1070.if.i.i.i
 
 B0.endif.endif.i.i.i:                             ; preds = %B146.i.i.i.i, %B118.i.i.i.i
@@ -3140,9 +3157,9 @@ B0.endif.endif.i.i.i:                             ; preds = %B146.i.i.i.i, %B118
 
 B28.i23.i.i.i:                                    ; preds = %B0.endif.endif.i.i.i
   %.78.i.i.i.i = icmp slt i64 %low.6.1.i.i.i.i, 0
-  %.79.i.i.i.i = select i1 %.78.i.i.i.i, i64 %.2493.i, i64 0
-  %214 = getelementptr double, ptr %.2509.i, i64 %low.6.1.i.i.i.i
-  %.93.i.i56.i.i = getelementptr double, ptr %214, i64 %.79.i.i.i.i
+  %.79.i.i.i.i = select i1 %.78.i.i.i.i, i64 %.2625.i, i64 0
+  %218 = getelementptr double, ptr %.2641.i, i64 %low.6.1.i.i.i.i
+  %.93.i.i56.i.i = getelementptr double, ptr %218, i64 %.79.i.i.i.i
   %.94.i24.i.i.i = load double, ptr %.93.i.i56.i.i, align 8, !noalias !81
   %.98.i25.i.i.i = fcmp contract ugt double %.94.i24.i.i.i, %.126.i.i.i
   br i1 %.98.i25.i.i.i, label %B118.i3.i.i.i, label %B52.i26.i.i.i
@@ -3157,9 +3174,9 @@ B52.i26.i.i.i:                                    ; preds = %B28.i23.i.i.i, %B94
 B94.i33.i.i.i:                                    ; preds = %B52.i26.i.i.i
   %.123.i34.i.i.i = shl nsw i64 %step.2.1.i27.i.i.i, 1
   %.163.i.i.i.i = icmp slt i64 %.113.i29.i.i.i, 0
-  %.164.i.i.i.i = select i1 %.163.i.i.i.i, i64 %.2493.i, i64 0
-  %215 = getelementptr double, ptr %.2509.i, i64 %.113.i29.i.i.i
-  %.178.i35.i.i.i = getelementptr double, ptr %215, i64 %.164.i.i.i.i
+  %.164.i.i.i.i = select i1 %.163.i.i.i.i, i64 %.2625.i, i64 0
+  %219 = getelementptr double, ptr %.2641.i, i64 %.113.i29.i.i.i
+  %.178.i35.i.i.i = getelementptr double, ptr %219, i64 %.164.i.i.i.i
   %.179.i36.i.i.i = load double, ptr %.178.i35.i.i.i, align 8, !noalias !81
   %.183.i37.i.i.i = fcmp contract ugt double %.179.i36.i.i.i, %.126.i.i.i
   br i1 %.183.i37.i.i.i, label %B118.loopexit.i31.i.i.i, label %B52.i26.i.i.i
@@ -3181,9 +3198,9 @@ B146.i9.i.i.i:                                    ; preds = %B118.i3.i.i.i, %B14
   %.251.i12.i.i.i = add nsw i64 %high.7.0.i11.i.i.i, %low.4.0.i10.i.i.i
   %.259.1.i13.i.i.i = ashr i64 %.251.i12.i.i.i, 1
   %.309.i14.i.i.i = icmp slt i64 %.259.1.i13.i.i.i, 0
-  %.310.i15.i.i.i = select i1 %.309.i14.i.i.i, i64 %.2493.i, i64 0
-  %216 = getelementptr double, ptr %.2509.i, i64 %.259.1.i13.i.i.i
-  %.324.i16.i.i.i = getelementptr double, ptr %216, i64 %.310.i15.i.i.i
+  %.310.i15.i.i.i = select i1 %.309.i14.i.i.i, i64 %.2625.i, i64 0
+  %220 = getelementptr double, ptr %.2641.i, i64 %.259.1.i13.i.i.i
+  %.324.i16.i.i.i = getelementptr double, ptr %220, i64 %.310.i15.i.i.i
   %.325.i17.i.i.i = load double, ptr %.324.i16.i.i.i, align 8, !noalias !81
   %.327.i18.i.i.i = fcmp contract ole double %.325.i17.i.i.i, %.126.i.i.i
   %.338.i19.i.i.i = add nsw i64 %.259.1.i13.i.i.i, 1
@@ -3194,7 +3211,7 @@ B146.i9.i.i.i:                                    ; preds = %B118.i3.i.i.i, %B14
 
 B0.endif.endif.endif.endif.i.i.i:                 ; preds = %B146.i9.i.i.i, %B118.i3.i.i.i
   %low.6.1.i8.i.i.i = phi i64 [ %low.3.0.i4.i.i.i, %B118.i3.i.i.i ], [ %low.5.1.i21.i.i.i, %B146.i9.i.i.i ]
-  %.187.i.i.i = load double, ptr %.779.i, align 8, !noalias !84
+  %.187.i.i.i = load double, ptr %.793.i, align 8, !noalias !84
   %.188.i.i.i = fmul contract double %.3319.i.i, %.187.i.i.i
   %.217.i.i.i = load double, ptr %.138.i.i.i, align 8, !noalias !84
   %.218.i.i.i = fmul contract double %.3319.i.i, %.217.i.i.i
@@ -3217,8 +3234,8 @@ B0.endif.endif.endif.endif.i.i.i:                 ; preds = %B146.i9.i.i.i, %B11
 B408.if.i.i.i:                                    ; preds = %B0.endif.endif.endif.endif.i.i.i, %B408.if.i.i.i
   %.564397399.i.i.i = phi i64 [ %.571.i.i.i, %B408.if.i.i.i ], [ 0, %B0.endif.endif.endif.endif.i.i.i ]
   %.571.i.i.i = add nuw nsw i64 %.564397399.i.i.i, 1
-  %217 = shl i64 %.564397399.i.i.i, 3
-  %scevgep52.i.i.i = getelementptr i8, ptr %.2859.i, i64 %217
+  %221 = shl i64 %.564397399.i.i.i, 3
+  %scevgep52.i.i.i = getelementptr i8, ptr %.2991.i, i64 %221
   %.625.i.i.i = load double, ptr %scevgep52.i.i.i, align 8, !noalias !84
   %.627.i.i.i = fmul contract double %.64.i.i.i, %.625.i.i.i
   %.631.i.i.i = fdiv contract double 1.000000e+00, %.627.i.i.i
@@ -3236,7 +3253,7 @@ B408.if.i.i.i:                                    ; preds = %B0.endif.endif.endi
   %.650.i.i.i = fadd contract double %.218.i.i.i, %.648.i.i.i
   %.651.i.i.i = fmul contract double %.627.i.i.i, %.650.i.i.i
   %.653.i.i.i = fadd contract double %.188.i.i.i, %.651.i.i.i
-  %scevgep2.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %217
+  %scevgep2.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %221
   %.684.i.i.i = load double, ptr %scevgep2.i.i.i, align 8, !noalias !84
   %.685.i.i.i = fmul contract double %.684.i.i.i, 0x3FF71547652B82FE
   %.686.i.i.i = fadd contract double %.685.i.i.i, 0x4338000000000000
@@ -3287,17 +3304,17 @@ B408.if.i.i.i:                                    ; preds = %B0.endif.endif.endi
   br i1 %exitcond.not.i4.i.i, label %B648.i.i.i, label %B408.if.i.i.i
 
 B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B680.if.preheader.i.i.i
-  %lsr.iv43.i.i.i = phi i64 [ %207, %B680.if.preheader.i.i.i ], [ %lsr.iv.next44.i.i.i, %B680.if.i.i.i ]
+  %lsr.iv43.i.i.i = phi i64 [ %211, %B680.if.preheader.i.i.i ], [ %lsr.iv.next44.i.i.i, %B680.if.i.i.i ]
   %.864403405.i.i.i = phi i64 [ %low.6.1.i.i.i.i, %B680.if.preheader.i.i.i ], [ %.871.i.i.i, %B680.if.i.i.i ]
   %.909.i.i.i = icmp slt i64 %.864403405.i.i.i, 0
-  %218 = select i1 %.909.i.i.i, i64 %208, i64 0
-  %scevgep49.i.i.i = getelementptr i8, ptr %.2859.i, i64 %218
-  %219 = shl i64 %.864403405.i.i.i, 3
-  %scevgep50.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i, i64 %219
+  %222 = select i1 %.909.i.i.i, i64 %212, i64 0
+  %scevgep49.i.i.i = getelementptr i8, ptr %.2991.i, i64 %222
+  %223 = shl i64 %.864403405.i.i.i, 3
+  %scevgep50.i.i.i = getelementptr i8, ptr %scevgep49.i.i.i, i64 %223
   %.925.i.i10.i = load double, ptr %scevgep50.i.i.i, align 8, !noalias !84
-  %220 = select i1 %.909.i.i.i, i64 %209, i64 0
-  %scevgep47.i.i.i = getelementptr i8, ptr %.2509.i, i64 %220
-  %scevgep48.i.i.i = getelementptr i8, ptr %scevgep47.i.i.i, i64 %219
+  %224 = select i1 %.909.i.i.i, i64 %213, i64 0
+  %scevgep47.i.i.i = getelementptr i8, ptr %.2641.i, i64 %224
+  %scevgep48.i.i.i = getelementptr i8, ptr %scevgep47.i.i.i, i64 %223
   %.1000.i.i.i = load double, ptr %scevgep48.i.i.i, align 8, !noalias !84
   %.1002.i.i.i = fmul contract double %.211.i.i, %.1000.i.i.i
   %.1003.i.i.i = fadd contract double %.1002.i.i.i, -1.000000e-02
@@ -3317,8 +3334,8 @@ B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B68
   %.86.i.i17.i.i = fmul contract double %.85.i.i16.i.i, %.85.i.i16.i.i
   %.87.i.i18.i.i = fmul contract double %.85.i.i16.i.i, %.86.i.i17.i.i
   %.88.i.i19.i.i = fmul contract double %.86.i.i17.i.i, 0x3D6AE7F3E733B81F
-  %221 = fsub contract double 0x3DE6124613A86D09, %.88.i.i19.i.i
-  %.90.i.i20.i.i = fmul contract double %.86.i.i17.i.i, %221
+  %225 = fsub contract double 0x3DE6124613A86D09, %.88.i.i19.i.i
+  %.90.i.i20.i.i = fmul contract double %.86.i.i17.i.i, %225
   %.91.i.i21.i.i = fadd contract double %.90.i.i20.i.i, 0xBE5AE64567F544E4
   %.92.i.i22.i.i = fmul contract double %.86.i.i17.i.i, %.91.i.i21.i.i
   %.93.i38.i.i.i = fadd contract double %.92.i.i22.i.i, 0x3EC71DE3A556C734
@@ -3348,11 +3365,11 @@ B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B68
   %.117.i.i43.i.i = fadd contract double %.116.i.i42.i.i, 1.000000e+00
   %.118.i.i44.i.i = bitcast double %.8.i.i7.i.i to i64
   %.119.i.i45.i.i = and i64 %.118.i.i44.i.i, 1
-  %222 = icmp eq i64 %.119.i.i45.i.i, 0
+  %226 = icmp eq i64 %.119.i.i45.i.i, 0
   %.127.i.i46.i.i = shl i64 %.118.i.i44.i.i, 62
   %.128.i.i47.i.i = add i64 %.127.i.i46.i.i, 4611686018427387904
   %.129.i.i48.i.i = and i64 %.128.i.i47.i.i, -9223372036854775808
-  %.133.v.i.i49.i.i = select i1 %222, double %.117.i.i43.i.i, double %.101.i.i28.i.i
+  %.133.v.i.i49.i.i = select i1 %226, double %.117.i.i43.i.i, double %.101.i.i28.i.i
   %.133.i.i50.i.i = bitcast double %.133.v.i.i49.i.i to i64
   %.134.i.i51.i.i = xor i64 %.129.i.i48.i.i, %.133.i.i50.i.i
   %.135.i.i52.i.i = bitcast i64 %.134.i.i51.i.i to double
@@ -3380,9 +3397,9 @@ B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B68
   %.871.i.i.i = add i64 %.864403405.i.i.i, 1
   %.968.i.i.i = fmul contract double %.963.i.i.i, %.955.i.i.i
   %.969.i.i.i = fmul contract double %.968.i.i.i, %.953.i.i.i
-  %223 = select i1 %.909.i.i.i, i64 %210, i64 0
-  %scevgep45.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %223
-  %scevgep1.i.i.i = getelementptr i8, ptr %scevgep45.i.i.i, i64 %219
+  %227 = select i1 %.909.i.i.i, i64 %214, i64 0
+  %scevgep45.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %227
+  %scevgep1.i.i.i = getelementptr i8, ptr %scevgep45.i.i.i, i64 %223
   %.1063.i.i.i = load double, ptr %scevgep1.i.i.i, align 8, !noalias !84
   %.1064.i.i.i = fmul contract double %.1063.i.i.i, 0x3FF71547652B82FE
   %.1065.i.i.i = fadd contract double %.1064.i.i.i, 0x4338000000000000
@@ -3432,14 +3449,14 @@ B680.if.i.i.i:                                    ; preds = %B680.if.i.i.i, %B68
   br i1 %.858.i.i12.i, label %B680.if.i.i.i, label %B1038.i.i.i
 
 B1070.if.i.i.i:                                   ; preds = %B1070.if.i.i.i, %B1070.if.preheader.i.i.i
-  %lsr.iv.i.i.i = phi i64 [ %212, %B1070.if.preheader.i.i.i ], [ %lsr.iv.next.i55.i.i, %B1070.if.i.i.i ]
+  %lsr.iv.i.i.i = phi i64 [ %216, %B1070.if.preheader.i.i.i ], [ %lsr.iv.next.i55.i.i, %B1070.if.i.i.i ]
   %.1263410412.i.i.i = phi i64 [ %low.6.1.i8.i.i.i, %B1070.if.preheader.i.i.i ], [ %.1270.i.i.i, %B1070.if.i.i.i ]
   %.1270.i.i.i = add i64 %.1263410412.i.i.i, 1
   %.1309.i.i.i = icmp slt i64 %.1263410412.i.i.i, 0
-  %224 = select i1 %.1309.i.i.i, i64 %213, i64 0
-  %scevgep.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %224
-  %225 = shl i64 %.1263410412.i.i.i, 3
-  %scevgep42.i.i.i = getelementptr i8, ptr %scevgep.i.i.i, i64 %225
+  %228 = select i1 %.1309.i.i.i, i64 %217, i64 0
+  %scevgep.i.i.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %228
+  %229 = shl i64 %.1263410412.i.i.i, 3
+  %scevgep42.i.i.i = getelementptr i8, ptr %scevgep.i.i.i, i64 %229
   %.1325.i.i.i = load double, ptr %scevgep42.i.i.i, align 8, !noalias !84
   %.1326.i.i.i = fmul contract double %.1325.i.i.i, 0x3FF71547652B82FE
   %.1327.i.i.i = fadd contract double %.1326.i.i.i, 0x4338000000000000
@@ -3488,16 +3505,16 @@ B1070.if.i.i.i:                                   ; preds = %B1070.if.i.i.i, %B1
 _ZN17bnserve_surrogate6kernel7_source16_scale_amplitudeB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B1070.if.i.i.i, %B1038.i.i.i
   %.3566.i.i = load double, ptr %.3565.i.i, align 8, !noalias !58
   %.3583.i.i = select i1 %.3582.i.i, i64 %.614.i.i, i64 0
-  %226 = getelementptr i8, ptr %.630.i.i, i64 %.idx.i.i
-  %.3597.i.i = getelementptr double, ptr %226, i64 %.3583.i.i
+  %230 = getelementptr i8, ptr %.630.i.i, i64 %.idx.i.i
+  %.3597.i.i = getelementptr double, ptr %230, i64 %.3583.i.i
   %.3598.i.i = load double, ptr %.3597.i.i, align 8, !noalias !58
   %.3599.i.i = fsub contract double %.3566.i.i, %.3598.i.i
   %.3636.i.i = load i64, ptr %.243.i.i, align 8, !noalias !58
   %.3656.i.i = icmp slt i64 %.3636.i.i, -2
   %.3657.i.i = select i1 %.3656.i.i, i64 %arg.n_weights, i64 0
-  %227 = getelementptr double, ptr %arg.weights, i64 %.3636.i.i
-  %228 = getelementptr i8, ptr %227, i64 16
-  %.3671.i.i = getelementptr double, ptr %228, i64 %.3657.i.i
+  %231 = getelementptr double, ptr %arg.weights, i64 %.3636.i.i
+  %232 = getelementptr i8, ptr %231, i64 16
+  %.3671.i.i = getelementptr double, ptr %232, i64 %.3657.i.i
   %.3672.i.i = load double, ptr %.3671.i.i, align 8, !noalias !58
   %.3688.i.i = fcmp contract ogt double %.3672.i.i, 0.000000e+00
   %or.cond.i.i = select i1 %.3682.i.i, i1 %.3688.i.i, i1 false
@@ -3524,14 +3541,14 @@ B1324.else.endif.endif.endif.endif.i.i:           ; preds = %B1324.else.endif.en
   %.105.i.i.i = fdiv contract double %.97.le.i.i.i, 3.000000e+00
   %.106.i.i.i = fadd contract double %.105.i.i.i, 0x3FD86BC06134D7A7
   %.164.i57.i.i = load double, ptr %arg.series, align 8, !noalias !85
-  %.219.i.i.i = load double, ptr %6, align 8, !noalias !85
+  %.219.i.i.i = load double, ptr %9, align 8, !noalias !85
   %.272.i.i15.i = load double, ptr %.183.i.i.i.i, align 8, !noalias !85
   %.325.i60.i.i = load double, ptr %.308.i.i.i.i, align 8, !noalias !85
   %.414.i.i.i = load double, ptr %.413.i.i.i.i, align 8, !noalias !85
-  %.467.i.i.i = load double, ptr %7, align 8, !noalias !85
+  %.467.i.i.i = load double, ptr %10, align 8, !noalias !85
   %.520.i.i17.i = load double, ptr %.686.i.i.i.i, align 8, !noalias !85
   %.573.i.i.i = load double, ptr %.970.i.i.i.i, align 8, !noalias !85
-  %.662.i.i.i = load double, ptr %8, align 8, !noalias !85
+  %.662.i.i.i = load double, ptr %11, align 8, !noalias !85
   %.715.i62.i.i = load double, ptr %.1461.i.i.i.i, align 8, !noalias !85
   %.768.i.i18.i = load double, ptr %.1867.i.i.i.i, align 8, !noalias !85
   %.821.i.i.i = load double, ptr %.2256.i.i.i.i, align 8, !noalias !85
@@ -3541,7 +3558,7 @@ B1324.else.endif.endif.endif.endif.i.i:           ; preds = %B1324.else.endif.en
   %.1069.i66.i.i = load double, ptr %.559.i.i.i.i, align 8, !noalias !85
   %.1158.i.i20.i = load double, ptr %.561.i.i.i.i, align 8, !noalias !85
   %.1211.i.i.i = load double, ptr %.865.i.i.i.i, align 8, !noalias !85
-  %.1264.i.i.i = load double, ptr %13, align 8, !noalias !85
+  %.1264.i.i.i = load double, ptr %16, align 8, !noalias !85
   %.1317.i.i.i = load double, ptr %.1118.i.i.i.i, align 8, !noalias !85
   %.1406.i.i.i = load double, ptr %.1640.i.i.i.i, align 8, !noalias !85
   %.1459.i.i.i = load double, ptr %.2145.i.i.i.i, align 8, !noalias !85
@@ -3553,11 +3570,11 @@ B1324.else.endif.endif.endif.endif.i.i:           ; preds = %B1324.else.endif.en
 B568.if.i.i.i:                                    ; preds = %B1324.else.endif.endif.endif.endif.i.i, %B568.if.i.i.i
   %.1681659661.i.i.i = phi i64 [ %.1688.i.i.i, %B568.if.i.i.i ], [ 0, %B1324.else.endif.endif.endif.endif.i.i ]
   %.1688.i.i.i = add nuw nsw i64 %.1681659661.i.i.i, 1
-  %229 = shl i64 %.1681659661.i.i.i, 3
-  %scevgep3.i.i.i = getelementptr i8, ptr %.2859.i, i64 %229
+  %233 = shl i64 %.1681659661.i.i.i, 3
+  %scevgep3.i.i.i = getelementptr i8, ptr %.2991.i, i64 %233
   %.1742.i.i.i = load double, ptr %scevgep3.i.i.i, align 8, !noalias !85
   %.1744.i.i.i = fmul contract double %.64.i.i.i, %.1742.i.i.i
-  %scevgep2.i67.i.i = getelementptr i8, ptr %.2682.i, i64 %229
+  %scevgep2.i67.i.i = getelementptr i8, ptr %.2814.i, i64 %233
   %.1774.i.i.i = load double, ptr %scevgep2.i67.i.i, align 8, !noalias !85
   %.1775.i.i.i = fmul contract double %.1774.i.i.i, 0x3FD5555555555555
   %.1777.i.i.i = fadd contract double %.106.i.i.i, %.1775.i.i.i
@@ -3615,11 +3632,11 @@ B568.if.i.i.i:                                    ; preds = %B1324.else.endif.en
   %.1856.i.i.i = fadd contract double %.1855.i.i.i, %.1840.i.i.i
   %.1857.i.i.i = fmul contract double %.1777.i.i.i, %.1856.i.i.i
   %.1858.i.i.i = fadd contract double %.1857.i.i.i, %.1852.i.i.i
-  %scevgep5.i.i.i = getelementptr i8, ptr %.2509.i, i64 %229
+  %scevgep5.i.i.i = getelementptr i8, ptr %.2641.i, i64 %233
   %.1888.i.i.i = load double, ptr %scevgep5.i.i.i, align 8, !noalias !85
   %.1890.i.i.i = fmul contract double %.3813.i.i, %.1888.i.i.i
   %.1892.i.i.i = fadd contract double %constant.2.0.i.i, %.1890.i.i.i
-  %scevgep4.i.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %229
+  %scevgep4.i.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %233
   %.1922.i.i.i = load double, ptr %scevgep4.i.i.i, align 8, !noalias !85
   %.1923.i.i.i = fadd contract double %.1922.i.i.i, %.1858.i.i.i
   %.1924.i.i.i = fsub contract double %.1892.i.i.i, %.1923.i.i.i
@@ -3628,7 +3645,7 @@ B568.if.i.i.i:                                    ; preds = %B1324.else.endif.en
   br i1 %exitcond.not.i68.i.i, label %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B568.if.i.i.i
 
 _ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B568.if.i.i.i, %B1324.else.endif.endif.endif.endif.i.i
-  %.4100.i.i = sub i64 %.2493.i, %low.6.1.i9.i.i
+  %.4100.i.i = sub i64 %.2625.i, %low.6.1.i9.i.i
   %.41431105.not.i.i = icmp slt i64 %.4100.i.i, 1
   br i1 %.41431105.not.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1510.if.preheader.i.i
 
@@ -3640,115 +3657,115 @@ B1510.if.preheader.i.i:                           ; preds = %_ZN17bnserve_surrog
 
 B1510.if.prol.i.i:                                ; preds = %B1510.if.preheader.i.i
   %.4152.prol.i.i = add nsw i64 %.4100.i.i, -1
-  %230 = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %low.6.1.i9.i.i
-  %.4209.prol.i.i = getelementptr double, ptr %230, i64 %.3376.i.i
+  %234 = getelementptr double, ptr %a.2.sroa.48.2.i, i64 %low.6.1.i9.i.i
+  %.4209.prol.i.i = getelementptr double, ptr %234, i64 %.3376.i.i
   store double 0.000000e+00, ptr %.4209.prol.i.i, align 8, !noalias !58
-  %231 = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %low.6.1.i9.i.i
-  %.4239.prol.i.i = getelementptr double, ptr %231, i64 %.3870.i.i
+  %235 = getelementptr double, ptr %p.2.sroa.48.2.i, i64 %low.6.1.i9.i.i
+  %.4239.prol.i.i = getelementptr double, ptr %235, i64 %.3870.i.i
   store double 0.000000e+00, ptr %.4239.prol.i.i, align 8, !noalias !58
   br label %B1510.if.prol.loopexit.i.i
 
 B1510.if.prol.loopexit.i.i:                       ; preds = %B1510.if.prol.i.i, %B1510.if.preheader.i.i
   %.414211031107.unr.i.i = phi i64 [ %.4100.i.i, %B1510.if.preheader.i.i ], [ %.4152.prol.i.i, %B1510.if.prol.i.i ]
   %.414911041106.unr.i.i = phi i64 [ %low.6.1.i9.i.i, %B1510.if.preheader.i.i ], [ %.neg.i.i, %B1510.if.prol.i.i ]
-  %232 = icmp eq i64 %.2493.i, %.neg.i.i
-  br i1 %232, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1510.if.preheader43.i.i
+  %236 = icmp eq i64 %.2625.i, %.neg.i.i
+  br i1 %236, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1510.if.preheader43.i.i
 
 B1510.if.preheader43.i.i:                         ; preds = %B1510.if.prol.loopexit.i.i
-  %233 = add nuw i64 %.414211031107.unr.i.i, 2
-  %234 = shl i64 %a.2.sroa.60.2.i, 3
-  %235 = shl i64 %p.2.sroa.60.2.i, 3
-  %236 = shl i64 %.414911041106.unr.i.i, 3
-  %scevgep1.i24.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %236
-  %scevgep5.i25.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %236
-  %237 = add i64 %234, 8
-  %238 = add i64 %235, 8
+  %237 = add nuw i64 %.414211031107.unr.i.i, 2
+  %238 = shl i64 %a.2.sroa.60.2.i, 3
+  %239 = shl i64 %p.2.sroa.60.2.i, 3
+  %240 = shl i64 %.414911041106.unr.i.i, 3
+  %scevgep1.i24.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %240
+  %scevgep5.i25.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %240
+  %241 = add i64 %238, 8
+  %242 = add i64 %239, 8
   br label %B1510.if.i.i
 
 B1510.if.i.i:                                     ; preds = %B1510.if.i.i, %B1510.if.preheader43.i.i
   %lsr.iv6.i.i = phi ptr [ %scevgep7.i.i, %B1510.if.i.i ], [ %scevgep5.i25.i, %B1510.if.preheader43.i.i ]
   %lsr.iv2.i.i = phi ptr [ %scevgep3.i.i, %B1510.if.i.i ], [ %scevgep1.i24.i, %B1510.if.preheader43.i.i ]
-  %lsr.iv.i26.i = phi i64 [ %lsr.iv.next.i.i, %B1510.if.i.i ], [ %233, %B1510.if.preheader43.i.i ]
-  %.414911041106.i.i = phi i64 [ %244, %B1510.if.i.i ], [ %.414911041106.unr.i.i, %B1510.if.preheader43.i.i ]
+  %lsr.iv.i26.i = phi i64 [ %lsr.iv.next.i.i, %B1510.if.i.i ], [ %237, %B1510.if.preheader43.i.i ]
+  %.414911041106.i.i = phi i64 [ %248, %B1510.if.i.i ], [ %.414911041106.unr.i.i, %B1510.if.preheader43.i.i ]
   %.4194.i.i = icmp slt i64 %.414911041106.i.i, 0
-  %239 = select i1 %.4194.i.i, i64 %234, i64 0
-  %scevgep10.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %239
+  %243 = select i1 %.4194.i.i, i64 %238, i64 0
+  %scevgep10.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %243
   store double 0.000000e+00, ptr %scevgep10.i.i, align 8, !noalias !58
-  %240 = select i1 %.4194.i.i, i64 %235, i64 0
-  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %240
+  %244 = select i1 %.4194.i.i, i64 %239, i64 0
+  %scevgep9.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %244
   store double 0.000000e+00, ptr %scevgep9.i.i, align 8, !noalias !58
-  %241 = add i64 %.414911041106.i.i, 1
-  %.4194.1.i.i = icmp slt i64 %241, 0
-  %242 = select i1 %.4194.1.i.i, i64 %237, i64 8
-  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %242
+  %245 = add i64 %.414911041106.i.i, 1
+  %.4194.1.i.i = icmp slt i64 %245, 0
+  %246 = select i1 %.4194.1.i.i, i64 %241, i64 8
+  %scevgep8.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 %246
   store double 0.000000e+00, ptr %scevgep8.i.i, align 8, !noalias !58
-  %243 = select i1 %.4194.1.i.i, i64 %238, i64 8
-  %scevgep4.i27.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %243
+  %247 = select i1 %.4194.1.i.i, i64 %242, i64 8
+  %scevgep4.i27.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 %247
   store double 0.000000e+00, ptr %scevgep4.i27.i, align 8, !noalias !58
   %lsr.iv.next.i.i = add i64 %lsr.iv.i26.i, -2
   %scevgep3.i.i = getelementptr i8, ptr %lsr.iv2.i.i, i64 16
   %scevgep7.i.i = getelementptr i8, ptr %lsr.iv6.i.i, i64 16
   %.4143.1.i.i = icmp sgt i64 %lsr.iv.next.i.i, 2
-  %244 = add i64 %.414911041106.i.i, 2
+  %248 = add i64 %.414911041106.i.i, 2
   br i1 %.4143.1.i.i, label %B1510.if.i.i, label %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 _ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1510.if.i.i, %B1510.if.prol.loopexit.i.i, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i
-  %excinfo.3.3.i = phi ptr [ %excinfo.3.0.i, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %excinfo.8.0.i.i, %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i ], [ %excinfo.3.0.i, %B1510.if.prol.loopexit.i.i ], [ %excinfo.3.0.i, %B1510.if.i.i ]
+  %excinfo.3.3.i = phi ptr [ %excinfo.3.1.i, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %excinfo.8.0.i.i, %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i ], [ %excinfo.3.1.i, %B1510.if.prol.loopexit.i.i ], [ %excinfo.3.1.i, %B1510.if.i.i ]
   %cond.i = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_source13_finish_phaseB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi2E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ false, %_ZN17bnserve_surrogate6kernel7_source9_legendreB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i.i ], [ true, %B1510.if.prol.loopexit.i.i ], [ true, %B1510.if.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.2457.i.i), !noalias !0
   call void @llvm.lifetime.end.p0(ptr nonnull %.3101.i.i), !noalias !0
-  br i1 %cond.i, label %B756.endif.endif.endif.endif.i, label %B0.endif.endif.endif.endi...if.2, !prof !65
+  br i1 %cond.i, label %B876.endif.endif.endif.endif.i, label %B0.endif.endif.endif.endi...endif.2.if, !prof !65
 
-B756.endif.endif.endif.endif.i:                   ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  br i1 %53, label %B908.i, label %B964.i
+B876.endif.endif.endif.endif.i:                   ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %57, label %B1028.i, label %B1084.i
 
-B908.else.if.i:                                   ; preds = %B908.i
-  br label %B908.else.endif.i
+B1028.else.if.i:                                  ; preds = %B1028.i
+  br label %B1028.else.endif.i
 
-B908.else.endif.i:                                ; preds = %B908.else.if.i, %B908.i
-  %.3320.sroa.0.1.i = phi i64 [ 0, %B908.else.if.i ], [ %.3332.i, %B908.i ]
-  %.3340.not.i = icmp slt i64 %.3332.i, %arg.n_wide
-  br i1 %.3340.not.i, label %B908.else.endif.endif.i, label %B908.else.endif.if.i, !prof !5
+B1028.else.endif.i:                               ; preds = %B1028.else.if.i, %B1028.i
+  %.3452.sroa.0.1.i = phi i64 [ 0, %B1028.else.if.i ], [ %.3464.i, %B1028.i ]
+  %.3472.not.i = icmp slt i64 %.3464.i, %arg.n_wide
+  br i1 %.3472.not.i, label %B1028.else.endif.endif.i, label %B1028.else.endif.if.i, !prof !5
 
-B908.else.endif.if.i:                             ; preds = %B908.else.endif.i
-  br label %B908.else.endif.endif.i
+B1028.else.endif.if.i:                            ; preds = %B1028.else.endif.i
+  br label %B1028.else.endif.endif.i
 
-B908.else.endif.endif.i:                          ; preds = %B908.else.endif.if.i, %B908.else.endif.i
-  %.3320.sroa.0.3.i = phi i64 [ %arg.n_wide, %B908.else.endif.if.i ], [ %.3320.sroa.0.1.i, %B908.else.endif.i ]
-  %.3347.i = icmp slt i64 %.3292.i, 0
-  %.3348.i = select i1 %.3347.i, i64 %arg.n_wide, i64 0
-  %.3349.i = add i64 %.3348.i, %.3292.i
-  %.3352.i = icmp slt i64 %.3349.i, 0
-  br i1 %.3352.i, label %B908.else.endif.endif.if.i, label %B908.else.endif.endif.endif.i, !prof !4
+B1028.else.endif.endif.i:                         ; preds = %B1028.else.endif.if.i, %B1028.else.endif.i
+  %.3452.sroa.0.3.i = phi i64 [ %arg.n_wide, %B1028.else.endif.if.i ], [ %.3452.sroa.0.1.i, %B1028.else.endif.i ]
+  %.3479.i = icmp slt i64 %.3424.i, 0
+  %.3480.i = select i1 %.3479.i, i64 %arg.n_wide, i64 0
+  %.3481.i = add i64 %.3480.i, %.3424.i
+  %.3484.i = icmp slt i64 %.3481.i, 0
+  br i1 %.3484.i, label %B1028.else.endif.endif.if.i, label %B1028.else.endif.endif.endif.i, !prof !4
 
-B908.else.endif.endif.if.i:                       ; preds = %B908.else.endif.endif.i
-  br label %B908.else.endif.endif.endif.i
+B1028.else.endif.endif.if.i:                      ; preds = %B1028.else.endif.endif.i
+  br label %B1028.else.endif.endif.endif.i
 
-B908.else.endif.endif.endif.i:                    ; preds = %B908.else.endif.endif.if.i, %B908.else.endif.endif.i
-  %.3320.sroa.13.1.i = phi i64 [ 0, %B908.else.endif.endif.if.i ], [ %.3349.i, %B908.else.endif.endif.i ]
-  %.3357.not.i = icmp slt i64 %.3349.i, %arg.n_wide
-  br i1 %.3357.not.i, label %B908.else.endif.endif.endif.endif.i, label %B908.else.endif.endif.endif.if.i, !prof !5
+B1028.else.endif.endif.endif.i:                   ; preds = %B1028.else.endif.endif.if.i, %B1028.else.endif.endif.i
+  %.3452.sroa.13.1.i = phi i64 [ 0, %B1028.else.endif.endif.if.i ], [ %.3481.i, %B1028.else.endif.endif.i ]
+  %.3489.not.i = icmp slt i64 %.3481.i, %arg.n_wide
+  br i1 %.3489.not.i, label %B1028.else.endif.endif.endif.endif.i, label %B1028.else.endif.endif.endif.if.i, !prof !5
 
-B908.else.endif.endif.endif.if.i:                 ; preds = %B908.else.endif.endif.endif.i
-  br label %B908.else.endif.endif.endif.endif.i
+B1028.else.endif.endif.endif.if.i:                ; preds = %B1028.else.endif.endif.endif.i
+  br label %B1028.else.endif.endif.endif.endif.i
 
-B908.else.endif.endif.endif.endif.i:              ; preds = %B908.else.endif.endif.endif.if.i, %B908.else.endif.endif.endif.i
-  %.3320.sroa.13.2.i = phi i64 [ %arg.n_wide, %B908.else.endif.endif.endif.if.i ], [ %.3320.sroa.13.1.i, %B908.else.endif.endif.endif.i ]
-  %.3408.i = sub nsw i64 %.3320.sroa.13.2.i, %.3320.sroa.0.3.i
-  %.138124.not.i.i = icmp slt i64 %.3408.i, 1
-  br i1 %.138124.not.i.i, label %B964.i, label %B56.if.preheader.i.i
+B1028.else.endif.endif.endif.endif.i:             ; preds = %B1028.else.endif.endif.endif.if.i, %B1028.else.endif.endif.endif.i
+  %.3452.sroa.13.2.i = phi i64 [ %arg.n_wide, %B1028.else.endif.endif.endif.if.i ], [ %.3452.sroa.13.1.i, %B1028.else.endif.endif.endif.i ]
+  %.3540.i = sub nsw i64 %.3452.sroa.13.2.i, %.3452.sroa.0.3.i
+  %.138124.not.i.i = icmp slt i64 %.3540.i, 1
+  br i1 %.138124.not.i.i, label %B1084.i, label %B56.if.preheader.i.i
 
-B56.if.preheader.i.i:                             ; preds = %B908.else.endif.endif.endif.endif.i
-  %.3433.i = getelementptr { double, double }, ptr %arg.wide, i64 %.3320.sroa.0.3.i
-  %scevgep.i.i = getelementptr i8, ptr %.3433.i, i64 8
+B56.if.preheader.i.i:                             ; preds = %B1028.else.endif.endif.endif.endif.i
+  %.3565.i = getelementptr { double, double }, ptr %arg.wide, i64 %.3452.sroa.0.3.i
+  %scevgep.i.i = getelementptr i8, ptr %.3565.i, i64 8
   br label %B56.if.i.i
 
 B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if.preheader.i.i
   %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B56.if.preheader.i.i ], [ %scevgep1.i.i, %B56.if.i.i ]
   %.144123125.i.i = phi i64 [ 0, %B56.if.preheader.i.i ], [ %.151.i.i, %B56.if.i.i ]
   %.151.i.i = add nuw nsw i64 %.144123125.i.i, 1
-  %245 = shl i64 %.144123125.i.i, 3
-  %scevgep4.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %245
+  %249 = shl i64 %.144123125.i.i, 3
+  %scevgep4.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %249
   %.206.i.i = load double, ptr %scevgep4.i.i, align 8, !noalias !88
   %.207.i.i = fmul contract double %.206.i.i, 0x3FE45F306DC9C883
   %.208.i.i = fadd contract double %.207.i.i, 0x4338000000000000
@@ -3764,8 +3781,8 @@ B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if
   %.286.i.i = fmul contract double %.285.i.i, %.285.i.i
   %.287.i.i = fmul contract double %.285.i.i, %.286.i.i
   %.288.i.i = fmul contract double %.286.i.i, 0x3D6AE7F3E733B81F
-  %246 = fsub contract double 0x3DE6124613A86D09, %.288.i.i
-  %.290.i.i = fmul contract double %.286.i.i, %246
+  %250 = fsub contract double 0x3DE6124613A86D09, %.288.i.i
+  %.290.i.i = fmul contract double %.286.i.i, %250
   %.291.i.i = fadd contract double %.290.i.i, 0xBE5AE64567F544E4
   %.292.i.i = fmul contract double %.286.i.i, %.291.i.i
   %.293.i.i = fadd contract double %.292.i.i, 0x3EC71DE3A556C734
@@ -3798,19 +3815,19 @@ B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if
   %.321.i.i = bitcast double %.301.i.i to i64
   %.322.i.i = bitcast double %.317.i.i to i64
   %.323.i.i = xor i64 %.322.i.i, %.321.i.i
-  %247 = icmp eq i64 %.319.i.i, 0
-  %.324.i.i = select i1 %247, i64 0, i64 %.323.i.i
+  %251 = icmp eq i64 %.319.i.i, 0
+  %.324.i.i = select i1 %251, i64 0, i64 %.323.i.i
   %.325.i.i = shl i64 %.318.i.i, 62
   %.326.i.i = and i64 %.325.i.i, -9223372036854775808
   %.328.i.i = add i64 %.325.i.i, 4611686018427387904
   %.329.i.i = and i64 %.328.i.i, -9223372036854775808
-  %248 = xor i64 %.326.i.i, %.321.i.i
-  %.331.i.i = xor i64 %248, %.324.i.i
+  %252 = xor i64 %.326.i.i, %.321.i.i
+  %.331.i.i = xor i64 %252, %.324.i.i
   %.332.i.i = bitcast i64 %.331.i.i to double
-  %249 = xor i64 %.329.i.i, %.322.i.i
-  %.334.i.i = xor i64 %249, %.324.i.i
+  %253 = xor i64 %.329.i.i, %.322.i.i
+  %.334.i.i = xor i64 %253, %.324.i.i
   %.335.i.i = bitcast i64 %.334.i.i to double
-  %scevgep19.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %245
+  %scevgep19.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %249
   %.385.i.i = load double, ptr %scevgep19.i, align 8, !noalias !88
   %.386.i.i = fmul contract double %.385.i.i, %.335.i.i
   %.417.i.i = fmul contract double %.385.i.i, %.332.i.i
@@ -3818,55 +3835,55 @@ B56.if.i.i:                                       ; preds = %B56.if.i.i, %B56.if
   store double %.386.i.i, ptr %scevgep2.i.i, align 8, !noalias !88
   store double %.417.i.i, ptr %lsr.iv.i.i, align 8, !noalias !88
   %scevgep1.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 16
-  %exitcond.not.i.i = icmp eq i64 %.3408.i, %.151.i.i
-  br i1 %exitcond.not.i.i, label %B964.i, label %B56.if.i.i
+  %exitcond.not.i.i = icmp eq i64 %.3540.i, %.151.i.i
+  br i1 %exitcond.not.i.i, label %B1084.i, label %B56.if.i.i
 
-B998.else.if.i:                                   ; preds = %B998.i
-  br label %B998.else.endif.i
+B1118.else.if.i:                                  ; preds = %B1118.i
+  br label %B1118.else.endif.i
 
-B998.else.endif.i:                                ; preds = %B998.else.if.i, %B998.i
-  %.3549.sroa.0.1.i = phi i64 [ 0, %B998.else.if.i ], [ %.3561.i, %B998.i ]
-  %.3569.not.i = icmp slt i64 %.3561.i, %arg.n_narrow
-  br i1 %.3569.not.i, label %B998.else.endif.endif.i, label %B998.else.endif.if.i, !prof !5
+B1118.else.endif.i:                               ; preds = %B1118.else.if.i, %B1118.i
+  %.3681.sroa.0.1.i = phi i64 [ 0, %B1118.else.if.i ], [ %.3693.i, %B1118.i ]
+  %.3701.not.i = icmp slt i64 %.3693.i, %arg.n_narrow
+  br i1 %.3701.not.i, label %B1118.else.endif.endif.i, label %B1118.else.endif.if.i, !prof !5
 
-B998.else.endif.if.i:                             ; preds = %B998.else.endif.i
-  br label %B998.else.endif.endif.i
+B1118.else.endif.if.i:                            ; preds = %B1118.else.endif.i
+  br label %B1118.else.endif.endif.i
 
-B998.else.endif.endif.i:                          ; preds = %B998.else.endif.if.i, %B998.else.endif.i
-  %.3549.sroa.0.3.i = phi i64 [ %arg.n_narrow, %B998.else.endif.if.i ], [ %.3549.sroa.0.1.i, %B998.else.endif.i ]
-  %.3576.i = icmp slt i64 %.3517.i, 0
-  %.3577.i = select i1 %.3576.i, i64 %arg.n_narrow, i64 0
-  %.3578.i = add i64 %.3577.i, %.3517.i
-  %.3581.i = icmp slt i64 %.3578.i, 0
-  br i1 %.3581.i, label %B998.else.endif.endif.if.i, label %B998.else.endif.endif.endif.i, !prof !4
+B1118.else.endif.endif.i:                         ; preds = %B1118.else.endif.if.i, %B1118.else.endif.i
+  %.3681.sroa.0.3.i = phi i64 [ %arg.n_narrow, %B1118.else.endif.if.i ], [ %.3681.sroa.0.1.i, %B1118.else.endif.i ]
+  %.3708.i = icmp slt i64 %.3649.i, 0
+  %.3709.i = select i1 %.3708.i, i64 %arg.n_narrow, i64 0
+  %.3710.i = add i64 %.3709.i, %.3649.i
+  %.3713.i = icmp slt i64 %.3710.i, 0
+  br i1 %.3713.i, label %B1118.else.endif.endif.if.i, label %B1118.else.endif.endif.endif.i, !prof !4
 
-B998.else.endif.endif.if.i:                       ; preds = %B998.else.endif.endif.i
-  br label %B998.else.endif.endif.endif.i
+B1118.else.endif.endif.if.i:                      ; preds = %B1118.else.endif.endif.i
+  br label %B1118.else.endif.endif.endif.i
 
-B998.else.endif.endif.endif.i:                    ; preds = %B998.else.endif.endif.if.i, %B998.else.endif.endif.i
-  %.3549.sroa.13.1.i = phi i64 [ 0, %B998.else.endif.endif.if.i ], [ %.3578.i, %B998.else.endif.endif.i ]
-  %.3586.not.i = icmp slt i64 %.3578.i, %arg.n_narrow
-  br i1 %.3586.not.i, label %B998.else.endif.endif.endif.endif.i, label %B998.else.endif.endif.endif.if.i, !prof !5
+B1118.else.endif.endif.endif.i:                   ; preds = %B1118.else.endif.endif.if.i, %B1118.else.endif.endif.i
+  %.3681.sroa.13.1.i = phi i64 [ 0, %B1118.else.endif.endif.if.i ], [ %.3710.i, %B1118.else.endif.endif.i ]
+  %.3718.not.i = icmp slt i64 %.3710.i, %arg.n_narrow
+  br i1 %.3718.not.i, label %B1118.else.endif.endif.endif.endif.i, label %B1118.else.endif.endif.endif.if.i, !prof !5
 
-B998.else.endif.endif.endif.if.i:                 ; preds = %B998.else.endif.endif.endif.i
-  br label %B998.else.endif.endif.endif.endif.i
+B1118.else.endif.endif.endif.if.i:                ; preds = %B1118.else.endif.endif.endif.i
+  br label %B1118.else.endif.endif.endif.endif.i
 
-B998.else.endif.endif.endif.endif.i:              ; preds = %B998.else.endif.endif.endif.if.i, %B998.else.endif.endif.endif.i
-  %.3549.sroa.13.2.i = phi i64 [ %arg.n_narrow, %B998.else.endif.endif.endif.if.i ], [ %.3549.sroa.13.1.i, %B998.else.endif.endif.endif.i ]
-  %.3637.i = sub nsw i64 %.3549.sroa.13.2.i, %.3549.sroa.0.3.i
-  %.138128.not.i.i = icmp slt i64 %.3637.i, 1
-  br i1 %.138128.not.i.i, label %B1054.i, label %B56.if.i19.preheader.i
+B1118.else.endif.endif.endif.endif.i:             ; preds = %B1118.else.endif.endif.endif.if.i, %B1118.else.endif.endif.endif.i
+  %.3681.sroa.13.2.i = phi i64 [ %arg.n_narrow, %B1118.else.endif.endif.endif.if.i ], [ %.3681.sroa.13.1.i, %B1118.else.endif.endif.endif.i ]
+  %.3769.i = sub nsw i64 %.3681.sroa.13.2.i, %.3681.sroa.0.3.i
+  %.138128.not.i.i = icmp slt i64 %.3769.i, 1
+  br i1 %.138128.not.i.i, label %B1174.i, label %B56.if.i19.preheader.i
 
-B56.if.i19.preheader.i:                           ; preds = %B998.else.endif.endif.endif.endif.i
-  %250 = shl i64 %.3549.sroa.0.3.i, 3
-  %scevgep99.i = getelementptr i8, ptr %scevgep98.i, i64 %250
+B56.if.i19.preheader.i:                           ; preds = %B1118.else.endif.endif.endif.endif.i
+  %254 = shl i64 %.3681.sroa.0.3.i, 3
+  %scevgep99.i = getelementptr i8, ptr %scevgep98.i, i64 %254
   br label %B56.if.i19.i
 
 B56.if.i19.i:                                     ; preds = %B56.if.i19.i, %B56.if.i19.preheader.i
   %.144127129.i.i = phi i64 [ %.151.i20.i, %B56.if.i19.i ], [ 0, %B56.if.i19.preheader.i ]
   %.151.i20.i = add nuw nsw i64 %.144127129.i.i, 1
-  %251 = shl i64 %.144127129.i.i, 3
-  %scevgep5.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %251
+  %255 = shl i64 %.144127129.i.i, 3
+  %scevgep5.i.i = getelementptr i8, ptr %p.2.sroa.48.2.i, i64 %255
   %.206.i21.i = load double, ptr %scevgep5.i.i, align 8, !noalias !91
   %.207.i22.i = fmul contract double %.206.i21.i, 0x3FE45F306DC9C883
   %.208.i23.i = fadd contract double %.207.i22.i, 0x4338000000000000
@@ -3882,8 +3899,8 @@ B56.if.i19.i:                                     ; preds = %B56.if.i19.i, %B56.
   %.286.i33.i = fmul contract double %.285.i32.i, %.285.i32.i
   %.287.i34.i = fmul contract double %.285.i32.i, %.286.i33.i
   %.288.i35.i = fmul contract double %.286.i33.i, 0x3D6AE7F3E733B81F
-  %252 = fsub contract double 0x3DE6124613A86D09, %.288.i35.i
-  %.290.i36.i = fmul contract double %.286.i33.i, %252
+  %256 = fsub contract double 0x3DE6124613A86D09, %.288.i35.i
+  %.290.i36.i = fmul contract double %.286.i33.i, %256
   %.291.i37.i = fadd contract double %.290.i36.i, 0xBE5AE64567F544E4
   %.292.i38.i = fmul contract double %.286.i33.i, %.291.i37.i
   %.293.i39.i = fadd contract double %.292.i38.i, 0x3EC71DE3A556C734
@@ -3916,46 +3933,49 @@ B56.if.i19.i:                                     ; preds = %B56.if.i19.i, %B56.
   %.321.i66.i = bitcast double %.301.i47.i to i64
   %.322.i67.i = bitcast double %.317.i63.i to i64
   %.323.i68.i = xor i64 %.322.i67.i, %.321.i66.i
-  %253 = icmp eq i64 %.319.i65.i, 0
-  %.324.i69.i = select i1 %253, i64 0, i64 %.323.i68.i
+  %257 = icmp eq i64 %.319.i65.i, 0
+  %.324.i69.i = select i1 %257, i64 0, i64 %.323.i68.i
   %.325.i70.i = shl i64 %.318.i64.i, 62
   %.326.i71.i = and i64 %.325.i70.i, -9223372036854775808
   %.328.i72.i = add i64 %.325.i70.i, 4611686018427387904
   %.329.i73.i = and i64 %.328.i72.i, -9223372036854775808
-  %254 = xor i64 %.326.i71.i, %.321.i66.i
-  %.331.i74.i = xor i64 %254, %.324.i69.i
+  %258 = xor i64 %.326.i71.i, %.321.i66.i
+  %.331.i74.i = xor i64 %258, %.324.i69.i
   %.332.i75.i = bitcast i64 %.331.i74.i to double
-  %255 = xor i64 %.329.i73.i, %.322.i67.i
-  %.334.i76.i = xor i64 %255, %.324.i69.i
+  %259 = xor i64 %.329.i73.i, %.322.i67.i
+  %.334.i76.i = xor i64 %259, %.324.i69.i
   %.335.i77.i = bitcast i64 %.334.i76.i to double
-  %scevgep21.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %251
+  %scevgep21.i = getelementptr i8, ptr %a.2.sroa.48.2.i, i64 %255
   %.385.i79.i = load double, ptr %scevgep21.i, align 8, !noalias !91
   %.386.i80.i = fmul contract double %.385.i79.i, %.335.i77.i
   %.417.i81.i = fmul contract double %.385.i79.i, %.332.i75.i
   %.464.i.i = fptrunc double %.386.i80.i to float
   %.469.i.i = fptrunc double %.417.i81.i to float
-  %scevgep.i = getelementptr i8, ptr %scevgep99.i, i64 %251
+  %scevgep.i = getelementptr i8, ptr %scevgep99.i, i64 %255
   %scevgep20.i = getelementptr i8, ptr %scevgep.i, i64 -4
   store float %.464.i.i, ptr %scevgep20.i, align 4, !noalias !91
   store float %.469.i.i, ptr %scevgep.i, align 4, !noalias !91
-  %exitcond.not.i82.i = icmp eq i64 %.3637.i, %.151.i20.i
-  br i1 %exitcond.not.i82.i, label %B1054.i, label %B56.if.i19.i
+  %exitcond.not.i82.i = icmp eq i64 %.3769.i, %.151.i20.i
+  br i1 %exitcond.not.i82.i, label %B1174.i, label %B56.if.i19.i
 
-common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.2, %B0.endif.endif.endif.endi...if.2
-  %common.ret.op = phi i32 [ 1, %B0.endif.endif.endif.endi...if.2 ], [ 0, %B0.endif.endif.endif.endi...endif.2 ]
+common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.2.endif, %B0.endif.endif.endif.endi...endif.2.if
+  %common.ret.op = phi i32 [ 1, %B0.endif.endif.endif.endi...endif.2.if ], [ 0, %B0.endif.endif.endif.endi...endif.2.endif ]
   ret i32 %common.ret.op
 
-B0.endif.endif.endif.endi...if.2:                 ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B0.endif.endif.endif.endi...endif.2.if:           ; preds = %_ZN17bnserve_surrogate6kernel7_source6_blockB3v28B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   store ptr %excinfo.3.3.i, ptr %excinfo, align 8
   br label %common.ret
 
-B0.endif.endif.endif.endi...endif.2:              ; preds = %B1058.i, %B0.endif.else.endif.endif.i
+B0.endif.endif.endif.endi...endif.2.endif:        ; preds = %B1178.i, %B0.endif.else.endif.endif.i
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
 
 ; Function Attrs: mustprogress nocallback nofree nounwind willreturn memory(argmem: write)
 declare void @llvm.memset.p0.i64(ptr writeonly captures(none), i8, i64, i1 immarg) #1
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.exp.f64(double) #2
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare i64 @llvm.smin.i64(i64, i64) #2
@@ -4220,9 +4240,6 @@ B592.if:                                          ; preds = %B592.if, %B592.if.p
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
 declare double @sqrt(double) local_unnamed_addr #4
 
-; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
-declare double @llvm.exp.f64(double) #2
-
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
 declare double @tanh(double) local_unnamed_addr #4
 
@@ -4240,9 +4257,9 @@ attributes #4 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
 
 !0 = !{!1, !3}
-!1 = distinct !{!1, !2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
-!2 = distinct !{!2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
-!3 = distinct !{!3, !2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %excinfo"}
+!1 = distinct !{!1, !2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!2 = distinct !{!2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE"}
+!3 = distinct !{!3, !2, !"_ZN17bnserve_surrogate6kernel7_source8evaluateB2v7B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5TupleI5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi2E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayI9complex64Li1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !4 = !{!"branch_weights", i32 1, i32 99}
 !5 = !{!"branch_weights", i32 99, i32 1}
 !6 = !{!7, !1, !3}

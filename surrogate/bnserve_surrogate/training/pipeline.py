@@ -20,17 +20,18 @@ from bnserve_surrogate._model import Model
 from bnserve_surrogate.training._baseline import baseline_amplitude
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
+from bnserve_surrogate.training.error_estimate import ErrorEstimate, fit_error_estimate, with_error_estimate
 from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
 from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, make_generator, mass_seconds
 from bnserve_surrogate.training.greedy_nodes import greedy_nodes
 from bnserve_surrogate.training.metric import MismatchMetric
 from bnserve_surrogate.training.nodes import smooth_nodes
 from bnserve_surrogate.training.noise import noise_curve
-from bnserve_surrogate.training.publication import assemble, describe, provenance, with_results
+from bnserve_surrogate.training.publication import assemble, describe, estimating, provenance, with_results
 from bnserve_surrogate.training.quadrature import noise_weights, spline_matrix
 from bnserve_surrogate.training.ranges import ParameterRanges
 from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction, Reduction
-from bnserve_surrogate.training.regressors import MLP, ChebyshevPolynomial, Sum, export_regressor
+from bnserve_surrogate.training.regressors import MLP, Beside, ChebyshevPolynomial, Sum, export_regressor
 from bnserve_surrogate.training.residuals import flatten_phase
 from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
 from bnserve_surrogate.training.validation import Validation, validate
@@ -39,6 +40,8 @@ Say = Callable[[str], None]
 _SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 1e-2, "phase_shift": 1e-6}
 """What a squared error of a scalar costs against one of the components, when a polynomial is pruned: the match does not
 see it, but the merger's alignment does. That of the time shift multiplies its own part of the metric."""
+_SCALAR_DEGREE = 4.0
+"""Of the polynomial for the scalars beside a network."""
 
 
 @dataclass(frozen=True)
@@ -100,6 +103,11 @@ def train(
     say("Validation on fresh waveforms")
     model = assemble(configuration, metadata, tensors)
     validations = _validate(configuration, generate, model, metadata)
+    estimate = _error_estimate(coordinates, validations)
+    if estimate is not None:
+        tensors = with_error_estimate(tensors, estimate)
+        metadata = estimating(metadata)
+        model = assemble(configuration, metadata, tensors)
     origin = provenance(configuration, generator, dataset, tensors, time.monotonic() - started)
     metadata = with_results(metadata, origin, validations, model)
     return Trained(tensors, metadata, model, validations)
@@ -290,18 +298,26 @@ def _regressor(configuration: TrainingConfiguration, metric: MismatchMetric) -> 
     section = configuration.regressor
     inertia = float(metric.phase_weights @ (metric.phase_frequencies - metric.reference_frequency) ** 2)
     scalars = dict(_SCALAR_WEIGHTS, time_shift=_SCALAR_WEIGHTS["time_shift"] * 0.5 * inertia)
-    weights = np.concatenate([np.ones(configuration.reduction.components), [scalars[name] for name in SCALARS]])
-    polynomial = ChebyshevPolynomial(
-        degree=section.polynomial.degree,
-        weights=section.polynomial.weights,
-        n_terms=section.polynomial.terms,
-        output_weights=weights,
-    )
+    components, scalar_weights = configuration.reduction.components, [scalars[name] for name in SCALARS]
+
+    def polynomial(output_weights: list[float]) -> ChebyshevPolynomial:
+        options = section.polynomial
+        return ChebyshevPolynomial(options.degree, options.weights, options.terms, output_weights=output_weights)
+
+    if section.kind == "polynomial":
+        return polynomial([1.0] * components + scalar_weights)
     options = {name: getattr(section.network, name) for name in section.network.__struct_fields__ if name != "seed"}
     network = MLP(**options, random_state=section.network.seed)
     if section.kind == "sum":
-        return Sum(polynomial, network)
-    return polynomial if section.kind == "polynomial" else network
+        return Beside(Sum(polynomial([1.0] * components), network), polynomial(scalar_weights), components)
+    return Beside(network, ChebyshevPolynomial(_SCALAR_DEGREE), components)
+
+
+def _error_estimate(coordinates: CoordinateMap, validations: dict[str, Validation]) -> ErrorEstimate | None:
+    """Calibrated on all waveforms of the validation, from the middle and from the edges alike."""
+    theta = np.concatenate([validation.theta for validation in validations.values()])
+    mismatch = np.concatenate([validation.mismatch for validation in validations.values()])
+    return fit_error_estimate(coordinates(theta), mismatch)
 
 
 _VALIDATION_SAMPLING: dict[str, Sampling] = {"uniform": UniformSampling(), "edges": EdgeSampling()}

@@ -19,7 +19,7 @@ from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.dataset import ResidualDataset
 from bnserve_surrogate.training.generators import WaveformGenerator
-from bnserve_surrogate.training.validation import Validation
+from bnserve_surrogate.training.validation import Validation, by_parameter
 
 Tensors = dict[str, NDArray[Any]]
 
@@ -42,6 +42,12 @@ def describe(configuration: TrainingConfiguration, activation: str, start_mf: fl
         frequency_band=ranges.frequency_band,
         citation=configuration.citation,
     )
+
+
+def estimating(metadata: SurrogateMetadata) -> SurrogateMetadata:
+    """The metadata of a model whose regressor has the estimated mismatch for its last output."""
+    mode = msgspec.structs.replace(metadata.modes["22"], estimates_mismatch=True)
+    return msgspec.structs.replace(metadata, modes={"22": mode})
 
 
 def assemble(configuration: TrainingConfiguration, metadata: SurrogateMetadata, tensors: Tensors) -> Model:
@@ -88,6 +94,7 @@ def with_results(
         "total_mass": metadata.reference_mass,
         "band_hz": list(metadata.training_band),
         **{name: validation.summary() for name, validation in validations.items()},
+        "by_parameter": by_parameter(validations),
     }
     binary = _typical(metadata)
     frequencies = np.geomspace(metadata.frequency_band[0], 0.5 * metadata.frequency_band[1], 5)

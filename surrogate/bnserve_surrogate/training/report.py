@@ -29,12 +29,14 @@ _ROWS = {
 
 def table(validations: dict[str, Validation]) -> str:
     """Quantiles of every figure, as plain text."""
-    header = f"{'':46}" + "".join(f"{name:>11}" for name in QUANTILES)
+    header = f"{'':62}" + "".join(f"{name:>11}" for name in QUANTILES)
     lines = [header]
     for kind, validation in validations.items():
         for label, values in _ROWS.items():
             name = f"{kind}, {len(validation.mismatch)} waveforms: {label}"
-            lines.append(f"{name:46}" + "".join(f"{x:>11.3g}" for x in quantiles(values(validation)).values()))
+            lines.append(f"{name:62}" + "".join(f"{x:>11.3g}" for x in quantiles(values(validation)).values()))
+        if validation.above_estimate is not None:
+            lines.append(f"{kind}: above three times the model's own estimate: {validation.above_estimate:.2%}")
     return "\n".join(lines)
 
 

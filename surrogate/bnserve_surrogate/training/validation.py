@@ -37,6 +37,8 @@ class Validation:
         (N,) seconds by which ``alignment="merger"`` misses the generator's merger.
     merger_phase:
         (N,) radians by which its phase misses the generator's, at zero frequency.
+    estimated_mismatch:
+        (N,) what the model says of itself, or None.
     log_amplitude, phase:
         (N, n) differences at the nodes, the phase after the best shift of time and phase.
     frequencies:
@@ -48,19 +50,46 @@ class Validation:
     baseline_mismatch: FloatArray
     merger_time: FloatArray
     merger_phase: FloatArray
+    estimated_mismatch: FloatArray | None
     log_amplitude: FloatArray
     phase: FloatArray
     frequencies: FloatArray
 
+    @property
+    def above_estimate(self) -> float | None:
+        """Fraction of the waveforms whose mismatch is above three times the model's estimate, if it has one."""
+        if self.estimated_mismatch is None:
+            return None
+        return float(np.mean(self.mismatch > 3.0 * self.estimated_mismatch))
+
     def summary(self) -> dict[str, Any]:
         """Quantiles, for a manifest or a table."""
+        calibration = self.above_estimate
         return {
             "count": len(self.mismatch),
+            **({} if calibration is None else {"above_three_times_estimate": calibration}),
             "mismatch": quantiles(self.mismatch),
             "baseline_mismatch": quantiles(self.baseline_mismatch),
             "merger_time_error_seconds": quantiles(np.abs(self.merger_time)),
             "merger_phase_error_radians": quantiles(np.abs(self.merger_phase)),
         }
+
+
+def by_parameter(validations: dict[str, Validation], bins: int = 4) -> dict[str, list[dict[str, Any]]]:
+    """The mismatch as a function of each parameter: quantiles in ``bins`` equal parts of its range."""
+    theta = np.concatenate([validation.theta for validation in validations.values()])
+    mismatch = np.concatenate([validation.mismatch for validation in validations.values()])
+    result = {}
+    for column, name in enumerate(INTRINSIC_NAMES):
+        values = theta[:, column]
+        edges = np.linspace(values.min(), values.max(), bins + 1)
+        part = np.clip(np.searchsorted(edges, values, side="right") - 1, 0, bins - 1)
+        result[name] = [
+            {"from": float(f"{edges[k]:.4g}"), "to": float(f"{edges[k + 1]:.4g}"), **quantiles(mismatch[part == k])}
+            for k in range(bins)
+            if (part == k).any()
+        ]
+    return result
 
 
 def quantiles(values: FloatArray) -> dict[str, float]:
@@ -115,6 +144,7 @@ def validate(
         baseline_mismatch=baseline.mismatch,
         merger_time=result.time,
         merger_phase=result.phase,
+        estimated_mismatch=ours.estimated_mismatch,
         log_amplitude=log_amplitude,
         phase=difference - line,
         frequencies=f,

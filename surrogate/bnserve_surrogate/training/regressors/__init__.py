@@ -5,10 +5,12 @@ arrays; these do:
 
 * :class:`ChebyshevPolynomial`: least squares, deterministic, seconds;
 * :class:`MLP`: the paper's neural network;
-* :class:`Sum`: one of them on the residuals of the other.
+* :class:`Sum`: one of them on the residuals of the other;
+* :class:`Beside`: one of them for some of the outputs, another for the rest.
 """
 
 from bnserve_surrogate.training.regressors.additive import Sum
+from bnserve_surrogate.training.regressors.beside import Beside
 from bnserve_surrogate.training.regressors.chebyshev import chebyshev_terms, weighted_exponents
 from bnserve_surrogate.training.regressors.exported import ExportedRegressor, NotExportable, evaluate_exported
 from bnserve_surrogate.training.regressors.exporting import export_regressor
@@ -17,6 +19,7 @@ from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial
 
 __all__ = [
     "MLP",
+    "Beside",
     "ChebyshevPolynomial",
     "ExportedRegressor",
     "NotExportable",

@@ -1,0 +1,150 @@
+"""``bnserve demo``: it shows everything, notices a wrong bit, and leaves nothing behind."""
+
+import os
+import re
+import signal
+import socket
+import subprocess
+import sys
+from urllib.parse import urlsplit
+
+import numpy as np
+import pytest
+from matplotlib.image import imread
+
+from bnserve_protocol import Polarizations
+from bnserve_service.demo import demonstration, server_process
+from tests.integration.conftest import COMMAND, bnserve
+
+SIGNAL_BLUE = np.array([0x17, 0x50, 0x8F]) / 255.0
+
+
+@pytest.fixture(scope="module")
+def demo(tmp_path_factory):
+    """One run of the command, and the folder it ran in."""
+    folder = tmp_path_factory.mktemp("demo")
+    command = [*COMMAND, "demo", "--binaries", "16"]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=300), folder
+
+
+def address_in(output: str) -> str:
+    found = re.search(r"^server +(http://[\d.:]+), ready after", output, re.MULTILINE)
+    assert found, output
+    return found.group(1)
+
+
+def is_listening(address: str) -> bool:
+    parts = urlsplit(address)
+    try:
+        socket.create_connection((parts.hostname, parts.port), timeout=10).close()
+    except ConnectionRefusedError:
+        return False
+    return True
+
+
+def test_it_succeeds_and_every_bit_is_the_same(demo):
+    done, _ = demo
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert re.findall(r"^bits +([\d,]+) of ([\d,]+) .* identical", done.stdout, re.MULTILINE) == [
+        ("8,864", "8,864"),  # 16 binaries, 277 frequencies, two polarisations
+        ("259,616", "259,616"),  # and 8,113 frequencies
+    ]
+
+
+def test_it_says_which_model_answered(demo, local):
+    done, _ = demo
+    assert f"{local.description.name} {local.description.version}\n" in done.stdout
+    assert local.description.digest in done.stdout
+
+
+def test_it_prints_what_it_measured(demo):
+    done, _ = demo
+    for size in ("1 x 277", "16 x 277", "16 x 8,113"):
+        assert re.search(rf"^ +{size} frequencies( +[\d.]+ ms +[\d,]+ / s){{2}}$", done.stdout, re.MULTILINE), (
+            done.stdout
+        )
+
+
+def test_it_draws_the_signal(demo):
+    _, folder = demo
+    pixels = imread(folder / "bnserve-demo.png")[..., :3]
+    assert pixels.shape[1] > pixels.shape[0] > 1000
+    inked = (pixels < 0.9).any(axis=-1)
+    of_the_signal = (np.abs(pixels - SIGNAL_BLUE) < 0.02).all(axis=-1)
+    assert 0.02 < inked.mean() < 0.5
+    for panel in (of_the_signal[:600], of_the_signal[600:, :800], of_the_signal[600:, 800:]):
+        assert panel.sum() > 1000
+
+
+def test_its_server_is_stopped(demo):
+    done, _ = demo
+    assert re.search(r"^server +stopped by SIGTERM after [\d.]+ s, exit code 0$", done.stdout, re.MULTILINE)
+    assert not is_listening(address_in(done.stdout))
+
+
+@pytest.mark.parametrize(
+    ("number", "code"), [(signal.SIGINT, 130), (signal.SIGTERM, 128 + signal.SIGTERM), (signal.SIGHUP, 129)]
+)
+def test_whatever_ends_it_its_server_is_stopped(tmp_path, number, code):
+    command = [*COMMAND, "demo", "--output", str(tmp_path / "demo.png")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        lines = iter(process.stdout.readline, "")
+        address = address_in(next(line for line in lines if line.startswith("server ")))
+        assert is_listening(address)
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=120)
+    assert process.returncode == code
+    assert "Traceback" not in errors
+    assert not is_listening(address)
+
+
+def test_a_wrong_bit_is_noticed(tmp_path, monkeypatch, local):
+    class NearlyTheSame:
+        description, predict = local.description, local.predict
+
+        def predict_batch(self, grid, batch):
+            answer = local.predict_batch(grid, batch)
+            plus = answer.plus.copy()
+            plus[-1, 0] = np.nextafter(plus[-1, 0].real, 1.0) + 1j * plus[-1, 0].imag
+            return Polarizations(plus=plus, cross=answer.cross, status=answer.status)
+
+    monkeypatch.setattr(demonstration.LocalModel, "default", NearlyTheSame)
+    lines: list[str] = []
+    assert not demonstration.demonstrate(tmp_path / "demo.png", 3, lines.append)
+    assert any("1,661 of 1,662 complex numbers ARE THE LOCAL MODEL'S" in line for line in lines)
+
+
+def test_a_server_that_does_not_start_is_explained(monkeypatch):
+    broken = (sys.executable, "-c", "import sys; print('bnserve listens on x'); sys.exit('no luck')")
+    monkeypatch.setattr(server_process, "_COMMAND", broken)
+    server = server_process.ServerProcess()
+    with pytest.raises(server_process.ServerFailed, match="no luck"):
+        server.__enter__()
+    assert server.exit_code == 1
+
+
+@pytest.mark.parametrize(
+    ("arguments", "word"),
+    [
+        (["--output", "not-there/demo.png"], "not-there"),
+        (["--output", "demo.wav"], ".png"),
+        (["--binaries", "0"], "--binaries"),
+    ],
+)
+def test_mistakes_are_explained_before_anything_starts(arguments, word):
+    done = bnserve("demo", *arguments)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert word in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("package", ["matplotlib", "bnserve_client"])
+def test_a_missing_package_is_explained(package):
+    code = (
+        f"import sys; sys.modules['{package}'] = None\nfrom bnserve_service.cli import main; sys.exit(main(['demo']))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=os.environ)
+    assert done.returncode == 2
+    assert f"'{package}'" in done.stderr
+    assert "pip install" in done.stderr
+    assert "Traceback" not in done.stderr

@@ -1,0 +1,135 @@
+"""A batch of binaries: every accepted form, and what is said about the others."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from bnserve_protocol import (
+    INTRINSIC_NAMES,
+    PARAMETER_DEFAULTS,
+    PARAMETER_NAMES,
+    InvalidParameters,
+    ParameterBatch,
+    ParametersWithExtrinsic,
+)
+
+ONE = ParametersWithExtrinsic.gw170817()
+TYPICAL = dataclasses.asdict(ONE)
+
+
+def refused(batch):
+    with pytest.raises(InvalidParameters) as raised:
+        ParameterBatch.coerce(batch)
+    return raised.value
+
+
+def test_names_and_defaults():
+    assert set(INTRINSIC_NAMES) < set(PARAMETER_NAMES)
+    assert PARAMETER_DEFAULTS == {"reference_phase": 0.0, "time_shift": 0.0}
+
+
+def test_a_binary_is_immutable():
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        ONE.mass_ratio = 2.0
+
+
+def test_one_binary_is_a_batch_of_one_and_comes_back():
+    batch = ParameterBatch.coerce(ONE)
+    assert len(batch) == 1
+    assert batch.row(0) == ONE
+
+
+def test_a_list_a_mapping_and_a_batch_are_the_same():
+    other = dataclasses.replace(ONE, chi_1=0.3)
+    listed = ParameterBatch.coerce([ONE, other])
+    mapped = ParameterBatch.coerce(TYPICAL | {"chi_1": [ONE.chi_1, 0.3]})
+    np.testing.assert_array_equal(listed.values, mapped.values)
+    assert ParameterBatch.coerce(listed) is listed
+    assert listed.row(1) == other
+
+
+def test_a_scalar_counts_for_all_rows_and_defaults_fill_in():
+    required = {name: value for name, value in TYPICAL.items() if name not in PARAMETER_DEFAULTS}
+    batch = ParameterBatch.coerce(required | {"chi_1": np.array([0.1, 0.2, 0.3]), "chi_2": (0, 0, 0)})
+    assert batch.values.shape == (3, len(PARAMETER_NAMES))
+    np.testing.assert_array_equal(batch["mass_ratio"], [1.2] * 3)
+    np.testing.assert_array_equal(batch["chi_1"], [0.1, 0.2, 0.3])
+    np.testing.assert_array_equal(batch["time_shift"], 0.0)
+
+
+def test_scalars_alone_are_one_row():
+    assert len(ParameterBatch.coerce(TYPICAL)) == 1
+
+
+@pytest.mark.parametrize("empty", [[], TYPICAL | {"chi_1": []}], ids=["a list", "a vector"])
+def test_an_empty_batch_has_no_rows(empty):
+    assert ParameterBatch.coerce(empty).values.shape == (0, 10)
+
+
+def test_pieces_cover_the_batch_in_order():
+    batch = ParameterBatch(np.arange(70.0).reshape(7, 10))
+    pieces = batch.split(3)
+    assert [len(piece) for piece in pieces] == [3, 3, 1]
+    np.testing.assert_array_equal(np.vstack([piece.values for piece in pieces]), batch.values)
+
+
+@pytest.mark.parametrize(
+    ("misspelt", "meant"),
+    [("lamda_1", "lambda_1"), ("mass-ratio", "mass_ratio"), ("distance", "distance_mpc"), ("chi1", "chi_1")],
+)
+def test_a_misspelt_name_suggests_the_nearest(misspelt, meant):
+    error = refused(TYPICAL | {misspelt: 1.0})
+    assert f"Unknown parameter '{misspelt}'. Did you mean '{meant}'?" in error.detail
+    assert [(problem.parameter, problem.row) for problem in error.errors] == [(misspelt, None)]
+
+
+def test_a_name_like_no_other_lists_those_that_exist():
+    assert all(name in refused(TYPICAL | {"xyz": 1.0}).detail for name in PARAMETER_NAMES)
+
+
+def test_a_name_that_is_no_text_or_endless_is_refused_and_shortened():
+    assert "'7'" in refused(TYPICAL | {7: 1.0}).detail
+    assert len(refused(TYPICAL | {"x" * 10_000: 1.0}).detail) < 500
+
+
+def test_missing_names_are_all_listed():
+    error = refused({"mass_ratio": 1.0, "lambda_1": 1.0, "lambda_2": 2.0, "chi_1": 0.0, "chi_2": 0.0})
+    assert error.detail == "Missing parameters: distance_mpc, inclination, total_mass."
+    assert [problem.parameter for problem in error.errors] == ["distance_mpc", "inclination", "total_mass"]
+
+
+def test_unequal_lengths_are_refused_with_the_lengths():
+    detail = refused(TYPICAL | {"chi_1": [0.0, 0.1], "chi_2": [0.0] * 3}).detail
+    assert "chi_1: 2" in detail
+    assert "chi_2: 3" in detail
+
+
+@pytest.mark.parametrize("value", ["fast", [0.1, "fast"], [[0.1], [0.2, 0.3]], {}, 1j], ids=str)
+def test_what_is_no_number_is_named(value):
+    error = refused(TYPICAL | {"chi_1": value})
+    assert "'chi_1' must be a number or a vector" in error.detail
+    assert error.errors[0].parameter == "chi_1"
+
+
+def test_a_matrix_is_no_vector():
+    assert "shape (2, 1)" in refused(TYPICAL | {"chi_1": [[0.1], [0.2]]}).detail
+
+
+@pytest.mark.parametrize(
+    "batch", [3, None, "binaries", [1, 2], np.zeros((2, 10)), [ONE, TYPICAL]], ids=lambda b: str(type(b))
+)
+def test_anything_else_is_no_batch(batch):
+    assert "A batch is" in refused(batch).detail
+
+
+@pytest.mark.parametrize("values", [np.zeros(10), np.zeros((2, 9)), np.zeros((1, 2, 10)), 0.0])
+def test_an_array_of_another_shape_is_refused(values):
+    with pytest.raises(InvalidParameters, match=r"shape \(N, 10\)"):
+        ParameterBatch(values)
+
+
+@pytest.mark.parametrize("values", [[["a"] * 10], [[0.0] * 10, [0.0]]])
+def test_an_array_that_is_no_array_of_numbers_is_refused(values):
+    with pytest.raises(InvalidParameters, match="must be a number or a vector of numbers"):
+        ParameterBatch(values)
