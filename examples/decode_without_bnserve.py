@@ -1,7 +1,9 @@
 """Ask a running server, and read its answer, without any library of ours: http.client, msgpack, numpy.
 
-pip install msgpack numpy
-python examples/decode_without_bnserve.py http://127.0.0.1:8000
+With a server running anywhere, and its address:
+
+    pip install msgpack numpy
+    python examples/decode_without_bnserve.py http://127.0.0.1:8000
 """
 
 import http.client
@@ -12,7 +14,7 @@ import msgpack
 import numpy as np
 
 
-def array(packed):
+def array(packed: dict) -> np.ndarray:
     """An array, from the map that stands for it: the layout of msgpack-numpy, whose keys are binary."""
     return np.frombuffer(packed[b"data"], packed[b"type"]).reshape(packed[b"shape"])
 

@@ -1,6 +1,8 @@
 """One waveform from the model that ships with bnserve, in this process: no server, no compiler.
 
-python examples/local_waveform.py
+From a checkout with bnserve installed:
+
+    python examples/local_waveform.py
 """
 
 import numpy as np

@@ -13,7 +13,7 @@ import numpy as np
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 
 
-def resonant_tides(theta, mf):
+def resonant_tides(theta: np.ndarray, mf: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """TaylorF2 whose leading tidal term grows as the stars are driven towards the resonance of their f-modes.
 
     A toy in the spirit of Hinderer et al. 2016 (arXiv:1602.00599), with one resonance for both stars, at M f = 0.06.

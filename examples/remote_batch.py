@@ -1,7 +1,9 @@
 """A batch of waveforms from a running server, as a sampler would ask for it.
 
-bnserve serve
-python examples/remote_batch.py http://127.0.0.1:8000
+Start a server, and give its address:
+
+    bnserve serve
+    python examples/remote_batch.py http://127.0.0.1:8000
 """
 
 import sys

@@ -11,9 +11,17 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from bnserve_protocol import BnserveError
 from bnserve_surrogate.training.report import write_text
 
 LEVELS = {"median": 0.5, "90 %": 0.9, "99 %": 0.99, "max": 1.0}
+
+
+class DataMissing(BnserveError):
+    """What a figure shows was not made yet."""
+
+    code = "data-missing"
+    title = "Nothing to draw"
 
 
 @dataclass(frozen=True)

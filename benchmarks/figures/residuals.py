@@ -34,8 +34,8 @@ def draw(workspace: Workspace) -> Drawing:
         _panel(axes[0, column], f, amplitude, tide, norm, r"$\log\,(A / A_{\rm ref})$", "")
         lines = _panel(axes[1, column], f, phase, tide, norm, r"$\Delta\phi$", "rad")
         style.frequency_axis(axes[1, column])
-    axes[0, 0].set_title("TEOBResumSPA and the post-Newtonian baseline")
-    axes[0, 1].set_title(f"TEOBResumSPA and the model {workspace.model_name}")
+    axes[0, 0].set_title("Before: to the post-Newtonian baseline")
+    axes[0, 1].set_title(f"After: to the model {workspace.model_name}")
     figure.colorbar(lines, ax=axes, label=r"tidal deformability  $\tilde\Lambda$", aspect=40, pad=0.01)
     numbers = {"before": _spread(f, *before), "after": _spread(f, *after), "waveforms": count}
     return Drawing(figure, numbers, _summary(numbers))

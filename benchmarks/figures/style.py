@@ -60,7 +60,7 @@ def figure(width: float = 12.0, height: float = 6.75) -> Figure:
 def frequency_axis(axis: Axes, label: bool = True) -> None:
     """A logarithmic frequency axis with plain numbers."""
     axis.set_xscale("log")
-    axis.set_xticks([5, 10, 30, 100, 300, 1000, 3000], labels=["5", "10", "30", "100", "300", "1000", "3000"])
+    axis.set_xticks([5, 10, 30, 100, 300, 1000, 3000], labels=["5", "10", "30", "100", "300", "1k", "3k"])
     axis.xaxis.minorticks_off()
     if label:
         axis.set_xlabel("frequency for $M = 2.8\\,M_\\odot$  [Hz]")

@@ -43,6 +43,8 @@ class Workspace:
         The shipped model.
     directory:
         Of the data sets.
+    pareto:
+        Folder of the collections that ``bnserve search`` wrote.
     short:
         Small numbers everywhere: minutes become seconds.
     largest:
@@ -57,6 +59,7 @@ class Workspace:
     paper: TrainingConfiguration
     artifact: Artifact
     directory: Path
+    pareto: Path
     short: bool = False
     largest: int = 2**14
     jobs: int = -1

@@ -163,14 +163,9 @@ class ModelStore:
         BnserveError
             The disk is full or the store cannot be written; nothing was published.
         """
-        check_name(name)
-        check_version(version)
         labels = [labels] if isinstance(labels, str) else list(labels)
-        for label in labels:
-            check_label(label)
+        self.check_publishable(name, version, labels, root)
         target = self._writable(root)
-        if any(version in _versions(other, name) for other in self._roots if _is_there(other)):
-            raise version_exists(name, version)
         if created is not None and created.tzinfo is None:
             raise InvalidRequest("The time 'created' needs a time zone, for example datetime.now(timezone.utc).")
         arrays = prepare_tensors(tensors)
@@ -178,6 +173,20 @@ class ModelStore:
         manifest = describe(name, version, arrays, data, as_metadata(metadata), created)
         publish_version(target, manifest, data, labels)
         return manifest
+
+    def check_publishable(
+        self, name: str, version: str, labels: Sequence[str] = ("stable",), root: Path | str | None = None
+    ) -> None:
+        """Raise what :meth:`publish` would raise for these names: for who has hours of work before publishing."""
+        check_name(name)
+        check_version(version)
+        for label in [labels] if isinstance(labels, str) else labels:
+            check_label(label)
+        target = self._writable(root)
+        if target.path.exists() and not target.path.is_dir():
+            raise InvalidRequest(f"'{target.title}' is a file; name a directory as the store to publish to.")
+        if any(version in _versions(other, name) for other in self._roots if _is_there(other)):
+            raise version_exists(name, version)
 
     def set_label(self, name: str, label: str, version: str, root: Path | str | None = None) -> None:
         """Point a label to a version (or to the version of another label), atomically.

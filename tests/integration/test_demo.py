@@ -12,8 +12,12 @@ import numpy as np
 import pytest
 from matplotlib.image import imread
 
-from bnserve_protocol import Polarizations
+from bnserve_protocol import Polarizations, RowStatus
 from bnserve_service.demo import demonstration, server_process
+from bnserve_service.demo.binaries import like_gw170817
+from bnserve_service.demo.chirp import MERGER_AT_ZERO, evaluate_chirp, strain_in_time
+from tests.architecture.rooms import run_python
+from tests.architecture.test_thin import TRAINING
 from tests.integration.conftest import COMMAND, bnserve
 
 SIGNAL_BLUE = np.array([0x17, 0x50, 0x8F]) / 255.0
@@ -123,6 +127,37 @@ def test_a_server_that_does_not_start_is_explained(monkeypatch):
     assert server.exit_code == 1
 
 
+def test_the_strain_is_the_inverse_transform_of_the_model(local):
+    times, strain = strain_in_time(local, demonstration.ONE)
+    for frequency in (60.0, 300.0, 1500.0):
+        transform = (strain * np.exp(-2j * np.pi * frequency * times)).sum() * (times[1] - times[0])
+        h_plus = local.predict([frequency], demonstration.ONE, options=MERGER_AT_ZERO).plus[0]
+        assert abs(transform - h_plus) < 1e-8 * abs(h_plus)
+
+
+def test_the_merger_is_at_zero_and_nothing_wraps_around(local):
+    times, strain = strain_in_time(local, demonstration.ONE)
+    assert abs(times[np.argmax(np.abs(strain))]) < 2e-3
+    quiet = (times < -28.0) | (times > 0.5)
+    assert np.abs(strain[quiet]).max() < 1e-3 * np.abs(strain).max()
+
+
+@pytest.mark.parametrize("frequency", [6.0, 20.0, 100.0, 1000.0])
+def test_the_track_is_the_time_until_the_merger(local, frequency):
+    chirp = evaluate_chirp(local, demonstration.ONE)
+    assert chirp.seconds_from(frequency) == pytest.approx(
+        local.time_until_merger(frequency, chirp.parameters), rel=1e-4
+    )
+
+
+def test_the_same_seed_gives_the_same_binaries_inside_the_model(local):
+    batch = like_gw170817(500)
+    assert batch.values.tobytes() == like_gw170817(500).values.tobytes()
+    chirp_mass = batch["total_mass"] * (batch["mass_ratio"] / (1.0 + batch["mass_ratio"]) ** 2) ** 0.6
+    assert np.ptp(chirp_mass) < 3e-3
+    assert (local.predict_batch([100.0], batch).status == RowStatus.OK).all()
+
+
 @pytest.mark.parametrize(
     ("arguments", "word"),
     [
@@ -148,3 +183,9 @@ def test_a_missing_package_is_explained(package):
     assert f"'{package}'" in done.stderr
     assert "pip install" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_it_needs_nothing_of_training():
+    absent = TRAINING - {"matplotlib"}
+    code = f"import sys; sys.modules.update(dict.fromkeys({sorted(absent)}))\nimport bnserve_service.demo.demonstration"
+    run_python(code)

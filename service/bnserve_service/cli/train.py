@@ -31,7 +31,8 @@ def run(options: argparse.Namespace) -> int:
     """Train and publish."""
     from bnserve_service.training_extra import import_training
 
-    config, pipeline, report = import_training("config", "pipeline", "report")
+    config, errors, pipeline, report = import_training("config", "errors", "pipeline", "report")
+    errors.require("matplotlib")  # for the report: better missed now than at the end
     configuration = config.read_configuration(options.configuration)
     if options.version:
         configuration = config.with_version(configuration, options.version)
@@ -44,9 +45,9 @@ def run(options: argparse.Namespace) -> int:
         progress=False if options.no_progress else None,
     )
     manifest = pipeline.publish(configuration, trained, options.store)
-    page = options.work / f"{manifest.name}-{manifest.version}-report.html"
-    report.write_report(page, f"{manifest.name} {manifest.version}", manifest.digest, trained)
     print(report.table(trained.validations))
     print(f"Published {manifest.name} {manifest.version} ({manifest.digest}) to {options.store}")
+    page = options.work / f"{manifest.name}-{manifest.version}-report.html"
+    report.write_report(page, f"{manifest.name} {manifest.version}", manifest.digest, trained)
     print(f"Report: {page}")
     return 0

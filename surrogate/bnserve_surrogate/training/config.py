@@ -6,10 +6,12 @@ import difflib
 import re
 import tomllib
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import msgspec
+from msgspec import Meta
 
+from bnserve_surrogate.kernel import MAX_WIDTH
 from bnserve_surrogate.training.errors import TrainingError
 
 
@@ -18,6 +20,13 @@ class ConfigurationInvalid(TrainingError):
 
     code = "configuration-invalid"
     title = "Training configuration invalid"
+
+
+Natural = Annotated[int, Meta(ge=0)]
+Count = Annotated[int, Meta(ge=1)]
+Positive = Annotated[float, Meta(gt=0.0)]
+NotNegative = Annotated[float, Meta(ge=0.0)]
+Fraction = Annotated[float, Meta(ge=0.0, le=1.0)]
 
 
 class _Section(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -37,36 +46,36 @@ class RangesSection(_Section, frozen=True, forbid_unknown_fields=True):
     mass_ratio: tuple[float, float] = (1.0, 3.0)
     chi: tuple[float, float] = (-0.5, 0.5)
     tidal_deformability: tuple[float, float] = (5.0, 5000.0)
-    total_mass: tuple[float, float] = (2.0, 4.0)
-    reference_mass: float = 2.8
-    frequency_band: tuple[float, float] = (5.0, 2048.0)
+    total_mass: tuple[Positive, Positive] = (2.0, 4.0)
+    reference_mass: Positive = 2.8
+    frequency_band: tuple[Positive, Positive] = (5.0, 2048.0)
 
 
 class NodesSection(_Section, frozen=True, forbid_unknown_fields=True):
     """``smooth``: ``count`` nodes for both quantities. ``greedy``: the paper's, on residuals or on waveforms."""
 
     kind: Literal["smooth", "greedy"] = "smooth"
-    count: int = 160
-    tolerance: float = 1e-5
-    waveforms: int = 128
+    count: Annotated[int, Meta(ge=4)] = 160
+    tolerance: Positive = 1e-5
+    waveforms: Count = 128
     on: Literal["residuals", "waveforms"] = "residuals"
 
 
 class DatasetSection(_Section, frozen=True, forbid_unknown_fields=True):
     """How many waveforms, drawn how; ``arcsine_fraction`` is the mixture's share of arcsine points."""
 
-    count: int
+    count: Count
     sampling: Literal["uniform", "arcsine", "mixture"] = "mixture"
-    arcsine_fraction: float = 0.5
+    arcsine_fraction: Fraction = 0.5
     seed: int = 1
-    max_failed_fraction: float = 0.01
+    max_failed_fraction: Fraction = 0.01
 
 
 class ReductionSection(_Section, frozen=True, forbid_unknown_fields=True):
     """``metric``: components in the metric of the mismatch. ``paper``: unweighted, scaled by lambda^exponent."""
 
     kind: Literal["metric", "paper"] = "metric"
-    components: int = 26
+    components: Count = 26
     eigenvalue_exponent: float = 0.37
     noise: str = "ET-D"
 
@@ -74,31 +83,37 @@ class ReductionSection(_Section, frozen=True, forbid_unknown_fields=True):
 class PolynomialSection(_Section, frozen=True, forbid_unknown_fields=True):
     """Options of ``ChebyshevPolynomial``."""
 
-    degree: float = 9.0
-    terms: int | None = None
+    degree: NotNegative = 9.0
+    terms: Count | None = None
     weights: tuple[float, float, float, float, float] = (1.0, 0.8, 1.0, 1.5, 1.5)
 
 
 class NetworkSection(_Section, frozen=True, forbid_unknown_fields=True):
     """Options of ``MLP``; the defaults are the paper's."""
 
-    hidden_layer_sizes: tuple[int, ...] = (82, 95)
+    hidden_layer_sizes: Annotated[tuple[Annotated[int, Meta(ge=1, le=MAX_WIDTH)], ...], Meta(min_length=1)] = (82, 95)
     activation: Literal["tanh", "relu", "logistic"] = "tanh"
-    alpha: float = 1e-4
-    batch_size: int = 162
-    learning_rate_init: float = 1.2e-3
-    max_iter: int = 1000
-    validation_fraction: float = 0.075
-    tol: float = 2e-15
-    n_iter_no_change: int = 91
-    seed: int = 0
+    alpha: NotNegative = 1e-4
+    batch_size: Count = 162
+    learning_rate_init: Positive = 1.2e-3
+    max_iter: Count = 1000
+    validation_fraction: Annotated[float, Meta(gt=0.0, lt=1.0)] = 0.075
+    tol: NotNegative = 2e-15
+    n_iter_no_change: Count = 91
+    seed: Natural = 0
 
 
 class RegressorSection(_Section, frozen=True, forbid_unknown_fields=True):
-    """``polynomial``, ``network``, or ``sum``: a network on what the polynomial leaves."""
+    """``polynomial``, ``network``, or ``sum``: a network on what the polynomial leaves.
+
+    ``hyperparameters = "best"`` takes those found by a search for the number of waveforms, from the file ``pareto`` or,
+    if that is empty, from the collection that comes with the package.
+    """
 
     kind: Literal["polynomial", "network", "sum"] = "polynomial"
     coordinates: Literal["physical", "raw"] = "physical"
+    hyperparameters: Literal["given", "best"] = "given"
+    pareto: str = ""
     polynomial: PolynomialSection = PolynomialSection()
     network: NetworkSection = NetworkSection()
 
@@ -106,8 +121,8 @@ class RegressorSection(_Section, frozen=True, forbid_unknown_fields=True):
 class ValidationSection(_Section, frozen=True, forbid_unknown_fields=True):
     """Fresh waveforms: ``count`` uniform in the box, ``edge_count`` on its faces, edges and corners."""
 
-    count: int = 512
-    edge_count: int = 128
+    count: Natural = 512
+    edge_count: Natural = 128
     seed: int = 1000
 
 

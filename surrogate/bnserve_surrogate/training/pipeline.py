@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import VersionExists
 from bnserve_store import Artifact, Manifest, ModelStore
 from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate._metadata import SurrogateMetadata
@@ -27,6 +26,7 @@ from bnserve_surrogate.training.greedy_nodes import greedy_nodes
 from bnserve_surrogate.training.metric import MismatchMetric
 from bnserve_surrogate.training.nodes import smooth_nodes
 from bnserve_surrogate.training.noise import noise_curve
+from bnserve_surrogate.training.plausibility import check_plausible
 from bnserve_surrogate.training.publication import assemble, describe, estimating, provenance, with_results
 from bnserve_surrogate.training.quadrature import noise_weights, spline_matrix
 from bnserve_surrogate.training.ranges import ParameterRanges
@@ -34,6 +34,7 @@ from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction
 from bnserve_surrogate.training.regressors import MLP, Beside, ChebyshevPolynomial, Sum, export_regressor
 from bnserve_surrogate.training.residuals import flatten_phase
 from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
+from bnserve_surrogate.training.search_pareto import with_best_hyperparameters
 from bnserve_surrogate.training.validation import Validation, validate
 
 Say = Callable[[str], None]
@@ -82,23 +83,23 @@ def train(
         With what to do; finished work is kept.
     """
     started = time.monotonic()
+    configuration, choice = with_best_hyperparameters(configuration)
+    if choice:
+        say(choice)
+    check_plausible(configuration)
     generator = make_generator(configuration.generator.name, **configuration.generator.options)
     generate = _Generation(configuration, generator, directory, n_jobs, backend, progress)
-    say(f"Nodes: {configuration.nodes.kind}")
-    mf_amplitude, mf_phase = _nodes(configuration, generator, directory, n_jobs)
-    say(f"  {len(mf_amplitude)} for the amplitude, {len(mf_phase)} for the phase")
-    say(f"Waveforms: {configuration.dataset.count} of {generator.name} {generator.version}")
-    dataset = generate(_sampling(configuration), "train", configuration.dataset.seed, configuration.dataset.count,
-                       mf_amplitude, mf_phase)  # fmt: skip
-    say(f"  {len(dataset)} ready, {len(dataset.failures)} failed and left out")
+    dataset = training_dataset(
+        configuration, generator, directory, n_jobs=n_jobs, backend=backend, progress=progress, say=say
+    )
     say(f"Reduction: {configuration.reduction.kind}, {configuration.reduction.components} components")
     metric = mismatch_metric(dataset, configuration)
-    reduction, targets, start_mf = _reduce(configuration, generator, metric, dataset)
+    reduction, targets, start_mf = reduce_dataset(configuration, generator, metric, dataset)
     say(f"Regression: {configuration.regressor.kind} in {configuration.regressor.coordinates} coordinates")
-    coordinates = _coordinates(configuration, dataset.theta)
-    regressor = _regressor(configuration, metric).fit(coordinates(dataset.theta), targets)
+    coordinates = coordinate_map(configuration, dataset.theta)
+    regressor = make_regressor(configuration, metric).fit(coordinates(dataset.theta), targets)
     exported = export_regressor(regressor)
-    tensors = model_tensors(reduction, exported, coordinates, mf_amplitude, mf_phase)
+    tensors = model_tensors(reduction, exported, coordinates, dataset.mf_amplitude, dataset.mf_phase)
     metadata = describe(configuration, exported.metadata.get("mlp_activation", "tanh"), start_mf)
     say("Validation on fresh waveforms")
     model = assemble(configuration, metadata, tensors)
@@ -111,6 +112,28 @@ def train(
     origin = provenance(configuration, generator, dataset, tensors, time.monotonic() - started)
     metadata = with_results(metadata, origin, validations, model)
     return Trained(tensors, metadata, model, validations)
+
+
+def training_dataset(
+    configuration: TrainingConfiguration,
+    generator: WaveformGenerator,
+    directory: Path,
+    *,
+    n_jobs: int = -1,
+    backend: str = "loky",
+    progress: bool | None = None,
+    say: Say = print,
+) -> ResidualDataset:
+    """The nodes and the waveforms of a configuration; parameters and errors are those of :func:`train`."""
+    generate = _Generation(configuration, generator, directory, n_jobs, backend, progress)
+    section = configuration.dataset
+    say(f"Nodes: {configuration.nodes.kind}")
+    mf_amplitude, mf_phase = _nodes(configuration, generator, directory, n_jobs)
+    say(f"  {len(mf_amplitude)} for the amplitude, {len(mf_phase)} for the phase")
+    say(f"Waveforms: {section.count} of {generator.name} {generator.version}")
+    dataset = generate(_sampling(configuration), "train", section.seed, section.count, mf_amplitude, mf_phase)
+    say(f"  {len(dataset)} ready, {len(dataset.failures)} failed and left out")
+    return dataset
 
 
 def publish(configuration: TrainingConfiguration, trained: Trained, store: Path | str) -> Manifest:
@@ -126,13 +149,16 @@ def publish(configuration: TrainingConfiguration, trained: Trained, store: Path 
 
 
 def check_publishable(configuration: TrainingConfiguration, store: Path | str) -> None:
-    """Raise ``VersionExists`` before hours are spent on a version that is there already."""
-    root = Path(store)
-    if (root / configuration.name / configuration.version).exists():
-        raise VersionExists(
-            f"{configuration.name} {configuration.version} is already published in {root}; "
-            "choose another version in the configuration or with --version."
-        )
+    """Find out before hours are spent whether :func:`publish` will refuse the version, its name or its labels.
+
+    Raises
+    ------
+    VersionExists
+        The version is there already.
+    InvalidRequest, BnserveError
+        As :meth:`ModelStore.check_publishable`.
+    """
+    ModelStore([store]).check_publishable(configuration.name, configuration.version, configuration.labels)
 
 
 def validate_artifact(
@@ -265,7 +291,7 @@ def _sampling(configuration: TrainingConfiguration) -> Sampling:
     return make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
 
 
-def _reduce(
+def reduce_dataset(
     configuration: TrainingConfiguration, generator: WaveformGenerator, metric: MismatchMetric, dataset: ResidualDataset
 ) -> tuple[Reduction, FloatArray, float]:
     """The fitted reduction, the regressor's targets, and where the generator's phase starts from zero."""
@@ -287,14 +313,16 @@ def _reduce(
     return reduction, regression_targets(reduced, dataset.theta, reference, start_mf), start_mf
 
 
-def _coordinates(configuration: TrainingConfiguration, theta: FloatArray) -> CoordinateMap:
+def coordinate_map(configuration: TrainingConfiguration, theta: FloatArray) -> CoordinateMap:
+    """The regressor's coordinates of training parameters (N, 5)."""
     if configuration.regressor.coordinates == "raw":
         return CoordinateMap.standardised(theta)
     ranges = parameter_ranges(configuration)
     return CoordinateMap.physical(ranges.lower, ranges.upper)
 
 
-def _regressor(configuration: TrainingConfiguration, metric: MismatchMetric) -> Any:
+def make_regressor(configuration: TrainingConfiguration, metric: MismatchMetric) -> Any:
+    """The estimator of a configuration, not yet fitted; its outputs are the components and the scalars."""
     section = configuration.regressor
     inertia = float(metric.phase_weights @ (metric.phase_frequencies - metric.reference_frequency) ** 2)
     scalars = dict(_SCALAR_WEIGHTS, time_shift=_SCALAR_WEIGHTS["time_shift"] * 0.5 * inertia)

@@ -98,6 +98,9 @@ class MetricReduction(BaseEstimator):
 class PaperReduction(BaseEstimator):
     """The paper's: principal components of the unweighted joint vector [dA, dphi], scaled by lambda^alpha.
 
+    The paper's components "natively have comparable variance" before that: its code divides each by the largest modulus
+    it has in the training set, and so does this. Without it alpha would act on top of the square root of lambda.
+
     As in the paper, the residuals' linear trend should be off before; the metric still takes off and returns the three
     scalars when it is given, and they are zero when it is not.
 
@@ -112,6 +115,8 @@ class PaperReduction(BaseEstimator):
     ----------
     principal_components_
         The fitted :class:`PrincipalComponents` of the joint vectors.
+    scale_ : ndarray, shape (k,)
+        By which the components are multiplied: lambda^alpha over the largest modulus.
     """
 
     def __init__(
@@ -125,17 +130,22 @@ class PaperReduction(BaseEstimator):
         """Learn from residuals of shape (N, n_A) and (N, n_phi)."""
         vectors, _ = self._joint(log_amplitude, phase)
         self.split_ = np.shape(log_amplitude)[1]
-        self.principal_components_ = PrincipalComponents(self.n_components, self.eigenvalue_exponent).fit(vectors)
+        self.principal_components_ = PrincipalComponents(self.n_components).fit(vectors)
+        eigenvalues = self.principal_components_.eigenvalues_
+        largest = np.abs(self.principal_components_.transform(vectors)).max(axis=0)
+        varies = (eigenvalues > 0.0) & (largest > 0.0)
+        powers = np.where(varies, eigenvalues, 1.0) ** self.eigenvalue_exponent
+        self.scale_ = powers / np.where(varies, largest, 1.0)
         return self
 
     def transform(self, log_amplitude: ArrayLike, phase: ArrayLike) -> ReducedResiduals:
         """Reduce residuals."""
         vectors, scalars = self._joint(log_amplitude, phase)
-        return ReducedResiduals(self.principal_components_.transform(vectors), *scalars)
+        return ReducedResiduals(self.principal_components_.transform(vectors) * self.scale_, *scalars)
 
     def inverse_transform(self, reduced: ReducedResiduals) -> tuple[FloatArray, FloatArray]:
         """Residuals (N, n_A) and (N, n_phi) back."""
-        joint = self.principal_components_.inverse_transform(reduced.components)
+        joint = self.principal_components_.inverse_transform(np.asarray(reduced.components) / self.scale_)
         log_amplitude, phase = joint[:, : self.split_], joint[:, self.split_ :]
         if self.metric is None:
             return log_amplitude, phase
@@ -146,7 +156,7 @@ class PaperReduction(BaseEstimator):
     def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
         """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
         components = self.principal_components_
-        mean, basis = components.mean_[None], components.components_ / components.scale_[:, None]
+        mean, basis = components.mean_[None], components.components_ / self.scale_[:, None]
         return _bases(
             (mean[:, : self.split_], mean[:, self.split_ :]), (basis[:, : self.split_], basis[:, self.split_ :])
         )

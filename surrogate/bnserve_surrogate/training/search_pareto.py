@@ -163,7 +163,7 @@ def with_best_hyperparameters(configuration: TrainingConfiguration) -> tuple[Tra
 
 def _assignments(table: dict[str, Any]) -> list[str]:
     # Strings, numbers, booleans and lists of them are written alike in JSON and TOML.
-    return [f"{key} = {json.dumps(value)}" for key, value in table.items()]
+    return [f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in table.items()]
 
 
 def _listed(setup: dict[str, str]) -> str:

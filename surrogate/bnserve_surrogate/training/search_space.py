@@ -11,7 +11,7 @@ from typing import Any, Protocol
 
 import msgspec
 
-from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
+from bnserve_surrogate.training.config import ConfigurationInvalid, TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.export import SCALARS
 from bnserve_surrogate.training.regressors import weighted_exponents
 
@@ -68,9 +68,28 @@ def override(configuration: TrainingConfiguration, values: Mapping[str, Any]) ->
         *sections, name = key.split(".")
         part = table
         for section in sections:
-            part = part[section]
+            part = part.setdefault(section, {})
+            if not isinstance(part, dict):
+                raise ConfigurationInvalid(f"The training configuration is wrong: '{section}' has no keys ({key}).")
         part[name] = value
     return parse_configuration(table)
+
+
+def searched_keys(configuration: TrainingConfiguration) -> set[str]:
+    """What :func:`suggest` overrides for this configuration, by dotted key."""
+    return set(suggest(_Lowest(), configuration, 10 * FEWEST_WAVEFORMS))
+
+
+def nested(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The inverse of :func:`flat`."""
+    table: dict[str, Any] = {}
+    for key, value in values.items():
+        *sections, name = key.split(".")
+        part = table
+        for section in sections:
+            part = part.setdefault(section, {})
+        part[name] = value
+    return table
 
 
 def flat(table: Mapping[str, Any], prefix: str = "") -> Values:
@@ -79,6 +98,19 @@ def flat(table: Mapping[str, Any], prefix: str = "") -> Values:
     for key, value in table.items():
         found |= flat(value, f"{prefix}{key}.") if isinstance(value, Mapping) else {f"{prefix}{key}": value}
     return found
+
+
+class _Lowest:
+    """Suggests the lower end of everything."""
+
+    def suggest_float(self, name: str, low: float, high: float, *, step: float | None = None, log: bool = False) -> Any:
+        return low
+
+    def suggest_int(self, name: str, low: int, high: int, *, step: int = 1, log: bool = False) -> Any:
+        return low
+
+    def suggest_categorical(self, name: str, choices: Any) -> Any:
+        return choices[0]
 
 
 def _network(trial: Suggester, configuration: TrainingConfiguration, waveforms: int) -> Values:
