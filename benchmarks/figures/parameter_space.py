@@ -47,9 +47,7 @@ def draw(workspace: Workspace) -> Drawing:
     )
     numbers: dict[str, Any] = {"uniform": quantiles(inside.mismatch), "edges": quantiles(edges.mismatch)}
     worst = {kind: v.theta[int(np.argmax(v.mismatch))] for kind, v in (("uniform", inside), ("edges", edges))}
-    numbers["worst"] = {
-        kind: dict(zip(_NAMES, map(rounded, theta), strict=True)) for kind, theta in worst.items()
-    }
+    numbers["worst"] = {kind: dict(zip(_NAMES, map(rounded, theta), strict=True)) for kind, theta in worst.items()}
     rows = [
         quantile_row(f"uniform, {inside.mismatch.size}", inside.mismatch),
         quantile_row(f"faces, edges, corners, {edges.mismatch.size}", edges.mismatch),
