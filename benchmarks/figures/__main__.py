@@ -83,10 +83,8 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.figures", description=__doc__.splitlines()[0])
     parser.add_argument("names", nargs="*", choices=[*FIGURES, "all"], metavar="NAME", help="of --list, or all")
     parser.add_argument("--list", action="store_true", help="name the figures and end")
-    parser.add_argument("--short", action="store_true", help="small numbers: a look at every figure in a minute or two")
-    parser.add_argument(
-        "--work", type=Path, default=Path("runs"), metavar="DIR", help="where waveforms are kept (runs)"
-    )
+    parser.add_argument("--short", action="store_true", help="small numbers: every figure within a minute or two")
+    parser.add_argument("--work", type=Path, default=Path("runs"), metavar="DIR", help="where data are kept (runs)")
     parser.add_argument("--output", type=Path, default=_ROOT / "docs" / "images", metavar="DIR", help="(docs/images)")
     parser.add_argument("--page", type=Path, metavar="FILE.md", help="put the numbers into this page, too")
     parser.add_argument("--model", default="default", metavar="NAME[@VERSION]", help="the trained model (default)")

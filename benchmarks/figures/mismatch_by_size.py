@@ -40,7 +40,7 @@ def draw(workspace: Workspace) -> Drawing:
     largest = max(max(sizes) for sizes in curves.values())
     for axis, (label, by_size) in zip(axes, curves.items(), strict=True):
         _panel(axis, by_size, baseline, largest)
-        axis.set_title("The paper's recipe" if label == "paper" else f"The recipe of `{label}`")
+        axis.set_title("The paper's recipe" if label == "paper" else f"The recipe of the model {label}")
     axes[1].set_xlabel(f"mismatch to TEOBResumSPA  (ET-D, $M = 2.8\\,M_\\odot$, {baseline.size} waveforms)")
     figure.supylabel("density per decade", fontsize=15)
     rows = [quantile_row(_BASELINE, baseline)]
@@ -69,7 +69,7 @@ def of_size(recipe: TrainingConfiguration, size: int) -> TrainingConfiguration:
 
 def _sizes(workspace: Workspace, recipe: TrainingConfiguration) -> list[int]:
     most = min(workspace.largest, recipe.dataset.count)
-    sizes = [2**power for power in range(6, 18) if 2**power <= most]
+    sizes = [2**power for power in range(7, 18) if 2**power <= most]
     return sizes[:2] if workspace.short else [size for size in sizes if size >= _SMALLEST]
 
 

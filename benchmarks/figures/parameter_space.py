@@ -57,15 +57,15 @@ def draw(workspace: Workspace) -> Drawing:
 
 def _cells(axis: Axes, x: Rows, y: Rows, mismatch: Rows, norm: LogNorm, short: bool) -> Any:
     size = 6 if short else 14
-    options = {"gridsize": (size, int(0.7 * size)), "reduce_C_function": np.median, "linewidths": 0.1}
-    cells = axis.hexbin(x, y, C=mismatch, norm=norm, cmap=style.SEQUENTIAL, **options)
+    options: dict[str, Any] = {"gridsize": (size, int(0.7 * size)), "reduce_C_function": np.median}
+    cells = axis.hexbin(x, y, C=mismatch, norm=norm, cmap=style.SEQUENTIAL, linewidths=0.1, **options)
     axis.grid(False)
     return cells
 
 
 def _distribution(axis: Axes, values: dict[str, Rows]) -> None:
     everything = np.log10(np.maximum(np.concatenate(list(values.values())), 1e-16))
-    bins = np.logspace(np.floor(everything.min()), np.ceil(everything.max()), 60)
+    bins = np.logspace(np.floor(everything.min()), np.ceil(everything.max()), 60).tolist()
     for (label, mismatch), colour in zip(values.items(), (style.BLUE, style.ORANGE), strict=True):
         weights = np.full(mismatch.size, 1.0 / mismatch.size)
         axis.hist(mismatch, bins, weights=weights, histtype="stepfilled", color=colour, alpha=0.35, label=label)

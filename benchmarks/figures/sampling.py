@@ -1,4 +1,4 @@
-"""Where the four ways to sample a waveform put their points: uniform, multibanded, and greedy on waveforms or residuals."""
+"""Where the four ways to sample a waveform put their points: uniform, multibanded, greedy on waveforms or residuals."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def draw(workspace: Workspace) -> Drawing:
     grid = multibanded_grid(*band, LARGEST_MASS_RATIO)
     nodes = _nodes(workspace, f_min, waveforms)
     ours = smooth_nodes(f_min, F_MAX, workspace.recipe.nodes.count)
-    edges = np.geomspace(f_min, F_MAX, 61)
+    edges = np.geomspace(f_min, F_MAX, 41)
     uniform = np.diff(edges) * mass_seconds() * newtonian_duration(band[0], LARGEST_MASS_RATIO)
     counts = {"uniform": [uniform_count(*band, LARGEST_MASS_RATIO)] * 2, "multibanded": [grid.size] * 2}
     figure = style.figure(12.0, 6.2)
@@ -79,5 +79,5 @@ def _panel(axis: Axes, edges: NDArray[Any], histograms: dict[str, NDArray[Any]],
     for (label, histogram), colour in zip(histograms.items(), _COLOURS, strict=True):
         axis.stairs(histogram, edges, color=colour, lw=2.2, label=f"{label}: {totals[label]:,}", baseline=None)
     axis.set_yscale("log")
-    axis.set_ylim(0.7, 1e9)
+    axis.set_ylim(0.7, histograms["uniform"].max() ** 1.55)  # room for the legend
     axis.legend(loc="upper left", labelspacing=0.25)

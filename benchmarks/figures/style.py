@@ -18,7 +18,7 @@ INK, GREY = "#1b2733", "#8a97a5"
 BLUE, ORANGE, GREEN, PINK, SKY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9"  # Okabe and Ito's
 SEQUENTIAL = "viridis"
 
-_STYLE = {
+_STYLE: dict[Any, Any] = {
     "font.size": 14,
     "axes.titlesize": 15,
     "axes.titleweight": "bold",

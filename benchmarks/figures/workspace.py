@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import __version__
-from bnserve_store import Artifact, ModelStore
+from bnserve_store import Artifact
 from bnserve_surrogate import Model
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration

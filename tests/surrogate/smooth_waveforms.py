@@ -1,6 +1,6 @@
 """Waveforms for training in seconds: the baseline, times and plus something smooth that is known in closed form.
 
-Worker processes and ``bnserve train`` import this module by name: ``path = "tests.surrogate.smooth_waveforms:waveform"``.
+Worker processes and ``bnserve train`` import it by name, ``path = "tests.surrogate.smooth_waveforms:waveform"``.
 Two environment variables change how it behaves, not what it gives.
 """
 

@@ -7,8 +7,9 @@ import time
 
 import pytest
 
+from bnserve_surrogate.training.search_journal import StudyUnreadable
 from bnserve_surrogate.training.search_results import SearchEmpty, search_results
-from bnserve_surrogate.training.search_study import StudyMismatch, StudyUnreadable, failures, finished, read_study
+from bnserve_surrogate.training.search_study import StudyMismatch, failures, finished, read_study
 from tests.architecture.rooms import ROOT, room_environment
 from tests.surrogate.searching import NETWORK, run, toy_search
 

@@ -34,7 +34,7 @@ from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction
 from bnserve_surrogate.training.regressors import MLP, Beside, ChebyshevPolynomial, Sum, export_regressor
 from bnserve_surrogate.training.residuals import flatten_phase
 from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
-from bnserve_surrogate.training.search_pareto import with_best_hyperparameters
+from bnserve_surrogate.training.search_lookup import with_best_hyperparameters
 from bnserve_surrogate.training.validation import Validation, validate
 
 Say = Callable[[str], None]

@@ -15,12 +15,10 @@ import optuna
 from optuna.samplers import TPESampler
 
 from bnserve_surrogate.training.config import TrainingConfiguration
-from bnserve_surrogate.training.errors import DatasetInUse
-from bnserve_surrogate.training.generators import make_generator
-from bnserve_surrogate.training.pipeline import mismatch_metric, training_dataset
-from bnserve_surrogate.training.search_cost import SearchData, TrialFailed, evaluate
-from bnserve_surrogate.training.search_space import flat, override, searched_keys, suggest
+from bnserve_surrogate.training.search_cost import SearchData, TrialFailed, evaluate, load_search_data
+from bnserve_surrogate.training.search_space import searched_keys, suggest
 from bnserve_surrogate.training.search_study import fail, finished, working_on
+from bnserve_surrogate.training.search_values import flat, override
 
 Say = Callable[[str], None]
 
@@ -32,8 +30,6 @@ _VALIDATION = 512
 """Validation waveforms of a trial, or a quarter of the data set: their average error is known to a few per cent."""
 _LEAST_ERROR = 1e-300
 """Has a logarithm."""
-_PATIENCE_SECONDS = 60.0
-"""How long to wait for another process that reads the same data set."""
 
 
 @dataclass(frozen=True)
@@ -112,24 +108,11 @@ def run_search(
     """
     optuna.logging.set_verbosity(optuna.logging.WARNING)
     with working_on(search.study, search.setup) as study:
-        data = _search_data(search, directory, say, n_jobs=n_jobs, backend=backend, progress=progress)
+        whole = override(search.configuration, {"dataset.count": search.count})
+        data = load_search_data(whole, directory, n_jobs=n_jobs, backend=backend, progress=progress, say=say)
         stop = time.monotonic() + timeout
         while finished(study) < trials and time.monotonic() < stop:
             _run_trial(search, study, data, seed, say)
-
-
-def _search_data(search: Search, directory: Path, say: Say, **options: Any) -> SearchData:
-    configuration = override(search.configuration, {"dataset.count": search.count})
-    generator = make_generator(configuration.generator.name, **configuration.generator.options)
-    until = time.monotonic() + _PATIENCE_SECONDS
-    while True:
-        try:
-            dataset = training_dataset(configuration, generator, directory, say=say, **options)
-            return SearchData(dataset, mismatch_metric(dataset, configuration), generator)
-        except DatasetInUse:
-            if time.monotonic() > until:
-                raise
-            time.sleep(0.5)
 
 
 def _run_trial(search: Search, study: optuna.Study, data: SearchData, seed: int, say: Say) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import time
 import warnings
 from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,15 +14,23 @@ from sklearn.exceptions import ConvergenceWarning
 
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.dataset import ResidualDataset
-from bnserve_surrogate.training.errors import TrainingError
-from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator
+from bnserve_surrogate.training.errors import DatasetInUse, TrainingError
+from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, make_generator
 from bnserve_surrogate.training.metric import MismatchMetric
-from bnserve_surrogate.training.pipeline import coordinate_map, make_regressor, reduce_dataset
+from bnserve_surrogate.training.pipeline import (
+    coordinate_map,
+    make_regressor,
+    mismatch_metric,
+    reduce_dataset,
+    training_dataset,
+)
 from bnserve_surrogate.training.reduction import ReducedResiduals, Reduction
 from bnserve_surrogate.training.regressors import Beside
 from bnserve_surrogate.training.residuals import flatten_phase
 
 Rows = NDArray[np.intp]
+_PATIENCE_SECONDS = 60.0
+"""How long to wait for another process that reads the same data set."""
 
 
 class TrialFailed(TrainingError):
@@ -62,6 +72,23 @@ class SearchData:
         """Rows of the two sets, disjoint; other ones for another seed."""
         order = np.random.default_rng(seed).permutation(len(self.dataset))
         return np.sort(order[:training]), np.sort(order[training : training + validation])
+
+
+def load_search_data(configuration: TrainingConfiguration, directory: Path, **options: Any) -> SearchData:
+    """The waveforms of a configuration; ``options`` and errors as for ``training_dataset``.
+
+    Waits for another process that reads the same ones.
+    """
+    generator = make_generator(configuration.generator.name, **configuration.generator.options)
+    until = time.monotonic() + _PATIENCE_SECONDS
+    while True:
+        try:
+            dataset = training_dataset(configuration, generator, directory, **options)
+            return SearchData(dataset, mismatch_metric(dataset, configuration), generator)
+        except DatasetInUse:
+            if time.monotonic() > until:
+                raise
+            time.sleep(0.5)
 
 
 def evaluate(configuration: TrainingConfiguration, data: SearchData, training: Rows, validation: Rows) -> TrialCost:

@@ -1,19 +1,18 @@
-"""Collections of good hyper-parameters by number of waveforms: readable text, and the lookup of ``bnserve train``."""
+"""Collections of good hyper-parameters by number of training waveforms, as readable text."""
 
 from __future__ import annotations
 
 import json
 import tomllib
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
-from bnserve_surrogate.training.config import ConfigurationInvalid, TrainingConfiguration
+from bnserve_surrogate.training.config import ConfigurationInvalid
 from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.report import write_text
-from bnserve_surrogate.training.search_space import flat, override
+from bnserve_surrogate.training.search_values import flat
 
 
 class HyperparametersUnknown(TrainingError):
@@ -107,64 +106,6 @@ def write_collection(path: Path, collection: ParetoCollection, comment: str) -> 
     write_text(path, collection_text(collection, comment))
 
 
-def load_collection(configuration: TrainingConfiguration) -> tuple[str, ParetoCollection]:
-    """Name and content of the collection that a configuration asks for: ``[regressor] pareto``, or the shipped one.
-
-    Raises
-    ------
-    HyperparametersUnknown
-        There is none, or it was found for another regressor, reduction or coordinates.
-    """
-    section = configuration.regressor
-    name = section.pareto or f"pareto_{section.kind}.toml"
-    shipped = resources.files("bnserve_surrogate") / "data" / name
-    source = Path(name) if section.pareto else shipped
-    try:
-        text = source.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise HyperparametersUnknown(
-            f"There is no collection of hyper-parameters {name}. Make one with bnserve search, and name it as "
-            '[regressor] pareto; or set [regressor] hyperparameters = "given".'
-        ) from error
-    collection = parse_collection(text, name)
-    wanted = {"regressor": section.kind, "reduction": configuration.reduction.kind, "coordinates": section.coordinates}
-    found = {key: getattr(collection.setup, key) for key in wanted}
-    if wanted != found:
-        raise HyperparametersUnknown(
-            f"The hyper-parameters of {name} were found for {_listed(found)}; this configuration has "
-            f"{_listed(wanted)}. Search for yours with bnserve search, and name the result as [regressor] pareto."
-        )
-    return name, collection
-
-
-def with_best_hyperparameters(configuration: TrainingConfiguration) -> tuple[TrainingConfiguration, str]:
-    """The configuration with what ``[regressor] hyperparameters`` asks for filled in, and a sentence about it.
-
-    ``"given"``: unchanged, and no sentence. ``"best"``: what the entry has replaces what the configuration gives, and
-    the result says ``"given"``, so that it does not depend on the collection any more.
-
-    Raises
-    ------
-    HyperparametersUnknown
-        No collection or entry goes with it.
-    """
-    if configuration.regressor.hyperparameters == "given":
-        return configuration, ""
-    name, collection = load_collection(configuration)
-    entry = collection.best_for(configuration.dataset.count)
-    values = flat(msgspec.to_builtins(entry.hyperparameters))
-    filled = override(configuration, values | {"regressor.hyperparameters": "given", "regressor.pareto": ""})
-    return filled, (
-        f"Hyper-parameters: trial {entry.trial} of {name}, found with {entry.waveforms} waveforms "
-        f"(error {entry.reconstruction_error:.3g}, median mismatch {entry.median_mismatch:.3g}); "
-        f"this training has {configuration.dataset.count}"
-    )
-
-
 def _assignments(table: dict[str, Any]) -> list[str]:
     # Strings, numbers, booleans and lists of them are written alike in JSON and TOML.
     return [f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in table.items()]
-
-
-def _listed(setup: dict[str, str]) -> str:
-    return ", ".join(f"{key} {value}" for key, value in setup.items())

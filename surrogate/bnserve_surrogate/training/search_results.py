@@ -15,8 +15,8 @@ from bnserve_surrogate.training.errors import DatasetUnwritable, TrainingError, 
 from bnserve_surrogate.training.generators import make_generator
 from bnserve_surrogate.training.search import Search
 from bnserve_surrogate.training.search_pareto import Hyperparameters, ParetoCollection, ParetoEntry, ParetoSetup
-from bnserve_surrogate.training.search_space import nested
 from bnserve_surrogate.training.search_study import failures, read_study
+from bnserve_surrogate.training.search_values import nested
 
 
 class SearchEmpty(TrainingError):

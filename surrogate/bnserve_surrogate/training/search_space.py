@@ -6,17 +6,12 @@ its degree, its terms, the weights of its coordinates and the number of componen
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any, Protocol
 
-import msgspec
-
-from bnserve_surrogate.training.config import ConfigurationInvalid, TrainingConfiguration, parse_configuration
+from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.export import SCALARS
 from bnserve_surrogate.training.regressors import weighted_exponents
-
-Values = dict[str, Any]
-"""Overrides by dotted key: ``{"regressor.network.alpha": 1e-4}``."""
+from bnserve_surrogate.training.search_values import Values
 
 FEWEST_WAVEFORMS = 50
 """The paper's smallest training set."""
@@ -61,43 +56,9 @@ def suggest(trial: Suggester, configuration: TrainingConfiguration, most_wavefor
     return values
 
 
-def override(configuration: TrainingConfiguration, values: Mapping[str, Any]) -> TrainingConfiguration:
-    """The configuration with some values replaced; raises ``ConfigurationInvalid`` for a key it does not have."""
-    table = msgspec.to_builtins(configuration)
-    for key, value in values.items():
-        *sections, name = key.split(".")
-        part = table
-        for section in sections:
-            part = part.setdefault(section, {})
-            if not isinstance(part, dict):
-                raise ConfigurationInvalid(f"The training configuration is wrong: '{section}' has no keys ({key}).")
-        part[name] = value
-    return parse_configuration(table)
-
-
 def searched_keys(configuration: TrainingConfiguration) -> set[str]:
     """What :func:`suggest` overrides for this configuration, by dotted key."""
     return set(suggest(_Lowest(), configuration, 10 * FEWEST_WAVEFORMS))
-
-
-def nested(values: Mapping[str, Any]) -> dict[str, Any]:
-    """The inverse of :func:`flat`."""
-    table: dict[str, Any] = {}
-    for key, value in values.items():
-        *sections, name = key.split(".")
-        part = table
-        for section in sections:
-            part = part.setdefault(section, {})
-        part[name] = value
-    return table
-
-
-def flat(table: Mapping[str, Any], prefix: str = "") -> Values:
-    """A nested table by dotted keys."""
-    found: Values = {}
-    for key, value in table.items():
-        found |= flat(value, f"{prefix}{key}.") if isinstance(value, Mapping) else {f"{prefix}{key}": value}
-    return found
 
 
 class _Lowest:

@@ -1,7 +1,4 @@
-"""A study on disk: optuna's journal, one JSON object per line, which any number of processes may append to.
-
-Nothing in it can run: optuna unpickles snapshots of a journal only from backends that keep them, and a file has none.
-"""
+"""A study that any number of processes may work on, belongs to one setup, and outlives all of them."""
 
 from __future__ import annotations
 
@@ -14,21 +11,13 @@ from pathlib import Path
 from typing import Any
 
 import optuna
-from optuna.storages.journal import JournalFileBackend, JournalStorage
 from optuna.trial import FrozenTrial, TrialState
 
 from bnserve_surrogate.training._chunks import unwritable_named
 from bnserve_surrogate.training.errors import TrainingError
+from bnserve_surrogate.training.search_journal import StudyUnreadable, beside, open_journal
 
-_NAME = "bnserve search"
 _SETUP, _REASON = "setup", "reason"
-
-
-class StudyUnreadable(TrainingError):
-    """A file that is not a study, or not one of ours."""
-
-    code = "study-unreadable"
-    title = "Not a study"
 
 
 class StudyMismatch(TrainingError):
@@ -36,25 +25,6 @@ class StudyMismatch(TrainingError):
 
     code = "study-mismatch"
     title = "Study of another configuration"
-
-
-class JournalLock:
-    """A lock of optuna's journal that the operating system lets go of however a process ends."""
-
-    def __init__(self, path: Path) -> None:
-        self._path = path
-        self._descriptor = -1
-
-    def acquire(self) -> bool:
-        """Wait for the lock."""
-        descriptor = os.open(self._path, os.O_RDWR | os.O_CREAT, 0o644)
-        fcntl.flock(descriptor, fcntl.LOCK_EX)
-        self._descriptor = descriptor
-        return True
-
-    def release(self) -> None:
-        """Give it back."""
-        os.close(self._descriptor)
 
 
 @contextlib.contextmanager
@@ -77,10 +47,10 @@ def working_on(path: Path, setup: dict[str, Any]) -> Iterator[optuna.Study]:
     """
     with unwritable_named(path.parent):
         path.parent.mkdir(parents=True, exist_ok=True)
-        workers = os.open(_beside(path, "workers"), os.O_RDWR | os.O_CREAT, 0o644)
+        workers = os.open(beside(path, "workers"), os.O_RDWR | os.O_CREAT, 0o644)
     try:
         alone = _only_one(workers)
-        study = _open(path)
+        study = open_journal(path)
         if _SETUP not in study.user_attrs:
             study.set_user_attr(_SETUP, setup)
         _compare(path, study.user_attrs[_SETUP], setup)
@@ -98,7 +68,7 @@ def read_study(path: Path, setup: dict[str, Any]) -> optuna.Study:
     """Open a study to look at it; raises as :func:`working_on`, and if there is none."""
     if not path.is_file() or not path.stat().st_size:
         raise StudyUnreadable(f"There is no study {path}. Begin one by leaving out --report, or name another.")
-    study = _open(path)
+    study = open_journal(path)
     _compare(path, study.user_attrs.get(_SETUP, {}), setup)
     return study
 
@@ -122,40 +92,6 @@ def failures(study: optuna.Study) -> list[str]:
     return [trial.user_attrs[_REASON] for trial in trials if _REASON in trial.user_attrs]
 
 
-def _open(path: Path) -> optuna.Study:
-    lock = JournalLock(_beside(path, "lock"))
-    try:
-        with unwritable_named(path.parent):
-            _mend(path, lock)
-            storage = JournalStorage(JournalFileBackend(str(path), lock_obj=lock))  # type: ignore[arg-type] # duck-typed
-        names = {study.study_name for study in storage.get_all_studies()}
-        if names - {_NAME}:
-            raise StudyUnreadable(f"{path} holds another study, {names.pop()}. Name another file with --study.")
-        if _NAME in names:
-            return optuna.load_study(storage=storage, study_name=_NAME)
-        two = ["minimize", "minimize"]
-        return optuna.create_study(storage=storage, study_name=_NAME, directions=two, load_if_exists=True)
-    except (ValueError, KeyError, TypeError, AssertionError) as error:  # what optuna raises for lines not its own
-        raise StudyUnreadable(
-            f"{path} is not a study, or damaged ({error}). Name another file with --study."
-        ) from error
-
-
-def _mend(path: Path, lock: JournalLock) -> None:
-    """Cut off a last line that its writer did not finish, if this is a journal at all."""
-    if not path.exists() or not path.stat().st_size:
-        return
-    with path.open("rb+") as file:
-        if "op_code" not in json.loads(file.readline()):
-            raise ValueError("its first line is not an entry of a journal")
-        lock.acquire()
-        try:
-            text = file.seek(0) or file.read()
-            file.truncate(text.rfind(b"\n") + 1)
-        finally:
-            lock.release()
-
-
 def _only_one(workers: int) -> bool:
     try:
         fcntl.flock(workers, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -174,7 +110,3 @@ def _compare(path: Path, theirs: dict[str, Any], ours: dict[str, Any]) -> None:
             f"The study {path} was made with another configuration ({listed}). Use that one, or name another file "
             "with --study."
         )
-
-
-def _beside(path: Path, suffix: str) -> Path:
-    return path.with_name(f".{path.name}.{suffix}")

@@ -1,0 +1,219 @@
+"""``bnserve train`` and ``bnserve validate``: what they publish, print and write, and what stops them."""
+
+import json
+import re
+import resource
+import threading
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+
+from bnserve_protocol import VersionExists
+from bnserve_service.cli import main
+from bnserve_store import ModelStore
+from bnserve_surrogate import Model, ParametersWithExtrinsic
+from bnserve_surrogate.training.config import read_configuration
+from bnserve_surrogate.training.pipeline import publish, train
+from tests.surrogate import smooth_waveforms
+from tests.surrogate.training_runs import QUICK, SMOOTH, digests, merged, train_here, written
+
+ONE = ParametersWithExtrinsic.gw170817()
+
+
+@pytest.fixture(scope="module")
+def published(tmp_path_factory):
+    """The directory of a finished ``bnserve train``."""
+    directory = tmp_path_factory.mktemp("published")
+    assert train_here(directory, written(directory)) == 0
+    return directory
+
+
+def test_the_model_is_published_loads_and_knows_itself(published):
+    model = Model.load("smooth", store=published / "store")
+    assert model.description.version == "1.0.0"
+    assert model.description.frequency_band == (5.0, 2048.0)
+    assert model.description.accuracy["uniform"]["count"] == 12
+    assert model.description.accuracy["edges"]["count"] == 6
+    assert model.description.provenance["waveforms"] == 200
+    assert model.description.provenance["generator"]["name"] == f"{smooth_waveforms.PATH}:waveform"
+    assert model.self_check()
+    assert np.isfinite(model.predict(np.geomspace(5.0, 2000.0, 50), ONE).plus).all()
+    assert ModelStore([published / "store"]).labels("smooth") == {"stable": "1.0.0"}
+
+
+def test_the_report_is_one_page_with_plots_and_nothing_from_elsewhere(published):
+    page = (published / "work" / "smooth-1.0.0-report.html").read_text()
+    manifest = ModelStore([published / "store"]).manifest("smooth")
+    assert manifest.digest in page
+    assert "12 waveforms: mismatch" in page
+    assert len(re.findall(r'<img src="data:image/png;base64,[A-Za-z0-9+/=]{10000,}"', page)) == 3
+    assert re.findall(r"(?:src|href)=[\"']?(?!data:)", page) == []
+    assert not re.search(r"https?:|//[a-z]|url\(|@import|<script", re.sub(r"base64,[^\"]*", "", page))
+
+
+def test_validating_the_published_model_prints_and_saves_the_mismatch(published, tmp_path, capsys):
+    output = tmp_path / "figures.json"
+    command = ["validate", "smooth", "--store", str(published / "store"), "--work", str(published / "work")]
+    assert main([*command, "--count", "8", "--edges", "4", "--jobs", "1", "--output", str(output)]) == 0
+    printed = capsys.readouterr().out
+    assert "uniform, 8 waveforms: mismatch" in printed
+    assert "edges, 4 waveforms: mismatch" in printed
+    saved = json.loads(output.read_text())
+    assert saved["digest"] == ModelStore([published / "store"]).manifest("smooth").digest
+    assert len(saved["uniform"]["mismatches"]) == len(saved["uniform"]["theta"]) == 8
+    assert saved["uniform"]["mismatch"]["max"] == pytest.approx(max(saved["uniform"]["mismatches"]), rel=0.01)
+    assert saved["edges"]["mismatch"]["max"] < 1e-10
+    assert saved["edges"]["baseline_mismatch"]["max"] > 1e-4
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["smoth"], "Did you mean 'smooth'?"),
+        (["smooth@7.0"], "no version or label '7.0'"),
+        (["smooth", "--noise", "ETD"], "Unknown noise curve 'ETD'"),
+        (["smooth", "--total-mass", "9"], "total_mass = 9.0 is outside the trained range"),
+        (["smooth", "--count", "4", "--f-min", "5000"], "--f-min"),
+        (["smooth", "--count", "4", "--output", "."], "Cannot write"),
+    ],
+)
+def test_a_validation_that_cannot_be_done_says_why(published, capsys, arguments, says):
+    command = ["validate", *arguments, "--store", str(published / "store"), "--work", str(published / "work")]
+    count = [] if "--count" in arguments else ["--count", "4"]
+    assert main([*command, *count, "--jobs", "1"]) == 2
+    assert says in capsys.readouterr().err
+
+
+def test_an_existing_version_is_refused_before_any_work(published, tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv(smooth_waveforms.MARK, str(tmp_path / "marks"))
+    configuration = written(tmp_path)
+    store = ["--store", str(published / "store")]
+    assert train_here(tmp_path, configuration, *store) == 2
+    assert "already published" in capsys.readouterr().err
+    assert not (tmp_path / "marks").exists()
+    assert not (tmp_path / "work").exists()
+
+
+def test_another_version_is_trained_from_the_same_waveforms(published, tmp_path, monkeypatch):
+    monkeypatch.setenv(smooth_waveforms.MARK, str(tmp_path / "marks"))
+    assert train_here(published, written(tmp_path), "--version", "1.1.0") == 0
+    assert not (tmp_path / "marks").exists()
+    store = ModelStore([published / "store"])
+    assert store.versions("smooth") == ["1.0.0", "1.1.0"]
+    assert digests(store.manifest("smooth", "1.1.0")) == digests(store.manifest("smooth", "1.0.0"))
+
+
+@pytest.mark.parametrize("validation", [{"count": 0, "edge_count": 4}, {"count": 4, "edge_count": 0}], ids=str)
+def test_either_half_of_the_validation_may_be_left_out(tmp_path, validation):
+    assert train_here(tmp_path, written(tmp_path, QUICK, {"validation": validation})) == 0
+    assert (tmp_path / "work" / "smooth-1.0.0-report.html").exists()
+
+
+FAILING = {"generator": {"options": {"path": f"{smooth_waveforms.PATH}:sometimes_failing"}}}
+
+
+def test_waveforms_that_fail_are_left_out_and_counted(tmp_path, capsys):
+    allowed = {"dataset": {"max_failed_fraction": 0.3}, "validation": {"count": 12, "edge_count": 0}}
+    assert train_here(tmp_path, written(tmp_path, FAILING, allowed)) == 0
+    model = Model.load("smooth", store=tmp_path / "store")
+    origin = model.description.provenance
+    assert origin["failed_waveforms"] > 2
+    assert origin["waveforms"] + origin["failed_waveforms"] == 200
+    assert f"{origin['failed_waveforms']} failed and left out" in capsys.readouterr().out
+    assert model.description.accuracy["uniform"]["mismatch"]["max"] < 1e-9
+    assert f"{origin['failed_waveforms']} failed" in (tmp_path / "work" / "smooth-1.0.0-report.html").read_text()
+
+
+def test_too_many_failures_stop_the_training_with_the_reasons(tmp_path, capsys):
+    assert train_here(tmp_path, written(tmp_path, FAILING)) == 2
+    error = capsys.readouterr().err
+    assert re.search(r"\d+ of 200 waveforms failed; 2 are allowed", error)
+    assert "did not converge" in error or "not a finite number" in error
+    assert "allow more failures" in error
+    assert not (tmp_path / "store").exists()
+
+
+@contextmanager
+def no_file_larger_than(size):
+    """A limit on the size of files stands for a disk that is full."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (size, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+
+
+def test_a_full_disk_among_the_waveforms_is_said_and_the_same_command_goes_on(tmp_path, capsys, published):
+    configuration = written(tmp_path)
+    with no_file_larger_than(8_000):
+        assert train_here(tmp_path, configuration) == 2
+    error = capsys.readouterr().err
+    assert "No room left to write the data set" in error
+    assert "free some space and start the same command again" in error
+    assert not (tmp_path / "store").exists()
+    assert train_here(tmp_path, configuration) == 0
+    whole = ModelStore([published / "store"]).manifest("smooth", "1.0.0")
+    assert digests(ModelStore([tmp_path / "store"]).manifest("smooth")) == digests(whole)
+
+
+def test_a_full_disk_at_the_end_publishes_nothing_and_the_same_command_goes_on(published, tmp_path, capsys):
+    store = tmp_path / "store"
+    arguments = [written(tmp_path), "--store", str(store)]
+    with no_file_larger_than(4_000):
+        assert train_here(published, *arguments) == 2
+    error = capsys.readouterr().err
+    assert "Publishing smooth 1.0.0 failed, " in error
+    assert "What was published before is untouched" in error
+    assert not list(store.rglob("manifest.json"))
+    assert not list(store.rglob("*.safetensors"))
+    assert train_here(published, *arguments) == 0
+    assert Model.load("smooth", store=store).self_check()
+
+
+def test_a_report_that_cannot_be_written_does_not_hide_that_the_model_is_published(tmp_path, capsys):
+    report = tmp_path / "work" / "smooth-1.0.0-report.html"
+    report.mkdir(parents=True)
+    assert train_here(tmp_path, written(tmp_path, QUICK)) == 2
+    printed = capsys.readouterr()
+    assert "Published smooth 1.0.0" in printed.out
+    assert "Cannot write" in printed.err
+    assert Model.load("smooth", store=tmp_path / "store").self_check()
+
+
+def test_of_two_trainings_that_publish_one_version_at_once_one_wins(tmp_path):
+    """And the store holds the winner's tensors, not a mixture."""
+    outcomes, barrier = {}, threading.Barrier(2)
+    configurations, results = {}, {}
+    for name, degree in {"one": 1, "two": 2}.items():
+        path = written(tmp_path, QUICK, {"regressor": {"polynomial": {"degree": degree}}}, base=merged(SMOOTH))
+        configurations[name] = read_configuration(path)
+        results[name] = train(
+            configurations[name],
+            tmp_path / "work",
+            n_jobs=1,
+            backend="sequential",
+            progress=False,
+            say=lambda line: None,
+        )
+
+    def compete(name):
+        barrier.wait()
+        try:
+            outcomes[name] = publish(configurations[name], results[name], tmp_path / "store").digest
+        except VersionExists as error:
+            outcomes[name] = error
+
+    threads = [threading.Thread(target=compete, args=(name,)) for name in results]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    winners = [name for name, outcome in outcomes.items() if isinstance(outcome, str)]
+    losers = [outcome for outcome in outcomes.values() if isinstance(outcome, VersionExists)]
+    assert len(winners) == len(losers) == 1
+    artifact = ModelStore([tmp_path / "store"]).load("smooth")
+    assert artifact.manifest.digest == outcomes[winners[0]]
+    for name, tensor in results[winners[0]].tensors.items():
+        np.testing.assert_array_equal(artifact.tensors[name], tensor)
