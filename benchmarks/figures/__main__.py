@@ -74,6 +74,7 @@ def _workspace(options: argparse.Namespace) -> Workspace:
         pareto=options.pareto,
         short=options.short,
         largest=options.largest,
+        fresh=options.fresh,
         jobs=options.jobs,
         again=options.again,
     )
@@ -93,6 +94,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--paper", type=Path, default=_ROOT / "configs" / "paper.toml", metavar="FILE.toml")
     parser.add_argument("--pareto", type=Path, default=_SHIPPED, metavar="DIR", help="of pareto_*.toml (the shipped)")
     parser.add_argument("--largest", type=int, default=2**14, metavar="N", help="most waveforms to train on (2^14)")
+    parser.add_argument("--fresh", type=int, default=4096, metavar="N", help="waveforms to measure on (4096)")
     parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
     parser.add_argument("--again", action="store_true", help="compute anew what is kept")
     return parser

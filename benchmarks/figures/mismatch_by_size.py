@@ -75,7 +75,7 @@ def _sizes(workspace: Workspace, recipe: TrainingConfiguration) -> list[int]:
 
 def _mismatches(workspace: Workspace, recipe: TrainingConfiguration) -> Arrays:
     """Of one training, on the waveforms of ``bnserve validate``; kept, for a network takes minutes."""
-    section = ValidationSection(count=workspace.count(4096, 32), edge_count=0, seed=VALIDATION_SEED)
+    section = ValidationSection(count=workspace.count(workspace.fresh, 32), edge_count=0, seed=VALIDATION_SEED)
     whole = msgspec.structs.replace(recipe, validation=section)
     inputs = {"configuration": msgspec.to_builtins(msgspec.structs.replace(whole, labels=(), citation=""))}
     return workspace.kept("mismatch", inputs, partial(_trained, workspace, whole))

@@ -22,8 +22,8 @@ _NAMES = ("mass_ratio", "chi_1", "chi_2", "lambda_1", "lambda_2")
 
 def draw(workspace: Workspace) -> Drawing:
     """Medians in cells of every pair, and the distribution in the corner."""
-    inside = workspace.validation(workspace.waveforms("uniform", workspace.count(4096, 32)))
-    edges = workspace.validation(workspace.waveforms("edges", workspace.count(1024, 32)))
+    inside = workspace.validation(workspace.waveforms("uniform", workspace.count(workspace.fresh, 32)))
+    edges = workspace.validation(workspace.waveforms("edges", workspace.count(max(32, workspace.fresh // 4), 32)))
     low, high = np.quantile(inside.mismatch, [0.02, 0.99])
     norm = LogNorm(max(low, 1e-16), max(high, 1e-15))
     figure = style.figure(11.0, 9.5)

@@ -18,36 +18,38 @@ _MARKED_HZ = (10.0, 100.0, 1000.0, 2900.0)
 
 
 def draw(workspace: Workspace) -> Drawing:
-    """The curves of the shipped model, coloured by mismatch, with the range of the middle 90 %."""
+    """Moduli for the shipped model, coloured by mismatch, with their median and 95 %."""
     count = workspace.count(100, 20)
     dataset = workspace.waveforms("uniform", 32 * -(-count // 32)).subset(np.arange(count))
     validation = workspace.validation(dataset)
     f, mismatch = validation.frequencies, np.maximum(validation.mismatch, 1e-16)
-    norm = LogNorm(*10.0 ** np.array([np.floor(np.log10(mismatch.min())), np.ceil(np.log10(mismatch.max()))]))
+    norm = LogNorm(mismatch.min(), mismatch.max())
     figure = style.figure()
     axes = figure.subplots(2, 1, sharex=True)
     quantities = {"log_amplitude": validation.log_amplitude, "phase_radians": validation.phase}
-    symbols = {"log_amplitude": (r"$\log\,(A / A_{\rm TEOB})$", ""), "phase_radians": (r"$\Delta\phi$", "rad")}
+    labels = {"log_amplitude": r"$|\log\,(A / A_{\rm TEOB})|$", "phase_radians": r"$|\Delta\phi|$  [rad]"}
     for axis, (name, rows) in zip(axes, quantities.items(), strict=True):
-        lines = _panel(axis, f, rows, mismatch, norm, *symbols[name])
+        lines = _panel(axis, f, rows, mismatch, norm, labels[name])
     style.frequency_axis(axes[1])
-    axes[0].set_title(f"{count} waveforms of the model {workspace.model_name}, less TEOBResumSPA's")
+    axes[0].set_title(f"{count} waveforms of the model {workspace.model_name}, and TEOBResumSPA's")
     figure.colorbar(lines, ax=axes, label="mismatch  (ET-D)", aspect=40, pad=0.01)
     numbers: dict[str, Any] = {name: _by_frequency(f, rows) for name, rows in quantities.items()}
     numbers |= {"mismatch": quantiles(validation.mismatch), "waveforms": count}
     return Drawing(figure, numbers, _summary(numbers))
 
 
-def _panel(axis: Axes, f: Rows, rows: Rows, mismatch: Rows, norm: LogNorm, symbol: str, unit: str) -> Any:
-    exponent = style.power_of_ten(rows)
-    shown = rows / 10.0**exponent
-    lines = style.bundle(axis, f, shown, mismatch, norm)
-    low, high = np.quantile(shown, [0.05, 0.95], axis=0)
-    axis.plot(f, low, color=style.ORANGE, lw=1.8, label="middle 90 %")
-    axis.plot(f, high, color=style.ORANGE, lw=1.8)
-    unit = f"{style.times_ten(exponent)}{unit}".strip()
-    axis.set_ylabel(f"{symbol}  [{unit}]" if unit else symbol)
-    axis.legend(loc="upper left")
+def _panel(axis: Axes, f: Rows, rows: Rows, mismatch: Rows, norm: LogNorm, label: str) -> Any:
+    size = np.abs(rows)
+    axis.set_yscale("log")
+    lines = style.bundle(axis, f, size, mismatch, norm, alpha=0.4)
+    for level, look in {0.95: "--", 0.5: "-"}.items():
+        curve = np.quantile(size, level, axis=0)
+        axis.plot(
+            f, curve, color=style.ORANGE, ls=look, lw=2.4, label="median" if level == 0.5 else f"{100 * level:.0f} %"
+        )
+    axis.set_ylim(0.1 * np.quantile(size, 0.1, axis=0).min(), 2.0 * size.max())
+    axis.set_ylabel(label)
+    axis.legend(loc="upper left", ncols=2)
     return lines
 
 

@@ -66,10 +66,12 @@ def frequency_axis(axis: Axes, label: bool = True) -> None:
         axis.set_xlabel("frequency for $M = 2.8\\,M_\\odot$  [Hz]")
 
 
-def bundle(axis: Axes, x: NDArray[Any], rows: NDArray[Any], colours: NDArray[Any], norm: Normalize) -> LineCollection:
+def bundle(
+    axis: Axes, x: NDArray[Any], rows: NDArray[Any], colours: NDArray[Any], norm: Normalize, alpha: float = 0.75
+) -> LineCollection:
     """Many thin curves, (N, n), each coloured by a number, (N,)."""
     segments = [np.column_stack([x, row]) for row in rows]
-    lines = LineCollection(segments, array=colours, cmap=SEQUENTIAL, norm=norm, linewidths=0.9, alpha=0.75)
+    lines = LineCollection(segments, array=colours, cmap=SEQUENTIAL, norm=norm, linewidths=0.9, alpha=alpha)
     axis.add_collection(lines)
     axis.autoscale_view()
     axis.margins(x=0.0)

@@ -49,6 +49,8 @@ class Workspace:
         Small numbers everywhere: minutes become seconds.
     largest:
         Most waveforms to train on.
+    fresh:
+        Waveforms to measure on, uniform in the box; a quarter as many on its faces, edges and corners.
     jobs:
         Processes at once.
     again:
@@ -62,6 +64,7 @@ class Workspace:
     pareto: Path
     short: bool = False
     largest: int = 2**14
+    fresh: int = 4096
     jobs: int = -1
     again: bool = False
 

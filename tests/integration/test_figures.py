@@ -2,6 +2,7 @@
 
 import json
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -87,8 +88,6 @@ def place(tmp_path_factory) -> Path:
         (folder / name).write_text(text + GENERATOR)
     (folder / "pareto_polynomial.toml").write_text(PARETO)
     (folder / "page.md").write_text("".join(f"<!-- begin: figure {n} -->\n<!-- end: figure {n} -->\n" for n in FIGURES))
-    import tomllib
-
     recipe = parse_configuration(tomllib.loads(OURS + GENERATOR))
     publish(recipe, train(recipe, folder / "runs", n_jobs=1, progress=False, say=lambda line: None), folder / "store")
     return folder
@@ -104,6 +103,7 @@ def arguments(place: Path) -> list[str]:
     return [*common(place), "--model", "ours", *options]
 
 
+@pytest.mark.slow
 def test_one_command_draws_all_figures_and_writes_their_numbers(place, capsys):
     assert figures(["all", *arguments(place), "--page", str(place / "page.md")]) == 0
     printed = capsys.readouterr().out

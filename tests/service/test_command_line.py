@@ -3,11 +3,14 @@
 import socket
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
+import bnserve_store
 from bnserve_service.cli import build_parser, main
 from bnserve_service.cli.serve import ONE_THREAD
+from bnserve_store import ModelStore
 from tests.architecture.rooms import room_environment
 
 COMMAND = [sys.executable, "-m", "bnserve_service"]
@@ -82,3 +85,12 @@ def test_an_unreadable_token_file(tmp_path, capsys):
     (tmp_path / "empty").write_text("\n")
     assert main(["serve", "--token-file", str(tmp_path / "empty")]) == 2
     assert "no token" in capsys.readouterr().err
+
+
+def test_a_published_copy_has_the_digest_of_its_original(tmp_path):
+    shipped = Path(bnserve_store.SHIPPED_MODELS)
+    done = run("models", "publish", "default", "--from", str(shipped), "--store", str(tmp_path))
+    assert done.returncode == 0, done.stderr
+    original, copy = (ModelStore([root]).manifest("default") for root in (shipped, tmp_path))
+    assert copy.digest == original.digest
+    assert copy.digest in done.stdout

@@ -60,6 +60,17 @@ def model(metadata, tensors):
     return Model(metadata, metadata.describe("synthetic", "1", "sha256:0"), read_modes(metadata, tensors))
 
 
+@pytest.fixture(scope="session")
+def published(tmp_path_factory):
+    """The directory of a finished ``bnserve train`` of :data:`tests.surrogate.training_runs.SMOOTH`."""
+    from tests.surrogate.training_runs import train_here, written
+
+    pytest.importorskip("sklearn")
+    directory = tmp_path_factory.mktemp("published")
+    assert train_here(directory, written(directory), report=True) == 0
+    return directory
+
+
 def random_batch(count, seed=0):
     """Binaries uniform in the box, as columns."""
     rng = np.random.default_rng(seed)

@@ -6,6 +6,7 @@ from bnserve_surrogate.training.search import Search, run_search
 WAVEFORMS = 400
 
 POLYNOMIAL = {"kind": "polynomial", "coordinates": "physical"}
+SUM = {"kind": "sum", "coordinates": "physical", "polynomial": {"degree": 3}, "network": {"max_iter": 30}}
 NETWORK = {"kind": "network", "coordinates": "raw", "network": {"max_iter": 30}}
 
 

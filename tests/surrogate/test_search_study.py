@@ -11,7 +11,7 @@ from bnserve_surrogate.training.search_journal import StudyUnreadable
 from bnserve_surrogate.training.search_results import SearchEmpty, search_results
 from bnserve_surrogate.training.search_study import StudyMismatch, failures, finished, read_study
 from tests.architecture.rooms import ROOT, room_environment
-from tests.surrogate.searching import NETWORK, run, toy_search
+from tests.surrogate.searching import NETWORK, SUM, run, toy_search
 
 
 @pytest.fixture(scope="module")
@@ -34,7 +34,7 @@ def costs(search):
     return [(t.trial, t.waveforms, t.reconstruction_error, t.hyperparameters) for t in search_results(search).trials]
 
 
-@pytest.mark.parametrize("regressor", [None, NETWORK], ids=["polynomial", "network"])
+@pytest.mark.parametrize("regressor", [None, NETWORK, SUM], ids=["polynomial", "network", "sum"])
 def test_a_search_finds_better_hyperparameters_with_more_waveforms(work, study, regressor):
     search = toy_search(study, regressor)
     assert trial_numbers(run(search, work, trials=8)) == list(range(8))
@@ -51,6 +51,18 @@ def test_a_search_finds_better_hyperparameters_with_more_waveforms(work, study, 
             best.cost_seconds <= entry.cost_seconds and best.reconstruction_error <= entry.reconstruction_error
             for best in front
         )
+
+
+def test_the_first_trials_are_what_the_configuration_gives(work, study):
+    given = {"degree": 3, "weights": [2.0, 2.0, 2.0, 3.0, 2.0], "terms": 45}
+    search = toy_search(study, {"kind": "polynomial", "coordinates": "physical", "polynomial": given})
+    run(search, work, trials=3)
+    whole, quarter, drawn = search_results(search).trials
+    assert (whole.waveforms, quarter.waveforms) == (300, 75)
+    expected = {"degree": 1.5, "weights": [1.0, 1.0, 1.0, 1.5, 1.0], "terms": 50}  # the same; terms from 50 on
+    assert whole.hyperparameters.reduction == {"components": 10}
+    assert whole.hyperparameters.regressor == {"polynomial": expected}
+    assert drawn.hyperparameters != whole.hyperparameters == quarter.hyperparameters
 
 
 def test_the_same_seed_gives_the_same_first_trials_and_each_draws_its_own_waveforms(work, study):

@@ -204,7 +204,7 @@ def test_a_missing_package_names_itself_and_the_way_to_get_it(tmp_path, command)
 def test_a_missing_package_of_one_part_is_found_before_any_waveform(tmp_path, capsys, monkeypatch, module, change):
     monkeypatch.setenv(smooth_waveforms.MARK, str(tmp_path / "marks"))
     monkeypatch.setitem(sys.modules, module, None)
-    assert train_here(tmp_path, written(tmp_path, QUICK, change)) == 2
+    assert train_here(tmp_path, written(tmp_path, QUICK, change), report=True) == 2
     error = capsys.readouterr().err
     assert module in error
     assert "pip install" in error

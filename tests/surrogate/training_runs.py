@@ -67,9 +67,10 @@ def arguments(directory, configuration, *more):
     ]  # fmt: skip
 
 
-def train_here(directory, configuration, *more):
+def train_here(directory, configuration, *more, report=False):
     """``bnserve train`` in this process; the exit code."""
-    return main(arguments(directory, configuration, "--jobs", "1", "--backend", "sequential", *more))
+    here = ["--jobs", "1", "--backend", "sequential", *([] if report else ["--no-report"])]
+    return main(arguments(directory, configuration, *here, *map(str, more)))
 
 
 def environment(**variables):

@@ -119,7 +119,14 @@ def publish_model(options: argparse.Namespace) -> int:
     manifest = artifact.manifest
     labels = () if options.no_label else tuple(options.label or ("stable",))
     target = ModelStore([options.store[0]])
-    published = target.publish(manifest.name, manifest.version, artifact.tensors, manifest.metadata, labels=labels)
+    published = target.publish(
+        manifest.name,
+        manifest.version,
+        artifact.tensors,
+        manifest.metadata,
+        labels=labels,
+        created=manifest.created,  # so that the copy has the same digest
+    )
     print(f"Published {published.name} {published.version} ({published.digest})")
     return 0
 

@@ -24,6 +24,7 @@ def add_parser(subparsers: Any) -> None:
     parser.add_argument("--backend", default="loky", metavar="NAME", help="joblib backend (loky)")
     parser.add_argument("--version", metavar="VERSION", help="publish under this version instead of the configured")
     parser.add_argument("--no-progress", action="store_true", help="no progress bars")
+    parser.add_argument("--no-report", action="store_true", help="no page with plots (it needs matplotlib)")
     parser.set_defaults(run=run)
 
 
@@ -32,7 +33,8 @@ def run(options: argparse.Namespace) -> int:
     from bnserve_service.training_extra import import_training
 
     config, errors, pipeline, report = import_training("config", "errors", "pipeline", "report")
-    errors.require("matplotlib")  # for the report: better missed now than at the end
+    if not options.no_report:
+        errors.require("matplotlib")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)
     if options.version:
         configuration = config.with_version(configuration, options.version)
@@ -47,7 +49,8 @@ def run(options: argparse.Namespace) -> int:
     manifest = pipeline.publish(configuration, trained, options.store)
     print(report.table(trained.validations))
     print(f"Published {manifest.name} {manifest.version} ({manifest.digest}) to {options.store}")
-    page = options.work / f"{manifest.name}-{manifest.version}-report.html"
-    report.write_report(page, f"{manifest.name} {manifest.version}", manifest.digest, trained)
-    print(f"Report: {page}")
+    if not options.no_report:
+        page = options.work / f"{manifest.name}-{manifest.version}-report.html"
+        report.write_report(page, f"{manifest.name} {manifest.version}", manifest.digest, trained)
+        print(f"Report: {page}")
     return 0

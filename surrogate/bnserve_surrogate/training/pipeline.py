@@ -20,6 +20,7 @@ from bnserve_surrogate.training._baseline import baseline_amplitude
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
 from bnserve_surrogate.training.error_estimate import ErrorEstimate, fit_error_estimate, with_error_estimate
+from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
 from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, make_generator, mass_seconds
 from bnserve_surrogate.training.greedy_nodes import greedy_nodes
@@ -35,7 +36,7 @@ from bnserve_surrogate.training.regressors import MLP, Beside, ChebyshevPolynomi
 from bnserve_surrogate.training.residuals import flatten_phase
 from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
 from bnserve_surrogate.training.search_lookup import with_best_hyperparameters
-from bnserve_surrogate.training.validation import Validation, validate
+from bnserve_surrogate.training.validation import Validation, validate, validation_frequencies
 
 Say = Callable[[str], None]
 _SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 1e-2, "phase_shift": 1e-6}
@@ -188,8 +189,21 @@ def validate_artifact(
         As for :func:`validate`.
     n_jobs:
         Processes at once.
+
+    Raises
+    ------
+    TrainingError
+        The model does not say how it was trained, or no waveforms can be had.
+    InvalidParameters, InvalidFrequencies
+        The noise, mass or frequency do not go with the model; found before any waveform is computed.
     """
     metadata = SurrogateMetadata.read(artifact.manifest.metadata)
+    if "configuration" not in metadata.provenance or not any(count > 0 for count in counts.values()):
+        raise TrainingError(
+            "There is nothing to validate with: the model must have been published by bnserve train, and at least one "
+            "waveform be asked for."
+        )
+    validation_frequencies(metadata, noise, total_mass, f_min)
     configuration = parse_configuration(metadata.provenance["configuration"])
     generator = make_generator(configuration.generator.name, **configuration.generator.options)
     generate = _Generation(configuration, generator, directory, n_jobs, "loky", None)

@@ -16,7 +16,7 @@ from optuna.samplers import TPESampler
 
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.search_cost import SearchData, TrialFailed, evaluate, load_search_data
-from bnserve_surrogate.training.search_space import searched_keys, suggest
+from bnserve_surrogate.training.search_space import first_suggestions, searched_keys, suggest
 from bnserve_surrogate.training.search_study import fail, finished, working_on
 from bnserve_surrogate.training.search_values import flat, override
 
@@ -83,8 +83,9 @@ def run_search(
 ) -> None:
     """Add trials until the study has ``trials`` of them, or ``timeout`` seconds are over.
 
-    A trial that has begun is finished. The same call after an interruption of whatever kind goes on with the trials
-    that were finished; several processes may run it at once.
+    The first trials are what the configuration gives, with all waveforms, a quarter, a sixteenth and so on. A trial
+    that has begun is finished. The same call after an interruption of whatever kind goes on with the trials that were
+    finished; several processes may run it at once.
 
     Parameters
     ----------
@@ -110,16 +111,20 @@ def run_search(
     with working_on(search.study, search.setup) as study:
         whole = override(search.configuration, {"dataset.count": search.count})
         data = load_search_data(whole, directory, n_jobs=n_jobs, backend=backend, progress=progress, say=say)
+        validation = min(_VALIDATION, len(data.dataset) // 4)
+        most = len(data.dataset) - validation
+        if not study.get_trials(deepcopy=False):
+            for parameters in first_suggestions(search.configuration, most):
+                study.enqueue_trial(parameters, skip_if_exists=True)
         stop = time.monotonic() + timeout
         while finished(study) < trials and time.monotonic() < stop:
-            _run_trial(search, study, data, seed, say)
+            _run_trial(search, study, data, validation, seed, say)
 
 
-def _run_trial(search: Search, study: optuna.Study, data: SearchData, seed: int, say: Say) -> None:
+def _run_trial(search: Search, study: optuna.Study, data: SearchData, validation: int, seed: int, say: Say) -> None:
     trial = study.ask()
     own_seed = int(np.random.SeedSequence([seed, trial.number]).generate_state(1)[0])
     study.sampler = TPESampler(seed=own_seed)  # the same draws, whichever process makes them
-    validation = min(_VALIDATION, len(data.dataset) // 4)
     values = suggest(trial, search.configuration, len(data.dataset) - validation)
     waveforms = values.pop("dataset.count")
     trial.set_user_attr("waveforms", waveforms)

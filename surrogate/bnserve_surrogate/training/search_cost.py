@@ -24,7 +24,7 @@ from bnserve_surrogate.training.pipeline import (
     reduce_dataset,
     training_dataset,
 )
-from bnserve_surrogate.training.reduction import ReducedResiduals, Reduction
+from bnserve_surrogate.training.reduction import PaperReduction, ReducedResiduals, Reduction
 from bnserve_surrogate.training.regressors import Beside
 from bnserve_surrogate.training.residuals import flatten_phase
 
@@ -138,6 +138,6 @@ def _cost(
 
 def _flat(reduction: Reduction, metric: MismatchMetric, dataset: ResidualDataset) -> tuple[FloatArray, FloatArray]:
     """The residuals that the components of a reduction stand for."""
-    if hasattr(reduction, "eigenvalue_exponent"):
+    if isinstance(reduction, PaperReduction):
         return dataset.log_amplitude_ratio, flatten_phase(dataset.mf_phase, dataset.psi_residual).residual
     return metric.residuals(metric.transform(dataset.log_amplitude_ratio, dataset.psi_residual).vectors)

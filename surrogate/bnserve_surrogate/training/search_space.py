@@ -58,20 +58,50 @@ def suggest(trial: Suggester, configuration: TrainingConfiguration, most_wavefor
 
 def searched_keys(configuration: TrainingConfiguration) -> set[str]:
     """What :func:`suggest` overrides for this configuration, by dotted key."""
-    return set(suggest(_Lowest(), configuration, 10 * FEWEST_WAVEFORMS))
+    return set(suggest(_Given(configuration, FEWEST_WAVEFORMS), configuration, FEWEST_WAVEFORMS))
 
 
-class _Lowest:
-    """Suggests the lower end of everything."""
+def first_suggestions(configuration: TrainingConfiguration, most_waveforms: int) -> list[Values]:
+    """What the configuration gives, by name of the suggestion, for all waveforms, a quarter, a sixteenth and so on."""
+    found: list[Values] = []
+    while not found or most_waveforms >= FEWEST_WAVEFORMS:
+        given = _Given(configuration, most_waveforms)
+        suggest(given, configuration, most_waveforms)
+        found.append(given.noted)
+        most_waveforms //= 4
+    return found
+
+
+class _Given:
+    """Suggests what a configuration gives, at the nearest end where that is out of range, and notes it."""
+
+    def __init__(self, configuration: TrainingConfiguration, waveforms: int) -> None:
+        network, polynomial = configuration.regressor.network, configuration.regressor.polynomial
+        self.noted: Values = {}
+        self._given = {
+            "waveforms": waveforms,
+            "components": configuration.reduction.components,
+            "eigenvalue_exponent": configuration.reduction.eigenvalue_exponent,
+            "layers": len(network.hidden_layer_sizes),
+            **{f"layer_{i}": size for i, size in enumerate(network.hidden_layer_sizes)},
+            **{name: getattr(network, name) for name in network.__struct_fields__},
+            "degree": polynomial.degree / polynomial.weights[0],
+            **{f"weight_{i}": weight / polynomial.weights[0] for i, weight in enumerate(polynomial.weights)},
+            "terms": _MOST_TERMS if polynomial.terms is None else polynomial.terms,
+        }
 
     def suggest_float(self, name: str, low: float, high: float, *, step: float | None = None, log: bool = False) -> Any:
-        return low
+        value = min(max(self._given[name], low), high)
+        self.noted[name] = value if step is None else low + step * round((value - low) / step)
+        return self.noted[name]
 
     def suggest_int(self, name: str, low: int, high: int, *, step: int = 1, log: bool = False) -> Any:
-        return low
+        self.noted[name] = min(max(self._given.get(name, low), low), high)
+        return self.noted[name]
 
     def suggest_categorical(self, name: str, choices: Any) -> Any:
-        return choices[0]
+        self.noted[name] = self._given[name]
+        return self.noted[name]
 
 
 def _network(trial: Suggester, configuration: TrainingConfiguration, waveforms: int) -> Values:

@@ -75,9 +75,8 @@ def read_study(path: Path, setup: dict[str, Any]) -> optuna.Study:
 
 def finished(study: optuna.Study) -> int:
     """Trials that are done, have failed for a reason, or run in some process; interrupted ones do not count."""
-    return sum(
-        trial.state != TrialState.FAIL or _REASON in trial.user_attrs for trial in study.get_trials(deepcopy=False)
-    )
+    counted = (TrialState.COMPLETE, TrialState.RUNNING)
+    return sum(trial.state in counted or _REASON in trial.user_attrs for trial in study.get_trials(deepcopy=False))
 
 
 def fail(study: optuna.Study, trial: optuna.Trial, reason: str) -> None:

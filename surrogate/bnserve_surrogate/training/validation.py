@@ -7,7 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from bnserve_protocol import INTRINSIC_NAMES, EvaluationOptions, ParameterBatch, WaveformModel
+from bnserve_protocol import (
+    INTRINSIC_NAMES,
+    EvaluationOptions,
+    InvalidFrequencies,
+    InvalidParameters,
+    ParameterBatch,
+    WaveformModel,
+)
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training._baseline import baseline_amplitude, baseline_phase
 from bnserve_surrogate.training.dataset import ResidualDataset
@@ -122,8 +129,14 @@ def validate(
         Of the binaries, in solar masses; None: the reference mass.
     f_min:
         Lower end of the mismatch integral in Hz; None: the beginning of the trained band.
+
+    Raises
+    ------
+    InvalidParameters, InvalidFrequencies
+        As :func:`validation_frequencies`.
     """
     mass = metadata.reference_mass if total_mass is None else total_mass
+    dense = validation_frequencies(metadata, noise, total_mass, f_min)
     mf = dataset.mf_phase
     f = mf / mass_seconds(mass)
     batch = _batch(dataset.theta, mass)
@@ -131,7 +144,6 @@ def validate(
     ours = model.predict_amplitude_phase(f, batch, options=EvaluationOptions(alignment="merger"))
     log_amplitude = np.log(ours.amplitude / _strain_scale(batch, mass)) - theirs_log_amplitude
     difference = -ours.phase - theirs_psi
-    dense = np.geomspace(f[0] if f_min is None else f_min, f[-1], _DENSE)
     splined = np.exp(theirs_log_amplitude @ spline_matrix(f, dense).T)
     weights = noise_weights(dense, splined, noise_curve(noise))
     at_nodes = NodeMismatch(f, f, dense, weights)
@@ -149,6 +161,30 @@ def validate(
         phase=difference - line,
         frequencies=f,
     )
+
+
+def validation_frequencies(
+    metadata: SurrogateMetadata, noise: str, total_mass: float | None, f_min: float | None
+) -> FloatArray:
+    """The frequencies of the mismatch integral in Hz, for what :func:`validate` is given.
+
+    Raises
+    ------
+    InvalidParameters
+        The noise curve does not exist, or the model was not trained for that mass.
+    InvalidFrequencies
+        ``f_min`` is outside the band, or the noise curve does not reach to its ends.
+    """
+    mass = metadata.reference_mass if total_mass is None else total_mass
+    least, most = metadata.total_mass
+    if not least <= mass <= most:
+        raise InvalidParameters(f"A total mass of {mass:g} Msun is outside the model's range, {least:g} to {most:g}.")
+    low, high = (edge * metadata.reference_mass / mass for edge in metadata.training_band)
+    if f_min is not None and not low <= f_min < high:
+        raise InvalidFrequencies(f"f_min = {f_min:g} Hz is outside the model's band, {low:g} to {high:g} Hz.")
+    dense = np.geomspace(low if f_min is None else f_min, high, _DENSE)
+    noise_curve(noise)(dense)
+    return np.asarray(dense)
 
 
 def _batch(theta: FloatArray, total_mass: float) -> ParameterBatch:
