@@ -60,12 +60,6 @@ def test_every_array_survives_bit_for_bit(tensors):
         assert array.tobytes() == before[name].tobytes()
 
 
-def test_the_gate_is_needed():
-    """safetensors alone gets Fortran order wrong. When this fails, it was repaired, and the gate may be simplified."""
-    fortran = np.asfortranarray(np.arange(6.0).reshape(2, 3))
-    assert not np.array_equal(safetensors.numpy.load(safetensors.numpy.save({"a": fortran}))["a"], fortran)
-
-
 def test_a_library_that_writes_something_else_is_caught(monkeypatch):
     honest = safetensors.numpy.save
     monkeypatch.setattr(safetensors.numpy, "save", lambda arrays: honest({"a": arrays["a"][::-1].copy()}))

@@ -1,0 +1,153 @@
+"""Signs, units and alignment of the shipped model against LALSimulation and TEOBResumS, called directly."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bnserve_protocol import SOLAR_MASS_SECONDS, UniformGrid
+from bnserve_surrogate import EvaluationOptions, Model, ParametersWithExtrinsic
+
+BINARIES = {
+    "like GW170817": ParametersWithExtrinsic.gw170817(),
+    "unequal, spinning": ParametersWithExtrinsic(
+        mass_ratio=2.1, lambda_1=150.0, lambda_2=2500.0, chi_1=0.3, chi_2=-0.2,
+        distance_mpc=120.0, inclination=0.7, total_mass=3.1,
+    ),
+}  # fmt: skip
+MERGER = EvaluationOptions(alignment="merger")
+binaries = pytest.mark.parametrize("one", BINARIES.values(), ids=list(BINARIES))
+
+
+@pytest.fixture(scope="module")
+def model():
+    return Model.default()
+
+
+def strain_of_lal(frequencies, one, approximant, orbital_phase=0.0):
+    """h_plus and h_cross of LALSimulation in 1/Hz."""
+    lal, simulation = pytest.importorskip("lal"), pytest.importorskip("lalsimulation")
+    options = lal.CreateDict()
+    simulation.SimInspiralWaveformParamsInsertTidalLambda1(options, one.lambda_1)
+    simulation.SimInspiralWaveformParamsInsertTidalLambda2(options, one.lambda_2)
+    simulation.SimInspiralSetQuadMonParamsFromLambdas(options)
+    masses = one.total_mass * lal.MSUN_SI * np.array([one.mass_ratio, 1.0]) / (1.0 + one.mass_ratio)
+    vector = lal.CreateREAL8Vector(len(frequencies))
+    vector.data = frequencies
+    plus, cross = simulation.SimInspiralChooseFDWaveformSequence(
+        orbital_phase, *masses, 0.0, 0.0, one.chi_1, 0.0, 0.0, one.chi_2, frequencies[0],
+        one.distance_mpc * 1e6 * lal.PC_SI, one.inclination, options, getattr(simulation, approximant), vector,
+    )  # fmt: skip
+    return np.array(plus.data.data), np.array(cross.data.data)
+
+
+def left_after_a_line(frequencies, phase):
+    """The largest modulus of an unwrapped phase less its best constant and slope."""
+    unwrapped = np.unwrap(phase)
+    return np.abs(unwrapped - np.polynomial.Polynomial.fit(frequencies, unwrapped, 1)(frequencies)).max()
+
+
+@binaries
+def test_the_phase_has_lals_sign(model, one):
+    f = np.linspace(8.0, 40.0, 20_000)
+    theirs, _ = strain_of_lal(f, one, "TaylorF2")
+    ours = model.predict(f, one).plus
+    assert left_after_a_line(f, np.angle(ours / theirs)) < 0.05
+    assert left_after_a_line(f, np.angle(ours.conj() / theirs)) > 1000.0
+
+
+@binaries
+@pytest.mark.parametrize(
+    ("approximant", "band", "tolerance"), [("TaylorF2", (8.0, 20.0), 1e-2), ("IMRPhenomD_NRTidalv2", (8.0, 300.0), 2e-3)]
+)
+def test_the_amplitude_is_lals_in_physical_units(model, one, approximant, band, tolerance):
+    """Mass, distance and inclination: TaylorF2's amplitude is the leading order alone."""
+    f = np.geomspace(*band, 300)
+    for ours, theirs in zip(model.predict(f, one), strain_of_lal(f, one, approximant), strict=True):
+        np.testing.assert_allclose(np.abs(ours), np.abs(theirs), rtol=tolerance)
+
+
+@binaries
+def test_the_polarizations_are_related_as_lals(model, one):
+    f = np.geomspace(8.0, 1000.0, 300)
+    plus, cross = model.predict(f, one)
+    their_plus, their_cross = strain_of_lal(f, one, "TaylorF2")
+    np.testing.assert_allclose(cross / plus, their_cross / their_plus, rtol=1e-12, atol=1e-14)
+    cosine = np.cos(one.inclination)
+    np.testing.assert_allclose(cross / plus, -2j * cosine / (1.0 + cosine**2), rtol=1e-12, atol=1e-14)
+
+
+def test_an_orbital_phase_of_lal_is_half_a_reference_phase(model):
+    f, one = np.geomspace(20.0, 100.0, 50), BINARIES["like GW170817"]
+    theirs = strain_of_lal(f, one, "TaylorF2", orbital_phase=0.3)[0] / strain_of_lal(f, one, "TaylorF2")[0]
+    ours = model.predict(f, replace(one, reference_phase=0.6)).plus / model.predict(f, one).plus
+    np.testing.assert_allclose(ours, theirs, rtol=1e-9)
+    np.testing.assert_allclose(ours, np.exp(0.6j), rtol=1e-9)
+
+
+def test_distance_time_shift_and_phase_do_what_the_documentation_says(model):
+    f, one = np.geomspace(6.0, 2000.0, 200), BINARIES["unequal, spinning"]
+    shifted = replace(one, distance_mpc=2.0 * one.distance_mpc, time_shift=0.01, reference_phase=-1.0)
+    expected = 0.5 * np.exp(1j * (2.0 * np.pi * f * 0.01 - 1.0))
+    np.testing.assert_allclose(model.predict(f, shifted).plus / model.predict(f, one).plus, expected, rtol=1e-8)
+
+
+def peak_time(model, one, **options):
+    """Seconds at which the strain is largest, from its inverse Fourier transform."""
+    grid = UniformGrid(16.0, 2048.0, 1.0 / 16.0)
+    spectrum = np.zeros(2 * 2048 * 16, complex)
+    spectrum[16 * 16 : 16 * 16 + len(grid)] = model.predict(grid, one, options=EvaluationOptions(**options)).plus
+    peak = np.argmax(np.abs(np.fft.ifft(spectrum)))
+    return (peak / len(spectrum) + 0.5) % 1.0 * 16.0 - 8.0
+
+
+def test_the_merger_is_at_the_origin_of_time_if_asked_for(model):
+    one = BINARIES["unequal, spinning"]
+    assert abs(peak_time(model, one, alignment="merger")) < 5e-4
+    earlier = replace(one, time_shift=0.25)
+    assert peak_time(model, earlier, alignment="merger") == pytest.approx(-0.25, abs=5e-4)
+    assert abs(peak_time(model, one, alignment="post_newtonian")) > 1e-3
+
+
+def strain_of_teobresums(frequencies, one):
+    """h_plus and h_cross of TEOBResumSPA, conjugated, in 1/Hz."""
+    teobresums = pytest.importorskip("EOBRun_module")
+    from bnserve_surrogate.training.generators import TEOBResumSPA
+
+    mass = one.total_mass * SOLAR_MASS_SECONDS
+    request = {
+        "M": one.total_mass, "q": one.mass_ratio, "distance": one.distance_mpc, "inclination": one.inclination,
+        "chi1": one.chi_1, "chi2": one.chi_2, "chi1z": one.chi_1, "chi2z": one.chi_2,
+        "LambdaAl2": one.lambda_1, "LambdaBl2": one.lambda_2, "use_geometric_units": "no", "domain": 1,
+        "initial_frequency": TEOBResumSPA().phase_start(frequencies[0] * mass) / mass, "use_mode_lm": [1],
+        "interp_uniform_grid": "no", "interp_freqs": "yes", "freqs": frequencies.tolist(), "srate_interp": 0.25 / mass,
+        "time_shift_FD": "yes", "output_hpc": "no", "ode_tmax": 1e12, "postadiabatic_dynamics_dr": 0.2,
+    }  # fmt: skip
+    _, *parts = teobresums.EOBRunPy(request)[:5]
+    return parts[0] - 1j * parts[1], parts[2] - 1j * parts[3]
+
+
+@binaries
+def test_aligned_at_the_merger_it_is_the_conjugate_of_teobresums(model, one):
+    """The phase of TEOBResumS starts from zero at the first frequency, so it is asked for the model's first as well."""
+    first = model.description.training_band[0] * model.description.reference_mass / one.total_mass
+    f = np.concatenate([[first], np.geomspace(20.0, 2000.0, 400)])
+    both = zip(model.predict(f, one, options=MERGER), strain_of_teobresums(f, one), strict=True)
+    for ours, theirs in both:
+        assert np.linalg.norm(ours - theirs) < 2e-3 * np.linalg.norm(theirs)
+        np.testing.assert_allclose(np.abs(ours), np.abs(theirs), rtol=0.01)  # jitter of its interpolation above 1 kHz
+        phase = np.angle(ours / theirs)  # no more than the model's error of the merger time
+        np.testing.assert_allclose(phase, 0.0, atol=1e-3 + 2.0 * np.pi * 2000.0 * 1e-5)
+        assert left_after_a_line(f, phase) < 0.01
+
+
+def test_the_time_until_merger_is_that_of_teobresums(model):
+    """From the slope of its phase at 50 Hz, where the baseline knows nothing of it."""
+    one = BINARIES["like GW170817"]
+    first = model.description.training_band[0] * model.description.reference_mass / one.total_mass
+    f = np.array([first, 49.99, 50.01])
+    phase = np.angle(strain_of_teobresums(f, one)[0])
+    step = np.angle(np.exp(1j * (phase[2] - phase[1])))
+    turns = np.round((model.time_until_merger(50.0, one) * 0.02) - step / (2.0 * np.pi))
+    seconds = (step / (2.0 * np.pi) + turns) / 0.02
+    assert model.time_until_merger(50.0, one) == pytest.approx(seconds, abs=1e-3)
