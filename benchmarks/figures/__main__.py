@@ -56,6 +56,7 @@ def _drawn(name: str, workspace: Workspace, options: argparse.Namespace) -> bool
             print(f"{name}: {error.detail}", file=sys.stderr)
             return False
         setup = {"command": f"python -m benchmarks.figures {name}{' --short' if options.short else ''}"}
+        setup |= {option: getattr(options, option) for option in ("fresh", "largest", "paper_largest")}
         picture, _ = save(drawing, name, options.output, setup | {"model": workspace.model_name})
     print(f"{name}: {picture}, {time.perf_counter() - started:.0f} s", file=sys.stderr)
     print("\n".join(drawing.summary), flush=True)
@@ -74,6 +75,7 @@ def _workspace(options: argparse.Namespace) -> Workspace:
         pareto=options.pareto,
         short=options.short,
         largest=options.largest,
+        paper_largest=options.paper_largest,
         fresh=options.fresh,
         jobs=options.jobs,
         again=options.again,
@@ -94,6 +96,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--paper", type=Path, default=_ROOT / "configs" / "paper.toml", metavar="FILE.toml")
     parser.add_argument("--pareto", type=Path, default=_SHIPPED, metavar="DIR", help="of pareto_*.toml (the shipped)")
     parser.add_argument("--largest", type=int, default=2**14, metavar="N", help="most waveforms to train on (2^14)")
+    parser.add_argument("--paper-largest", type=int, default=2**15, metavar="N", help="with the paper's recipe (2^15)")
     parser.add_argument("--fresh", type=int, default=4096, metavar="N", help="waveforms to measure on (4096)")
     parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
     parser.add_argument("--again", action="store_true", help="compute anew what is kept")

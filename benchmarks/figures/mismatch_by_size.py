@@ -29,9 +29,10 @@ _SMALLEST = 2**9
 def draw(workspace: Workspace) -> Drawing:
     """Train each recipe on ever larger parts of its data set, and measure all models on the same waveforms."""
     recipes = {"paper": workspace.paper, workspace.recipe.name: workspace.recipe}
+    most = {"paper": workspace.paper_largest, workspace.recipe.name: workspace.largest}
     curves: dict[str, dict[int, NDArray[Any]]] = {}
     for label, recipe in recipes.items():
-        sizes = _sizes(workspace, recipe)
+        sizes = _sizes(workspace, min(recipe.dataset.count, most[label]))
         results = {size: _mismatches(workspace, of_size(recipe, size)) for size in sizes}
         curves[label] = {size: arrays["mismatch"] for size, arrays in results.items()}
         baseline = next(iter(results.values()))["baseline_mismatch"]
@@ -41,6 +42,7 @@ def draw(workspace: Workspace) -> Drawing:
     for axis, (label, by_size) in zip(axes, curves.items(), strict=True):
         _panel(axis, by_size, baseline, largest)
         axis.set_title("The paper's recipe" if label == "paper" else f"The recipe of the model {label}")
+    axes[1].set_ylim(bottom=0.0)  # shared; after both are drawn
     axes[1].set_xlabel(f"mismatch to TEOBResumSPA  (ET-D, $M = 2.8\\,M_\\odot$, {baseline.size} waveforms)")
     figure.supylabel("density per decade", fontsize=15)
     rows = [quantile_row(_BASELINE, baseline)]
@@ -67,8 +69,7 @@ def of_size(recipe: TrainingConfiguration, size: int) -> TrainingConfiguration:
     )
 
 
-def _sizes(workspace: Workspace, recipe: TrainingConfiguration) -> list[int]:
-    most = min(workspace.largest, recipe.dataset.count)
+def _sizes(workspace: Workspace, most: int) -> list[int]:
     sizes = [2**power for power in range(7, 18) if 2**power <= most]
     return sizes[:2] if workspace.short else [size for size in sizes if size >= _SMALLEST]
 
@@ -98,7 +99,6 @@ def _panel(axis: Axes, by_size: dict[int, NDArray[Any]], baseline: NDArray[Any],
         first, last = int(np.log2(min(_SMALLEST, *by_size))), int(np.log2(largest))
         _curve(axis, values, colours(0.92 * (1.0 - (power - first) / max(1, last - first))), f"$N = 2^{{{power}}}$")
     axis.set_xscale("log")
-    axis.set_ylim(bottom=0.0)
     axis.legend(loc="upper left", bbox_to_anchor=(1.0, 1.0), labelspacing=0.3)
 
 

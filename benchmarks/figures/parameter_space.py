@@ -30,7 +30,7 @@ def draw(workspace: Workspace) -> Drawing:
     grid = figure.subplots(4, 4, sharex="col", sharey="row")
     for first, second in combinations(range(5), 2):
         axis = grid[second - 1, first]
-        cells = _cells(axis, inside.theta[:, first], inside.theta[:, second], inside.mismatch, norm, workspace.short)
+        cells = _cells(axis, inside.theta[:, first], inside.theta[:, second], inside.mismatch, norm)
         if second == 4:
             axis.set_xlabel(_LABELS[first])
         if first == 0:
@@ -55,8 +55,8 @@ def draw(workspace: Workspace) -> Drawing:
     return Drawing(figure, numbers, table(["mismatch", *LEVELS], rows))
 
 
-def _cells(axis: Axes, x: Rows, y: Rows, mismatch: Rows, norm: LogNorm, short: bool) -> Any:
-    size = 6 if short else 14
+def _cells(axis: Axes, x: Rows, y: Rows, mismatch: Rows, norm: LogNorm) -> Any:
+    size = max(4, int(np.sqrt(x.size / 20.0)))
     options: dict[str, Any] = {"gridsize": (size, int(0.7 * size)), "reduce_C_function": np.median}
     cells = axis.hexbin(x, y, C=mismatch, norm=norm, cmap=style.SEQUENTIAL, linewidths=0.1, **options)
     axis.grid(False)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
 
 from benchmarks.figures import style
 from benchmarks.figures.drawing import DataMissing, Drawing, table
@@ -16,21 +15,22 @@ _LOOKS = ((style.ORANGE, "o"), (style.BLUE, "s"), (style.GREEN, "^"))
 
 
 def draw(workspace: Workspace) -> Drawing:
-    """Error of the reconstruction, and mismatch, against the number of waveforms and against the cost."""
+    """The front in both costs, and what it means for the mismatch."""
     fronts = _fronts(workspace)
-    figure = style.figure()
-    axes = figure.subplots(2, 2, sharex="col", sharey="row")
+    figure = style.figure(12.0, 6.0)
+    front, mismatch = figure.subplots(1, 2)
     for (label, collection), (colour, marker) in zip(fronts.items(), _LOOKS, strict=False):
         entries = sorted(collection.entry, key=lambda entry: entry.cost_seconds)
-        for row, error in enumerate(("reconstruction_error", "median_mismatch")):
-            _points(axes[row, 0], entries, "waveforms", error, colour, marker, label)
-            _points(axes[row, 1], entries, "cost_seconds", error, colour, marker, label, joined=row == 0)
-    axes[0, 0].set_ylabel("reconstruction error  [rad²]")
-    axes[1, 0].set_ylabel("median mismatch  (ET-D)")
-    axes[1, 0].set_xlabel("training waveforms")
-    axes[1, 1].set_xlabel("cost: waveforms and training  [s]")
-    axes[0, 1].legend(loc="upper right", handlelength=1.0)
-    axes[0, 0].set_title("Front of the hyper-parameter search")
+        look: dict[str, Any] = {"color": colour, "marker": marker, "ms": 7, "lw": 1.4}
+        costs, errors = ([getattr(e, name) for e in entries] for name in ("cost_seconds", "reconstruction_error"))
+        front.plot(costs, errors, drawstyle="steps-post", label=label, **look)
+        counts, medians = ([getattr(e, name) for e in entries] for name in ("waveforms", "median_mismatch"))
+        mismatch.plot(counts, medians, ls="", **look)
+    front.set(xscale="log", yscale="log", title="The front of the search", ylabel="reconstruction error  [rad²]")
+    front.set_xlabel("cost: time for waveforms and training  [s]")
+    mismatch.set(xscale="log", yscale="log", title="Mismatch of the same models", ylabel="median mismatch  (ET-D)")
+    mismatch.set_xlabel("training waveforms")
+    figure.legend(handles=front.lines, loc="outside lower center", ncols=1)
     numbers = {label: [_plain(entry) for entry in collection.entry] for label, collection in fronts.items()}
     return Drawing(figure, numbers, _summary(fronts))
 
@@ -48,15 +48,6 @@ def _fronts(workspace: Workspace) -> dict[str, ParetoCollection]:
 def _label(collection: ParetoCollection) -> str:
     setup = collection.setup
     return f"{setup.regressor}, {setup.coordinates} coordinates, {setup.reduction} PCA ({setup.trials} trials)"
-
-
-def _points(
-    axis: Axes, entries: list[ParetoEntry], x: str, y: str, colour: str, marker: str, label: str, joined: bool = False
-) -> None:
-    line = "-" if joined else ""
-    xs, ys = ([getattr(entry, name) for entry in entries] for name in (x, y))
-    axis.plot(xs, ys, ls=line, drawstyle="steps-post", color=colour, marker=marker, ms=6, lw=1.2, label=label)
-    axis.set(xscale="log", yscale="log")
 
 
 def _plain(entry: ParetoEntry) -> dict[str, Any]:

@@ -47,8 +47,8 @@ class Workspace:
         Folder of the collections that ``bnserve search`` wrote.
     short:
         Small numbers everywhere: minutes become seconds.
-    largest:
-        Most waveforms to train on.
+    largest, paper_largest:
+        Most waveforms to train on, with our recipe and with the paper's.
     fresh:
         Waveforms to measure on, uniform in the box; a quarter as many on its faces, edges and corners.
     jobs:
@@ -64,6 +64,7 @@ class Workspace:
     pareto: Path
     short: bool = False
     largest: int = 2**14
+    paper_largest: int = 2**15
     fresh: int = 4096
     jobs: int = -1
     again: bool = False

@@ -64,7 +64,7 @@ class RemoteModel:
         self, frequencies: GridLike, parameters: ParametersWithExtrinsic, options: EvaluationOptions, dtype: DtypeName
     ) -> Conversation[Polarizations]:
         """One waveform."""
-        batch = yield from self.predict_batch(frequencies, parameters, options, dtype)
+        batch = yield from self.predict_batch(frequencies, ParameterBatch.one(parameters), options, dtype)
         return Polarizations(
             plus=batch.plus[0],
             cross=batch.cross[0],

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._grids import as_frequencies
 from bnserve_protocol._model import EvaluationOptions
+from bnserve_protocol._parameters import ParameterBatch
 
 if TYPE_CHECKING:
     from bnserve_protocol._model import WaveformModel
@@ -47,8 +48,15 @@ class MergerStencil:
 
     @staticmethod
     def unshifted(parameters: ParametersWithExtrinsic) -> ParametersWithExtrinsic:
-        """The same binary without its time and phase shift, which do not matter here and only cost digits."""
-        return dataclasses.replace(parameters, time_shift=0.0, reference_phase=0.0)
+        """The same binary without its time and phase shift, which do not matter here and only cost digits.
+
+        Raises
+        ------
+        InvalidParameters
+            Not one binary.
+        """
+        one = ParameterBatch.one(parameters).row(0)
+        return dataclasses.replace(one, time_shift=0.0, reference_phase=0.0)
 
     def seconds(self, phase: NDArray[np.float64]) -> float:
         """The time until merger in seconds from the phase (radians) on the stencil."""

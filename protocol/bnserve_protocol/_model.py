@@ -61,7 +61,19 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
     above_band: Literal["zero", "error"] = "zero"
     alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
 
+    def __post_init__(self) -> None:
+        for name, known in _OPTION_VALUES.items():
+            if getattr(self, name) not in known:
+                value = str(getattr(self, name))[:40]
+                raise InvalidRequest(f"{name} must be one of {', '.join(known)}; got {value!r}.")
 
+
+_OPTION_VALUES = {
+    "out_of_domain": ("error", "flag"),
+    "below_band": ("extend", "error"),
+    "above_band": ("zero", "error"),
+    "alignment": ("post_newtonian", "merger"),
+}
 DEFAULT_OPTIONS = EvaluationOptions()
 
 

@@ -139,6 +139,20 @@ class ParameterBatch:
         )
 
     @classmethod
+    def one(cls, parameters: BatchLike) -> ParameterBatch:
+        """As :meth:`coerce`, for exactly one binary.
+
+        Raises
+        ------
+        InvalidParameters
+            Also for any other number of rows.
+        """
+        batch = cls.coerce(parameters)
+        if len(batch) != 1:
+            raise InvalidParameters(f"predict takes one binary; got {len(batch)}. Use predict_batch for them.")
+        return batch
+
+    @classmethod
     def _from_columns(cls, columns: Mapping[str, ArrayLike]) -> ParameterBatch:
         check_names(columns)
         arrays = {name: _as_floats(name, column) for name, column in columns.items()}

@@ -19,6 +19,10 @@ from bnserve_protocol import (
 
 _MAX_ERRORS = 20
 """Individual problems listed in one exception; the sentence gives their total."""
+_MOST_PHASE = 1e14
+"""Radians; doubles of this size are 0.016 apart, and of 1e16 more than a turn."""
+_LEAST_MF = 1e-9
+"""M f below which the post-Newtonian phase exceeds that: 7e-5 Hz at 2.8 solar masses."""
 
 
 def row_status(
@@ -46,11 +50,13 @@ def row_status(
     Raises
     ------
     InvalidParameters
-        A value is not finite, or a distance is not positive (with ``out_of_domain="error"``).
+        A value is not finite, a distance is not positive, or the shifts of phase and time are so large that the phase
+        is lost to rounding (with ``out_of_domain="error"``).
     OutOfDomain
         A value is outside its range (with ``out_of_domain="error"``).
     OutOfBand
-        Frequencies outside the band where the options forbid it, or altogether above it.
+        Frequencies outside the band where the options forbid it, or altogether above it, or so low that the phase is
+        lost to rounding.
     """
     values = batch.values
     status = np.zeros(len(batch), dtype=np.uint8)
@@ -58,6 +64,7 @@ def row_status(
     maximum = np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
     inside = (values >= minimum) & (values <= maximum)
     inside[:, 5] &= values[:, 5] > 0.0
+    inside[:, 8] &= _shift(values, frequencies) <= _MOST_PHASE
     band = _band_status(values[:, 7] * SOLAR_MASS_SECONDS, frequencies, mf_band, options)
     if inside.all() and np.isfinite(values).all() and not band.any():
         return status
@@ -70,6 +77,12 @@ def row_status(
     return status
 
 
+def _shift(values: NDArray[np.float64], frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
+    """By how many radians the phase is shifted at most."""
+    with np.errstate(invalid="ignore", over="ignore"):
+        return np.abs(values[:, 8]) + (2.0 * np.pi * frequencies[-1]) * np.abs(values[:, 9])
+
+
 def _band_status(
     mass: NDArray[np.float64],
     frequencies: NDArray[np.float64],
@@ -78,6 +91,7 @@ def _band_status(
 ) -> NDArray[np.bool_]:
     with np.errstate(invalid="ignore", over="ignore"):
         outside = frequencies[0] * mass > mf_band[1] * (1.0 + 1e-9)
+        outside |= frequencies[0] * mass < _LEAST_MF
         if options.above_band == "error":
             outside |= frequencies[-1] * mass > mf_band[1] * (1.0 + 1e-9)
         if options.below_band == "error":
@@ -102,6 +116,16 @@ def _raise_first(
         row = int(np.argmin(distance))
         problem = FieldError(reason="must be positive", parameter="distance_mpc", row=row, value=float(values[row, 5]))
         raise InvalidParameters(f"Row {row}: distance_mpc = {values[row, 5]} Mpc must be positive.", errors=[problem])
+    shift = _shift(values, frequencies)
+    if not (shift <= _MOST_PHASE).all():
+        row = int(np.argmin(shift <= _MOST_PHASE))
+        raise InvalidParameters(
+            f"Row {row}: reference_phase = {values[row, 8]} and time_shift = {values[row, 9]} turn the phase by "
+            f"{shift[row]:.3g} radians, of which double precision leaves no fraction of a turn; use smaller ones.",
+            errors=[
+                FieldError(reason="too large", parameter=name, row=row) for name in ("reference_phase", "time_shift")
+            ],
+        )
     if not inside.all():
         problems = _problems(~inside, values, ranges)
         raise OutOfDomain(
@@ -110,10 +134,15 @@ def _raise_first(
             errors=problems,
         )
     row = int(np.argmax(status == RowStatus.OUT_OF_BAND))
+    hint = (
+        " So low, its phase exceeds double precision."
+        if frequencies[0] * values[row, 7] * SOLAR_MASS_SECONDS < _LEAST_MF
+        else ""
+    )
     low, high = (edge / (values[row, 7] * SOLAR_MASS_SECONDS) for edge in mf_band)
     raise OutOfBand(
         f"Row {row}: the frequencies {frequencies[0]:g} to {frequencies[-1]:g} Hz do not fit the model's band at "
-        f"total mass {values[row, 7]:g} Msun, {low:.6g} to {high:.6g} Hz.",
+        f"total mass {values[row, 7]:g} Msun, {low:.6g} to {high:.6g} Hz.{hint}",
         errors=[FieldError(reason="outside the band", parameter="frequencies", row=row)],
     )
 

@@ -120,7 +120,7 @@ class Model:
         ------
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
         """
-        batch = self.predict_batch(frequencies, parameters, options=options, dtype=dtype)
+        batch = self.predict_batch(frequencies, ParameterBatch.one(parameters), options=options, dtype=dtype)
         return Polarizations(
             plus=batch.plus[0],
             cross=batch.cross[0],

@@ -164,6 +164,7 @@ BAD_PARAMETERS = {
     "no number": (TYPICAL | {"chi_1": "fast"}, InvalidParameters, "chi_1"),
     "unequal lengths": (TYPICAL | {"chi_1": [0.0, 0.1], "chi_2": [0.0] * 3}, InvalidParameters, "same length"),
     "no batch": (3, InvalidParameters, "A batch is"),
+    "a shift beyond double precision": (with_values(3, time_shift=1e15), InvalidParameters, "use smaller ones"),
     "no distance": (with_values(3, distance_mpc=0.0), InvalidParameters, "Row 1: distance_mpc"),
     "two kinds": (with_values(3, mass_ratio=0.5, chi_1=np.nan), InvalidParameters, "chi_1"),
     "many rows": (with_values(64, mass_ratio=0.5) | {"chi_1": np.full(64, 3.0)}, OutOfDomain, "65 values in all"),
@@ -220,6 +221,7 @@ def test_bad_frequencies_are_the_same_error(model, local, method, grid):
 OUT_OF_BAND = {
     "all above the band": ([9000.0, 9001.0], EvaluationOptions()),
     "some above, forbidden": ([100.0, 9000.0], EvaluationOptions(above_band="error")),
+    "too low for a phase": ([1e-9, 100.0], EvaluationOptions()),
     "some below, forbidden": ([0.5, 100.0], EvaluationOptions(below_band="error")),
 }
 
@@ -229,6 +231,17 @@ def test_frequencies_outside_the_band_are_the_same_error(model, local, grid, opt
     there = failure(lambda: model.predict_batch(grid, binaries(3), options=options))
     assert there == failure(lambda: local.predict_batch(grid, binaries(3), options=options))
     assert there[0] is OutOfBand
+
+
+@pytest.mark.parametrize(
+    "parameters", [[ONE, ONE], [], TYPICAL | {"chi_1": [0.0, 0.1]}], ids=["two", "none", "columns"]
+)
+def test_predict_of_other_than_one_binary_is_the_same_error(model, local, parameters):
+    for call in (lambda m: m.predict(SHORT, parameters), lambda m: m.time_until_merger(20.0, parameters)):
+        there = failure(lambda call=call: call(model))
+        assert there == failure(lambda call=call: call(local))
+        assert there[0] is InvalidParameters
+        assert "predict_batch" in there[2]
 
 
 @pytest.mark.parametrize("frequency", [-1.0, 0.0, np.nan])

@@ -133,3 +133,11 @@ def test_an_array_of_another_shape_is_refused(values):
 def test_an_array_that_is_no_array_of_numbers_is_refused(values):
     with pytest.raises(InvalidParameters, match="must be a number or a vector of numbers"):
         ParameterBatch(values)
+
+
+def test_one_binary_is_one_row_in_any_form():
+    for form in (ONE, [ONE], TYPICAL, ParameterBatch.coerce(ONE)):
+        assert ParameterBatch.one(form).row(0) == ONE
+    for form in ([], [ONE, ONE], TYPICAL | {"chi_1": [0.0, 0.1]}):
+        with pytest.raises(InvalidParameters, match=r"predict takes one binary; got [02]\. Use predict_batch"):
+            ParameterBatch.one(form)

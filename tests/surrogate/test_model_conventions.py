@@ -58,7 +58,8 @@ def test_the_phase_has_lals_sign(model, one):
 
 @binaries
 @pytest.mark.parametrize(
-    ("approximant", "band", "tolerance"), [("TaylorF2", (8.0, 20.0), 1e-2), ("IMRPhenomD_NRTidalv2", (8.0, 300.0), 2e-3)]
+    ("approximant", "band", "tolerance"),
+    [("TaylorF2", (8.0, 20.0), 1e-2), ("IMRPhenomD_NRTidalv2", (8.0, 300.0), 2e-3)],
 )
 def test_the_amplitude_is_lals_in_physical_units(model, one, approximant, band, tolerance):
     """Mass, distance and inclination: TaylorF2's amplitude is the leading order alone."""
