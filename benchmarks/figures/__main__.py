@@ -55,14 +55,21 @@ def _drawn(name: str, workspace: Workspace, options: argparse.Namespace) -> bool
         except DataMissing as error:
             print(f"{name}: {error.detail}", file=sys.stderr)
             return False
-        setup = {"command": f"python -m benchmarks.figures {name}{' --short' if options.short else ''}"}
-        setup |= {option: getattr(options, option) for option in ("fresh", "largest", "paper_largest")}
-        picture, _ = save(drawing, name, options.output, setup | {"model": workspace.model_name})
+        command = _command(name, options)
+        picture, _ = save(drawing, name, options.output, {"command": command, "model": workspace.model_name})
     print(f"{name}: {picture}, {time.perf_counter() - started:.0f} s", file=sys.stderr)
     print("\n".join(drawing.summary), flush=True)
     if options.page:
-        fill(options.page, f"figure {name}", ["```text", *drawing.summary, "```"])
+        fill(options.page, f"figure {name}", ["```text", f"$ {command}", *drawing.summary, "```"])
     return True
+
+
+def _command(name: str, options: argparse.Namespace) -> str:
+    """What to type for the same numbers; where files lie does not matter."""
+    parser = _parser()
+    chosen = {option: getattr(options, option) for option in ("fresh", "largest", "paper_largest")}
+    given = [f"--{k.replace('_', '-')} {v}" for k, v in chosen.items() if v != parser.get_default(k)]
+    return " ".join(["python -m benchmarks.figures", name, *(["--short"] if options.short else given)])
 
 
 def _workspace(options: argparse.Namespace) -> Workspace:

@@ -24,7 +24,7 @@ def draw(workspace: Workspace) -> Drawing:
     """Medians in cells of every pair, and the distribution in the corner."""
     inside = workspace.validation(workspace.waveforms("uniform", workspace.count(workspace.fresh, 32)))
     edges = workspace.validation(workspace.waveforms("edges", workspace.count(max(32, workspace.fresh // 4), 32)))
-    low, high = np.quantile(inside.mismatch, [0.02, 0.99])
+    low, high = np.quantile(inside.mismatch, [0.05, 0.95])
     norm = LogNorm(max(low, 1e-16), max(high, 1e-15))
     figure = style.figure(11.0, 9.5)
     grid = figure.subplots(4, 4, sharex="col", sharey="row")

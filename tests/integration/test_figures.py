@@ -114,7 +114,10 @@ def test_one_command_draws_all_figures_and_writes_their_numbers(place, capsys):
         assert record["numbers"]
         summary = "\n".join(record["summary"])
         assert summary in printed
-        assert f"<!-- begin: figure {name} -->\n```text\n{summary}\n```" in (place / "page.md").read_text()
+        assert (
+            f"$ python -m benchmarks.figures {name} --short\n{summary}\n```\n<!-- end: figure {name} -->"
+            in (place / "page.md").read_text()
+        )
 
     numbers = {name: json.loads((place / "images" / f"{name}.json").read_text())["numbers"] for name in FIGURES}
     before, after = (numbers["residuals"][when]["phase_radians"]["all"] for when in ("before", "after"))

@@ -36,6 +36,27 @@ def test_a_published_version_never_changes(store, root, tensors):
     assert contents(root) == before
 
 
+@pytest.mark.parametrize(
+    ("name", "version", "labels", "says"),
+    [
+        ("gw", "1.0.0", (), "already published"),
+        ("g/w", "2.0.0", (), "name of a model"),
+        ("gw", "two", (), "not a version"),
+        ("gw", "2.0.0", ("9",), "cannot be a label"),
+    ],
+)
+def test_what_publishing_will_refuse_can_be_asked_before(store, root, tensors, name, version, labels, says):
+    before = contents(root)
+    store.check_publishable("gw", "2.0.0", ["stable"])
+    for ask in (
+        lambda: store.check_publishable(name, version, labels),
+        lambda: store.publish(name, version, tensors(9), {}, labels=labels),
+    ):
+        with pytest.raises(BnserveError, match=says):
+            ask()
+    assert contents(root) == before
+
+
 def test_a_version_of_another_root_is_taken_too(store, root, tmp_path, tensors):
     with pytest.raises(VersionExists):
         ModelStore([tmp_path / "mine", root]).publish("gw", "1.0.0", tensors(9), {})
