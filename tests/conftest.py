@@ -1,6 +1,12 @@
 """Settings for every test."""
 
+import signal
+
 from hypothesis import settings
+
+# A shell that runs the tests in the background has interrupts ignored, and every process started here would inherit that.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # Tests never assert on time: shared machines pause.
 settings.register_profile("bnserve", deadline=None, derandomize=True)
