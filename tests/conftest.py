@@ -4,7 +4,7 @@ import signal
 
 from hypothesis import settings
 
-# A shell that runs the tests in the background has interrupts ignored, and every process started here would inherit that.
+# In a background shell interrupts are ignored, and every process started here would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
