@@ -27,7 +27,7 @@ _engines: list[Any] = []
 def load_kernel() -> Callable[..., int]:
     """The compiled kernel as a C function; calling it releases the GIL.
 
-    Compiled for the processor at hand on the first call, about one second; later calls return the same function.
+    Compiled for the processor at hand on the first call; later calls return the same function.
     """
     with _lock:
         llvm.initialize_native_target()
