@@ -1,8 +1,8 @@
 """Compile the kernel's source to LLVM's portable assembly: ``python -m bnserve_surrogate.kernel.build``.
 
 numba takes many seconds to do this, so it is done once, here; :mod:`._loader` turns the result into machine code for
-the processor it runs on, in a fraction of that time and without numba. The output carries a digest of the sources, and a
-test refuses a kernel that is older than they are. Run it again after every change of a source.
+the processor it runs on, in a fraction of that time and without numba. The output carries a digest of the sources, and
+a test refuses a kernel that is older than they are. Run it again after every change of a source.
 """
 
 from __future__ import annotations
