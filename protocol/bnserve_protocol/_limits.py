@@ -15,6 +15,8 @@ class Limits(msgspec.Struct, frozen=True, kw_only=True):
     """Rows times frequencies of one request (2**24 complex128 samples are 256 MiB)."""
     max_grids: int = 256
     """Uploaded grids that are kept; the least recently used one is dropped first."""
+    max_analysis_bytes: int = 64 * 2**20
+    """Size of one uploaded analysis; :attr:`max_body_bytes` is for everything else."""
 
     def rows_per_request(self, frequencies: int) -> int:
         """The largest batch on a grid of that many points that stays within every limit (at least one row)."""

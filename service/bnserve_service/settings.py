@@ -78,6 +78,13 @@ class Settings(BaseModel):
     max_grids: int = Field(default=256, ge=1)
     max_grid_bytes: int = Field(default=512 * 2**20, ge=2**20)
     """Memory of all uploaded grids together."""
+    max_analysis_bytes: int = Field(default=64 * 2**20, ge=1024)
+    """One uploaded analysis: three detectors on 128 s up to 2048 Hz in full take 18 MB, weights far less."""
+    max_analyses: int = Field(default=256, ge=1)
+    """Uploaded analyses that are kept for one owner (a token; without tokens, everybody)."""
+    max_owner_analyses_bytes: int = Field(default=512 * 2**20, ge=1024)
+    max_analyses_bytes: int = Field(default=1024 * 2**20, ge=1024)
+    """Memory of the analyses of all owners together."""
 
     queue_samples: int = Field(default=2**26, ge=1)
     """Work that may wait or run, in samples: about a third of a second for one worker."""
@@ -102,6 +109,15 @@ class Settings(BaseModel):
     """How often a tiny evaluation is compared with its stored answer."""
 
     @model_validator(mode="after")
+    def _one_analysis_fits(self) -> Settings:
+        if not self.max_analysis_bytes <= self.max_owner_analyses_bytes <= self.max_analyses_bytes:
+            raise ValueError(
+                "max_analysis_bytes must not be above max_owner_analyses_bytes, nor that above max_analyses_bytes, "
+                "or the largest allowed analysis could not be kept"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _largest_request_fits(self) -> Settings:
         largest = self.max_samples + self.max_rows * ROW_COST + REQUEST_COST
         if self.queue_samples < largest:
@@ -116,6 +132,7 @@ class Settings(BaseModel):
             max_frequencies=self.max_frequencies,
             max_samples=self.max_samples,
             max_grids=self.max_grids,
+            max_analysis_bytes=self.max_analysis_bytes,
             max_json_body_bytes=self.max_json_body_bytes,
             max_json_samples=self.max_json_samples,
             queue_samples=self.queue_samples,

@@ -36,7 +36,7 @@ class AccessMiddleware:
         if not is_public(scope["path"]):
             context = context_of(scope)
             token = self._find(context.headers.get(b"authorization", b""))
-            context.caller = token.name
+            context.caller, context.owner = token.name, token.sha256
             _require_scope(token, scope)
         await self._app(scope, receive, send)
 
@@ -55,6 +55,6 @@ def is_public(path: str) -> bool:
 
 
 def _require_scope(token: Token, scope: Scope) -> None:
-    needed = {"POST": "evaluate", "PUT": "upload"}.get(scope["method"])
+    needed = {"POST": "evaluate", "PUT": "upload", "DELETE": "upload"}.get(scope["method"])
     if needed is not None and needed not in token.scopes:
         raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")

@@ -43,6 +43,8 @@ class RequestContext:
     route: str = NO_ROUTE
     """The route's template, for metrics: a path would let callers invent label values."""
     caller: str = "anonymous"
+    owner: str = ""
+    """To whom belongs what this request uploads: the digest of the token; without tokens, everybody is one."""
     request_digest: str | None = None
     """SHA-256 of the request body, in hexadecimal, once it was read."""
     status: int = 0
