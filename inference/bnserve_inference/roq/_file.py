@@ -1,0 +1,130 @@
+"""The compact file of a basis: nodes, selected binaries and coefficients, in HDF5.
+
+::
+
+    /                   attributes: schema, f_min, f_max, duration, alignment, model_*, prior and diagnostics as JSON
+    /linear             nodes (n,) Hz; binaries (n, 10), columns named by the attribute; coefficients (n, n) complex128
+    /quadratic          the same, coefficients float64
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from bnserve_inference.roq._errors import BasisFileInvalid, require
+from bnserve_inference.roq._interpolant import Term, WaveformInterpolant
+from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
+from bnserve_inference.roq._storage import replacing
+from bnserve_protocol import PARAMETER_NAMES, ParameterBatch
+
+SCHEMA = "bnserve-roq-1"
+"""Of this layout; another one is refused."""
+
+_MOST_ELEMENTS = 20_000
+"""A basis of more is no reduction, and its coefficients would fill the memory."""
+
+
+def save_basis(path: Path | str, basis: ReducedOrderQuadrature) -> None:
+    """Write the compact file of a basis of waveforms: some megabytes, read by :func:`load_basis`.
+
+    Raises
+    ------
+    BasisFileInvalid
+        A tabulated basis, which has no compact form.
+    BasisUnwritable
+    """
+    h5py = require("h5py")
+    linear, quadratic = basis.linear, basis.quadratic
+    if not (isinstance(linear, WaveformInterpolant) and isinstance(quadratic, WaveformInterpolant)):
+        raise BasisFileInvalid("A basis read from another program's file has no compact form; keep that file.")
+    with replacing(Path(path)) as temporary, h5py.File(temporary, "w") as file:
+        file.attrs.update(
+            {
+                "schema": SCHEMA,
+                "f_min": basis.f_min,
+                "f_max": basis.f_max,
+                "duration": basis.duration,
+                "alignment": basis.alignment,
+                "model_name": basis.model_name,
+                "model_version": basis.model_version,
+                "model_digest": basis.model_digest,
+                "prior": json.dumps({name: list(pair) for name, pair in basis.prior.items()}),
+            }
+        )
+        # A dataset: attributes are limited to 64 KiB.
+        file["diagnostics"] = json.dumps(dict(basis.diagnostics))
+        _write_term(file.create_group("linear"), linear)
+        _write_term(file.create_group("quadratic"), quadratic)
+
+
+def load_basis(path: Path | str) -> ReducedOrderQuadrature:
+    """Read a compact file.
+
+    Raises
+    ------
+    BasisFileInvalid
+        Not there, not such a file, or a damaged one.
+    """
+    h5py = require("h5py")
+    try:
+        with h5py.File(path, "r") as file:
+            schema = str(file.attrs.get("schema", ""))
+            if schema != SCHEMA:
+                raise BasisFileInvalid(
+                    f"{path} is not a compact basis of this version (schema {schema[:40]!r}, not {SCHEMA!r}). For "
+                    "bilby's or bajes' layout use load_bilby or load_bajes; else build the basis again."
+                )
+            return ReducedOrderQuadrature(
+                linear=_read_term(file["linear"], "linear"),
+                quadratic=_read_term(file["quadratic"], "quadratic"),
+                f_min=float(file.attrs["f_min"]),
+                f_max=float(file.attrs["f_max"]),
+                duration=float(file.attrs["duration"]),
+                alignment=_alignment(file.attrs["alignment"]),
+                prior={
+                    name: (float(low), float(high)) for name, (low, high) in json.loads(file.attrs["prior"]).items()
+                },
+                model_name=str(file.attrs["model_name"]),
+                model_version=str(file.attrs["model_version"]),
+                model_digest=str(file.attrs["model_digest"]),
+                diagnostics=json.loads(file["diagnostics"].asstr()[()]),
+            )
+    except (OSError, KeyError, TypeError, ValueError, AttributeError, RuntimeError) as error:
+        raise BasisFileInvalid(
+            f"{path} is not a readable basis ({error}). Build it again, or fetch it anew."
+        ) from error
+
+
+def _write_term(group: Any, term: WaveformInterpolant) -> None:
+    group["nodes"] = term.nodes
+    group["binaries"] = term.binaries.values
+    group["binaries"].attrs["columns"] = list(PARAMETER_NAMES)
+    group["coefficients"] = term.coefficients
+
+
+def _read_term(group: Any, term: Term) -> WaveformInterpolant:
+    count = group["nodes"].shape[0]
+    if not 1 <= count <= _MOST_ELEMENTS:
+        raise ValueError(f"{count} {term} nodes")
+    dtype = np.complex128 if term == "linear" else np.float64
+    expected = {"nodes": ((count,), np.float64), "coefficients": ((count, count), dtype)}
+    expected["binaries"] = ((count, len(PARAMETER_NAMES)), np.float64)
+    for name, (shape, kind) in expected.items():
+        if group[name].shape != shape or group[name].dtype != kind:
+            raise ValueError(f"the {term} {name} are {group[name].shape} of {group[name].dtype}")
+    arrays = {name: group[name][()] for name in expected}
+    if not all(np.isfinite(array).all() for array in arrays.values()) or not (np.diff(arrays["nodes"]) > 0.0).all():
+        raise ValueError(f"the {term} arrays hold values that cannot be")
+    if [str(name) for name in group["binaries"].attrs["columns"]] != list(PARAMETER_NAMES):
+        raise ValueError(f"the {term} binaries have other columns")
+    return WaveformInterpolant(term, arrays["nodes"], ParameterBatch(arrays["binaries"]), arrays["coefficients"])
+
+
+def _alignment(value: Any) -> Any:
+    if value not in ("merger", "post_newtonian"):
+        raise ValueError(f"alignment {str(value)[:40]!r}")
+    return value

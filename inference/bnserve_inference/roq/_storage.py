@@ -1,0 +1,40 @@
+"""Writing files whole or not at all, and saying what is wrong when that fails."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+from bnserve_inference.roq._errors import BasisUnwritable
+
+
+@contextlib.contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """A temporary file beside ``path`` that takes its place when the block ends well: flushed, then renamed.
+
+    Raises
+    ------
+    BasisUnwritable
+        No room, no permission, and the like; nothing half-written is left.
+    """
+    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            yield temporary
+            with temporary.open("rb") as file:
+                os.fsync(file.fileno())
+            temporary.replace(path)
+        finally:
+            temporary.unlink(missing_ok=True)
+        descriptor = os.open(path.parent, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)
+    except OSError as error:
+        raise BasisUnwritable(
+            f"Cannot write {path}: {error.strerror or error}. Make room, or choose a place that you can write to."
+        ) from error
