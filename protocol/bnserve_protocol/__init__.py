@@ -1,5 +1,17 @@
 """The vocabulary of bnserve: parameters, grids, results, wire messages, errors. Imports nothing else of bnserve."""
 
+from bnserve_protocol._analyses import (
+    Analysis,
+    AnalysisKind,
+    AnalysisSettings,
+    Calibration,
+    DistanceMarginalisation,
+    TimeGrid,
+    TimeMarginalisation,
+    decode_analysis,
+    encode_analysis,
+)
+from bnserve_protocol._analysis_checks import PRIOR_NAMES
 from bnserve_protocol._answers import (
     ModelIdentity,
     WaveformAnswer,
@@ -12,6 +24,8 @@ from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,
     AccessDenied,
+    AnalysisInvalid,
+    AnalysisUnknown,
     AnswerCorrupted,
     ArtifactCorrupted,
     ArtifactError,
@@ -36,7 +50,6 @@ from bnserve_protocol._errors import (
     OutOfDomain,
     Overloaded,
     PathUnknown,
-    Problem,
     SchemaUnknown,
     ShareExceeded,
     StoreUnknown,
@@ -49,6 +62,21 @@ from bnserve_protocol._errors import (
     VersionExists,
 )
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest
+from bnserve_protocol._likelihood import Likelihood, LikelihoodCounts
+from bnserve_protocol._likelihood_messages import (
+    LikelihoodAnswer,
+    LikelihoodRequest,
+    decode_likelihood_answer,
+    decode_likelihood_request,
+    encode_likelihood_answer,
+    encode_likelihood_request,
+)
+from bnserve_protocol._likelihood_parameters import (
+    LIKELIHOOD_NAMES,
+    LikelihoodBatch,
+    LikelihoodBatchLike,
+    LikelihoodParameters,
+)
 from bnserve_protocol._limits import Limits
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
@@ -73,6 +101,7 @@ from bnserve_protocol._parameters import (
     ParameterBatch,
     ParametersWithExtrinsic,
 )
+from bnserve_protocol._problem import Problem
 from bnserve_protocol._requests import (
     JSON,
     MSGPACK,
@@ -91,23 +120,32 @@ __all__ = [
     "ERRORS_BY_CODE",
     "INTRINSIC_NAMES",
     "JSON",
+    "LIKELIHOOD_NAMES",
     "MEGAPARSEC_SECONDS",
     "MSGPACK",
     "PARAMETER_DEFAULTS",
     "PARAMETER_NAMES",
+    "PRIOR_NAMES",
     "PROBLEM_JSON",
     "SOLAR_MASS_SECONDS",
     "AccessDenied",
     "AmplitudePhase",
+    "Analysis",
+    "AnalysisInvalid",
+    "AnalysisKind",
+    "AnalysisSettings",
+    "AnalysisUnknown",
     "AnswerCorrupted",
     "ArtifactCorrupted",
     "ArtifactError",
     "ArtifactIncomplete",
     "BatchLike",
     "BnserveError",
+    "Calibration",
     "ComplexArray",
     "ConnectionFailed",
     "DeadlineExceeded",
+    "DistanceMarginalisation",
     "Draining",
     "DtypeName",
     "EvaluationOptions",
@@ -122,6 +160,13 @@ __all__ = [
     "InvalidFrequencies",
     "InvalidParameters",
     "InvalidRequest",
+    "Likelihood",
+    "LikelihoodAnswer",
+    "LikelihoodBatch",
+    "LikelihoodBatchLike",
+    "LikelihoodCounts",
+    "LikelihoodParameters",
+    "LikelihoodRequest",
     "Limits",
     "MergerStencil",
     "ModelDescription",
@@ -145,6 +190,8 @@ __all__ = [
     "SchemaUnknown",
     "ShareExceeded",
     "StoreUnknown",
+    "TimeGrid",
+    "TimeMarginalisation",
     "TooLarge",
     "Unauthorized",
     "Unavailable",
@@ -159,12 +206,18 @@ __all__ = [
     "__version__",
     "as_frequencies",
     "check_dtype",
+    "decode_analysis",
     "decode_answer",
     "decode_array",
+    "decode_likelihood_answer",
+    "decode_likelihood_request",
     "decode_request",
+    "encode_analysis",
     "encode_answer",
     "encode_answer_json",
     "encode_array",
+    "encode_likelihood_answer",
+    "encode_likelihood_request",
     "encode_request",
     "grid_digest",
     "time_until_merger",

@@ -8,6 +8,7 @@
     │   ├── OutOfDomain             parameters outside the trained range of this model
     │   ├── InvalidFrequencies      empty, unsorted, non-positive or non-finite frequencies
     │   ├── OutOfBand               frequencies outside the model's band where the caller forbade extension
+    │   ├── AnalysisInvalid         strain, ASDs, settings or weights that no likelihood could be evaluated with
     │   ├── UndecodableBody         bytes that are not the message they claim to be
     │   ├── UnsupportedMediaType
     │   ├── NotAcceptable
@@ -15,6 +16,7 @@
     ├── NotFound (LookupError)
     │   ├── ModelUnknown
     │   ├── GridUnknown
+    │   ├── AnalysisUnknown
     │   ├── PathUnknown
     │   └── StoreUnknown
     ├── ArtifactError
@@ -140,6 +142,13 @@ class OutOfBand(InvalidRequest):
     title = "Frequencies outside the model's band"
 
 
+class AnalysisInvalid(InvalidRequest):
+    """Strain, noise, settings or weights that contradict each other, or an analysis made for another model."""
+
+    code = "analysis-invalid"
+    title = "Invalid analysis"
+
+
 class UndecodableBody(InvalidRequest):
     """A body that is not the MessagePack or JSON message it claims to be."""
 
@@ -187,6 +196,13 @@ class GridUnknown(NotFound):
 
     code = "grid-unknown"
     title = "Frequency grid unknown"
+
+
+class AnalysisUnknown(NotFound):
+    """No uploaded analysis has that digest; upload it again."""
+
+    code = "analysis-unknown"
+    title = "Analysis unknown"
 
 
 class PathUnknown(NotFound):
@@ -347,40 +363,3 @@ def _walk(cls: type[BnserveError]) -> Iterator[type[BnserveError]]:
 
 ERRORS_BY_CODE: dict[str, type[BnserveError]] = {cls.code: cls for cls in _walk(BnserveError)}
 """Every error class by its wire code."""
-
-
-class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
-    """RFC 9457 problem details, the body of every error answer (``application/problem+json``).
-
-    ``error`` repeats ``detail`` for Open Inference Protocol clients.
-    """
-
-    type: str
-    title: str
-    status: int
-    detail: str
-    code: str
-    error: str = ""
-    request_id: str | None = None
-    retryable: bool = False
-    errors: list[FieldError] = []
-
-    @classmethod
-    def from_error(cls, error: BnserveError, status: int, request_id: str | None = None) -> Problem:
-        """Describe ``error`` for the wire under the HTTP ``status`` chosen by the service."""
-        return cls(
-            type=f"urn:bnserve:error:{error.code}",
-            title=error.title,
-            status=status,
-            detail=error.detail,
-            code=error.code,
-            error=error.detail,
-            request_id=request_id,
-            retryable=error.retryable,
-            errors=list(error.errors),
-        )
-
-    def to_error(self, retry_after: float | None = None) -> BnserveError:
-        """Rebuild the exception; an unknown code (from a newer service) becomes plain ``BnserveError``."""
-        cls = ERRORS_BY_CODE.get(self.code, BnserveError)
-        return cls(self.detail, errors=self.errors, retry_after=retry_after, request_id=self.request_id)

@@ -31,12 +31,14 @@ def check_dtype(dtype: str) -> None:
 
 
 class RowStatus(enum.IntEnum):
-    """Why a row of a flagged batch is NaN."""
+    """Why a row of a flagged batch is NaN, or a log-likelihood -inf."""
 
     OK = 0
     NOT_FINITE = 1
     OUT_OF_DOMAIN = 2
     OUT_OF_BAND = 3
+    OUT_OF_PRIOR = 4
+    """Of likelihoods: outside the ranges that the analysis is made for."""
 
 
 class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

@@ -1,0 +1,256 @@
+"""A data analysis on the wire: everything that a server needs to evaluate its likelihood, named by its own digest.
+
+All kinds have one form. The model is evaluated on nodes; in every detector the strain at the nodes meets *linear
+weights* (complex; they may depend on the time of arrival) and *quadratic weights* (real)::
+
+    <d|h> = sum_j w_j(t) h(f_j) exp(-2 pi i f_j t),    <h|h> = sum_m q_m |h(f_m)|^2
+
+For ``"full"`` the nodes are the whole grid of the data, for ``"roq"`` the empirical interpolation nodes of a basis,
+for ``"relative_binning"`` the edges of bins around a fiducial waveform. ``docs/explanations/likelihoods.md`` has the
+formulas.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any, Literal, TypeAlias
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol._analysis_checks import check_arrays, check_settings
+from bnserve_protocol._arrays import decode_array, encode_array
+from bnserve_protocol._errors import AnalysisInvalid, UndecodableBody
+from bnserve_protocol._grids import UniformGrid
+
+AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
+
+
+class TimeGrid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """The knots of the cubic B-splines in time that linear weights are the coefficients of.
+
+    Coefficient row k belongs to the B-spline centred at ``start + k * step``, in seconds of arrival at a detector,
+    relative to the trigger time.
+    """
+
+    start: float
+    step: float
+
+
+class TimeMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A uniform prior of the coalescence time, summed over ``minimum + k * step``, below ``maximum`` (seconds)."""
+
+    minimum: float
+    maximum: float
+    step: float
+
+
+class DistanceMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """A prior of the distance proportional to ``distance ** power`` from ``minimum`` to ``maximum`` (Mpc)."""
+
+    minimum: float
+    maximum: float
+    power: float = 2.0
+
+
+class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """Calibration envelopes: ``nodes`` frequencies in every detector, logarithmic from ``f_min`` to ``f_max`` (Hz)."""
+
+    nodes: int
+    f_min: float
+    f_max: float
+
+
+class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
+    """What an analysis is, arrays aside.
+
+    Parameters
+    ----------
+    kind:
+        ``"full"``, ``"roq"`` or ``"relative_binning"``.
+    detectors:
+        Names such as ``("H1", "L1", "V1")``; the arrays of a detector are called ``<array>/<detector>``.
+    f_min, f_max, duration:
+        Band in Hz and length of the data in seconds: the grid is ``f_min, f_min + 1 / duration, ..., f_max``.
+    trigger_time:
+        GPS seconds; all other times are relative to it.
+    sidereal_time, sidereal_rate:
+        Greenwich mean sidereal time at the trigger in radians, and its rate in radians per second.
+    alignment:
+        Of the waveform's time and phase, as in :class:`EvaluationOptions`.
+    prior:
+        Ranges ``(minimum, maximum)`` by name, outside of which the log-likelihood is -inf: waveform parameters,
+        ``chirp_mass`` and ``coalescence_time``. What a basis covers is here.
+    time_grid:
+        Where the linear weights depend on the time of arrival; None where they do not.
+    phase_marginalisation, time_marginalisation, distance_marginalisation:
+        What is integrated over its prior; the parameter is then ignored.
+    calibration:
+        None for perfectly calibrated detectors.
+    model_digest:
+        The only model this analysis may be evaluated with (a basis belongs to one), or None for any.
+    noise_log_likelihood:
+        Log-likelihood of no signal, -<d|d>/2 summed over detectors. Answers are ratios to it.
+    """
+
+    kind: AnalysisKind
+    detectors: tuple[str, ...]
+    f_min: float
+    f_max: float
+    duration: float
+    trigger_time: float
+    sidereal_time: float
+    sidereal_rate: float
+    alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
+    prior: dict[str, tuple[float, float]] = {}
+    time_grid: TimeGrid | None = None
+    phase_marginalisation: bool = False
+    time_marginalisation: TimeMarginalisation | None = None
+    distance_marginalisation: DistanceMarginalisation | None = None
+    calibration: Calibration | None = None
+    model_digest: str | None = None
+    noise_log_likelihood: float = 0.0
+    schema_version: Literal[1] = 1
+
+    @property
+    def grid(self) -> UniformGrid:
+        """The frequencies of the data."""
+        return UniformGrid(f_min=self.f_min, f_max=self.f_max, delta_f=1.0 / self.duration)
+
+
+_settings_encoder = msgspec.msgpack.Encoder(order="deterministic")
+_settings_decoder = msgspec.msgpack.Decoder(AnalysisSettings)
+
+
+@dataclass(frozen=True, slots=True)
+class Analysis:
+    """Settings and arrays of one analysis; immutable, and named by the digest of its canonical encoding.
+
+    Parameters
+    ----------
+    settings:
+        All that is not an array.
+    arrays:
+        By name; copied where they are not C-contiguous float64 or complex128, and read-only ever after. For every
+        detector ``X``: ``response/X`` float64 ``(3, 3)`` and ``location/X`` float64 ``(3,)`` in metres (Earth-fixed
+        frame), ``linear_weights/X`` complex128 ``(T, L)`` and ``quadratic_weights/X`` float64 ``(Q,)``. For ``"roq"``
+        and ``"relative_binning"`` also ``linear_nodes`` ``(L,)`` and ``quadratic_nodes`` ``(Q,)``, increasing, in Hz;
+        for ``"full"`` both are :attr:`AnalysisSettings.grid`. T is 1 without a time grid, and at least 4 with one.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Settings or arrays that contradict each other or hold values that cannot be.
+    """
+
+    settings: AnalysisSettings
+    arrays: Mapping[str, NDArray[Any]]
+    digest: str = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "settings", _canonical(self.settings))
+        check_settings(self.settings)
+        arrays = {name: _frozen_array(name, self.arrays[name]) for name in sorted(self.arrays)}
+        check_arrays(self.settings, arrays)
+        object.__setattr__(self, "arrays", MappingProxyType(arrays))
+        digest = hashlib.sha256()
+        for part in encode_analysis(self):
+            digest.update(part)
+        object.__setattr__(self, "digest", f"sha256:{digest.hexdigest()}")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Analysis, (self.settings, dict(self.arrays))
+
+    @property
+    def nbytes(self) -> int:
+        """Memory of the arrays in bytes."""
+        return sum(array.nbytes for array in self.arrays.values())
+
+    @property
+    def linear_nodes(self) -> NDArray[np.float64]:
+        """Frequencies of the linear weights in Hz, ``(L,)``."""
+        return self._nodes("linear_nodes")
+
+    @property
+    def quadratic_nodes(self) -> NDArray[np.float64]:
+        """Frequencies of the quadratic weights in Hz, ``(Q,)``."""
+        return self._nodes("quadratic_nodes")
+
+    def _nodes(self, name: str) -> NDArray[np.float64]:
+        return self.settings.grid.frequencies() if self.settings.kind == "full" else self.arrays[name]
+
+
+def _canonical(settings: AnalysisSettings) -> AnalysisSettings:
+    """The same settings in the types of the schema: an integer is another message than the float of its value."""
+    try:
+        return _settings_decoder.decode(_settings_encoder.encode(settings))
+    except (msgspec.MsgspecError, TypeError) as error:
+        raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
+
+
+def _frozen_array(name: str, value: NDArray[Any]) -> NDArray[Any]:
+    array = np.asarray(value)
+    if array.dtype.kind not in "iufc":
+        raise AnalysisInvalid(f"Array '{name}' of the analysis must hold numbers; got {array.dtype}.")
+    dtype = "<c16" if array.dtype.kind == "c" else "<f8"
+    frozen = np.ascontiguousarray(array, dtype=dtype)
+    if frozen.flags.writeable:
+        frozen = frozen.copy()
+        frozen.flags.writeable = False
+    return frozen
+
+
+class _WireAnalysis(msgspec.Struct, forbid_unknown_fields=True):
+    settings: AnalysisSettings
+    arrays: dict[str, msgspec.Raw]
+
+
+_decoder = msgspec.msgpack.Decoder(_WireAnalysis)
+
+
+def encode_analysis(analysis: Analysis) -> list[bytes | memoryview]:
+    """Write an analysis as a list of buffers; array memory is not copied.
+
+    Joined, they are the MessagePack map ``{settings: {...}, arrays: {name: array}}`` in canonical form: names sorted,
+    arrays as msgpack-numpy writes them. The digest of an analysis is the SHA-256 of these bytes.
+    """
+    head = b"\x82" + msgspec.msgpack.encode("settings") + _settings_encoder.encode(analysis.settings)
+    parts: list[bytes | memoryview] = [head + msgspec.msgpack.encode("arrays") + _map_header(len(analysis.arrays))]
+    for name in sorted(analysis.arrays):
+        header, data = encode_array(analysis.arrays[name])
+        parts += [msgspec.msgpack.encode(name) + bytes(header), data]
+    return parts
+
+
+def _map_header(entries: int) -> bytes:
+    return bytes([0x80 + entries]) if entries < 16 else b"\xde" + entries.to_bytes(2, "big")
+
+
+def decode_analysis(body: bytes | memoryview) -> Analysis:
+    """Read an analysis; its arrays are read-only views of ``body``.
+
+    Raises
+    ------
+    UndecodableBody
+        Not such a message.
+    AnalysisInvalid
+        Settings or arrays that no likelihood could be evaluated with.
+    """
+    try:
+        wire = _decoder.decode(body)
+    except msgspec.ValidationError as error:
+        raise UndecodableBody(f"The analysis does not fit its schema: {error}.") from error
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        raise UndecodableBody("The body is not a MessagePack analysis; check that it is complete.") from error
+    return Analysis(settings=wire.settings, arrays={name: _decode(name, raw) for name, raw in wire.arrays.items()})
+
+
+def _decode(name: str, raw: msgspec.Raw) -> NDArray[Any]:
+    array = decode_array(raw)
+    if array.dtype.str not in ("<f8", "<c16"):
+        raise AnalysisInvalid(f"Array '{name}' of the analysis travels as <f8 or <c16; got {array.dtype.str}.")
+    return array

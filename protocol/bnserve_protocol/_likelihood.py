@@ -1,0 +1,42 @@
+"""What every likelihood offers, local or remote."""
+
+from __future__ import annotations
+
+from typing import Protocol, runtime_checkable
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol._analyses import Analysis
+from bnserve_protocol._likelihood_parameters import LikelihoodBatchLike
+
+
+class LikelihoodCounts(msgspec.Struct, frozen=True, kw_only=True):
+    """How many rows a likelihood has evaluated, and how many of them were -inf, by reason."""
+
+    rows: int = 0
+    not_finite: int = 0
+    out_of_domain: int = 0
+    out_of_band: int = 0
+    out_of_prior: int = 0
+
+
+@runtime_checkable
+class Likelihood(Protocol):
+    """The methods shared by the likelihoods of ``bnserve_inference`` and of ``bnserve_client``."""
+
+    @property
+    def analysis(self) -> Analysis:
+        """What is evaluated."""
+
+    @property
+    def counts(self) -> LikelihoodCounts:
+        """Rows evaluated through this object so far."""
+
+    def log_likelihood(self, batch: LikelihoodBatchLike) -> NDArray[np.float64]:
+        """Logarithm of the ratio of the likelihoods with and without the signal, float64 ``(N,)``.
+
+        Rows outside the analysis' prior ranges or the model's trained range are -inf and counted; names and shapes that
+        do not fit raise ``InvalidParameters``.
+        """

@@ -1,0 +1,273 @@
+"""The parameters of a signal in a detector network, one at a time or as a struct of arrays."""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bnserve_protocol._errors import FieldError, InvalidParameters
+from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch
+
+
+@dataclass(frozen=True, slots=True)
+class LikelihoodParameters:
+    """One binary at one place and time.
+
+    Parameters
+    ----------
+    mass_ratio, lambda_1, lambda_2, chi_1, chi_2, inclination, total_mass, reference_phase:
+        As in :class:`ParametersWithExtrinsic`.
+    right_ascension, declination:
+        Of the source, equatorial, in radians.
+    polarization_angle:
+        psi in radians, as in LAL.
+    distance_mpc:
+        Luminosity distance in Mpc; may be left out where it is marginalised.
+    coalescence_time:
+        Seconds at the centre of the Earth, relative to the trigger time of the analysis; may be left out where it is
+        marginalised.
+    calibration_amplitude, calibration_phase:
+        By detector: relative amplitude errors and phase errors (radians) at the calibration nodes; none is zero.
+    """
+
+    mass_ratio: float
+    lambda_1: float
+    lambda_2: float
+    chi_1: float
+    chi_2: float
+    inclination: float
+    total_mass: float
+    right_ascension: float
+    declination: float
+    polarization_angle: float
+    distance_mpc: float = math.nan
+    coalescence_time: float = math.nan
+    reference_phase: float = 0.0
+    calibration_amplitude: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)
+    calibration_phase: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)
+
+
+CALIBRATION_NAMES = ("calibration_amplitude", "calibration_phase")
+LIKELIHOOD_NAMES: tuple[str, ...] = tuple(
+    field.name for field in dataclasses.fields(LikelihoodParameters) if field.name not in CALIBRATION_NAMES
+)
+"""The parameters in the order of the columns of :attr:`LikelihoodBatch.values`."""
+_DEFAULTS = {"distance_mpc": math.nan, "coalescence_time": math.nan, "reference_phase": 0.0}
+
+
+class LikelihoodBatch:
+    """N signals: their parameters as one ``(N, 13)`` float64 array, and calibration errors by detector.
+
+    Build one with :meth:`coerce`. Columns are in the order of :data:`LIKELIHOOD_NAMES`; a parameter that was left out
+    because it is marginalised is a column of NaN.
+
+    Attributes
+    ----------
+    values:
+        ``(N, 13)``.
+    calibration_amplitude, calibration_phase:
+        ``{detector: (N, nodes)}``; both have the same detectors and shapes.
+    """
+
+    __slots__ = ("calibration_amplitude", "calibration_phase", "values")
+
+    values: NDArray[np.float64]
+    calibration_amplitude: dict[str, NDArray[np.float64]]
+    calibration_phase: dict[str, NDArray[np.float64]]
+
+    def __init__(
+        self,
+        values: ArrayLike,
+        calibration_amplitude: Mapping[str, ArrayLike] | None = None,
+        calibration_phase: Mapping[str, ArrayLike] | None = None,
+    ) -> None:
+        array = np.ascontiguousarray(_as_floats("parameters", values))
+        if array.ndim != 2 or array.shape[1] != len(LIKELIHOOD_NAMES):
+            raise InvalidParameters(
+                f"A parameter array has shape (N, {len(LIKELIHOOD_NAMES)}), one column for each of "
+                f"{', '.join(LIKELIHOOD_NAMES)}; got {array.shape}."
+            )
+        self.values = array
+        self.calibration_amplitude, self.calibration_phase = _calibration(
+            len(array), calibration_amplitude or {}, calibration_phase or {}
+        )
+
+    def __len__(self) -> int:
+        return int(self.values.shape[0])
+
+    def __getitem__(self, name: str) -> NDArray[np.float64]:
+        """The column of one parameter, shape ``(N,)``."""
+        return self.values[:, LIKELIHOOD_NAMES.index(name)]
+
+    def absent(self, name: str) -> bool:
+        """Whether a parameter was left out: its column is NaN throughout."""
+        return bool(np.isnan(self[name]).all())
+
+    def waveform_batch(self, distance_mpc: float | None = None) -> ParameterBatch:
+        """The waveform's part; with ``distance_mpc`` given, at that one distance."""
+        values = np.zeros((len(self), len(PARAMETER_NAMES)))
+        for column, name in enumerate(PARAMETER_NAMES):
+            if name in LIKELIHOOD_NAMES:
+                values[:, column] = self[name]
+        if distance_mpc is not None:
+            values[:, PARAMETER_NAMES.index("distance_mpc")] = distance_mpc
+        return ParameterBatch(values)
+
+    def split(self, rows: int) -> list[LikelihoodBatch]:
+        """Consecutive pieces of at most ``rows`` rows."""
+        return [self.rows(slice(start, start + rows)) for start in range(0, len(self), rows)]
+
+    def rows(self, index: slice) -> LikelihoodBatch:
+        """Some consecutive rows."""
+        return LikelihoodBatch(
+            self.values[index],
+            {name: array[index] for name, array in self.calibration_amplitude.items()},
+            {name: array[index] for name, array in self.calibration_phase.items()},
+        )
+
+    @classmethod
+    def coerce(cls, batch: LikelihoodBatchLike) -> LikelihoodBatch:
+        """Any accepted form of a batch.
+
+        Parameters
+        ----------
+        batch:
+            A :class:`LikelihoodBatch`, one or a sequence of :class:`LikelihoodParameters`, or a mapping from names to
+            scalars and vectors of one common length N (a scalar counts for all rows), with ``calibration_amplitude``
+            and ``calibration_phase`` as mappings from detectors to arrays ``(N, nodes)`` or ``(nodes,)``.
+
+        Raises
+        ------
+        InvalidParameters
+            Unknown or missing names, or shapes that do not fit together.
+        """
+        if isinstance(batch, LikelihoodBatch):
+            return batch
+        if isinstance(batch, LikelihoodParameters):
+            batch = [batch]
+        if isinstance(batch, Mapping):
+            return cls._from_columns(batch)
+        if isinstance(batch, Sequence) and all(isinstance(row, LikelihoodParameters) for row in batch):
+            rows = [[getattr(row, name) for name in LIKELIHOOD_NAMES] for row in batch]
+            values = _as_floats("parameters", rows).reshape(len(rows), len(LIKELIHOOD_NAMES))
+            return cls(values, *(_stacked(batch, name) for name in CALIBRATION_NAMES))
+        raise InvalidParameters(
+            "A batch is a list of LikelihoodParameters or a mapping from parameter names to numbers and vectors; "
+            f"got {type(batch).__name__}."
+        )
+
+    @classmethod
+    def _from_columns(cls, columns: Mapping[str, Any]) -> LikelihoodBatch:
+        check_likelihood_names([name for name in columns if name not in CALIBRATION_NAMES])
+        arrays = {name: _vector(name, value) for name, value in columns.items() if name not in CALIBRATION_NAMES}
+        lengths = {name: len(array) for name, array in arrays.items() if array.ndim == 1}
+        if len(set(lengths.values())) > 1:
+            described = ", ".join(f"{name}: {length}" for name, length in lengths.items())
+            raise InvalidParameters(f"All parameter vectors must have the same length; got {described}.")
+        rows = next(iter(lengths.values()), 1)
+        values = np.empty((rows, len(LIKELIHOOD_NAMES)))
+        for column, name in enumerate(LIKELIHOOD_NAMES):
+            values[:, column] = arrays[name] if name in arrays else _DEFAULTS[name]
+        return cls(values, *(_repeated(rows, name, columns.get(name, {})) for name in CALIBRATION_NAMES))
+
+
+LikelihoodBatchLike: TypeAlias = (
+    LikelihoodBatch | LikelihoodParameters | Sequence[LikelihoodParameters] | Mapping[str, Any]
+)
+"""What ``log_likelihood`` accepts."""
+
+
+def check_likelihood_names(names: Iterable[str]) -> None:
+    """Refuse unknown, missing and repeated parameter names, suggesting the nearest known one.
+
+    Raises
+    ------
+    InvalidParameters
+    """
+    given = list(names)
+    problems: list[FieldError] = []
+    for name in dict.fromkeys(given):
+        shown = str(name)[:80]
+        if name not in LIKELIHOOD_NAMES:
+            near = difflib.get_close_matches(str(name), LIKELIHOOD_NAMES, n=1, cutoff=0.5)
+            hint = f"did you mean '{near[0]}'?" if near else f"known names: {', '.join(LIKELIHOOD_NAMES)}"
+            problems.append(FieldError(reason=f"unknown; {hint}", parameter=shown))
+        elif given.count(name) > 1:
+            problems.append(FieldError(reason="given more than once", parameter=shown))
+    missing = [name for name in LIKELIHOOD_NAMES if name not in given and name not in _DEFAULTS]
+    problems += [FieldError(reason="missing", parameter=name) for name in missing]
+    if problems:
+        sentences = "; ".join(f"'{problem.parameter}' is {problem.reason}" for problem in problems[:16])
+        raise InvalidParameters(f"Parameters of a likelihood: {sentences}.", errors=problems)
+
+
+def _as_floats(name: str, value: Any) -> NDArray[np.float64]:
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InvalidParameters(
+            f"Parameter '{name}' must be a number or a vector of numbers.",
+            errors=[FieldError(reason="not a number", parameter=name)],
+        ) from error
+
+
+def _vector(name: str, value: Any) -> NDArray[np.float64]:
+    array = _as_floats(name, value)
+    if array.ndim > 1:
+        raise InvalidParameters(
+            f"Parameter '{name}' must be a number or a vector; got an array of shape {array.shape}.",
+            errors=[FieldError(reason="not a number or vector", parameter=name)],
+        )
+    return array
+
+
+def _repeated(rows: int, name: str, by_detector: Any) -> dict[str, NDArray[np.float64]]:
+    if not isinstance(by_detector, Mapping):
+        raise InvalidParameters(
+            f"'{name}' maps detectors to arrays (N, nodes); got {type(by_detector).__name__}.",
+            errors=[FieldError(reason="not a mapping", parameter=name)],
+        )
+    arrays = {detector: _as_floats(f"{name}/{detector}", value) for detector, value in by_detector.items()}
+    return {detector: np.tile(array, (rows, 1)) if array.ndim == 1 else array for detector, array in arrays.items()}
+
+
+def _stacked(batch: Sequence[LikelihoodParameters], name: str) -> dict[str, NDArray[np.float64]]:
+    detectors = {detector for row in batch for detector in getattr(row, name)}
+    if any(set(getattr(row, name)) != detectors for row in batch):
+        raise InvalidParameters(f"Every row must give '{name}' for the same detectors.")
+    return {
+        detector: _as_floats(f"{name}/{detector}", [getattr(row, name)[detector] for row in batch])
+        for detector in sorted(detectors)
+    }
+
+
+def _calibration(
+    rows: int, amplitude: Mapping[str, ArrayLike], phase: Mapping[str, ArrayLike]
+) -> tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]]]:
+    """Both of one shape for every detector that has either; what is not given is zero."""
+    named = dict(zip(CALIBRATION_NAMES, (amplitude, phase), strict=True))
+    found: dict[str, dict[str, NDArray[np.float64]]] = {name: {} for name in CALIBRATION_NAMES}
+    for detector in sorted({*amplitude, *phase}):
+        given = {
+            name: np.ascontiguousarray(_as_floats(f"{name}/{detector}", arrays[detector]))
+            for name, arrays in named.items()
+            if detector in arrays
+        }
+        shapes = {array.shape for array in given.values()}
+        shape = min(shapes)
+        if len(shapes) > 1 or len(shape) != 2 or shape[0] != rows:
+            raise InvalidParameters(
+                f"Calibration errors of '{detector[:32]}' are arrays ({rows}, nodes), alike for amplitude and phase; "
+                f"got {', '.join(str(array.shape) for array in given.values())}.",
+                errors=[FieldError(reason="wrong shape", parameter=f"{name}/{detector[:32]}") for name in given],
+            )
+        for name in CALIBRATION_NAMES:
+            found[name][detector] = given.get(name, np.zeros(shape))
+    return found["calibration_amplitude"], found["calibration_phase"]

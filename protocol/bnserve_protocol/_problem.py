@@ -1,0 +1,44 @@
+"""An error on the wire."""
+
+from __future__ import annotations
+
+import msgspec
+
+from bnserve_protocol._errors import ERRORS_BY_CODE, BnserveError, FieldError
+
+
+class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
+    """RFC 9457 problem details, the body of every error answer (``application/problem+json``).
+
+    ``error`` repeats ``detail`` for Open Inference Protocol clients.
+    """
+
+    type: str
+    title: str
+    status: int
+    detail: str
+    code: str
+    error: str = ""
+    request_id: str | None = None
+    retryable: bool = False
+    errors: list[FieldError] = []
+
+    @classmethod
+    def from_error(cls, error: BnserveError, status: int, request_id: str | None = None) -> Problem:
+        """Describe ``error`` for the wire under the HTTP ``status`` chosen by the service."""
+        return cls(
+            type=f"urn:bnserve:error:{error.code}",
+            title=error.title,
+            status=status,
+            detail=error.detail,
+            code=error.code,
+            error=error.detail,
+            request_id=request_id,
+            retryable=error.retryable,
+            errors=list(error.errors),
+        )
+
+    def to_error(self, retry_after: float | None = None) -> BnserveError:
+        """Rebuild the exception; an unknown code (from a newer service) becomes plain ``BnserveError``."""
+        cls = ERRORS_BY_CODE.get(self.code, BnserveError)
+        return cls(self.detail, errors=self.errors, retry_after=retry_after, request_id=self.request_id)
