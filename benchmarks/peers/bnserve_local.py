@@ -1,0 +1,71 @@
+"""bnserve itself, in process: ``Model.predict`` and ``Model.predict_batch`` of a shipped model, h+ and hx, complex128.
+
+Install: it is what this checkout installs; the benchmarks run it with their own interpreter.
+
+    pip install .
+"""
+
+from __future__ import annotations
+
+import sys
+import threading
+import time
+from typing import Any
+
+from worker import Peer, draw, serve
+
+from bnserve_surrogate import Model, ParameterBatch, ParametersWithExtrinsic
+
+
+class Bnserve(Peer):
+    """The local model."""
+
+    packages = ("bnserve-surrogate",)
+
+    def __init__(self, name: str) -> None:
+        self.name = f"bnserve {name}"
+        self._model = Model.load(name)
+        self.f_min = self._model.description.frequency_band[0]
+        self._model.warm_up()
+
+    def binary(self, parameters: dict[str, float]) -> ParametersWithExtrinsic:
+        """Our dataclass."""
+        return ParametersWithExtrinsic(**parameters)
+
+    def waveform(self, grid: Any, binary: Any) -> Any:
+        """Plus and cross polarisations."""
+        return self._model.predict(grid, binary)
+
+    def binaries(self, rows: list[dict[str, float]]) -> ParameterBatch:
+        """A struct of arrays."""
+        return ParameterBatch.coerce([self.binary(row) for row in rows])
+
+    def batch(self, grid: Any, binaries: Any) -> Any:
+        """All rows in one call."""
+        return self._model.predict_batch(grid, binaries)
+
+    def threads(self, request: dict[str, Any]) -> dict[str, Any]:
+        """Seconds that this many threads take for ``calls`` batches each, all begun at the same moment."""
+        grid = self.grid(request["points"])
+        rows = self.binaries([draw(seed) for seed in range(request["rows"])])
+        barrier = threading.Barrier(request["threads"] + 1)
+
+        def work() -> None:
+            self.batch(grid, rows)
+            barrier.wait()
+            for _ in range(request["calls"]):
+                self.batch(grid, rows)
+
+        workers = [threading.Thread(target=work) for _ in range(request["threads"])]
+        for worker in workers:
+            worker.start()
+        barrier.wait()
+        started = time.perf_counter()
+        for worker in workers:
+            worker.join()
+        return {"seconds": time.perf_counter() - started}
+
+
+if __name__ == "__main__":
+    peer = Bnserve(sys.argv[1])
+    serve(peer, {"threads": peer.threads})

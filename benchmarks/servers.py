@@ -1,0 +1,126 @@
+"""Servers of this checkout as processes: bnserve, and the bare uvicorn that is the floor."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from benchmarks.load import open_connection
+from benchmarks.workers import ONE_THREAD, ROOT
+from bnserve_client import Model
+from bnserve_protocol import BnserveError
+from tests.running_server import free_port
+
+PATIENCE = 60.0
+"""Seconds until a server that is not ready counts as broken."""
+
+
+class ServerFailed(BnserveError):
+    """A server did not start."""
+
+    code = "server-failed"
+    title = "The server failed"
+
+
+@contextmanager
+def running(
+    command: Sequence[str | Path],
+    is_ready: Callable[[], bool],
+    *,
+    cpus: set[int] | None = None,
+    environment: dict[str, str] | None = None,
+    patience: float = PATIENCE,
+) -> Iterator[int]:
+    """Start a server in a session of its own, wait until it answers, yield its process number, and stop all of it.
+
+    Raises
+    ------
+    ServerFailed
+        It ended, or was not ready in time; with the last lines of its output.
+    """
+    with tempfile.TemporaryFile() as log:
+        process = subprocess.Popen(
+            [str(part) for part in command],
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            cwd=ROOT,
+            env=os.environ | ONE_THREAD | (environment or {}),
+            start_new_session=True,
+        )
+        if cpus is not None:
+            os.sched_setaffinity(process.pid, cpus)
+        try:
+            deadline = time.monotonic() + patience
+            while not is_ready():
+                if process.poll() is not None or time.monotonic() > deadline:
+                    log.seek(0)
+                    lines = log.read().decode(errors="replace").splitlines()[-15:]
+                    raise ServerFailed("\n    ".join([f"{command[0]} did not start:", *lines]))
+                time.sleep(0.1)
+            yield process.pid
+        finally:
+            _stop(process)
+
+
+def _stop(process: subprocess.Popen[bytes]) -> None:
+    """End a process in good order, and then whatever else is left of its session."""
+    process.terminate()
+    try:
+        process.wait(40.0)
+    except subprocess.TimeoutExpired:
+        pass
+    try:
+        os.killpg(process.pid, 9)
+    except ProcessLookupError:
+        pass
+    process.wait()
+
+
+def listens(address: tuple[str, int] | str) -> bool:
+    """Whether something accepts connections there."""
+    try:
+        open_connection(address).close()
+    except OSError:
+        return False
+    return True
+
+
+def _answers(url: str) -> bool:
+    try:
+        Model.connect(url, retries=0, timeout=5.0).close()
+    except BnserveError:
+        return False
+    return True
+
+
+@contextmanager
+def bnserve_server(
+    *, uds: Path | None = None, cpus: set[int] | None = None, threads: int | None = None
+) -> Iterator[tuple[str, int]]:
+    """``bnserve serve --model default``; yields what a client connects to, and the process number."""
+    port = free_port()
+    where = ["--uds", uds] if uds else ["--port", str(port)]
+    url = f"unix:{uds}" if uds else f"http://127.0.0.1:{port}"
+    command = [sys.executable, "-m", "bnserve_service", "serve", "--model", "default", *where]
+    command += ["--workers-threads", str(threads)] if threads else []
+    with running(command, lambda: _answers(url), cpus=cpus) as pid:
+        yield url, pid
+
+
+@contextmanager
+def bare_server(
+    sizes: Sequence[int], *, uds: Path | None = None, cpus: set[int] | None = None
+) -> Iterator[tuple[str, int] | str]:
+    """The floor; yields its address: host and port, or the path of its Unix socket."""
+    port = free_port()
+    address: tuple[str, int] | str = str(uds) if uds else ("127.0.0.1", port)
+    where = ["--uds", str(uds)] if uds else ["--port", str(port)]
+    command = [sys.executable, "-m", "benchmarks.bare_server", *where, *(str(size) for size in sorted(set(sizes)))]
+    with running(command, lambda: listens(address), cpus=cpus):
+        yield address
