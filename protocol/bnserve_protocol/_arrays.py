@@ -8,6 +8,7 @@ The msgpack-numpy library itself is never used: its decoder unpickles object arr
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import msgspec
@@ -23,8 +24,23 @@ _EXTENT_LIMIT = 2**32
 """No body holds more; an empty array may claim any extent, and numpy fails above 2**60."""
 _FIXMAP_5 = 0x85
 _BIN_8 = 0xC4
-_FIELDS = ("nd", "type", "kind", "shape", "data")
 
+_HEADS = {
+    order: b"\x85\xc4\x02nd\xc3\xc4\x04type" + msgspec.msgpack.encode(name) + b"\xc4\x04kind\xc4\x00\xc4\x05shape"
+    for name, dtype in ARRAY_DTYPES.items()
+    for order in (dtype, dtype.newbyteorder(">"))
+}
+"""What comes before the shape, as we and msgpack-numpy write it, by the dtype of an array in memory."""
+_DATA = b"\xc4\x04data"
+_EXTENT = rb"(?:[\x00-\x7f]|\xcc.|\xcd..|\xce....)"
+_AS_WE_WRITE = re.compile(
+    rb"\x85\xc4\x02nd\xc3\xc4\x04type(\xa3(?:<f8|<f4|<c8|\|u1)|\xa4<c16)\xc4\x04kind\xc4\x00\xc4\x05shape"
+    rb"(\x91" + _EXTENT + rb"|\x92" + _EXTENT + _EXTENT + rb")\xc4\x04data(?:\xc4.|\xc5..|\xc6....)",
+    re.DOTALL,
+)
+"""An array up to its data, in the one form that nearly all of them have: read in a fifth of the time."""
+
+_dtypes_as_written = {msgspec.msgpack.encode(name): dtype for name, dtype in ARRAY_DTYPES.items()}
 _binary_keys = msgspec.msgpack.Decoder(dict[bytes, msgspec.Raw])
 _text_keys = msgspec.msgpack.Decoder(dict[str, msgspec.Raw])
 _bool = msgspec.msgpack.Decoder(bool)
@@ -56,8 +72,20 @@ def decode_array(raw: bytes | msgspec.Raw) -> NDArray[Any]:
         Not such a map, a dtype that is not allowed, a kind that is not empty, or data whose length does not match
         the shape. Checked before numpy sees anything.
     """
+    view = memoryview(raw)
+    written = _AS_WE_WRITE.match(view)
+    if written is not None:
+        dtype, shape, start = _dtypes_as_written[written[1]], _shape.decode(written[2]), written.end()
+        length = math.prod(shape) * dtype.itemsize
+        if view.nbytes == start + length and written[0].endswith(_binary_header(length)):
+            return np.ndarray(shape, dtype, view, start)
+    return _decode_any_form(view)
+
+
+def _decode_any_form(view: memoryview) -> NDArray[Any]:
+    """As :func:`decode_array`, for every form that a MessagePack writer may choose, and for all that is wrong."""
     try:
-        fields = _fields(raw)
+        fields = _fields(view)
         if _bool.decode(fields["nd"]) is not True:
             raise UndecodableBody("An array must have 'nd' set to true; numpy scalars are sent as plain numbers.")
         dtype = ARRAY_DTYPES.get(_text.decode(fields["type"]))
@@ -79,8 +107,7 @@ def decode_array(raw: bytes | msgspec.Raw) -> NDArray[Any]:
     return np.frombuffer(data, dtype=dtype).reshape(shape)
 
 
-def _fields(raw: bytes | msgspec.Raw) -> dict[str, msgspec.Raw]:
-    view = memoryview(raw)
+def _fields(view: memoryview) -> dict[str, msgspec.Raw]:
     if view[:1] != bytes([_FIXMAP_5]):
         raise KeyError("not a map of five entries")
     if view[1:2] == bytes([_BIN_8]):
@@ -93,16 +120,12 @@ def encode_array(array: NDArray[Any]) -> list[bytes | memoryview]:
 
     The array must be C-contiguous and of an allowed dtype; joining the parts gives the message.
     """
-    dtype = array.dtype.newbyteorder("<").str
-    if dtype not in ARRAY_DTYPES:
+    head = _HEADS.get(array.dtype)
+    if head is None:
         raise ValueError(f"dtype {array.dtype} does not travel; allowed: {', '.join(ARRAY_DTYPES)}")
-    contiguous = np.ascontiguousarray(array, dtype=ARRAY_DTYPES[dtype])
-    values = (True, dtype, b"", list(array.shape))
-    header = bytearray([_FIXMAP_5])
-    for name, value in zip(_FIELDS, values, strict=False):
-        header += msgspec.msgpack.encode(name.encode()) + msgspec.msgpack.encode(value)
-    header += msgspec.msgpack.encode(b"data") + _binary_header(contiguous.nbytes)
-    return [bytes(header), contiguous.reshape(-1).view(np.uint8).data]
+    contiguous = np.ascontiguousarray(array, dtype=array.dtype.newbyteorder("<"))
+    header = head + msgspec.msgpack.encode(array.shape) + _DATA + _binary_header(contiguous.nbytes)
+    return [header, contiguous.reshape(-1).view(np.uint8).data]
 
 
 def _binary_header(length: int) -> bytes:
