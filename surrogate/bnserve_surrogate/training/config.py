@@ -62,9 +62,13 @@ class NodesSection(_Section, frozen=True, forbid_unknown_fields=True):
 
 
 class DatasetSection(_Section, frozen=True, forbid_unknown_fields=True):
-    """How many waveforms, drawn how; ``arcsine_fraction`` is the mixture's share of arcsine points."""
+    """How many waveforms, drawn how; ``arcsine_fraction`` is the mixture's share of arcsine points.
+
+    ``edge_count`` more lie on faces and edges of the box, but never in its corners: they stay unseen.
+    """
 
     count: Count
+    edge_count: Natural = 0
     sampling: Literal["uniform", "arcsine", "mixture"] = "mixture"
     arcsine_fraction: Fraction = 0.5
     seed: int = 1

@@ -9,7 +9,7 @@ import json
 import os
 from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -147,6 +147,20 @@ class ResidualDataset:
             self.failures,
             self.digest,
         )
+
+
+def joined(first: ResidualDataset, second: ResidualDataset, count: int) -> ResidualDataset:
+    """Two data sets at the same nodes as one; samples of ``second`` are numbered from ``count`` on."""
+    return ResidualDataset(
+        np.concatenate([first.index, second.index + count]),
+        np.concatenate([first.theta, second.theta]),
+        np.concatenate([first.log_amplitude_ratio, second.log_amplitude_ratio]),
+        np.concatenate([first.psi_residual, second.psi_residual]),
+        first.mf_amplitude,
+        first.mf_phase,
+        (*first.failures, *(replace(failure, index=failure.index + count) for failure in second.failures)),
+        hashlib.sha256(f"{first.digest}+{second.digest}".encode()).hexdigest(),
+    )
 
 
 def build_dataset(

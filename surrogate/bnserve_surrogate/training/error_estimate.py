@@ -1,8 +1,10 @@
 """A model's own estimate of its mismatch, as a function of the parameters, calibrated on waveforms it never saw.
 
 The logarithm of the measured mismatch is fitted by a low-degree polynomial in the regressor's coordinates, then raised
-until no more than half a percent of the waveforms exceed three times it (the promise is one percent, and the waveforms
-of the calibration are a finite sample). The polynomial becomes one more output of the regressor, so it costs nothing.
+until one can be confident that at most one binary in a hundred exceeds three times it: of those in the middle of the
+box, and of those on its edges, each by themselves. What is compared with each waveform is a fit that has not seen it,
+nor its like: a corner is drawn again and again. The polynomial becomes one more output of the regressor, so it costs
+nothing.
 """
 
 from __future__ import annotations
@@ -12,13 +14,16 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats import binom
 
 from bnserve_surrogate.training.generators import FloatArray
 from bnserve_surrogate.training.regressors import chebyshev_terms, weighted_exponents
 
 PROMISED_FACTOR = 3.0
 """At most one binary in a hundred has a mismatch above this many times the estimate."""
-_EXCEEDING = 0.005
+PROMISED_FRACTION = 0.01
+_CONFIDENCE = 0.95
+"""That the promise holds for all binaries, not only for the sample at hand."""
 _DEGREE = 3.0
 _FOLDS = 8
 
@@ -43,7 +48,9 @@ class ErrorEstimate:
         return np.asarray(np.exp(chebyshev_terms(coordinates, self.exponents).T @ self.coefficients))
 
 
-def fit_error_estimate(coordinates: FloatArray, mismatch: FloatArray, degree: float = _DEGREE) -> ErrorEstimate | None:
+def fit_error_estimate(
+    coordinates: FloatArray, mismatch: FloatArray, kinds: NDArray[np.int64], degree: float = _DEGREE
+) -> ErrorEstimate | None:
     """Fit and calibrate an estimate.
 
     Parameters
@@ -52,6 +59,8 @@ def fit_error_estimate(coordinates: FloatArray, mismatch: FloatArray, degree: fl
         (N, 5) scaled coordinates of fresh waveforms, from the middle of the box and from its edges.
     mismatch:
         (N,) measured.
+    kinds:
+        (N,) from where each is: the promise is kept for every kind.
     degree:
         Largest total degree; lowered until there are ten waveforms for every term.
 
@@ -67,15 +76,41 @@ def fit_error_estimate(coordinates: FloatArray, mismatch: FloatArray, degree: fl
         exponents = weighted_exponents(degree, (1.0,) * 5)
     logarithm = np.log(np.maximum(mismatch, 1e-16))
     terms = chebyshev_terms(coordinates, exponents).T
-    fold = np.arange(len(mismatch)) % _FOLDS
-    residual = np.empty(len(mismatch))
-    for number in range(_FOLDS):
-        fit = np.linalg.lstsq(terms[fold != number], logarithm[fold != number], rcond=None)[0]
-        residual[fold == number] = logarithm[fold == number] - terms[fold == number] @ fit
+    unseen = _unseen_residuals(terms, logarithm, _folds(coordinates))
+    raised = max(_upper_limit(unseen[kinds == kind]) for kind in np.unique(kinds))
     coefficients = np.linalg.lstsq(terms, logarithm, rcond=None)[0]
     constant = int(np.flatnonzero(exponents.sum(axis=1) == 0)[0])
-    coefficients[constant] += np.quantile(residual, 1.0 - _EXCEEDING) - np.log(PROMISED_FACTOR)
+    coefficients[constant] += raised - np.log(PROMISED_FACTOR)
     return ErrorEstimate(exponents, np.asarray(coefficients, dtype=np.float64))
+
+
+def _folds(coordinates: FloatArray) -> NDArray[np.int64]:
+    """One of ``_FOLDS`` for every waveform, the same for those at the same place."""
+    _, place = np.unique(np.round(coordinates, 9), axis=0, return_inverse=True)
+    first = np.full(place.max() + 1, len(place))
+    np.minimum.at(first, place.ravel(), np.arange(len(place)))
+    return np.asarray(first[place.ravel()] % _FOLDS)
+
+
+def _unseen_residuals(terms: FloatArray, logarithm: FloatArray, fold: NDArray[np.int64]) -> FloatArray:
+    """What a fit to the other folds leaves of each waveform, (N,)."""
+    residual = np.empty(len(logarithm))
+    for number in range(_FOLDS):
+        out = fold == number
+        fit = np.linalg.lstsq(terms[~out], logarithm[~out], rcond=None)[0]
+        residual[out] = logarithm[out] - terms[out] @ fit
+    return residual
+
+
+def _upper_limit(residual: FloatArray) -> float:
+    """What no more than the promised fraction of all residuals exceed, with confidence: one of the largest seen.
+
+    If more than a fraction p of all exceed a limit, then k or fewer of n do with a probability of at most that of a
+    binomial variable; k is the most for which it is below 1 - confidence. From few waveforms there is no such k: the
+    largest residual is the best one can say.
+    """
+    allowed = int(binom.ppf(1.0 - _CONFIDENCE, len(residual), PROMISED_FRACTION)) - 1
+    return float(np.sort(residual)[-1 - max(allowed, 0)])
 
 
 def with_error_estimate(tensors: dict[str, NDArray[Any]], estimate: ErrorEstimate) -> dict[str, NDArray[Any]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._model import Model
 from bnserve_surrogate.training._baseline import baseline_amplitude
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
-from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
+from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset, joined
 from bnserve_surrogate.training.error_estimate import ErrorEstimate, fit_error_estimate, with_error_estimate
 from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
@@ -42,8 +43,10 @@ Say = Callable[[str], None]
 _SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 1e-2, "phase_shift": 1e-6}
 """What a squared error of a scalar costs against one of the components, when a polynomial is pruned: the match does not
 see it, but the merger's alignment does. That of the time shift multiplies its own part of the metric."""
-_SCALAR_DEGREE = 4.0
-"""Of the polynomial for the scalars beside a network."""
+_SCALAR_DEGREE = 4
+"""Of the polynomial for the scalars beside a network, if there are five waveforms for four terms; lower if not."""
+_EDGES = EdgeSampling(most=4)
+"""Of training: corners are left to the validation, whose edges would else have been seen."""
 
 
 @dataclass(frozen=True)
@@ -131,8 +134,12 @@ def training_dataset(
     say(f"Nodes: {configuration.nodes.kind}")
     mf_amplitude, mf_phase = _nodes(configuration, generator, directory, n_jobs)
     say(f"  {len(mf_amplitude)} for the amplitude, {len(mf_phase)} for the phase")
-    say(f"Waveforms: {section.count} of {generator.name} {generator.version}")
+    edges = f" and {section.edge_count} on faces and edges" if section.edge_count else ""
+    say(f"Waveforms: {section.count}{edges} of {generator.name} {generator.version}")
     dataset = generate(_sampling(configuration), "train", section.seed, section.count, mf_amplitude, mf_phase)
+    if section.edge_count:
+        others = generate(_EDGES, "train edges", section.seed, section.edge_count, mf_amplitude, mf_phase)
+        dataset = joined(dataset, others, section.count)
     say(f"  {len(dataset)} ready, {len(dataset.failures)} failed and left out")
     return dataset
 
@@ -352,14 +359,22 @@ def make_regressor(configuration: TrainingConfiguration, metric: MismatchMetric)
     network = MLP(**options, random_state=section.network.seed)
     if section.kind == "sum":
         return Beside(Sum(polynomial([1.0] * components), network), polynomial(scalar_weights), components)
-    return Beside(network, ChebyshevPolynomial(_SCALAR_DEGREE), components)
+    return Beside(network, ChebyshevPolynomial(_scalar_degree(configuration)), components)
+
+
+def _scalar_degree(configuration: TrainingConfiguration) -> float:
+    waveforms = configuration.dataset.count + configuration.dataset.edge_count
+    degrees = range(1, _SCALAR_DEGREE + 1)
+    return float(max((d for d in degrees if 1.25 * math.comb(d + 5, 5) <= waveforms), default=1))
 
 
 def _error_estimate(coordinates: CoordinateMap, validations: dict[str, Validation]) -> ErrorEstimate | None:
-    """Calibrated on all waveforms of the validation, from the middle and from the edges alike."""
-    theta = np.concatenate([validation.theta for validation in validations.values()])
-    mismatch = np.concatenate([validation.mismatch for validation in validations.values()])
-    return fit_error_estimate(coordinates(theta), mismatch)
+    """Fitted to all waveforms of the validation; calibrated for the middle and for the edges, each by itself."""
+    parts = validations.values()
+    theta = np.concatenate([validation.theta for validation in parts])
+    mismatch = np.concatenate([validation.mismatch for validation in parts])
+    kinds = np.concatenate([np.full(len(validation.mismatch), kind) for kind, validation in enumerate(parts)])
+    return fit_error_estimate(coordinates(theta), mismatch, kinds)
 
 
 _VALIDATION_SAMPLING: dict[str, Sampling] = {"uniform": UniformSampling(), "edges": EdgeSampling()}

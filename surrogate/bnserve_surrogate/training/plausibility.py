@@ -9,6 +9,9 @@ from bnserve_surrogate.training.noise import noise_curve
 from bnserve_surrogate.training.ranges import ParameterRanges
 from bnserve_surrogate.training.regressors import weighted_exponents
 
+FEWEST_FOR_A_NETWORK = 8
+"""They determine the least polynomial beside it, of degree one."""
+
 
 def check_plausible(configuration: TrainingConfiguration) -> None:
     """Refuse values that do not go together.
@@ -39,7 +42,8 @@ def _check_ranges(configuration: TrainingConfiguration) -> None:
 
 
 def _check_sizes(configuration: TrainingConfiguration) -> None:
-    waveforms, components = configuration.dataset.count, configuration.reduction.components
+    waveforms = configuration.dataset.count + configuration.dataset.edge_count
+    components = configuration.reduction.components
     _require(
         components <= waveforms,
         f"{components} components cannot be found in {waveforms} waveforms; lower 'components' in [reduction] or raise "
@@ -48,7 +52,13 @@ def _check_sizes(configuration: TrainingConfiguration) -> None:
     if configuration.nodes.kind == "smooth":
         numbers = 2 * configuration.nodes.count
         _require(components <= numbers, f"{components} components cannot be found in {numbers} numbers at the nodes")
-    if configuration.regressor.kind != "network":
+    if configuration.regressor.kind == "network":
+        _require(
+            waveforms >= FEWEST_FOR_A_NETWORK,
+            f"a network cannot be trained on {waveforms} waveforms; raise 'count' in [dataset] to at least "
+            f"{FEWEST_FOR_A_NETWORK}, or choose another 'kind' in [regressor]",
+        )
+    else:
         polynomial = configuration.regressor.polynomial
         terms = len(weighted_exponents(polynomial.degree, polynomial.weights))
         _require(

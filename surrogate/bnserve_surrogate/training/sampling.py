@@ -116,20 +116,26 @@ class ArcsineSampling:
 
 @dataclass(frozen=True)
 class EdgeSampling:
-    """Faces, edges and corners: one to five parameters at a bound, equally often; others from ``interior``."""
+    """Faces, edges and corners: one to ``most`` parameters at a bound, equally often; others from ``interior``."""
 
     interior: Sampling = field(default_factory=UniformSampling)
+    most: int = DIMENSION
+
+    def __post_init__(self) -> None:
+        if not 1 <= self.most <= DIMENSION:
+            raise InvalidParameters(f"Between 1 and {DIMENSION} parameters can be at a bound; got most={self.most}.")
 
     @property
     def settings(self) -> dict[str, Any]:
         """Name and options."""
-        return {"name": "edges", "interior": self.interior.settings}
+        restricted = {} if self.most == DIMENSION else {"most": self.most}
+        return {"name": "edges", "interior": self.interior.settings, **restricted}
 
     def transform(self, unit: FloatArray, ranges: ParameterRanges) -> FloatArray:
         """See :class:`Sampling`."""
         theta = self.interior.transform(unit, ranges)
         order = np.argsort(np.argsort(unit[:, _FACES], axis=1, kind="stable"), axis=1)
-        count = 1 + np.floor(unit[:, _FACE_COUNT] * DIMENSION).astype(int)
+        count = 1 + np.floor(unit[:, _FACE_COUNT] * self.most).astype(int)
         bound = np.where(unit[:, :DIMENSION] < 0.5, ranges.lower, ranges.upper)
         return np.where(order < count[:, None], bound, theta)
 
