@@ -16,7 +16,7 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 import numpy as np
@@ -98,7 +98,7 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     """
 
     kind: AnalysisKind
-    detectors: tuple[str, ...]
+    detectors: Annotated[tuple[str, ...], msgspec.Meta(max_length=16)]
     f_min: float
     f_max: float
     duration: float
@@ -106,7 +106,7 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     sidereal_time: float
     sidereal_rate: float
     alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
-    prior: dict[str, tuple[float, float]] = {}
+    prior: Annotated[dict[str, tuple[float, float]], msgspec.Meta(max_length=64)] = {}
     time_grid: TimeGrid | None = None
     phase_marginalisation: bool = False
     time_marginalisation: TimeMarginalisation | None = None
@@ -197,7 +197,7 @@ def _frozen_array(name: str, value: NDArray[Any]) -> NDArray[Any]:
     if array.dtype.kind not in "iufc":
         raise AnalysisInvalid(f"Array '{name}' of the analysis must hold numbers; got {array.dtype}.")
     dtype = "<c16" if array.dtype.kind == "c" else "<f8"
-    frozen = np.ascontiguousarray(array, dtype=dtype)
+    frozen = np.require(array, dtype, ("C", "A"))  # aligned, because numpy sums what is not in other, slower ways
     if frozen.flags.writeable:
         frozen = frozen.copy()
         frozen.flags.writeable = False
@@ -206,7 +206,8 @@ def _frozen_array(name: str, value: NDArray[Any]) -> NDArray[Any]:
 
 class _WireAnalysis(msgspec.Struct, forbid_unknown_fields=True):
     settings: AnalysisSettings
-    arrays: dict[str, msgspec.Raw]
+    arrays: Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=128)]
+    """Bounded, as all lengths here, before decoding: a body of nothing but entries would take fifty times its size."""
 
 
 _decoder = msgspec.msgpack.Decoder(_WireAnalysis)
@@ -231,7 +232,7 @@ def _map_header(entries: int) -> bytes:
 
 
 def decode_analysis(body: bytes | memoryview) -> Analysis:
-    """Read an analysis; its arrays are read-only views of ``body``.
+    """Read an analysis; its arrays are read-only, and views of ``body`` where they are aligned there.
 
     Raises
     ------

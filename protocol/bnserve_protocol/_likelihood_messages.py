@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from types import ModuleType
+from typing import Annotated, Any, TypeAlias
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._answers import ModelIdentity
-from bnserve_protocol._arrays import decode_array, encode_array
-from bnserve_protocol._errors import InvalidParameters, UndecodableBody
+from bnserve_protocol._arrays import decode_array, encode_array, is_array
+from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBody
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodBatch, check_likelihood_names
+from bnserve_protocol._requests import JSON, MSGPACK
 
 
 class LikelihoodRequest(msgspec.Struct, frozen=True, kw_only=True):
-    """A decoded request: the digest of an analysis that the service has, and a batch of parameters."""
+    """A decoded request: a batch, and the digest of the analysis, where the request repeats it from its path."""
 
-    analysis: str
     batch: LikelihoodBatch
+    analysis: str | None = None
 
 
 class LikelihoodAnswer(msgspec.Struct, frozen=True, kw_only=True):
@@ -35,12 +36,20 @@ class LikelihoodAnswer(msgspec.Struct, frozen=True, kw_only=True):
     analysis: str
 
 
+_MOST_NAMES = 64
+"""Parameters, or detectors: more are a mistake or an attack, and would take a hundred times the memory of the body."""
+_MOST_PLAIN_BYTES = 2**20
+"""Of numbers that do not travel as an array: decoded one by one they take up to sixty times as much."""
+
+_Named: TypeAlias = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)]
+
+
 class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
-    analysis: str
-    names: list[str]
     parameters: msgspec.Raw
-    calibration_amplitude: dict[str, msgspec.Raw] = {}
-    calibration_phase: dict[str, msgspec.Raw] = {}
+    names: Annotated[list[str], msgspec.Meta(max_length=_MOST_NAMES)] | None = None
+    analysis: str | None = None
+    calibration_amplitude: _Named = {}
+    calibration_phase: _Named = {}
 
 
 class _WireAnswer(msgspec.Struct, kw_only=True):
@@ -50,7 +59,28 @@ class _WireAnswer(msgspec.Struct, kw_only=True):
     status: msgspec.Raw
 
 
-_request_decoder = msgspec.msgpack.Decoder(_WireRequest)
+class _Reader:
+    """The decoders of one media type."""
+
+    def __init__(self, module: ModuleType, arrays: bool) -> None:
+        self.request = module.Decoder(_WireRequest)
+        self.columns = module.Decoder(_Named)
+        self.numbers = module.Decoder(float | list[float | list[float]])
+        self.arrays = arrays
+
+    def values(self, raw: msgspec.Raw) -> NDArray[np.float64]:
+        """Numbers in any form that this media type has for them."""
+        if self.arrays and is_array(raw):
+            return _real(decode_array(raw))
+        if memoryview(raw).nbytes > _MOST_PLAIN_BYTES:
+            raise TooLarge("So many numbers travel as MessagePack arrays, or in smaller batches.")
+        try:
+            return np.array(self.numbers.decode(raw), dtype=np.float64)
+        except ValueError as error:
+            raise UndecodableBody("Parameters are numbers, vectors, or rows of equal length.") from error
+
+
+_READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
 _answer_decoder = msgspec.msgpack.Decoder(_WireAnswer)
 
 
@@ -79,46 +109,72 @@ def _raw(array: NDArray[Any]) -> msgspec.Raw:
     return msgspec.Raw(b"".join(encode_array(array)))
 
 
-def decode_likelihood_request(body: bytes | memoryview) -> LikelihoodRequest:
+def decode_likelihood_request(
+    body: bytes | memoryview, media_type: str = MSGPACK, max_rows: int = 2**16
+) -> LikelihoodRequest:
     """Read a request.
+
+    Parameters
+    ----------
+    body:
+        The bytes of the body: ``parameters`` is one array ``[N, P]`` with ``names``, or without them a map of named
+        numbers and vectors; calibration errors are arrays ``[N, nodes]`` by detector.
+    media_type:
+        :data:`MSGPACK` or :data:`JSON`.
+    max_rows:
+        Larger batches are refused before they take memory.
 
     Raises
     ------
     UndecodableBody
-        Not such a message, or fields that are unknown, missing or of a wrong type.
+        Not that media type, or fields that are unknown, missing or of a wrong type.
     InvalidParameters
         Names or shapes that no likelihood could accept.
+    TooLarge
     """
+    reader = _READERS[media_type]
     try:
-        wire = _request_decoder.decode(body)
+        wire: _WireRequest = reader.request.decode(body)
+        batch = _batch(reader, wire, max_rows)
     except msgspec.ValidationError as error:
         raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
     except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
-        raise UndecodableBody("The body is not a valid MessagePack message; check that it is complete.") from error
-    check_likelihood_names(wire.names)
-    rows = _real(wire.parameters)
-    if rows.ndim != 2 or rows.shape[1] != len(wire.names):
-        raise InvalidParameters(
-            f"'parameters' is an array [N, {len(wire.names)}], one column for each of 'names'; "
-            f"got shape {list(rows.shape)}."
-        )
-    columns = {name: rows[:, column] for column, name in enumerate(wire.names)}
-    calibration = {
-        "calibration_amplitude": _by_detector(wire.calibration_amplitude),
-        "calibration_phase": _by_detector(wire.calibration_phase),
-    }
-    return LikelihoodRequest(analysis=wire.analysis, batch=LikelihoodBatch.coerce(columns | calibration))
+        raise UndecodableBody(f"The body is not a valid {media_type} message; check that it is complete.") from error
+    return LikelihoodRequest(analysis=wire.analysis, batch=batch)
 
 
-def _by_detector(arrays: Mapping[str, msgspec.Raw]) -> dict[str, NDArray[np.float64]]:
-    return {detector: _real(raw) for detector, raw in arrays.items()}
+def _batch(reader: _Reader, wire: _WireRequest, max_rows: int) -> LikelihoodBatch:
+    names = wire.names
+    if names is None:
+        columns = {name: reader.values(raw) for name, raw in reader.columns.decode(wire.parameters).items()}
+        lengths = [len(column) for column in columns.values() if column.ndim]
+    else:
+        check_likelihood_names(names)
+        rows = reader.values(wire.parameters)
+        if rows.ndim != 2 or rows.shape[1] != len(names):
+            raise InvalidParameters(
+                f"With 'names' given, 'parameters' is an array [N, {len(names)}]; got shape {list(rows.shape)}."
+            )
+        columns = {name: rows[:, column] for column, name in enumerate(names)}
+        lengths = [len(rows)]
+    if max(lengths, default=1) > max_rows:
+        raise TooLarge(f"A batch has at most {max_rows} rows here; this one has {max(lengths)}: split it.")
+    amplitude, phase = (
+        {detector: reader.values(raw) for detector, raw in arrays.items()}
+        for arrays in (wire.calibration_amplitude, wire.calibration_phase)
+    )
+    if names is not None and tuple(names) == LIKELIHOOD_NAMES:  # what our client sends
+        return LikelihoodBatch(rows.copy(), amplitude, phase)  # a copy, because the body it views is read-only
+    if any(array.ndim != 2 for array in (*amplitude.values(), *phase.values())):
+        raise InvalidParameters("Calibration errors travel as one array [N, nodes] for each detector.")
+    calibration = {"calibration_amplitude": amplitude, "calibration_phase": phase}
+    return LikelihoodBatch.coerce({**columns, **calibration})
 
 
-def _real(raw: msgspec.Raw) -> NDArray[np.float64]:
-    array = decode_array(raw)
+def _real(array: NDArray[Any]) -> NDArray[np.float64]:
     if array.dtype.kind != "f":
         raise UndecodableBody("Parameters travel as <f8 or <f4 arrays.")
-    return np.asarray(array, dtype=np.float64)
+    return np.require(array, np.float64, "A")
 
 
 def encode_likelihood_answer(answer: LikelihoodAnswer) -> list[bytes | memoryview]:
@@ -130,6 +186,18 @@ def encode_likelihood_answer(answer: LikelihoodAnswer) -> list[bytes | memoryvie
         header, data = encode_array(array)
         parts += [msgspec.msgpack.encode(name) + bytes(header), data]
     return parts
+
+
+def encode_likelihood_answer_json(answer: LikelihoodAnswer) -> bytes:
+    """Write an answer as JSON, which has no infinities: a log-likelihood of -inf is null, and its status says why."""
+    return msgspec.json.encode(
+        {
+            "model": answer.model,
+            "analysis": answer.analysis,
+            "log_likelihood": answer.log_likelihood.tolist(),
+            "status": answer.status.tolist(),
+        }
+    )
 
 
 def decode_likelihood_answer(body: bytes | memoryview) -> LikelihoodAnswer:
