@@ -13,21 +13,30 @@ from fastapi.middleware.asyncexitstack import AsyncExitStackMiddleware
 from fastapi.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
+from bnserve_protocol import Analysis, WaveformModel, decode_analysis
+from bnserve_service.analyses import AnalysisStore
 from bnserve_service.answering import WaveformService
 from bnserve_service.batching import WorkQueue
+from bnserve_service.bound_likelihoods import BoundLikelihood, LikelihoodFactory
 from bnserve_service.cpu import available_cpus
-from bnserve_service.evaluation import Evaluator, Packed, Question
+from bnserve_service.evaluation import Evaluator
 from bnserve_service.grids import GridCache
 from bnserve_service.health import Health
 from bnserve_service.lifecycle import Lifecycle
+from bnserve_service.likelihood_answering import LikelihoodService
+from bnserve_service.likelihood_evaluation import LikelihoodEvaluator, evaluating_both
 from bnserve_service.loading import Loader, Selection
 from bnserve_service.maintenance import Maintenance
 from bnserve_service.metrics import Metrics
 from bnserve_service.openapi import openapi_document
+from bnserve_service.openapi_likelihoods import with_likelihoods
 from bnserve_service.registry import ModelFactory, ModelSource, Registry
+from bnserve_service.routes.analyses import analysis_router
 from bnserve_service.routes.explorer import explorer_router
 from bnserve_service.routes.grids import grid_router
 from bnserve_service.routes.health import health_router
+from bnserve_service.routes.likelihoods import PATHS as LIKELIHOOD_PATHS
+from bnserve_service.routes.likelihoods import LikelihoodEndpoint, LikelihoodLane, likelihood_routes
 from bnserve_service.routes.limits import limits_router
 from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
@@ -45,8 +54,10 @@ class Parts:
     settings: Settings
     registry: Registry
     grids: GridCache
-    queue: WorkQueue[Question, Packed]
+    analyses: AnalysisStore
+    queue: WorkQueue[Any, Any]
     waveforms: WaveformService
+    likelihoods: LikelihoodService
     lifecycle: Lifecycle
     health: Health
     maintenance: Maintenance
@@ -77,9 +88,10 @@ class Application(FastAPI):
         self.parts = parts
         self.wait_for_models = wait_for_models
         endpoint = WaveformEndpoint(parts.waveforms, parts.settings)
-        self._include_routers(endpoint)
+        likelihoods = LikelihoodEndpoint(parts.likelihoods, parts.settings)
+        self._include_routers(endpoint, likelihoods)
         self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
-        inner: ASGIApp = FastLane(self._serve_by_router, endpoint)
+        inner: ASGIApp = FastLane(LikelihoodLane(self._serve_by_router, likelihoods), endpoint)
         if parts.settings.tokens:
             inner = AccessMiddleware(inner, parts.settings.tokens)
         self._front = RequestContextMiddleware(inner, parts.metrics, parts.lifecycle, parts.settings.access_log)
@@ -93,17 +105,19 @@ class Application(FastAPI):
         scope["app"] = self
         await self._routing(scope, receive, send)
 
-    def _include_routers(self, endpoint: WaveformEndpoint) -> None:
+    def _include_routers(self, endpoint: WaveformEndpoint, likelihoods: LikelihoodEndpoint) -> None:
         parts, limits = self.parts, self.parts.settings.limits()
         self.include_router(model_router(parts.registry, limits))
         self.include_router(limits_router(limits))
         self.include_router(grid_router(parts.grids, parts.waveforms, parts.settings))
+        self.include_router(analysis_router(parts.analyses, parts.likelihoods, parts.settings))
         self.include_router(health_router(parts.health))
         self.include_router(explorer_router())
         if parts.settings.metrics_port is None:
             self.include_router(metrics_router(parts.metrics))
-        self.router.routes.extend(waveform_routes(endpoint))
-        document = msgspec.json.encode(openapi_document(self, PATHS, bool(parts.settings.tokens)))
+        self.router.routes.extend([*waveform_routes(endpoint), *likelihood_routes(likelihoods)])
+        described = openapi_document(self, PATHS, bool(parts.settings.tokens))
+        document = msgspec.json.encode(with_likelihoods(described, LIKELIHOOD_PATHS))
 
         @self.get("/openapi.json", include_in_schema=False)
         async def show_openapi() -> Response:
@@ -124,6 +138,7 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
         await parts.maintenance.stop()
         parts.queue.stop()
         parts.waveforms.close()
+        parts.likelihoods.close()
 
 
 def create_app(
@@ -131,6 +146,7 @@ def create_app(
     *,
     source: ModelSource | None = None,
     factory: ModelFactory | None = None,
+    bind: LikelihoodFactory | None = None,
     wait_for_models: bool = True,
 ) -> Application:
     """Build the service.
@@ -144,15 +160,19 @@ def create_app(
     factory:
         Builds a model from what the source loads; by default ``bnserve_surrogate.Model.from_artifact``. Any
         ``WaveformModel`` that has ``warm_up`` and ``self_check`` can be served.
+    bind:
+        Makes the likelihood of an analysis with a model; by default ``bnserve_inference.likelihood``.
     wait_for_models:
         Whether start-up (the ASGI lifespan) waits until the models are loaded.
     """
     settings = settings or Settings()
     metrics, registry, lifecycle = Metrics(), Registry(), Lifecycle()
     grids = GridCache(settings.max_grids, settings.max_grid_bytes, settings.max_frequencies)
-    queue: WorkQueue[Question, Packed] = WorkQueue(
-        Evaluator(metrics),
-        workers=settings.threads or available_cpus(),
+    analyses = AnalysisStore(settings, decode_analysis)
+    workers = settings.threads or available_cpus()
+    queue: WorkQueue[Any, Any] = WorkQueue(
+        evaluating_both(Evaluator(metrics), LikelihoodEvaluator(metrics, bind or _likelihood)),
+        workers=workers,
         capacity=settings.queue_samples,
         group_cost=settings.group_samples,
         metrics=metrics,
@@ -161,13 +181,18 @@ def create_app(
     health = Health(registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds)
     maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
     waveforms = WaveformService(settings, registry, grids, queue, lifecycle)
+    likelihoods = LikelihoodService(settings, registry, analyses, queue, lifecycle, workers)
     metrics.watch("bnserve_ready", "1 when the ready path answers 200", lambda: float(health.reason_unready() is None))
     metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
     metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.waiting)
     metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: settings.queue_samples)
     metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: waveforms.answer_bytes)
     metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: grids.stored_bytes)
-    parts = Parts(settings, registry, grids, queue, waveforms, lifecycle, health, maintenance, metrics)
+    metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses))
+    metrics.watch("bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes)
+    parts = Parts(
+        settings, registry, grids, analyses, queue, waveforms, likelihoods, lifecycle, health, maintenance, metrics
+    )
     return Application(parts, wait_for_models)
 
 
@@ -181,3 +206,9 @@ def _surrogate(artifact: Any) -> Any:
     from bnserve_surrogate import Model  # here, because it compiles: a custom factory need not pay for it
 
     return Model.from_artifact(artifact)
+
+
+def _likelihood(model: WaveformModel, analysis: Analysis) -> BoundLikelihood:
+    from bnserve_inference import likelihood  # here, because a server that only serves waveforms need not load it
+
+    return likelihood(model, analysis)

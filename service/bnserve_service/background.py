@@ -22,7 +22,7 @@ class BackgroundServer:
     settings:
         How; port 0 is a good choice.
     **parts:
-        ``source`` and ``factory`` of :func:`bnserve_service.create_app`.
+        ``source``, ``factory`` and ``bind`` of :func:`bnserve_service.create_app`.
 
     Raises
     ------

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
-from bnserve_protocol import ModelDescription
+from bnserve_protocol import ModelDescription, likelihood_nodes, likelihood_samples
+from bnserve_service.analyses import StoredAnalysis
 from bnserve_service.registry import Catalogue, LoadedModel
 from bnserve_service.settings import ServiceLimits
 
@@ -30,6 +31,35 @@ class GridDocument(msgspec.Struct, frozen=True):
 
     sha256: str
     frequencies: int
+
+
+class AnalysisDocument(msgspec.Struct, frozen=True):
+    """An uploaded analysis; its data are not told."""
+
+    sha256: str
+    kind: str
+    detectors: list[str]
+    nodes: int
+    """Frequencies at which the model is evaluated."""
+    samples_per_row: int
+    """Work of one log-likelihood, in samples: what the limits and the queue count."""
+    stored_bytes: int
+    model_digest: str | None
+    """The only model it may be evaluated with, if there is one."""
+
+
+def analysis_document(stored: StoredAnalysis) -> AnalysisDocument:
+    """Describe an uploaded analysis."""
+    settings = stored.analysis.settings
+    return AnalysisDocument(
+        sha256=stored.sha256,
+        kind=settings.kind,
+        detectors=list(settings.detectors),
+        nodes=likelihood_nodes(stored.analysis),
+        samples_per_row=likelihood_samples(stored.analysis),
+        stored_bytes=stored.nbytes,
+        model_digest=settings.model_digest,
+    )
 
 
 def model_document(loaded: LoadedModel, catalogue: Catalogue, limits: ServiceLimits) -> ModelDocument:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import cache
 
+import numpy as np
+from numpy.typing import NDArray
 from prometheus_client import (
     CONTENT_TYPE_LATEST,
     CollectorRegistry,
@@ -16,7 +18,7 @@ from prometheus_client import (
     generate_latest,
 )
 
-from bnserve_protocol import ModelIdentity, __version__
+from bnserve_protocol import ModelIdentity, RowStatus, __version__
 
 _METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"})
 _SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
@@ -51,6 +53,9 @@ class Metrics:
         )
         self._rows = Counter("bnserve_rows", "Waveforms evaluated", ["model"], registry=registry)
         self._samples = Counter("bnserve_samples", "Frequency samples evaluated", ["model"], registry=registry)
+        self._likelihoods = Counter(
+            "bnserve_likelihoods", "Log-likelihoods evaluated, by status", ["model", "status"], registry=registry
+        )
         self.withdrawn = Counter(
             "bnserve_withdrawn", "Jobs removed from the queue before evaluation", ["reason"], registry=registry
         )
@@ -76,6 +81,12 @@ class Metrics:
         """Count evaluated waveforms."""
         self._rows.labels(model).inc(rows)
         self._samples.labels(model).inc(samples)
+
+    def likelihoods(self, model: str, status: NDArray[np.uint8]) -> None:
+        """Count evaluated log-likelihoods by their :class:`RowStatus`."""
+        for value, rows in enumerate(np.bincount(status).tolist()):
+            if rows:
+                self._likelihoods.labels(model, RowStatus(value).name.lower()).inc(rows)
 
     def show_models(self, models: Mapping[tuple[str, str], ModelIdentity]) -> None:
         """State which models are served."""

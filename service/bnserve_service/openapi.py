@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import copy
+import re
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -10,11 +12,11 @@ from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from bnserve_protocol import JSON, MSGPACK, PARAMETER_DEFAULTS, PARAMETER_NAMES, PROBLEM_JSON, Problem, __version__
-from bnserve_service.documents import GridDocument, ModelDocument, ModelList
+from bnserve_service.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList
 from bnserve_service.settings import ServiceLimits
 
 _REF = "#/components/schemas/{name}"
-_STRUCTS = [Problem, ModelDocument, ModelList, GridDocument, ServiceLimits]
+_STRUCTS = [Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, ServiceLimits]
 
 _DESCRIPTION = """Gravitational waveforms of binary neutron stars from trained surrogates.
 
@@ -27,7 +29,7 @@ Answers carry `Content-Digest` (RFC 9530) and, where there was a request body, i
 
 _STATUSES = {
     "400": "The body cannot be decoded",
-    "404": "Unknown model, version, grid or path",
+    "404": "Unknown model, version, grid, analysis or path",
     "406": "No acceptable media type",
     "413": "Over a limit, which the body states",
     "415": "Media type not offered",
@@ -36,6 +38,11 @@ _STATUSES = {
     "503": "Full, draining or loading; see Retry-After",
     "504": "The deadline passed before the evaluation",
 }
+
+
+def reference(name: str) -> dict[str, Any]:
+    """A reference to the schema of that name."""
+    return {"$ref": _REF.format(name=name)}
 
 
 def _json_content(name: str) -> dict[str, Any]:
@@ -78,6 +85,9 @@ FOUND_OR_NOT: dict[int | str, dict[str, Any]] = {
     "default": {"description": "Any error; without a body, as always with HEAD"},
 }
 """The ``responses`` of a question without a body."""
+
+GONE: dict[int | str, dict[str, Any]] = {204: {"description": "It is forgotten"}, **_PROBLEMS}
+"""The ``responses`` of a ``DELETE``."""
 
 GRID_BODY: dict[str, Any] = {
     "requestBody": {
@@ -222,15 +232,25 @@ _HEADERS_IN = {
 }
 
 
-def _waveform_operation(path: str) -> dict[str, Any]:
-    request = {"schema": {"$ref": _REF.format(name="WaveformRequest")}}
-    answer = {"schema": {"$ref": _REF.format(name="WaveformAnswer")}}
-    names = [name for name in ("name", "version") if "{" + name + "}" in path]
+def post_operation(path: str, described: Mapping[str, Any], schemas: tuple[str, str], example: Any) -> dict[str, Any]:
+    """The path item of a ``POST`` that evaluates.
+
+    Parameters
+    ----------
+    path:
+        Its template.
+    described:
+        ``tags``, ``summary``, ``operationId``.
+    schemas:
+        Names of the request and of the answer.
+    example:
+        A request in JSON.
+    """
+    request, answer = ({"schema": {"$ref": _REF.format(name=name)}} for name in schemas)
+    names = re.findall(r"\{(\w+)\}", path)
     return {
         "post": {
-            "tags": ["waveforms"],
-            "summary": "Evaluate a batch of waveforms" + (" with a given version" if "version" in names else ""),
-            "operationId": "evaluate" + ("_version" if "version" in names else ""),
+            **described,
             "parameters": [
                 {"name": name, "in": "path", "required": True, "schema": {"type": "string"}} for name in names
             ]
@@ -238,10 +258,10 @@ def _waveform_operation(path: str) -> dict[str, Any]:
                 {"name": name, "in": "header", "required": False, "schema": {"type": kind}, "description": text}
                 for name, (kind, text) in _HEADERS_IN.items()
             ],
-            "requestBody": {"required": True, "content": {MSGPACK: request, JSON: request | {"example": _EXAMPLE}}},
+            "requestBody": {"required": True, "content": {MSGPACK: request, JSON: request | {"example": example}}},
             "responses": {
                 "200": {
-                    "description": "The waveforms",
+                    "description": "The answer",
                     "headers": {
                         "Content-Digest": {"schema": {"type": "string"}},
                         "X-Request-Digest": {"schema": {"type": "string"}},
@@ -254,6 +274,16 @@ def _waveform_operation(path: str) -> dict[str, Any]:
             },
         }
     }
+
+
+def _waveform_operation(path: str) -> dict[str, Any]:
+    versioned = "{version}" in path
+    described = {
+        "tags": ["waveforms"],
+        "summary": "Evaluate a batch of waveforms" + (" with a given version" if versioned else ""),
+        "operationId": "evaluate" + ("_version" if versioned else ""),
+    }
+    return post_operation(path, described, ("WaveformRequest", "WaveformAnswer"), _EXAMPLE)
 
 
 def openapi_document(app: FastAPI, waveform_paths: tuple[str, ...], with_tokens: bool) -> dict[str, Any]:

@@ -160,7 +160,7 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     announce:
         Gets a line with the address when the server listens, and one with the models when it is ready.
     **parts:
-        ``source`` and ``factory`` of :func:`bnserve_service.create_app`.
+        ``source``, ``factory`` and ``bind`` of :func:`bnserve_service.create_app`.
 
     Raises
     ------

@@ -1,0 +1,109 @@
+"""``PUT``, ``GET``, ``HEAD`` and ``DELETE /v1/analyses/{sha256}``: analyses uploaded once and named by their digest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from fastapi import APIRouter, Request, Response
+from starlette.types import Message, Receive
+
+from bnserve_protocol import MSGPACK, Overloaded, UnsupportedMediaType
+from bnserve_service.analyses import AnalysisStore
+from bnserve_service.documents import AnalysisDocument, analysis_document
+from bnserve_service.likelihood_answering import LikelihoodService
+from bnserve_service.openapi import FOUND_OR_NOT, GONE, answers_with
+from bnserve_service.openapi_likelihoods import ANALYSIS_BODY
+from bnserve_service.settings import Settings
+from bnserve_service.transport.answers import data_response
+from bnserve_service.transport.body import read_body
+from bnserve_service.transport.context import context_of
+from bnserve_service.transport.negotiation import media_type_of, refuse_encoded
+
+UPLOADS_AT_ONCE = 4
+"""So many bodies of the largest size may be on their way: what arrives is in memory before it counts as stored."""
+
+
+class UploadRoom:
+    """Memory for bodies on their way, counted as they arrive: a slow sender holds no more than it has sent.
+
+    Parameters
+    ----------
+    capacity:
+        Bytes of all together.
+    """
+
+    def __init__(self, capacity: int) -> None:
+        self._capacity = capacity
+        self.taken = 0
+        """Bytes held now."""
+
+    @contextmanager
+    def counting(self, receive: Receive) -> Iterator[Receive]:
+        """``receive``, which counts until the context ends.
+
+        Raises
+        ------
+        Overloaded
+            From that ``receive``: too many large bodies are on their way.
+        """
+        own = 0
+
+        async def counted() -> Message:
+            nonlocal own
+            message = await receive()
+            size = len(message.get("body", b""))
+            if self.taken + size > self._capacity:
+                raise Overloaded("Too many analyses are being uploaded at once; try again shortly.", retry_after=1.0)
+            own += size
+            self.taken += size
+            return message
+
+        try:
+            yield counted
+        finally:
+            self.taken -= own
+
+
+def analysis_router(analyses: AnalysisStore, service: LikelihoodService, settings: Settings) -> APIRouter:
+    """The paths of uploaded analyses."""
+    router = APIRouter(tags=["likelihoods"], default_response_class=Response)
+    limit = settings.max_analysis_bytes
+    room = UploadRoom(UPLOADS_AT_ONCE * limit)
+
+    @router.put(
+        "/v1/analyses/{sha256}",
+        responses=answers_with(AnalysisDocument, 201) | answers_with(AnalysisDocument),
+        status_code=201,
+        openapi_extra=ANALYSIS_BODY,
+    )
+    async def upload_analysis(request: Request, sha256: str) -> Response:
+        """Upload an analysis. 201 when it is new to this caller, 200 when it was here."""
+        context = context_of(request.scope)
+        refuse_encoded(context.headers)
+        if media_type_of(context.headers) not in ("", MSGPACK):
+            raise UnsupportedMediaType(f"Send the analysis as {MSGPACK}.")
+        with room.counting(request.receive) as receive:
+            body = await read_body(context.headers, receive, limit, settings.body_timeout)
+            context.request_digest = await service.digest(body)
+            stored, is_new = await service.keep(context.owner, sha256.lower(), body)
+        return data_response(request, analysis_document(stored), 201 if is_new else 200)
+
+    @router.get("/v1/analyses/{sha256}", responses=answers_with(AnalysisDocument))
+    async def show_analysis(request: Request, sha256: str) -> Response:
+        """What is known about an analysis of this caller; its data are not told."""
+        return data_response(request, analysis_document(analyses.get(context_of(request.scope).owner, sha256.lower())))
+
+    @router.head("/v1/analyses/{sha256}", responses=FOUND_OR_NOT)
+    async def find_analysis(request: Request, sha256: str) -> Response:
+        """Whether an analysis is here; 404 when it has to be uploaded."""
+        analyses.get(context_of(request.scope).owner, sha256.lower())
+        return Response(status_code=200)
+
+    @router.delete("/v1/analyses/{sha256}", responses=GONE, status_code=204)
+    async def forget_analysis(request: Request, sha256: str) -> Response:
+        """Forget an analysis of this caller."""
+        analyses.drop(context_of(request.scope).owner, sha256.lower())
+        return Response(status_code=204)
+
+    return router

@@ -1,0 +1,124 @@
+"""``POST /v1/models/{name}[/versions/{version}]/likelihoods/{sha256}``."""
+
+from __future__ import annotations
+
+import asyncio
+import re
+from collections.abc import Sequence
+
+from starlette.routing import Route
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from bnserve_protocol import JSON
+from bnserve_service.batching import Job
+from bnserve_service.errors import ClientDisconnected
+from bnserve_service.likelihood_answering import LikelihoodService, pack
+from bnserve_service.likelihood_evaluation import LikelihoodQuestion, LogLikelihoods
+from bnserve_service.routes.waveforms import WATCH_AFTER, answer_headers
+from bnserve_service.settings import Settings
+from bnserve_service.transport.answers import send_answer
+from bnserve_service.transport.body import read_body
+from bnserve_service.transport.context import RequestContext, context_of
+from bnserve_service.transport.negotiation import answer_media_type, request_media_type
+
+PATHS = ("/v1/models/{name}/likelihoods/{sha256}", "/v1/models/{name}/versions/{version}/likelihoods/{sha256}")
+
+_PATH = re.compile(r"/v1/models/(?P<name>[^/]+)(?:/versions/(?P<version>[^/]+))?/likelihoods/(?P<sha256>[^/]+)")
+
+
+class LikelihoodEndpoint:
+    """An ASGI application for the likelihood paths.
+
+    Parameters
+    ----------
+    service:
+        The use case.
+    settings:
+        Limits of size and time.
+    """
+
+    def __init__(self, service: LikelihoodService, settings: Settings) -> None:
+        self._service = service
+        self._settings = settings
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Evaluate one request."""
+        context = context_of(scope)
+        path = scope["path_params"]
+        media_type = request_media_type(context.headers)
+        answer_type = answer_media_type(context.headers, preferred=media_type)
+        deadline = context.deadline
+        body = await self._read(context, receive, media_type)
+        model, sha256 = (path["name"], path.get("version")), path["sha256"].lower()
+        question = await self._service.ask(context.owner, model, sha256, body, media_type)
+        del body
+        jobs = self._service.submit(question, deadline)
+        packed = pack(question, await self._wait(jobs, receive), answer_type)
+        await send_answer(send, 200, answer_headers(packed, answer_type, jobs[0].submitted), packed.parts)
+
+    async def _read(self, context: RequestContext, receive: Receive, media_type: str) -> bytes:
+        settings = self._settings
+        limit = settings.max_json_body_bytes if media_type == JSON else settings.max_body_bytes
+        body = await read_body(context.headers, receive, limit, settings.body_timeout)
+        context.request_digest = await self._service.digest(body)
+        return body
+
+    async def _wait(
+        self, jobs: Sequence[Job[LikelihoodQuestion, LogLikelihoods]], receive: Receive
+    ) -> list[LogLikelihoods]:
+        loop = asyncio.get_running_loop()
+        watcher: list[asyncio.Task[None]] = []
+        timer = loop.call_later(
+            WATCH_AFTER, lambda: watcher.append(loop.create_task(self._forget_when_gone(jobs, receive)))
+        )
+        try:
+            return [await job.result for job in jobs]
+        except BaseException:
+            self._service.withdraw(jobs)  # of the other pieces nobody wants to know any more
+            raise
+        finally:
+            timer.cancel()
+            for task in watcher:
+                task.cancel()
+
+    async def _forget_when_gone(
+        self, jobs: Sequence[Job[LikelihoodQuestion, LogLikelihoods]], receive: Receive
+    ) -> None:
+        while (await receive())["type"] != "http.disconnect":
+            pass
+        self._service.withdraw(jobs)
+        for job in jobs:
+            if not job.result.done():
+                job.result.set_exception(ClientDisconnected())
+                job.result.exception()  # retrieved: only the first of them is waited for
+
+
+def likelihood_routes(endpoint: LikelihoodEndpoint) -> list[Route]:
+    """The routes, for the router that knows all paths."""
+    return [Route(path, endpoint, methods=["POST"], name=path) for path in PATHS]
+
+
+class LikelihoodLane:
+    """Hands likelihood requests straight to their endpoint, past the router and its middlewares.
+
+    Parameters
+    ----------
+    app:
+        Where all other requests go.
+    endpoint:
+        Where these go.
+    """
+
+    def __init__(self, app: ASGIApp, endpoint: LikelihoodEndpoint) -> None:
+        self._app = app
+        self._endpoint = endpoint
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one HTTP request."""
+        match = _PATH.fullmatch(scope["path"]) if scope["method"] == "POST" else None
+        if match is None:
+            await self._app(scope, receive, send)
+            return
+        scope["path_params"] = match.groupdict()
+        context_of(scope).route = PATHS[match["version"] is not None]
+        await self._endpoint(scope, receive, send)
