@@ -11,9 +11,13 @@ Every error is one of :mod:`bnserve_protocol`; those that a remote model adds to
 """
 
 from bnserve_client._async_model import AsyncModel
+from bnserve_client._likelihood import AsyncLikelihood, Likelihood
 from bnserve_client._model import Model
 from bnserve_protocol import (
     AmplitudePhase,
+    Analysis,
+    AnalysisInvalid,
+    AnalysisUnknown,
     BnserveError,
     ConnectionFailed,
     DeadlineExceeded,
@@ -22,6 +26,8 @@ from bnserve_protocol import (
     InvalidFrequencies,
     InvalidParameters,
     InvalidRequest,
+    LikelihoodBatch,
+    LikelihoodParameters,
     ModelDescription,
     ModelUnknown,
     NotBnserve,
@@ -41,6 +47,10 @@ from bnserve_protocol import (
 
 __all__ = [
     "AmplitudePhase",
+    "Analysis",
+    "AnalysisInvalid",
+    "AnalysisUnknown",
+    "AsyncLikelihood",
     "AsyncModel",
     "BnserveError",
     "ConnectionFailed",
@@ -50,6 +60,9 @@ __all__ = [
     "InvalidFrequencies",
     "InvalidParameters",
     "InvalidRequest",
+    "Likelihood",
+    "LikelihoodBatch",
+    "LikelihoodParameters",
     "Model",
     "ModelDescription",
     "ModelUnknown",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from bnserve_client._connections import AsyncConnections
 from bnserve_client._drivers import run_async
+from bnserve_client._likelihood import AsyncLikelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._remote import RemoteModel, connecting, settings_from
 from bnserve_client._session import Pinned
@@ -16,6 +17,7 @@ from bnserve_client._sources import Source
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
+    Analysis,
     BatchLike,
     DtypeName,
     EvaluationOptions,
@@ -131,6 +133,11 @@ class AsyncModel:
     async def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
         return await self._run(self._remote.time_until_merger(frequency, parameters))
+
+    async def likelihood(self, analysis: Analysis) -> AsyncLikelihood:
+        """The likelihood of an analysis; see :meth:`.Model.likelihood`."""
+        await self._run(self._remote.likelihood(analysis).introduce())
+        return AsyncLikelihood(self, analysis)
 
     async def close(self) -> None:
         """Close the connections of this event loop."""

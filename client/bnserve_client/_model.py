@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from bnserve_client._connections import Connections
 from bnserve_client._drivers import run
+from bnserve_client._likelihood import Likelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._remote import RemoteModel, connecting, settings_from
 from bnserve_client._session import Pinned
@@ -16,6 +17,7 @@ from bnserve_client._sources import Source
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
+    Analysis,
     BatchLike,
     DtypeName,
     EvaluationOptions,
@@ -174,6 +176,21 @@ class Model:
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
         return self._run(self._remote.time_until_merger(frequency, parameters))
+
+    def likelihood(self, analysis: Analysis) -> Likelihood:
+        """The likelihood of an analysis, evaluated where the model is: eight bytes per sample travel back.
+
+        The analysis is uploaded now, unless the service has it, and again whenever the service has it no more.
+
+        Raises
+        ------
+        AnalysisInvalid
+            Made for another model, or refused by the service.
+        TooLarge
+            Larger than the service takes.
+        """
+        self._run(self._remote.likelihood(analysis).introduce())
+        return Likelihood(self, analysis)
 
     def close(self) -> None:
         """Close the connections."""

@@ -8,6 +8,7 @@ from typing import Any
 from bnserve_client._addresses import parse_addresses
 from bnserve_client._evaluation import Evaluator, Question
 from bnserve_client._grids import GridMemory
+from bnserve_client._likelihoods import RemoteLikelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._progress import require_tqdm
 from bnserve_client._results import multiply_out, own
@@ -15,6 +16,7 @@ from bnserve_client._session import Pinned, Session
 from bnserve_client._settings import Settings
 from bnserve_protocol import (
     AmplitudePhase,
+    Analysis,
     BatchLike,
     DtypeName,
     EvaluationOptions,
@@ -57,7 +59,8 @@ class RemoteModel:
         self.settings = settings
         self.pinned = pinned
         self._grids = GridMemory()
-        self._evaluator = Evaluator(Session(settings), pinned)
+        self._session = Session(settings)
+        self._evaluator = Evaluator(self._session, pinned)
         self._strain: OutputName = "factored" if len(pinned.description.modes) == 1 else "polarizations"
 
     def predict(
@@ -105,6 +108,10 @@ class RemoteModel:
             stencil.frequencies, stencil.unshifted(parameters), stencil.options
         )
         return stencil.seconds(answer.phase)
+
+    def likelihood(self, analysis: Analysis) -> RemoteLikelihood:
+        """Conversations about the likelihood of an analysis."""
+        return RemoteLikelihood(self._session, self.pinned, analysis)
 
     def _question(
         self, frequencies: GridLike, batch: BatchLike, output: OutputName, options: EvaluationOptions, dtype: DtypeName

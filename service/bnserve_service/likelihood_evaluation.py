@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import AnalysisInvalid, LikelihoodBatch, Limits, Overloaded, TooLarge, likelihood_samples
+from bnserve_protocol import LikelihoodBatch, Limits, Overloaded, TooLarge, check_model_of, likelihood_samples
 from bnserve_service.analyses import StoredAnalysis
 from bnserve_service.bound_likelihoods import BoundLikelihood, LikelihoodFactory
 from bnserve_service.metrics import Metrics
@@ -45,13 +45,8 @@ class LikelihoodQuestion:
 
     def check(self, limits: Limits) -> None:
         """Raise what need not wait for a worker: ``TooLarge``, and ``AnalysisInvalid`` for another model's analysis."""
-        analysis, identity = self.stored.analysis, self.model.identity
-        wanted = analysis.settings.model_digest
-        if wanted not in (None, identity.digest):
-            raise AnalysisInvalid(
-                f"This analysis is made for the model {wanted}, and cannot be evaluated with {identity.name} "
-                f"{identity.version} ({identity.digest}); make it again with this model, or ask the other one."
-            )
+        analysis = self.stored.analysis
+        check_model_of(analysis, self.model.identity)
         rows, samples = len(self.batch), likelihood_samples(analysis)
         if rows > limits.max_rows:
             raise TooLarge(f"A batch has at most {limits.max_rows} rows here; this one has {rows}: split it.")
