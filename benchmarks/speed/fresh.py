@@ -47,9 +47,7 @@ def first_waveform(setup: Setup, repetitions: int) -> dict[str, Any]:
 def _seconds_until_printed(command: Sequence[str]) -> float:
     started = time.monotonic()  # the same clock in every process
     environment = os.environ | ONE_THREAD
-    done = subprocess.run(
-        command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=True
-    )
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     return float(done.stdout.split()[-1]) - started
 
 
