@@ -8,7 +8,6 @@ from typing import TypeVar
 
 import msgspec
 
-from bnserve_client._digests import content_digest
 from bnserve_client._failures import not_bnserve
 from bnserve_client._messages import HttpResponse
 from bnserve_protocol import (
@@ -21,6 +20,7 @@ from bnserve_protocol import (
     TooLarge,
     UndecodableBody,
     WaveformAnswer,
+    content_digest,
     decode_answer,
 )
 
@@ -39,7 +39,7 @@ def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes
     where:
         The address, for messages.
     asked:
-        The :func:`.request_digest` of the question; None for a GET.
+        The :func:`bnserve_protocol.request_digest` of the question; None for a GET.
 
     Raises
     ------
@@ -53,7 +53,7 @@ def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes
     stated = response.headers.get("content-digest")
     if stated is None:
         raise _stranger(response, where)
-    if stated != content_digest(response.body):
+    if stated != content_digest([response.body], "crc32c" if stated.startswith("crc32c=") else "sha-256"):
         raise AnswerCorrupted(f"An answer from {where} was damaged on the way: its Content-Digest does not match.")
     answered = response.headers.get("x-request-digest")
     successful = 200 <= response.status < 300
@@ -90,12 +90,22 @@ def read_waveforms(body: bytes | memoryview, where: str, model: ModelIdentity) -
         answer = decode_answer(body)
     except UndecodableBody as error:
         raise AnswerCorrupted(f"An answer from {where} cannot be read: {error.detail}") from error
-    if answer.model != model:
+    check_model(answer.model, where, model)
+    return answer
+
+
+def check_model(answered: ModelIdentity, where: str, model: ModelIdentity) -> None:
+    """Refuse the answer of another model.
+
+    Raises
+    ------
+    AnswerCorrupted
+    """
+    if answered != model:
         raise AnswerCorrupted(
-            f"{where} answered with {answer.model.name} {answer.model.version} ({answer.model.digest}), but this model "
+            f"{where} answered with {answered.name} {answered.version} ({answered.digest}), but this model "
             f"is pinned to {model.name} {model.version} ({model.digest}). Connect again to use the other one."
         )
-    return answer
 
 
 def _problem(response: HttpResponse, where: str) -> BnserveError:

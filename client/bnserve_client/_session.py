@@ -10,7 +10,6 @@ from urllib.parse import quote
 import msgspec
 
 from bnserve_client._answers import read_json, trusted_body
-from bnserve_client._digests import request_digest
 from bnserve_client._failures import not_bnserve
 from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, Send, Sleep
 from bnserve_client._patience import Patience
@@ -20,12 +19,14 @@ from bnserve_protocol import (
     JSON,
     MSGPACK,
     PROBLEM_JSON,
+    WANTED_DIGEST,
     BnserveError,
     Limits,
     ModelDescription,
     ModelIdentity,
     ModelUnknown,
     __version__,
+    request_digest,
 )
 
 _T = TypeVar("_T")
@@ -97,9 +98,13 @@ class Session:
 
     def upload_grid(self, sha256: str, frequencies: bytes, patience: Patience) -> Conversation[None]:
         """Make a grid known to the replica that ``patience`` is talking to."""
-        headers = (*self._headers, ("Content-Type", _OCTETS), ("Accept", f"{JSON}, {PROBLEM_JSON}"))
-        request = HttpRequest("PUT", f"/v1/grids/{sha256}", headers, frequencies)
-        asked = request_digest(frequencies)
+        return self.upload(f"/v1/grids/{sha256}", _OCTETS, frequencies, patience)
+
+    def upload(self, path: str, media_type: str, body: bytes, patience: Patience) -> Conversation[None]:
+        """Put something that its path names by its digest."""
+        headers = (*self._headers, ("Content-Type", media_type), ("Accept", f"{JSON}, {PROBLEM_JSON}"))
+        request = HttpRequest("PUT", path, headers, body)
+        asked = request_digest(body)
 
         def read(response: HttpResponse, where: str) -> None:
             trusted_body(response, where, asked)
@@ -121,7 +126,12 @@ class Session:
         max_bytes:
             More than any right answer can have.
         """
-        headers = (*self._headers, ("Content-Type", MSGPACK), ("Accept", f"{MSGPACK}, {PROBLEM_JSON}"))
+        headers = (
+            *self._headers,
+            ("Content-Type", MSGPACK),
+            ("Accept", f"{MSGPACK}, {PROBLEM_JSON}"),
+            ("Want-Content-Digest", WANTED_DIGEST),
+        )
         request = HttpRequest("POST", path, headers, body)
         asked = request_digest(body)
 

@@ -12,6 +12,7 @@ from bnserve_protocol._analyses import (
     encode_analysis,
 )
 from bnserve_protocol._analysis_checks import PRIOR_NAMES
+from bnserve_protocol._analysis_model import check_model_of
 from bnserve_protocol._answers import (
     ModelIdentity,
     WaveformAnswer,
@@ -21,6 +22,7 @@ from bnserve_protocol._answers import (
 )
 from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
+from bnserve_protocol._digests import WANTED_DIGEST, DigestName, content_digest, request_digest
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,
     AccessDenied,
@@ -63,12 +65,14 @@ from bnserve_protocol._errors import (
 )
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest
 from bnserve_protocol._likelihood import Likelihood, LikelihoodCounts
+from bnserve_protocol._likelihood_cost import likelihood_nodes, likelihood_samples
 from bnserve_protocol._likelihood_messages import (
     LikelihoodAnswer,
     LikelihoodRequest,
     decode_likelihood_answer,
     decode_likelihood_request,
     encode_likelihood_answer,
+    encode_likelihood_answer_json,
     encode_likelihood_request,
 )
 from bnserve_protocol._likelihood_parameters import (
@@ -77,6 +81,7 @@ from bnserve_protocol._likelihood_parameters import (
     LikelihoodBatchLike,
     LikelihoodParameters,
 )
+from bnserve_protocol._likelihood_rows import refuse_rows
 from bnserve_protocol._limits import Limits
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
@@ -128,6 +133,7 @@ __all__ = [
     "PRIOR_NAMES",
     "PROBLEM_JSON",
     "SOLAR_MASS_SECONDS",
+    "WANTED_DIGEST",
     "AccessDenied",
     "AmplitudePhase",
     "Analysis",
@@ -145,6 +151,7 @@ __all__ = [
     "ComplexArray",
     "ConnectionFailed",
     "DeadlineExceeded",
+    "DigestName",
     "DistanceMarginalisation",
     "Draining",
     "DtypeName",
@@ -206,6 +213,8 @@ __all__ = [
     "__version__",
     "as_frequencies",
     "check_dtype",
+    "check_model_of",
+    "content_digest",
     "decode_analysis",
     "decode_answer",
     "decode_array",
@@ -217,8 +226,13 @@ __all__ = [
     "encode_answer_json",
     "encode_array",
     "encode_likelihood_answer",
+    "encode_likelihood_answer_json",
     "encode_likelihood_request",
     "encode_request",
     "grid_digest",
+    "likelihood_nodes",
+    "likelihood_samples",
+    "refuse_rows",
+    "request_digest",
     "time_until_merger",
 ]

@@ -18,6 +18,15 @@ cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm `
 and estimated_mismatch ``[N]`` from models that have it."""
 
 
+ALIGNMENT = 64
+"""Of large arrays within the body: a cache line, and what the widest vector instructions like."""
+LARGE = 2**16
+"""Smaller arrays are cheaper to copy than to align."""
+
+_encode = msgspec.msgpack.Encoder().encode
+_MODEL = _encode("model")
+
+
 class ModelIdentity(msgspec.Struct, frozen=True):
     """Which model answered."""
 
@@ -38,13 +47,30 @@ _identity = msgspec.msgpack.Decoder(ModelIdentity)
 
 
 def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> list[bytes | memoryview]:
-    """Write an answer as a list of buffers; array memory is not copied. Joined, they are one MessagePack map."""
-    head = bytes([0x80 + len(arrays) + 1]) + msgspec.msgpack.encode("model") + msgspec.msgpack.encode(model)
-    parts: list[bytes | memoryview] = [head]
+    """Write an answer as a list of buffers; array memory is not copied. Joined, they are one MessagePack map.
+
+    The data of a large array begins at a multiple of 64 bytes, behind a field of zeros named ``pad_`` and its name: a
+    reader who puts the body into aligned memory can use the array where it is.
+    """
+    large = [name for name, array in arrays.items() if array.nbytes >= LARGE]
+    start = b"%c" % (0x80 + 1 + len(arrays) + len(large)) + _MODEL + _encode(model)
+    parts: list[bytes | memoryview] = []
+    position = 0
     for name, array in arrays.items():
         header, data = encode_array(array)
-        parts += [msgspec.msgpack.encode(name) + bytes(header), data]
+        start += _encode(name) + bytes(header) if name not in large else _padded(name, header, position + len(start))
+        parts += [start, data]
+        position += len(start) + len(data)
+        start = b""
     return parts
+
+
+def _padded(name: str, header: bytes | memoryview, position: int) -> bytes:
+    """A field up to its data, with zeros before it so that the data is aligned when it is put at ``position``."""
+    field = _encode(name) + bytes(header)
+    filler = _encode(f"pad_{name}") + b"\xc4"
+    missing = -(position + len(filler) + 1 + len(field)) % ALIGNMENT
+    return filler + bytes([missing]) + bytes(missing) + field
 
 
 def encode_answer_json(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> bytes:

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from bnserve_protocol import (
+    DigestName,
     GridDigest,
     GridLike,
     Overloaded,
@@ -75,7 +76,9 @@ class WaveformService:
         """SHA-256 of a request body, in hexadecimal."""
         return await self.large_or_small(len(body), sha256_hex, body)
 
-    async def ask(self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str) -> Question:
+    async def ask(
+        self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str, digest: DigestName
+    ) -> Question:
         """Decode and check a request.
 
         Raises
@@ -95,6 +98,7 @@ class WaveformService:
             dtype=request.dtype,
             options=request.options,
             media_type=answer_type,
+            digest=digest,
         )
         question.check(self._limits)
         return question
@@ -136,7 +140,7 @@ class WaveformService:
         ------
         Overloaded, DeadlineExceeded
         """
-        return self._queue.submit(question.key, question.cost, question, deadline)
+        return self._queue.submit(question.key, question.cost, question, deadline, quick=question.quick)
 
     def withdraw(self, job: Job[Question, Packed]) -> None:
         """Forget a job whose caller went away."""

@@ -2,7 +2,8 @@
 together.
 
 The queue knows neither physics nor HTTP. A job is a payload with a key and a cost; jobs of one key may be evaluated in
-one call. Everything but the evaluation itself happens on the event loop or under one short lock.
+one call. Everything but the evaluation itself happens on the event loop or under one short lock; jobs whose evaluation
+takes less time than the hand-over to a worker are evaluated there too, all that came in one turn of the loop together.
 """
 
 from __future__ import annotations
@@ -39,6 +40,8 @@ class Job(Generic[P, R]):
     result: asyncio.Future[R]
     deadline: float | None = None
     submitted: float = field(default_factory=time.monotonic)
+    quick: bool = False
+    """Whether it is evaluated on the event loop."""
     timer: asyncio.TimerHandle | None = None
 
 
@@ -79,6 +82,7 @@ class WorkQueue(Generic[P, R]):
         self._group_cost = group_cost
         self._metrics = metrics
         self._groups: OrderedDict[Hashable, deque[Job[P, R]]] = OrderedDict()
+        self._quick: list[Job[P, R]] = []
         self._cost = 0
         self._rate = _ASSUMED_RATE * workers
         self._changed = threading.Condition()
@@ -125,7 +129,9 @@ class WorkQueue(Generic[P, R]):
             if worker.thread.is_alive():
                 worker.thread.join(timeout=10.0)
 
-    def submit(self, key: Hashable, cost: int, payload: P, deadline: float | None = None) -> Job[P, R]:
+    def submit(
+        self, key: Hashable, cost: int, payload: P, deadline: float | None = None, *, quick: bool = False
+    ) -> Job[P, R]:
         """Queue a job.
 
         Parameters
@@ -138,6 +144,9 @@ class WorkQueue(Generic[P, R]):
             What ``evaluate`` gets.
         deadline:
             ``time.monotonic()`` after which the answer is of no use.
+        quick:
+            Its evaluation takes less time than handing it to a worker: it is done on the event loop, together with
+            the others that this turn of the loop brought in.
 
         Raises
         ------
@@ -155,10 +164,15 @@ class WorkQueue(Generic[P, R]):
                 "The queue of this server is full; try again shortly, or another replica.",
                 retry_after=min(30.0, max(1.0, self._cost / self._rate)),
             )
-        job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now)
+        job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick)
+        self._cost += cost
+        if quick:
+            if not self._quick:
+                self._loop.call_soon(self._evaluate_quick)  # after all that this turn of the loop has brought in
+            self._quick.append(job)
+            return job
         if deadline is not None:
             job.timer = self._loop.call_later(deadline - now, self._expire, job)
-        self._cost += cost
         with self._changed:
             self._groups.setdefault(key, deque()).append(job)
             self._changed.notify()
@@ -176,6 +190,21 @@ class WorkQueue(Generic[P, R]):
         self._release(job)
         self._metrics.withdrawn.labels(reason).inc()
         return True
+
+    def _evaluate_quick(self) -> None:
+        jobs, self._quick = self._quick, []
+        groups: dict[Hashable, deque[Job[P, R]]] = {}
+        for job in jobs:
+            if job.result.done():  # its caller went away
+                self._release(job)
+            else:
+                groups.setdefault(job.key, deque()).append(job)
+        for group in groups.values():
+            while group:
+                together = self._next_of(group)
+                started = time.monotonic()
+                outcomes = self._evaluate_safely([job.payload for job in together])
+                self._deliver(together, outcomes, started, time.monotonic())
 
     def _expire(self, job: Job[P, R]) -> None:
         if self.withdraw(job, "deadline"):
@@ -206,14 +235,19 @@ class WorkQueue(Generic[P, R]):
                     return None
                 self._changed.wait()
             key, group = self._groups.popitem(last=False)
-            jobs = [group.popleft()]
-            cost = jobs[0].cost
-            while group and cost + group[0].cost <= self._group_cost:
-                jobs.append(group.popleft())
-                cost += jobs[-1].cost
+            jobs = self._next_of(group)
             if group:
                 self._groups[key] = group  # at the end: every key gets its turn
             return jobs
+
+    def _next_of(self, group: deque[Job[P, R]]) -> list[Job[P, R]]:
+        """What is evaluated together next: the first job of a group, and those after it while they fit."""
+        jobs = [group.popleft()]
+        cost = jobs[0].cost
+        while group and cost + group[0].cost <= self._group_cost:
+            jobs.append(group.popleft())
+            cost += jobs[-1].cost
+        return jobs
 
     def _evaluate_safely(self, payloads: Sequence[P]) -> Sequence[Any]:
         try:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import (
     JSON,
+    DigestName,
     DtypeName,
     EvaluationOptions,
     GridLike,
@@ -26,7 +27,7 @@ from bnserve_protocol import (
 )
 from bnserve_service.digests import Buffer, content_digest
 from bnserve_service.metrics import Metrics
-from bnserve_service.registry import LoadedModel, ServedModel
+from bnserve_service.registry import LoadedModel, ServedModel, quick_work
 from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
 
 Arrays: TypeAlias = dict[str, NDArray[Any]]
@@ -45,6 +46,8 @@ class Question:
     dtype: DtypeName
     options: EvaluationOptions
     media_type: str
+    digest: DigestName = "sha-256"
+    """Of the answer, as the caller wants it."""
 
     @property
     def key(self) -> Hashable:
@@ -60,6 +63,12 @@ class Question:
     def cost(self) -> int:
         """Work in samples, what is fixed per row and per request included."""
         return len(self.batch) * (self.points + ROW_COST) + REQUEST_COST
+
+    @property
+    def quick(self) -> bool:
+        """Whether it takes less time than handing it to a worker."""
+        work = len(self.batch) * (self.points + ROW_COST)
+        return work <= quick_work(self.model.model) and self.media_type != JSON
 
     @property
     def answer_bytes(self) -> int:
@@ -196,6 +205,6 @@ def pack(question: Question, arrays: Arrays, started: float, evaluated: float) -
     parts: list[Buffer] = (
         [encode_answer_json(arrays, identity)] if question.media_type == JSON else encode_answer(arrays, identity)
     )
-    digest = content_digest(parts)
+    digest = content_digest(parts, question.digest)
     length = sum(len(part) for part in parts)
     return Packed(parts, digest, length, evaluated, time.monotonic() - begun, started)

@@ -79,6 +79,18 @@ def test_encoding_copies_no_array():
     )
 
 
+@pytest.mark.parametrize("rows", [1, 255, 256, 257])
+def test_large_arrays_begin_at_a_multiple_of_64_bytes_and_anybody_reads_them(rows):
+    h = np.arange(rows * 300, dtype=complex).reshape(rows, 300)
+    arrays = {"h_plus": h, "h_cross": 1j * h, "status": np.zeros(rows, np.uint8)}
+    body = b"".join(encode_answer(arrays, MODEL))
+    if h.nbytes >= 2**16:
+        assert body.index(h.tobytes()) % 64 == body.index((1j * h).tobytes()) % 64 == 0
+    message = read_message(body)
+    assert all(np.array_equal(message[name], array) for name, array in arrays.items())
+    assert all(np.array_equal(decode_answer(body).arrays[name], array) for name, array in arrays.items())
+
+
 def test_decoding_gives_read_only_views_of_the_body():
     body = b"".join(encode_answer(arrays_of(ANSWERS["factored"]), MODEL))
     strain = decode_answer(body).arrays["h"]

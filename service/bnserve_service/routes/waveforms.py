@@ -18,7 +18,7 @@ from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import send_answer
 from bnserve_service.transport.body import read_body
 from bnserve_service.transport.context import RequestContext, context_of
-from bnserve_service.transport.negotiation import answer_media_type, request_media_type
+from bnserve_service.transport.negotiation import answer_digest, answer_media_type, request_media_type
 
 PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
 
@@ -49,14 +49,17 @@ class WaveformEndpoint:
         parameters = scope["path_params"]
         media_type = request_media_type(context.headers)
         answer_type = answer_media_type(context.headers, preferred=media_type)
+        digest = answer_digest(context.headers)
         deadline = context.deadline
         body = await self._read(context, receive, media_type)
-        question = await self._service.ask(parameters["name"], parameters.get("version"), body, media_type, answer_type)
+        question = await self._service.ask(
+            parameters["name"], parameters.get("version"), body, media_type, answer_type, digest
+        )
         del body
         with self._service.reserve(question):
             job = self._service.submit(question, deadline)
             packed = await self._wait(job, receive)
-            headers = _headers(packed, answer_type, job.submitted)
+            headers = answer_headers(packed, answer_type, job.submitted)
             await send_answer(send, 200, headers, packed.parts)
 
     async def _read(self, context: RequestContext, receive: Receive, media_type: str) -> bytes:
@@ -67,6 +70,8 @@ class WaveformEndpoint:
         return body
 
     async def _wait(self, job: Job[Question, Packed], receive: Receive) -> Packed:
+        if job.quick:
+            return await job.result
         loop = asyncio.get_running_loop()
         watcher: list[asyncio.Task[None]] = []
         timer = loop.call_later(
@@ -90,7 +95,8 @@ class WaveformEndpoint:
             job.result.set_exception(ClientDisconnected())
 
 
-def _headers(packed: Packed, media_type: str, submitted: float) -> list[tuple[bytes, bytes]]:
+def answer_headers(packed: Packed, media_type: str, submitted: float) -> list[tuple[bytes, bytes]]:
+    """The headers of an evaluated answer, with the time that its parts took."""
     timing = "queue;dur={:.3f}, eval;dur={:.3f}, pack;dur={:.3f}".format(
         *(1e3 * seconds for seconds in (packed.started - submitted, packed.evaluated, packed.packed))
     )

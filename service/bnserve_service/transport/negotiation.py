@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
-from bnserve_protocol import JSON, MSGPACK, NotAcceptable, UnsupportedMediaType
+from bnserve_protocol import JSON, MSGPACK, DigestName, NotAcceptable, UnsupportedMediaType
 
 OFFERED = (MSGPACK, JSON)
 OCTETS = "application/octet-stream"
@@ -59,6 +60,27 @@ def answer_media_type(headers: Mapping[bytes, bytes], preferred: str) -> str:
     accept = headers.get(b"accept")
     if accept is None or accept == b"*/*":
         return preferred
+    return _best(accept, preferred)
+
+
+def answer_digest(headers: Mapping[bytes, bytes]) -> DigestName:
+    """The algorithm of ``Content-Digest`` that ``Want-Content-Digest`` (RFC 9530) likes best, by default SHA-256."""
+    wanted = headers.get(b"want-content-digest")
+    return "sha-256" if wanted is None else _preferred_digest(wanted)
+
+
+@lru_cache(maxsize=64)
+def _preferred_digest(wanted: bytes) -> DigestName:
+    weights = {"sha-256": 0, "crc32c": 0}
+    for item in wanted.decode("latin-1").lower().split(","):
+        name, _, weight = (part.strip() for part in item.partition("="))
+        if name in weights and weight.isascii() and weight.isdigit():
+            weights[name] = int(weight[:2])
+    return "crc32c" if weights["crc32c"] > weights["sha-256"] else "sha-256"
+
+
+@lru_cache(maxsize=64)
+def _best(accept: bytes, preferred: str) -> str:
     ranges = _parse(accept.decode("latin-1").lower())
     candidates = [preferred, *(offer for offer in OFFERED if offer != preferred)]
     qualities = {offer: _quality(offer, ranges) for offer in candidates}
