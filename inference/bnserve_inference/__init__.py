@@ -1,3 +1,37 @@
 """Likelihoods over any waveform model, local or remote."""
 
-__all__: list[str] = []
+from bnserve_inference._analyses import full_analysis, relative_binning_analysis, roq_analysis
+from bnserve_inference._building import LikelihoodOptions
+from bnserve_inference._calibration import calibration_nodes
+from bnserve_inference._data import DetectorData
+from bnserve_inference._detectors import Detector, sidereal_time
+from bnserve_inference._errors import DetectorsMissing
+from bnserve_inference._evaluation import LikelihoodValues, LocalLikelihood, likelihood
+from bnserve_inference._gwosc import fourier_strain, gwosc_segment, read_gwosc
+from bnserve_inference._noise import gaussian_noise, interpolate_asd, read_asd
+from bnserve_inference._projection import antenna_pattern, detector_strain, simulate_data, time_delay
+
+__all__ = [
+    "Detector",
+    "DetectorData",
+    "DetectorsMissing",
+    "LikelihoodOptions",
+    "LikelihoodValues",
+    "LocalLikelihood",
+    "antenna_pattern",
+    "calibration_nodes",
+    "detector_strain",
+    "fourier_strain",
+    "full_analysis",
+    "gaussian_noise",
+    "gwosc_segment",
+    "interpolate_asd",
+    "likelihood",
+    "read_asd",
+    "read_gwosc",
+    "relative_binning_analysis",
+    "roq_analysis",
+    "sidereal_time",
+    "simulate_data",
+    "time_delay",
+]

@@ -92,13 +92,17 @@ def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
     analysis:
         The digest of the analysis.
     batch:
-        What to evaluate; its parameters travel as one ``[N, 13]`` array with names, NaN where one was left out.
+        What to evaluate; its parameters travel as one ``[N, 13]`` array with names, without what was left out.
     """
+    names = [name for name in LIKELIHOOD_NAMES if name not in batch.absent]
+    values = batch.values
+    if batch.absent:
+        values = np.ascontiguousarray(values[:, [LIKELIHOOD_NAMES.index(name) for name in names]])
     return msgspec.msgpack.encode(
         _WireRequest(
             analysis=analysis,
-            names=list(LIKELIHOOD_NAMES),
-            parameters=_raw(batch.values),
+            names=names,
+            parameters=_raw(values),
             calibration_amplitude={name: _raw(array) for name, array in batch.calibration_amplitude.items()},
             calibration_phase={name: _raw(array) for name, array in batch.calibration_phase.items()},
         )

@@ -60,13 +60,14 @@ LIKELIHOOD_NAMES: tuple[str, ...] = tuple(
 )
 """The parameters in the order of the columns of :attr:`LikelihoodBatch.values`."""
 _DEFAULTS = {"distance_mpc": math.nan, "coalescence_time": math.nan, "reference_phase": 0.0}
+_OPTIONAL = ("distance_mpc", "coalescence_time")
+"""What has no default, and may yet be left out where it is marginalised."""
 
 
 class LikelihoodBatch:
     """N signals: their parameters as one ``(N, 13)`` float64 array, and calibration errors by detector.
 
-    Build one with :meth:`coerce`. Columns are in the order of :data:`LIKELIHOOD_NAMES`; a parameter that was left out
-    because it is marginalised is a column of NaN.
+    Build one with :meth:`coerce`. Columns are in the order of :data:`LIKELIHOOD_NAMES`.
 
     Attributes
     ----------
@@ -74,19 +75,23 @@ class LikelihoodBatch:
         ``(N, 13)``.
     calibration_amplitude, calibration_phase:
         ``{detector: (N, nodes)}``; both have the same detectors and shapes.
+    absent:
+        Names that were left out, as marginalised parameters may be; their columns are NaN.
     """
 
-    __slots__ = ("calibration_amplitude", "calibration_phase", "values")
+    __slots__ = ("absent", "calibration_amplitude", "calibration_phase", "values")
 
     values: NDArray[np.float64]
     calibration_amplitude: dict[str, NDArray[np.float64]]
     calibration_phase: dict[str, NDArray[np.float64]]
+    absent: frozenset[str]
 
     def __init__(
         self,
         values: ArrayLike,
         calibration_amplitude: Mapping[str, ArrayLike] | None = None,
         calibration_phase: Mapping[str, ArrayLike] | None = None,
+        absent: Iterable[str] = (),
     ) -> None:
         array = np.ascontiguousarray(_as_floats("parameters", values))
         if array.ndim != 2 or array.shape[1] != len(LIKELIHOOD_NAMES):
@@ -95,6 +100,7 @@ class LikelihoodBatch:
                 f"{', '.join(LIKELIHOOD_NAMES)}; got {array.shape}."
             )
         self.values = array
+        self.absent = frozenset(absent)
         self.calibration_amplitude, self.calibration_phase = _calibration(
             len(array), calibration_amplitude or {}, calibration_phase or {}
         )
@@ -106,30 +112,27 @@ class LikelihoodBatch:
         """The column of one parameter, shape ``(N,)``."""
         return self.values[:, LIKELIHOOD_NAMES.index(name)]
 
-    def absent(self, name: str) -> bool:
-        """Whether a parameter was left out: its column is NaN throughout."""
-        return bool(np.isnan(self[name]).all())
-
-    def waveform_batch(self, distance_mpc: float | None = None) -> ParameterBatch:
-        """The waveform's part; with ``distance_mpc`` given, at that one distance."""
+    def waveform_batch(self, **fixed: float) -> ParameterBatch:
+        """The waveform's part, without a time shift; ``fixed`` parameters have one value in every row."""
         values = np.zeros((len(self), len(PARAMETER_NAMES)))
         for column, name in enumerate(PARAMETER_NAMES):
-            if name in LIKELIHOOD_NAMES:
+            if name in fixed:
+                values[:, column] = fixed[name]
+            elif name in LIKELIHOOD_NAMES:
                 values[:, column] = self[name]
-        if distance_mpc is not None:
-            values[:, PARAMETER_NAMES.index("distance_mpc")] = distance_mpc
         return ParameterBatch(values)
 
     def split(self, rows: int) -> list[LikelihoodBatch]:
         """Consecutive pieces of at most ``rows`` rows."""
         return [self.rows(slice(start, start + rows)) for start in range(0, len(self), rows)]
 
-    def rows(self, index: slice) -> LikelihoodBatch:
-        """Some consecutive rows."""
+    def rows(self, index: slice | NDArray[np.intp]) -> LikelihoodBatch:
+        """Some of the rows."""
         return LikelihoodBatch(
             self.values[index],
             {name: array[index] for name, array in self.calibration_amplitude.items()},
             {name: array[index] for name, array in self.calibration_phase.items()},
+            self.absent,
         )
 
     @classmethod
@@ -157,7 +160,8 @@ class LikelihoodBatch:
         if isinstance(batch, Sequence) and all(isinstance(row, LikelihoodParameters) for row in batch):
             rows = [[getattr(row, name) for name in LIKELIHOOD_NAMES] for row in batch]
             values = _as_floats("parameters", rows).reshape(len(rows), len(LIKELIHOOD_NAMES))
-            return cls(values, *(_stacked(batch, name) for name in CALIBRATION_NAMES))
+            absent = [name for name in _OPTIONAL if all(math.isnan(getattr(row, name)) for row in batch)]
+            return cls(values, *(_stacked(batch, name) for name in CALIBRATION_NAMES), absent)
         raise InvalidParameters(
             "A batch is a list of LikelihoodParameters or a mapping from parameter names to numbers and vectors; "
             f"got {type(batch).__name__}."
@@ -175,7 +179,8 @@ class LikelihoodBatch:
         values = np.empty((rows, len(LIKELIHOOD_NAMES)))
         for column, name in enumerate(LIKELIHOOD_NAMES):
             values[:, column] = arrays[name] if name in arrays else _DEFAULTS[name]
-        return cls(values, *(_repeated(rows, name, columns.get(name, {})) for name in CALIBRATION_NAMES))
+        absent = [name for name in _OPTIONAL if name not in columns]
+        return cls(values, *(_repeated(rows, name, columns.get(name, {})) for name in CALIBRATION_NAMES), absent)
 
 
 LikelihoodBatchLike: TypeAlias = (

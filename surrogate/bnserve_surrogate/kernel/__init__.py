@@ -2,7 +2,7 @@
 
 from bnserve_surrogate.kernel._evaluate import evaluate_amplitude_phase, evaluate_strain
 from bnserve_surrogate.kernel._layout import ACTIVATIONS, MAX_DEGREE, MAX_WIDTH, KernelModel, build_kernel_model
-from bnserve_surrogate.kernel._loader import load_kernel
+from bnserve_surrogate.kernel._loader import load_assembly, load_kernel
 
 __all__ = [
     "ACTIVATIONS",
@@ -12,5 +12,6 @@ __all__ = [
     "build_kernel_model",
     "evaluate_amplitude_phase",
     "evaluate_strain",
+    "load_assembly",
     "load_kernel",
 ]

@@ -29,10 +29,25 @@ def load_kernel() -> Callable[..., int]:
 
     Compiled for the processor at hand on the first call; later calls return the same function.
     """
+    return load_assembly(ASSEMBLY, ENTRY_POINT, _SIGNATURE)
+
+
+def load_assembly(assembly: Path, entry_point: str, signature: str) -> Callable[..., int]:
+    """A function of an assembly file, compiled for the processor at hand; calling it releases the GIL.
+
+    Parameters
+    ----------
+    assembly:
+        What :mod:`.build` wrote.
+    entry_point:
+        The function's name.
+    signature:
+        Its arguments: ``p`` for a pointer, ``i`` for an integer; blanks do not count.
+    """
     with _lock:
         llvm.initialize_native_target()
         llvm.initialize_native_asmprinter()
-        module = llvm.parse_assembly(ASSEMBLY.read_text())
+        module = llvm.parse_assembly(assembly.read_text())
         target = llvm.Target.from_default_triple()
         machine = target.create_target_machine(
             cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=3
@@ -46,5 +61,5 @@ def load_kernel() -> Callable[..., int]:
         engine = llvm.create_mcjit_compiler(module, machine)
         engine.finalize_object()
         _engines.append(engine)
-        types = [_POINTER if kind == "p" else _INTEGER for kind in _SIGNATURE.replace(" ", "")]
-        return ctypes.CFUNCTYPE(ctypes.c_int32, *types)(engine.get_function_address(ENTRY_POINT))
+        types = [_POINTER if kind == "p" else _INTEGER for kind in signature.replace(" ", "")]
+        return ctypes.CFUNCTYPE(ctypes.c_int32, *types)(engine.get_function_address(entry_point))

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
+from typing import Any
 
 import llvmlite.binding as llvm
 
@@ -19,8 +20,7 @@ from bnserve_surrogate.kernel._loader import ASSEMBLY, DIGEST_PREFIX, ENTRY_POIN
 
 def compile_kernel() -> str:
     """The kernel as LLVM assembly, neither vectorised nor bound to a processor."""
-    # Read by numba when it is imported: what depends on the processor is left to the loader.
-    os.environ.update(NUMBA_OPT="1", NUMBA_LOOP_VECTORIZE="0", NUMBA_SLP_VECTORIZE="0", NUMBA_CPU_NAME="generic")
+    configure_numba()
     from numba import carray, cfunc, types
 
     from bnserve_surrogate.baseline import PHASE_LOG_POWERS, PHASE_POWERS
@@ -61,17 +61,26 @@ def compile_kernel() -> str:
             carray(estimates, n_estimates),
         )
 
-    return _detach(entry._library.get_llvm_str(), entry.native_name)
+    return detach(entry, ENTRY_POINT)
 
 
-def _detach(assembly: str, wrapper: str) -> str:
-    """Remove everything that ties numba's output to a Python process or to a processor, and simplify what is left."""
+def configure_numba() -> None:
+    """Leave what depends on the processor to the loader; numba reads this when it is imported."""
+    os.environ.update(NUMBA_OPT="1", NUMBA_LOOP_VECTORIZE="0", NUMBA_SLP_VECTORIZE="0", NUMBA_CPU_NAME="generic")
+
+
+def detach(entry: Any, entry_point: str) -> str:
+    """The assembly of a numba callback, named ``entry_point``, simplified, and free of Python and of the processor.
+
+    ``entry`` is the ``cfunc`` called ``entry`` of a function called ``compile_kernel``.
+    """
+    assembly, wrapper = entry._library.get_llvm_str(), entry.native_name
     # The function behind the callback's wrapper: (return slot, exception slot, arguments) -> status.
     native = re.search(r"^define [^@\n]*i32 @(\w*compile_kernel\w*entry\w*)\(", assembly, re.M)
     if native is None:
         raise RuntimeError("numba names the compiled function differently now; adapt the pattern above.")
     assembly = re.sub(rf"^define [^\n]*@{wrapper}\(.*?^}}\n", "", assembly, flags=re.M | re.S)
-    assembly = assembly.replace(native.group(1), ENTRY_POINT)
+    assembly = assembly.replace(native.group(1), entry_point)
     # No array in the kernel owns memory, so there are no references to count.
     for name in ("NRT_incref", "NRT_decref"):
         assembly = re.sub(

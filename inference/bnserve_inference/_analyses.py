@@ -1,0 +1,237 @@
+"""Building analyses: from strain, noise and settings to the arrays that a likelihood is evaluated with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Ranges
+from bnserve_inference._data import DetectorData
+from bnserve_inference._fiducial import FiducialBasis
+from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, linear_moments, quadratic_weights, time_table
+from bnserve_protocol import (
+    Analysis,
+    AnalysisInvalid,
+    AnalysisKind,
+    BatchLike,
+    EvaluationOptions,
+    FieldError,
+    ParameterBatch,
+    WaveformModel,
+)
+
+TIME_TOLERANCE = 3e-6
+"""Error of <d|h> from interpolating weights over time, for a signal of norm one: times the signal-to-noise ratio."""
+
+
+class Basis(Protocol):
+    """What an analysis needs of a basis, such as :class:`bnserve_inference.roq.ReducedOrderQuadrature`."""
+
+    @property
+    def linear_nodes(self) -> NDArray[np.float64]:
+        """Hz, increasing, ``(L,)``."""
+
+    @property
+    def quadratic_nodes(self) -> NDArray[np.float64]:
+        """Hz, increasing, ``(Q,)``."""
+
+    def linear_chunks(self, model: Any) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
+        """Rows of h on the grid, piece by piece, ``(L, m)``."""
+
+    def quadratic_chunks(self, model: Any) -> Iterator[tuple[slice, NDArray[np.float64]]]:
+        """Rows of abs(h)**2 on the grid, piece by piece, ``(Q, m)``."""
+
+
+def full_analysis(
+    data: Sequence[DetectorData],
+    *,
+    trigger_time: float,
+    f_min: float,
+    f_max: float,
+    alignment: Alignment = "merger",
+    options: LikelihoodOptions = LikelihoodOptions(),  # noqa: B008  (frozen)
+) -> Analysis:
+    """The exact likelihood, on all frequencies of the data.
+
+    Parameters
+    ----------
+    data:
+        Of every detector.
+    trigger_time:
+        GPS seconds that all times are relative to.
+    f_min, f_max:
+        Band in Hz, multiples of 1 / duration.
+    alignment:
+        What ``coalescence_time`` means for a waveform: see ``EvaluationOptions``.
+    options:
+        Prior ranges, marginalisations, calibration.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Data or settings that no likelihood could be evaluated with.
+    DetectorsMissing
+        LAL is not installed.
+    """
+    band = Band(data, trigger_time, f_min, f_max)
+    band.check_times(options.prior.get("coalescence_time", (0.0, 0.0)))
+    arrays = band.arrays([row[None, :] for row in band.data], band.densities)
+    return Analysis(settings=band.settings("full", alignment, options), arrays=arrays)
+
+
+def roq_analysis(
+    data: Sequence[DetectorData],
+    *,
+    trigger_time: float,
+    basis: Any,
+    model: WaveformModel | None,
+    options: LikelihoodOptions,
+) -> Analysis:
+    """The likelihood by reduced-order quadrature.
+
+    Parameters
+    ----------
+    basis:
+        A :class:`~bnserve_inference.roq.ReducedOrderQuadrature`; band, duration and alignment are its own.
+    model:
+        The one that the basis was built for.
+    options:
+        Its ``prior`` must state ``coalescence_time`` (seconds from the trigger) and must be covered by the basis; where
+        it is silent, the ranges of the basis hold. Other parameters as :func:`full_analysis`.
+
+    Raises
+    ------
+    AnalysisInvalid
+        As :func:`full_analysis`; also data of another duration, or a prior that the basis does not cover.
+    """
+    band = Band(data, trigger_time, basis.f_min, basis.f_max)
+    if abs(band.duration - basis.duration) > 1e-9 * basis.duration:
+        raise AnalysisInvalid(
+            f"The basis is for data of {basis.duration} s and the data last {band.duration} s; build a basis for them.",
+            errors=[FieldError(reason="not that of the data", parameter="duration", value=basis.duration)],
+        )
+    options = _covered(options, basis.prior)
+    if model is not None:
+        basis.check_model(model)
+    reference = _middle(basis.prior)
+    return _reduced("roq", band, basis, model, basis.alignment, options, reference, basis.model_digest or None)
+
+
+def relative_binning_analysis(
+    data: Sequence[DetectorData],
+    *,
+    trigger_time: float,
+    f_min: float,
+    f_max: float,
+    fiducial: BatchLike,
+    model: WaveformModel,
+    phase_tolerance: float = 0.5,
+    alignment: Alignment = "merger",
+    options: LikelihoodOptions,
+) -> Analysis:
+    """The likelihood by relative binning (heterodyning) around a fiducial waveform.
+
+    The ratio to the fiducial waveform is interpolated by a cubic spline through the edges of bins; the time of arrival
+    is not part of the ratio, so that it may lie anywhere in its prior.
+
+    Parameters
+    ----------
+    fiducial:
+        One binary near the maximum of the likelihood; its distance and orientation do not matter.
+    model:
+        Makes the fiducial waveform; the analysis may then be evaluated with any model.
+    phase_tolerance:
+        Radians by which waveforms that fit may differ from the fiducial one across a bin.
+    options:
+        Its ``prior`` must state ``coalescence_time``. Other parameters as :func:`full_analysis`.
+
+    Raises
+    ------
+    AnalysisInvalid, OutOfDomain
+        As :func:`full_analysis`; the fiducial binary outside the model's range.
+    """
+    band = Band(data, trigger_time, f_min, f_max)
+    one = ParameterBatch.one(fiducial)
+    basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment)
+    return _reduced("relative_binning", band, basis, model, alignment, _covered(options, {}), one, None)
+
+
+def _reduced(
+    kind: AnalysisKind,
+    band: Band,
+    basis: Basis,
+    model: WaveformModel | None,
+    alignment: Alignment,
+    options: LikelihoodOptions,
+    reference: ParameterBatch | None,
+    model_digest: str | None,
+) -> Analysis:
+    times = options.prior["coalescence_time"]
+    band.check_times(times)
+    arrivals = TimeRange(times[0] - ARRIVAL_MARGIN, times[1] + ARRIVAL_MARGIN)
+    quadratic = quadratic_weights(basis.quadratic_chunks(model), band.densities)
+    moments = linear_moments(basis.linear_chunks(model), basis.linear_nodes, band.frequencies, band.data, arrivals)
+    amplitudes = _amplitudes(basis, quadratic, model, reference, alignment)
+    grid, table, _ = time_table(moments, amplitudes, TIME_TOLERANCE)
+    arrays = band.arrays(list(table), list(quadratic))
+    arrays |= {"linear_nodes": basis.linear_nodes, "quadratic_nodes": basis.quadratic_nodes}
+    return Analysis(settings=band.settings(kind, alignment, options, grid, model_digest), arrays=arrays)
+
+
+def _amplitudes(
+    basis: Basis,
+    quadratic: NDArray[np.float64],
+    model: WaveformModel | None,
+    reference: ParameterBatch | None,
+    alignment: Alignment,
+) -> NDArray[np.float64]:
+    """Size of a typical strain at the linear nodes, ``(D, L)``, of norm one in every detector."""
+    f, q = basis.linear_nodes, basis.quadratic_nodes
+    if model is None or reference is None:
+        at_linear, at_quadratic = f ** (-7.0 / 6.0), q ** (-7.0 / 6.0)
+    else:
+        options = EvaluationOptions(alignment=alignment)
+        at_linear = np.abs(model.predict_factored(f, reference, options=options).h[0])
+        at_quadratic = np.abs(model.predict_factored(q, reference, options=options).h[0])
+    norms = np.abs(quadratic @ at_quadratic**2)
+    return at_linear / np.sqrt(norms)[:, None]
+
+
+def _covered(options: LikelihoodOptions, ranges: Ranges) -> LikelihoodOptions:
+    """The options with all ranges stated; refuses a prior beyond ``ranges`` and one without a coalescence time."""
+    prior = dict(options.prior)
+    if "coalescence_time" not in prior:
+        raise AnalysisInvalid(
+            "State the prior range of 'coalescence_time' in seconds from the trigger: the weights are made for it.",
+            errors=[FieldError(reason="missing", parameter="coalescence_time")],
+        )
+    for name, (low, high) in ranges.items():
+        wanted = prior.setdefault(name, (low, high))
+        if wanted[0] < low or wanted[1] > high:
+            raise AnalysisInvalid(
+                f"The basis covers '{name}' from {low} to {high}, the prior wants {wanted[0]} to {wanted[1]}. Narrow the "
+                "prior or build a wider basis.",
+                errors=[FieldError(reason="not covered by the basis", parameter=name)],
+            )
+    return LikelihoodOptions(
+        prior=prior,
+        phase_marginalisation=options.phase_marginalisation,
+        time_marginalisation=options.time_marginalisation,
+        distance_marginalisation=options.distance_marginalisation,
+        calibration=options.calibration,
+    )
+
+
+def _middle(prior: Ranges) -> ParameterBatch | None:
+    """The binary in the middle of a basis' ranges, or None where they do not say which."""
+    centre = {name: 0.5 * (low + high) for name, (low, high) in prior.items()}
+    if "total_mass" not in centre and "chirp_mass" in centre and "mass_ratio" in centre:
+        q = centre["mass_ratio"]
+        centre["total_mass"] = centre.pop("chirp_mass") * ((1.0 + q) ** 2 / q) ** 0.6
+    wanted = ("mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "total_mass")
+    if any(name not in centre for name in wanted):
+        return None
+    return ParameterBatch.coerce({name: centre[name] for name in wanted} | {"distance_mpc": 100.0, "inclination": 0.0})

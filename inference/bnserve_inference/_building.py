@@ -1,0 +1,141 @@
+"""What building an analysis of any kind has in common."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._data import DetectorData
+from bnserve_inference._detectors import sidereal_time
+from bnserve_protocol import (
+    AnalysisInvalid,
+    AnalysisKind,
+    AnalysisSettings,
+    Calibration,
+    DistanceMarginalisation,
+    FieldError,
+    TimeGrid,
+    TimeMarginalisation,
+)
+
+Alignment = Literal["post_newtonian", "merger"]
+Ranges = Mapping[str, tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class LikelihoodOptions:
+    """What is integrated over, and what the detectors are uncertain about.
+
+    Parameters
+    ----------
+    prior:
+        Ranges by name outside of which the log-likelihood is -inf. ``coalescence_time`` is relative to the trigger;
+        kinds other than the full one need it.
+    phase_marginalisation:
+        Over a uniform prior of the reference phase.
+    time_marginalisation, distance_marginalisation:
+        Over the priors they state; None for none.
+    calibration:
+        The nodes of calibration envelopes; None for perfect detectors.
+    """
+
+    prior: Ranges = field(default_factory=dict)
+    phase_marginalisation: bool = False
+    time_marginalisation: TimeMarginalisation | None = None
+    distance_marginalisation: DistanceMarginalisation | None = None
+    calibration: Calibration | None = None
+
+
+class Band:
+    """The data of a network in the band of an analysis.
+
+    Attributes
+    ----------
+    frequencies:
+        The grid in Hz, ``(M,)``.
+    data:
+        Per detector ``4 / T conj(d) / S``, complex ``(M,)``, with time zero at the trigger.
+    densities:
+        Per detector ``4 / (T S)``, ``(M,)``.
+    """
+
+    def __init__(self, data: Sequence[DetectorData], trigger_time: float, f_min: float, f_max: float) -> None:
+        if not data:
+            raise AnalysisInvalid("An analysis needs the data of at least one detector.")
+        durations = {detector.duration for detector in data}
+        if len(durations) > 1:
+            raise AnalysisInvalid(f"All detectors must have data of one duration; got {sorted(durations)} s.")
+        self.detectors, self.trigger_time = data, trigger_time
+        self.f_min, self.f_max, self.duration = f_min, f_max, durations.pop()
+        checked = [detector.checked(f_min, f_max) for detector in data]
+        self.frequencies = f_min + np.arange(len(checked[0][0])) / self.duration
+        self.densities = [4.0 / self.duration / asd**2 for _, asd in checked]
+        self.data = []
+        self.noise_log_likelihood = 0.0
+        for detector, (strain, _), density in zip(data, checked, self.densities, strict=True):
+            turn = np.exp(-2j * np.pi * self.frequencies * (trigger_time - detector.start_time))
+            self.data.append(density * strain.conj() * turn)
+            self.noise_log_likelihood -= 0.5 * float(np.sum(density * np.abs(strain) ** 2))
+
+    def check_times(self, times: tuple[float, float]) -> None:
+        """Refuse coalescence times outside the data.
+
+        Raises
+        ------
+        AnalysisInvalid
+        """
+        for detector in self.detectors:
+            low, high = (self.trigger_time + time - detector.start_time for time in times)
+            if low < 0.0 or high > detector.duration:
+                raise AnalysisInvalid(
+                    f"Coalescence times from {times[0]} to {times[1]} s around the trigger reach beyond the data of "
+                    f"{detector.name}, GPS {detector.start_time} to {detector.start_time + detector.duration}.",
+                    errors=[FieldError(reason="outside the data", parameter="coalescence_time")],
+                )
+
+    def settings(
+        self,
+        kind: AnalysisKind,
+        alignment: Alignment,
+        options: LikelihoodOptions,
+        time_grid: TimeGrid | None = None,
+        model_digest: str | None = None,
+    ) -> AnalysisSettings:
+        """The settings of an analysis of this data."""
+        now, rate = sidereal_time(self.trigger_time)
+        return AnalysisSettings(
+            kind=kind,
+            detectors=tuple(detector.name for detector in self.detectors),
+            f_min=self.f_min,
+            f_max=self.f_max,
+            duration=self.duration,
+            trigger_time=self.trigger_time,
+            sidereal_time=now,
+            sidereal_rate=rate,
+            alignment=alignment,
+            prior=dict(options.prior),
+            time_grid=time_grid,
+            phase_marginalisation=options.phase_marginalisation,
+            time_marginalisation=options.time_marginalisation,
+            distance_marginalisation=options.distance_marginalisation,
+            calibration=options.calibration,
+            model_digest=model_digest,
+            noise_log_likelihood=self.noise_log_likelihood,
+        )
+
+    def arrays(
+        self, linear: Sequence[NDArray[np.complex128]], quadratic: Sequence[NDArray[np.float64]]
+    ) -> dict[str, NDArray[Any]]:
+        """The arrays that every analysis has: weights and sites of the detectors."""
+        arrays: dict[str, NDArray[Any]] = {}
+        for detector, table, weights in zip(self.detectors, linear, quadratic, strict=True):
+            site = detector.site()
+            arrays[f"response/{detector.name}"] = site.response
+            arrays[f"location/{detector.name}"] = site.location
+            arrays[f"linear_weights/{detector.name}"] = table
+            arrays[f"quadratic_weights/{detector.name}"] = weights
+        return arrays

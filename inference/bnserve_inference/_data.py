@@ -1,0 +1,122 @@
+"""The data of one detector: strain and noise in the frequency domain."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bnserve_inference._detectors import Detector
+from bnserve_protocol import AnalysisInvalid, FieldError
+
+
+@dataclass(frozen=True, eq=False)
+class DetectorData:
+    """Strain and amplitude spectral density of one detector at the frequencies k / duration, k = 0, 1, ....
+
+    Parameters
+    ----------
+    detector:
+        Name (LAL's prefix, such as ``"H1"``) or a :class:`Detector`.
+    strain:
+        Fourier transform of the strain, complex ``(K,)`` in 1/Hz, with LAL's sign (that of ``numpy.fft.rfft`` times
+        the time step), whose time zero is ``start_time``.
+    asd:
+        One-sided amplitude spectral density, ``(K,)`` in 1/sqrt(Hz). Infinite where there is no data, which is allowed
+        outside of the analysis' band alone.
+    start_time:
+        GPS seconds of the first sample.
+    duration:
+        Seconds.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Strain and ASD of different length, or not vectors.
+    """
+
+    detector: Detector | str
+    strain: NDArray[np.complex128]
+    asd: NDArray[np.float64]
+    start_time: float
+    duration: float
+
+    def __post_init__(self) -> None:
+        strain, asd = _vector("strain", self.strain, np.complex128), _vector("asd", self.asd, np.float64)
+        if len(strain) != len(asd):
+            raise AnalysisInvalid(
+                f"The strain of {self.name} has {len(strain)} frequencies and its ASD has {len(asd)}; both must be given "
+                "at the multiples of 1 / duration from zero (see `interpolate_asd`)."
+            )
+        if not (np.isfinite(self.start_time) and np.isfinite(self.duration) and self.duration > 0.0):
+            raise AnalysisInvalid(f"Start time and duration of {self.name} must be finite, the duration positive.")
+        object.__setattr__(self, "strain", strain)
+        object.__setattr__(self, "asd", asd)
+
+    @property
+    def name(self) -> str:
+        """Of the detector."""
+        return self.detector if isinstance(self.detector, str) else self.detector.name
+
+    def site(self) -> Detector:
+        """Response and location of the detector; raises as :meth:`Detector.named`."""
+        return Detector.named(self.detector) if isinstance(self.detector, str) else self.detector
+
+    def band(self, f_min: float, f_max: float) -> slice:
+        """Where the frequencies from ``f_min`` to ``f_max`` are; both are multiples of 1 / duration.
+
+        Raises
+        ------
+        AnalysisInvalid
+            Frequencies between the data's, or a band that the data does not contain.
+        """
+        bins = f_min * self.duration, f_max * self.duration
+        for name, value, place in (("f_min", f_min, bins[0]), ("f_max", f_max, bins[1])):
+            if not abs(place - round(place)) < 1e-6:
+                raise AnalysisInvalid(
+                    f"'{name}' ({value} Hz) must be a multiple of 1 / duration ({1.0 / self.duration} Hz).",
+                    errors=[FieldError(reason="not on the data's grid", parameter=name, value=value)],
+                )
+        first, last = (round(place) for place in bins)
+        if not 0 < first < last < len(self.strain):
+            raise AnalysisInvalid(
+                f"The band [{f_min}, {f_max}] Hz is not inside the data of {self.name}, which ends at "
+                f"{(len(self.strain) - 1) / self.duration} Hz; both ends must be positive and increasing.",
+                errors=[FieldError(reason="outside the data", parameter="f_max", value=f_max)],
+            )
+        return slice(first, last + 1)
+
+    def checked(self, f_min: float, f_max: float) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+        """Strain and ASD in a band.
+
+        Raises
+        ------
+        AnalysisInvalid
+            As :meth:`band`, NaN or infinite strain, or an ASD that is not positive and finite throughout.
+        """
+        band = self.band(f_min, f_max)
+        strain, asd = self.strain[band], self.asd[band]
+        self._refuse_where(~np.isfinite(strain), band.start, "strain", "is not finite; remove the gap before windowing")
+        self._refuse_where(np.isnan(asd), band.start, "ASD", "is not a number; estimate it from other data")
+        self._refuse_where(asd <= 0.0, band.start, "ASD", "is not positive; zeros would weigh infinitely")
+        self._refuse_where(np.isinf(asd), band.start, "ASD", "is a gap (infinite); narrow the band or fill it")
+        return strain, asd
+
+    def _refuse_where(self, bad: NDArray[np.bool_], first: int, what: str, reason: str) -> None:
+        if bad.any():
+            place = (first + int(np.argmax(bad))) / self.duration
+            raise AnalysisInvalid(
+                f"The {what} of {self.name} at {place:.6g} Hz {reason}. {int(bad.sum())} frequencies of the band are so.",
+                errors=[FieldError(reason=reason, parameter=what, value=place)],
+            )
+
+
+def _vector(name: str, value: ArrayLike, dtype: type) -> NDArray:
+    try:
+        array = np.ascontiguousarray(value, dtype=dtype)
+    except (TypeError, ValueError) as error:
+        raise AnalysisInvalid(f"The {name} of a detector must be a vector of numbers.") from error
+    if np.ndim(value) != 1 or len(array) == 0:
+        raise AnalysisInvalid(f"The {name} of a detector must be a vector; got shape {np.shape(value)}.")
+    return array

@@ -1,0 +1,72 @@
+"""Detectors and the rotation of the Earth, from LAL (``bnserve-inference[detectors]``).
+
+LAL and not astropy, because its detectors are the ones that every published analysis uses, to the bit, and because it
+has both them and the sidereal time; astropy knows no gravitational-wave detector and wants tables from the network.
+Only building an analysis comes here: an analysis carries the tensors, places and sidereal time that evaluating it needs.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._errors import DetectorsMissing
+from bnserve_protocol import AnalysisInvalid, FieldError
+
+
+@dataclass(frozen=True, eq=False)
+class Detector:
+    """Name, response tensor ``(3, 3)`` and location ``(3,)`` in metres, in the Earth-fixed frame of LAL."""
+
+    name: str
+    response: NDArray[np.float64]
+    location: NDArray[np.float64]
+
+    @classmethod
+    def named(cls, name: str) -> Detector:
+        """A detector by LAL's two-character prefix, such as ``"H1"``.
+
+        Raises
+        ------
+        AnalysisInvalid
+            LAL knows no such detector.
+        DetectorsMissing
+            LAL is not installed.
+        """
+        known = _lal().cached_detector_by_prefix
+        if name not in known:
+            raise AnalysisInvalid(
+                f"LAL knows no detector '{name[:32]}'; known are {', '.join(sorted(known))}. Give another one's response "
+                "and location as a Detector.",
+                errors=[FieldError(reason="unknown detector", parameter="detector", value=name[:32])],
+            )
+        # LAL keeps its tensors in single precision: these are the ones that all analyses use.
+        response = np.array(known[name].response, dtype=np.float64)
+        return cls(name=name, response=response, location=np.array(known[name].location, dtype=np.float64))
+
+
+def sidereal_time(gps: float) -> tuple[float, float]:
+    """Greenwich mean sidereal time at a GPS time in radians, within [0, 2 pi), and its rate in radians per second.
+
+    Over the seconds around a trigger the time is linear to a part in 10^15.
+    """
+    lal = _lal()
+    half = 32.0
+    before, after = (lal.GreenwichMeanSiderealTime(lal.LIGOTimeGPS(gps + offset)) for offset in (-half, half))
+    now = lal.GreenwichMeanSiderealTime(lal.LIGOTimeGPS(gps))
+    return math.fmod(now, 2.0 * math.pi) % (2.0 * math.pi), (after - before) / (2.0 * half)
+
+
+def _lal() -> Any:
+    try:
+        import lal
+    except ImportError as error:
+        raise DetectorsMissing(
+            "Building an analysis takes the detectors and the sidereal time from LAL, which is not installed: "
+            "pip install 'bnserve-inference[detectors]'."
+        ) from error
+    return lal

@@ -1,0 +1,228 @@
+"""Evaluating the likelihood of an analysis with a waveform model in this process."""
+
+from __future__ import annotations
+
+import threading
+from typing import Literal, NamedTuple
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._chirp_z import ChirpZ
+from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0, log_mean_over_times
+from bnserve_inference._rows import check_batch, refuse_rows, row_statuses
+from bnserve_inference.kernel import Contraction, Sky
+from bnserve_protocol import (
+    Analysis,
+    AnalysisInvalid,
+    EvaluationOptions,
+    Factored,
+    FieldError,
+    LikelihoodBatch,
+    LikelihoodBatchLike,
+    LikelihoodCounts,
+    RowStatus,
+    WaveformModel,
+)
+
+Floats = NDArray[np.float64]
+
+_TILE_POINTS = 2**16
+"""Strain that is worked on at once, in points: a megabyte, which stays in the cache between model and contraction."""
+_MOST_ROWS = 256
+_TILE_TIMES = 2**16
+"""Sums over times that are kept at once."""
+
+
+class LikelihoodValues(NamedTuple):
+    """Log-likelihood ratios float64 ``(N,)``, -inf wherever the :class:`RowStatus`, uint8 ``(N,)``, is not OK."""
+
+    log_likelihood: Floats
+    status: NDArray[np.uint8]
+
+
+class LocalLikelihood:
+    """A likelihood evaluated in this process; satisfies :class:`bnserve_protocol.Likelihood`.
+
+    A row's bits depend on the row, the analysis and the model alone. Safe to share between threads.
+
+    Parameters
+    ----------
+    model:
+        Any waveform model.
+    analysis:
+        Of any kind.
+    invalid_rows:
+        ``"flag"``: rows outside the prior's or the model's range are -inf and counted. ``"error"``: they raise.
+
+    Raises
+    ------
+    AnalysisInvalid
+        The analysis was made for another model.
+    """
+
+    def __init__(
+        self, model: WaveformModel, analysis: Analysis, *, invalid_rows: Literal["flag", "error"] = "flag"
+    ) -> None:
+        _check_model(model, analysis)
+        self._model, self._analysis, self._invalid_rows = model, analysis, invalid_rows
+        settings = analysis.settings
+        self._contraction = Contraction(analysis)
+        self._options = EvaluationOptions(out_of_domain="flag", alignment=settings.alignment)
+        distances = settings.distance_marginalisation
+        self._distance = None if distances is None else DistanceIntegral(distances)
+        self._fixed = {"reference_phase": 0.0} if settings.phase_marginalisation else {}
+        if self._distance is not None:
+            self._fixed["distance_mpc"] = self._distance.reference
+        self._times = 1
+        points = len(self._contraction.frequencies)
+        self._tile = min(_MOST_ROWS, max(1, _TILE_POINTS // points))
+        sums = settings.time_marginalisation
+        if sums is not None:
+            self._times = max(1, int(np.ceil((sums.maximum - sums.minimum) / sums.step - 1e-9)))
+            self._tile = min(self._tile, max(1, _TILE_TIMES // self._times))
+            if settings.kind == "full":
+                self._chirp_z = ChirpZ(points, self._times, sums.step / settings.duration)
+        self._counts = LikelihoodCounts()
+        self._lock = threading.Lock()
+
+    @property
+    def analysis(self) -> Analysis:
+        """What is evaluated."""
+        return self._analysis
+
+    @property
+    def model(self) -> WaveformModel:
+        """What makes the waveforms."""
+        return self._model
+
+    @property
+    def counts(self) -> LikelihoodCounts:
+        """Rows evaluated through this object so far, and how many of them were -inf, by reason."""
+        return self._counts
+
+    @property
+    def frequencies(self) -> Floats:
+        """Where the model is evaluated, ``(M,)`` in Hz."""
+        return self._contraction.frequencies
+
+    def log_likelihood(self, batch: LikelihoodBatchLike) -> Floats:
+        """ln of the ratio of the likelihoods with and without the signal, ``(N,)``.
+
+        Raises
+        ------
+        InvalidParameters
+            Names, shapes or calibration nodes that do not fit the analysis.
+        OutOfDomain
+            With ``invalid_rows="error"``: rows outside the prior's or the model's range.
+        """
+        values = self.evaluate(batch)
+        if self._invalid_rows == "error":
+            refuse_rows(values.status)
+        return values.log_likelihood
+
+    def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
+        """As :meth:`log_likelihood`, with the status of every row; rows that cannot be evaluated never raise."""
+        coerced = LikelihoodBatch.coerce(batch)
+        check_batch(coerced, self._analysis.settings)
+        status = row_statuses(coerced, self._analysis.settings)
+        result = np.full(len(coerced), -np.inf)
+        good = np.flatnonzero(status == RowStatus.OK)
+        for start in range(0, len(good), self._tile):
+            rows = good[start : start + self._tile]
+            result[rows], status[rows] = self._evaluate_tile(coerced.rows(rows))
+        self._count(status)
+        return LikelihoodValues(result, status)
+
+    def _evaluate_tile(self, batch: LikelihoodBatch) -> tuple[Floats, NDArray[np.uint8]]:
+        factored = self._model.predict_factored(
+            self.frequencies, batch.waveform_batch(**self._fixed), options=self._options
+        )
+        status = np.array(factored.status)
+        with np.errstate(invalid="ignore"):  # rows that the model flagged are NaN
+            values = self._combine(factored, batch)
+        values[status != RowStatus.OK] = -np.inf
+        return values, status
+
+    def _combine(self, factored: Factored, batch: LikelihoodBatch) -> Floats:
+        settings, contraction = self._analysis.settings, self._contraction
+        sky, sums = self._sky(factored, batch), settings.time_marginalisation
+        h, errors = np.asarray(factored.h, dtype=np.complex128), contraction.calibration_of(batch)
+        if sums is None:
+            inner = contraction(h, sky, errors)
+            products = inner.data
+        elif settings.kind == "full":
+            inner = contraction(h, sky, errors, spectrum=True)
+            products = self._over_times(inner.spectrum)
+        else:
+            inner = contraction(h, sky, errors, times=self._times, step=sums.step)
+            products = inner.data
+        norms = np.repeat(inner.norm, products.shape[1])
+        values = self._marginalised(products.reshape(-1), norms).reshape(products.shape)
+        if sums is None:
+            return values[:, 0]
+        return log_mean_over_times(values, sums.step, sums.maximum - sums.minimum)
+
+    def _sky(self, factored: Factored, batch: LikelihoodBatch) -> Floats:
+        """Places and times of the rows, columns as in :class:`Sky`."""
+        settings = self._analysis.settings
+        sky = np.empty((len(batch), len(Sky)))
+        sky[:, Sky.RIGHT_ASCENSION] = batch["right_ascension"]
+        sky[:, Sky.DECLINATION] = batch["declination"]
+        sky[:, Sky.POLARIZATION] = batch["polarization_angle"]
+        sums = settings.time_marginalisation
+        if sums is None:
+            sky[:, Sky.TIME] = batch["coalescence_time"]
+        else:  # the Earth stands as it does in the middle of the prior, at all times that are summed over
+            sky[:, Sky.TIME] = sums.minimum
+            sky[:, Sky.RIGHT_ASCENSION] -= settings.sidereal_rate * 0.5 * (sums.maximum - sums.minimum)
+        sky[:, Sky.PLUS] = factored.plus
+        sky[:, Sky.CROSS_REAL], sky[:, Sky.CROSS_IMAGINARY] = factored.cross.real, factored.cross.imag
+        return sky
+
+    def _over_times(self, spectrum: NDArray[np.complex128] | None) -> NDArray[np.complex128]:
+        """<d|h> at the times that are summed over, from the terms of its sum over frequencies at the first of them."""
+        assert spectrum is not None
+        settings = self._analysis.settings
+        sums = settings.time_marginalisation
+        assert sums is not None
+        turns = np.exp(-2j * np.pi * settings.f_min * sums.step * np.arange(self._times))
+        return np.array([self._chirp_z(row) * turns for row in spectrum])
+
+    def _marginalised(self, products: NDArray[np.complex128], norms: Floats) -> Floats:
+        phase = self._analysis.settings.phase_marginalisation
+        sizes = np.hypot(products.real, products.imag) if phase else np.ascontiguousarray(products.real)
+        if self._distance is not None:
+            return self._distance.log_likelihood(sizes, norms, phase)
+        return (log_bessel_i0(sizes) if phase else sizes) - 0.5 * norms
+
+    def _count(self, status: NDArray[np.uint8]) -> None:
+        found = np.bincount(status, minlength=len(RowStatus))
+        with self._lock:
+            before = self._counts
+            self._counts = msgspec.structs.replace(
+                before,
+                rows=before.rows + len(status),
+                not_finite=before.not_finite + int(found[RowStatus.NOT_FINITE]),
+                out_of_domain=before.out_of_domain + int(found[RowStatus.OUT_OF_DOMAIN]),
+                out_of_band=before.out_of_band + int(found[RowStatus.OUT_OF_BAND]),
+                out_of_prior=before.out_of_prior + int(found[RowStatus.OUT_OF_PRIOR]),
+            )
+
+
+def likelihood(
+    model: WaveformModel, analysis: Analysis, *, invalid_rows: Literal["flag", "error"] = "flag"
+) -> LocalLikelihood:
+    """The likelihood of an analysis, evaluated with a model in this process; see :class:`LocalLikelihood`."""
+    return LocalLikelihood(model, analysis, invalid_rows=invalid_rows)
+
+
+def _check_model(model: WaveformModel, analysis: Analysis) -> None:
+    wanted, given = analysis.settings.model_digest, model.description
+    if wanted is not None and wanted != given.digest:
+        raise AnalysisInvalid(
+            f"The analysis was made for the model {wanted}, and this is {given.name} {given.version} ({given.digest}). "
+            "Use that model, or build the analysis again for this one.",
+            errors=[FieldError(reason="made for another model", parameter="model_digest", value=given.digest)],
+        )

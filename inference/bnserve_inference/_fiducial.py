@@ -1,0 +1,110 @@
+"""The basis of relative binning: a fiducial waveform times splines through the edges of bins.
+
+Zackay, Dai, Venumadhav (2018) and Cornish (2010). What they interpolate linearly is interpolated by cubic splines here,
+in a coordinate in which the bins are uniform, and the squared modulus by itself; h at the edges is then all that is
+needed, and the whole is a quadrature with one weight per edge, like a reduced-order one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._splines import cardinal_spline, cardinal_values
+from bnserve_protocol import AnalysisInvalid, EvaluationOptions, FieldError, ParameterBatch, WaveformModel
+
+Floats = NDArray[np.float64]
+
+PHASE_POWERS = (-5.0 / 3.0, -2.0 / 3.0, 1.0, 5.0 / 3.0, 7.0 / 3.0)
+"""Of frequency, in the phases by which waveforms that fit differ: masses, spins, time, tides (Zackay et al., eq. 10)."""
+_FEWEST_BINS = 8
+_CHUNK = 8192
+
+
+@dataclass(frozen=True, eq=False)
+class FiducialBasis:
+    """B_j(f) = h0(f) s_j(x(f)) / h0(F_j), where s_j is the spline that is one at the edge F_j and zero at the others."""
+
+    linear_nodes: Floats
+    frequencies: Floats
+    fiducial: ParameterBatch
+    options: EvaluationOptions
+    curvatures: Floats
+
+    @property
+    def quadratic_nodes(self) -> Floats:
+        """The same edges."""
+        return self.linear_nodes
+
+    @classmethod
+    def build(
+        cls, frequencies: Floats, fiducial: ParameterBatch, model: WaveformModel, phase_tolerance: float, alignment: str
+    ) -> FiducialBasis:
+        """Bins on the grid ``frequencies`` (Hz) for one binary; see ``relative_binning_analysis``.
+
+        Raises
+        ------
+        AnalysisInvalid
+            A tolerance that is not positive, or a fiducial waveform that vanishes in the band.
+        """
+        if not (np.isfinite(phase_tolerance) and phase_tolerance > 0.0):
+            raise AnalysisInvalid(
+                f"The phase tolerance must be a positive number of radians; got {phase_tolerance!r}.",
+                errors=[FieldError(reason="not positive", parameter="phase_tolerance")],
+            )
+        options = EvaluationOptions(alignment=alignment)  # type: ignore[arg-type]
+        strain = model.predict_factored(frequencies, fiducial, options=options).h[0]
+        present = np.flatnonzero(strain)
+        if len(present) < 2:
+            raise AnalysisInvalid("The fiducial waveform vanishes in the band; choose another one or another band.")
+        top = float(frequencies[present[-1]])
+        nodes = bin_edges(float(frequencies[0]), top, phase_tolerance)
+        return cls(nodes, frequencies, fiducial, options, cardinal_spline(spread(nodes, nodes[0], top)))
+
+    def linear_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
+        """Rows of h on the grid, piece by piece."""
+        at_nodes = model.predict_factored(self.linear_nodes, self.fiducial, options=self.options).h[0]
+        for place, f, splines in self._pieces():
+            strain = model.predict_factored(f, self.fiducial, options=self.options).h[0]
+            yield place, splines * strain / at_nodes[:, None]
+
+    def quadratic_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, Floats]]:
+        """Rows of abs(h)**2 on the grid, piece by piece."""
+        at_nodes = model.predict_factored(self.linear_nodes, self.fiducial, options=self.options).h[0]
+        for place, f, splines in self._pieces():
+            strain = model.predict_factored(f, self.fiducial, options=self.options).h[0]
+            yield place, splines * np.abs(strain) ** 2 / np.abs(at_nodes[:, None]) ** 2
+
+    def _pieces(self) -> Iterator[tuple[slice, Floats, Floats]]:
+        first, top = float(self.linear_nodes[0]), float(self.linear_nodes[-1])
+        end = int(np.searchsorted(self.frequencies, top, side="right"))
+        x_nodes = spread(self.linear_nodes, first, top)
+        for start in range(0, end, _CHUNK):
+            place = slice(start, min(start + _CHUNK, end))
+            f = self.frequencies[place]
+            yield place, f, cardinal_values(x_nodes, self.curvatures, spread(f, first, top))
+
+
+def spread(f: Floats, f_min: float, f_max: float) -> Floats:
+    """Largest phase, in radians, by which waveforms that fit may have parted at ``f``: zero at ``f_min``, increasing.
+
+    Every power of :data:`PHASE_POWERS` may turn by 2 pi at the end of the band where it is largest.
+    """
+    total = np.zeros_like(f)
+    for power in PHASE_POWERS:
+        end = f_max if power > 0.0 else f_min
+        total += np.sign(power) * ((f / end) ** power - (f_min / end) ** power)
+    return 2.0 * np.pi * total
+
+
+def bin_edges(f_min: float, f_max: float, phase_tolerance: float) -> Floats:
+    """Edges of bins across which :func:`spread` grows by ``phase_tolerance`` at most, in Hz, ends included."""
+    f = np.geomspace(f_min, f_max, 20001)
+    x = spread(f, f_min, f_max)
+    bins = max(_FEWEST_BINS, int(np.ceil(x[-1] / phase_tolerance)))
+    edges = np.interp(np.linspace(0.0, x[-1], bins + 1), x, f)
+    edges[0], edges[-1] = f_min, f_max
+    return edges
