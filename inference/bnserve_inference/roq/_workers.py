@@ -1,0 +1,76 @@
+"""The same function over many chunks, by threads or processes, results in order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import ExitStack
+from typing import Any, Self, TypeVar
+
+from bnserve_inference.roq._errors import require
+from bnserve_protocol import WaveformModel
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+_opened: dict[Any, WaveformModel] = {}
+"""The models that this worker process has opened."""
+
+
+class ModelSource:
+    """A model that may be sent to worker processes: there it is opened anew, once in each.
+
+    Parameters
+    ----------
+    model
+        For this process and its threads.
+    opener
+        A picklable function without arguments that gives the same model, and a hashable name of it; needed only for
+        process-based backends and models that cannot be pickled.
+    """
+
+    def __init__(self, model: WaveformModel, opener: Callable[[], WaveformModel] | None = None) -> None:
+        self._model: WaveformModel | None = model
+        self._opener = opener
+        self._key = model.description.digest
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_model": self._model if self._opener is None else None}
+
+    @property
+    def model(self) -> WaveformModel:
+        """The model."""
+        if self._model is not None:
+            return self._model
+        if self._key not in _opened and self._opener is not None:
+            _opened[self._key] = self._opener()
+        return _opened[self._key]
+
+
+class Workers:
+    """A pool of joblib workers, to be used as a context.
+
+    Parameters
+    ----------
+    n_jobs
+        Workers at once, as joblib counts them: -1 for all cores.
+    backend
+        ``threading`` (the surrogate and BLAS release the GIL), ``loky`` for models that hold it, or a cluster's backend
+        that is registered with joblib.
+    """
+
+    def __init__(self, n_jobs: int = -1, backend: str = "threading") -> None:
+        self._arguments = {"n_jobs": n_jobs, "backend": backend, "return_as": "generator", "pre_dispatch": "4*n_jobs"}
+        self._stack = ExitStack()
+        self._pool: Any = None
+
+    def __enter__(self) -> Self:
+        self._joblib = require("joblib")
+        self._pool = self._stack.enter_context(self._joblib.Parallel(batch_size=1, **self._arguments))
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self._stack.close()
+
+    def map(self, function: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
+        """``function`` of every item, in the order of the items."""
+        yield from self._pool(self._joblib.delayed(function)(item) for item in items)
