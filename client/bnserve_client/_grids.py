@@ -55,7 +55,7 @@ class GridMemory:
             return grid
         if isinstance(grid, np.ndarray) and grid.dtype == np.float64 and grid.ndim == 1:
             for known in self._recent:
-                if np.array_equal(known.frequencies, grid):
+                if known.frequencies.shape == grid.shape and (known.frequencies == grid).all():
                     return known
         checked = ExplicitGrid(as_frequencies(grid))
         self._recent = (checked, *self._recent[: _REMEMBERED - 1])

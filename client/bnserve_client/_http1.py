@@ -13,17 +13,17 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import TypeAlias
 
-import numpy as np
-
 from bnserve_client._addresses import Address
 from bnserve_client._failures import Broken, Malformed, Stale
+from bnserve_client._memory import memory
 from bnserve_client._messages import HttpRequest, HttpResponse
 
 Exchange: TypeAlias = Generator[bytes | memoryview, int, tuple[HttpResponse, bool]]
 
-_SCRATCH_BYTES = 2**16
+_SCRATCH_BYTES = 2**14
+_LONGEST_HEAD = 2**16
 _STATUS_LINE = re.compile(r"HTTP/1\.([01]) ([1-5][0-9][0-9])(?: [^\r\n\0]*)?")
-_TOKEN = re.compile(r"[!#$%&'*+.^_`|~0-9A-Za-z-]+")
+_HEADERS = re.compile(r"(?:[!#$%&'*+.^_`|~0-9A-Za-z-]+:[^\r\n\0]*(?:\r\n|\Z))*")
 _CHUNK_SIZE = re.compile(rb"([0-9a-fA-F]{1,8})[ \t]*(?:;[^\r\n]*)?")
 
 
@@ -53,15 +53,15 @@ def parse_head(head: bytes) -> Head:
     Malformed
         Not an HTTP/1.1 head.
     """
-    status_line, *lines = head.decode("latin-1").split("\r\n")
+    status_line, _, rest = head.decode("latin-1").partition("\r\n")
     matched = _STATUS_LINE.fullmatch(status_line)
     if matched is None:
         raise Malformed("it does not begin like HTTP/1.1")
+    if _HEADERS.fullmatch(rest) is None:
+        raise Malformed("it has a malformed header")
     headers: dict[str, str] = {}
-    for line in lines:
-        name, colon, value = line.partition(":")
-        if not colon or _TOKEN.fullmatch(name) is None:
-            raise Malformed("it has a malformed header")
+    for line in rest.split("\r\n") if rest else ():
+        name, _, value = line.partition(":")
         name, value = name.lower(), value.strip(" \t")
         if name == "content-length" and headers.get(name, value) != value:
             raise Malformed("it states two lengths")
@@ -100,7 +100,7 @@ class _Inbox:
             found = bytes(self.pending[:length])
             del self.pending[:length]
             return found
-        body = np.empty(length, dtype=np.uint8).data
+        body = memory.empty((length,), "u1").data
         filled = len(self.pending)
         body[:filled] = self.pending
         self.pending.clear()
@@ -152,7 +152,7 @@ def _read_head(inbox: _Inbox) -> Generator[memoryview, int, Head]:
                 raise Broken
         if not inbox.pending.startswith(b"HTTP/"):
             raise Malformed("it does not begin like HTTP/1.1")
-        head = parse_head((yield from inbox.until(b"\r\n\r\n", _SCRATCH_BYTES)))
+        head = parse_head((yield from inbox.until(b"\r\n\r\n", _LONGEST_HEAD)))
         if head.status >= 200:
             return head
 
@@ -197,7 +197,7 @@ def _read_chunked(inbox: _Inbox, max_bytes: int) -> Generator[memoryview, int, b
         pieces.append((yield from inbox.exactly(size)))
         if (yield from inbox.exactly(2)) != b"\r\n":
             raise Malformed("it has a malformed chunk")
-    while (yield from inbox.until(b"\r\n", _SCRATCH_BYTES)):
+    while (yield from inbox.until(b"\r\n", _LONGEST_HEAD)):
         pass  # trailers
     return b"".join(pieces)
 

@@ -1,4 +1,7 @@
-"""From the arrays of an answer to the arrays a user keeps: owned, writable, and not holding the answer in memory."""
+"""From the arrays of an answer to the arrays a user keeps: writable, and of small arrays never holding the answer.
+
+Large arrays are used where they have arrived, when the transport received them into memory of ours.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_client._memory import memory
 from bnserve_protocol import AnswerCorrupted, DtypeName, Factored, OutputName
 
 Arrays: TypeAlias = Mapping[str, NDArray[Any]]
@@ -17,8 +21,8 @@ _SAMPLES: dict[OutputName, tuple[str, ...]] = {
     "factored": ("h",),
     "amplitude_phase": ("amplitude", "phase"),
 }
-_FACTORS = {"plus": "<f8", "cross": "<c16"}
-_OF_A_ROW = ("status", "estimated_mismatch")
+_FACTORS: dict[str, np.dtype[Any]] = {"plus": np.dtype("<f8"), "cross": np.dtype("<c16")}
+_OF_A_ROW: dict[str, np.dtype[Any]] = {"status": np.dtype("|u1"), "estimated_mismatch": np.dtype("<f8")}
 """Arrays of an answer beside its samples; the second only from models that estimate their error."""
 
 
@@ -30,22 +34,27 @@ def check_arrays(arrays: Arrays, output: OutputName, dtype: DtypeName, rows: int
     AnswerCorrupted
     """
     sample_dtype = np.dtype(np.float64 if output == "amplitude_phase" else dtype)
-    expected: dict[str, tuple[np.dtype[Any], tuple[int, ...]]] = {}
-    expected |= dict.fromkeys(_SAMPLES[output], (sample_dtype, (rows, frequencies)))
-    expected["status"] = (np.dtype(np.uint8), (rows,))
+    for name in _SAMPLES[output]:
+        _check(arrays, name, sample_dtype, (rows, frequencies))
+    _check(arrays, "status", _OF_A_ROW["status"], (rows,))
     if output == "factored":
-        expected |= {name: (np.dtype(kind), (rows,)) for name, kind in _FACTORS.items()}
+        for name, kind in _FACTORS.items():
+            _check(arrays, name, kind, (rows,))
     if "estimated_mismatch" in arrays:
-        expected["estimated_mismatch"] = (np.dtype(np.float64), (rows,))
-    for name, (kind, shape) in expected.items():
-        if name not in arrays or arrays[name].dtype != kind or arrays[name].shape != shape:
-            raise AnswerCorrupted(f"The answer does not hold '{name}' as {kind.name} of shape {shape}.")
+        _check(arrays, "estimated_mismatch", _OF_A_ROW["estimated_mismatch"], (rows,))
+
+
+def _check(arrays: Arrays, name: str, kind: np.dtype[Any], shape: tuple[int, ...]) -> None:
+    if name not in arrays or arrays[name].dtype != kind or arrays[name].shape != shape:
+        raise AnswerCorrupted(f"The answer does not hold '{name}' as {kind.name} of shape {shape}.")
 
 
 def own(arrays: Arrays) -> Arrays:
-    """Copies of all arrays that belong to a result."""
+    """All arrays that belong to a result, writable; copies of those that are not."""
     known = {"h", "plus", "cross", "amplitude", "phase", *_OF_A_ROW}
-    return {name: np.array(array) for name, array in arrays.items() if name in known}
+    return {
+        name: array if array.flags.writeable else np.array(array) for name, array in arrays.items() if name in known
+    }
 
 
 def multiply_out(arrays: Arrays) -> Arrays:
@@ -53,6 +62,7 @@ def multiply_out(arrays: Arrays) -> Arrays:
     of_a_row = {name: arrays[name] for name in _OF_A_ROW if name in arrays}
     if "h" not in arrays:
         return own({"plus": arrays["h_plus"], "cross": arrays["h_cross"], **of_a_row})
-    factored = Factored(h=arrays["h"], plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
-    plus, cross = factored.polarizations()
+    h = arrays["h"]
+    factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
+    plus, cross = factored.polarizations(plus=h if h.flags.writeable else None, cross=memory.empty(h.shape, h.dtype))
     return {"plus": plus, "cross": cross, **own(of_a_row)}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import uuid
+import os
 from collections.abc import Callable
 from typing import TypeVar
 from urllib.parse import quote
@@ -144,7 +144,7 @@ class Session:
         self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, patience: Patience
     ) -> Conversation[_T]:
         """Ask until there is an answer that can be used, or patience ends."""
-        named = (*request.headers, ("X-Request-ID", uuid.uuid4().hex))
+        named = (*request.headers, ("X-Request-ID", os.urandom(16).hex()))
         while True:
             deadline = ("X-Request-Deadline-Ms", str(int(min(patience.seconds_left, 1e8) * 1e3)))
             sent = HttpRequest(request.method, request.path, (*named, deadline), request.body)

@@ -82,7 +82,9 @@ class SocketTransport:
 def _drive(sock: socket.socket, steps: Exchange, send: Send) -> tuple[HttpResponse, bool]:
     step = next(steps)
     while True:
-        sock.settimeout(_time_allowed(send))
+        allowed = _time_allowed(send)
+        if allowed != sock.gettimeout():  # setting it is a system call, and mostly it is still the same
+            sock.settimeout(allowed)
         try:
             if isinstance(step, bytes):
                 sock.sendall(step)

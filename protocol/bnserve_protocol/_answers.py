@@ -85,7 +85,9 @@ def _json_value(array: NDArray[Any]) -> Any:
 
 
 def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
-    """Read an answer; its arrays are read-only views of ``body``. Unknown fields are ignored.
+    """Read an answer; its arrays are views of ``body``. Unknown fields are ignored.
+
+    The views are read-only, but for those of large arrays in a writable ``body``.
 
     Raises
     ------
@@ -100,7 +102,15 @@ def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
     arrays = {name: decode_array(fields[name]) for name in ARRAY_NAMES if name in fields}
     if not _fit_together(arrays):
         raise UndecodableBody("The arrays of the answer do not fit together.")
+    if isinstance(body, memoryview) and not body.readonly:
+        arrays = {name: array if array.nbytes < LARGE else _same_in(body, array) for name, array in arrays.items()}
     return WaveformAnswer(arrays=arrays, model=model)
+
+
+def _same_in(body: memoryview, array: NDArray[Any]) -> NDArray[Any]:
+    """An array over the same bytes, which are a part of ``body``, that can be written to as ``body`` can."""
+    start = np.frombuffer(body, np.uint8).__array_interface__["data"][0]
+    return np.ndarray(array.shape, array.dtype, body, array.__array_interface__["data"][0] - start)
 
 
 def _fit_together(arrays: Mapping[str, NDArray[Any]]) -> bool:

@@ -112,11 +112,18 @@ class Factored:
     status: NDArray[np.uint8]
     estimated_mismatch: NDArray[np.float64] | None = None
 
-    def polarizations(self) -> Polarizations:
-        """Multiply out; the one place where it is done, so that every path gives the same bits."""
+    def polarizations(self, *, plus: ComplexArray | None = None, cross: ComplexArray | None = None) -> Polarizations:
+        """Multiply out; the one place where it is done, so that every path gives the same bits.
+
+        Parameters
+        ----------
+        plus, cross:
+            Where to put them, ``(N, M)`` of the type of ``h``; by default new arrays. ``plus`` may be ``h`` itself.
+        """
+        new_cross = np.multiply(self.h, self.cross.astype(self.h.dtype)[:, None], out=cross)
         return Polarizations(
-            plus=self.h * self.plus.astype(self.h.real.dtype)[:, None],
-            cross=self.h * self.cross.astype(self.h.dtype)[:, None],
+            plus=np.multiply(self.h, self.plus.astype(self.h.real.dtype)[:, None], out=plus),
+            cross=new_cross,
             status=self.status,
             estimated_mismatch=self.estimated_mismatch,
         )

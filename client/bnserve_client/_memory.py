@@ -1,0 +1,71 @@
+"""Memory for large answers, used again once nobody looks at the arrays in it.
+
+The first touch of fresh memory (a page fault for every 4 KiB) can cost more than all else that happens to a large
+answer, and allocators give large blocks back to the system at once. A sampler that drops one result as it asks for the
+next finds the memory of the result before that one here.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+_ALIGNMENT = 64
+_SMALL = 2**16
+"""The allocator keeps smaller blocks by itself."""
+_MOST_KEPT = 2**26
+"""Bytes that are kept for later, in all."""
+_LARGEST_WASTE = 1.25
+"""A block is used again for something up to this much smaller."""
+
+
+class _Lease:
+    """What the arrays in a block refer to; when the last of them is gone, the block is free."""
+
+    def __init__(self, block: NDArray[np.uint8], give_back: Callable[[NDArray[np.uint8]], None]) -> None:
+        self.__array_interface__ = {**block.__array_interface__, "strides": None}
+        self._block = block
+        self._give_back = give_back
+
+    def __del__(self) -> None:
+        self._give_back(self._block)
+
+
+class Memory:
+    """Blocks of bytes. Takes no lock, as nothing in the client does: operations of ``dict`` are atomic in CPython."""
+
+    def __init__(self) -> None:
+        self._free: dict[int, NDArray[np.uint8]] = {}
+
+    @property
+    def kept(self) -> int:
+        """Bytes in blocks that nobody uses."""
+        return sum(len(block) for block in list(self._free.values()))
+
+    def empty(self, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
+        """As :func:`numpy.empty`; what is large begins at a multiple of 64 bytes."""
+        size = math.prod(shape) * np.dtype(dtype).itemsize
+        if size < _SMALL or size > _MOST_KEPT:
+            return np.empty(shape, dtype)
+        lease = _Lease(self._take(size), self._give_back)
+        array: NDArray[Any] = np.asarray(lease)[:size].view(dtype).reshape(shape)
+        return array
+
+    def _take(self, size: int) -> NDArray[np.uint8]:
+        for number, block in list(self._free.items()):
+            if size <= len(block) <= _LARGEST_WASTE * size and self._free.pop(number, None) is not None:
+                return block
+        fresh = np.empty(size + _ALIGNMENT, np.uint8)
+        return fresh[-fresh.ctypes.data % _ALIGNMENT :]
+
+    def _give_back(self, block: NDArray[np.uint8]) -> None:
+        if self.kept + len(block) <= _MOST_KEPT:
+            self._free[id(block)] = block
+
+
+memory = Memory()
+"""That of this process: like the allocator's, it belongs to nobody in particular."""
