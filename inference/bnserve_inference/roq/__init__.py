@@ -1,5 +1,7 @@
 """Reduced-order quadrature: bases of waveforms, and the frequencies that are enough."""
 
+from bnserve_inference.roq._bajes import load_bajes, save_bajes
+from bnserve_inference.roq._bilby import load_bilby, save_bilby
 from bnserve_inference.roq._build import BuiltBasis, build_basis
 from bnserve_inference.roq._diagnostics import describe
 from bnserve_inference.roq._errors import (
@@ -11,10 +13,13 @@ from bnserve_inference.roq._errors import (
     RoqConfigurationInvalid,
     RoqError,
     RoqPackageMissing,
+    require,
 )
 from bnserve_inference.roq._file import load_basis, save_basis
 from bnserve_inference.roq._interpolant import Interpolant, TabulatedInterpolant, WaveformInterpolant
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
+from bnserve_inference.roq._report import write_roq_report
+from bnserve_inference.roq._validation import validate_basis
 from bnserve_inference.roq.config import RoqConfiguration, parse_roq_configuration, read_roq_configuration
 
 __all__ = [
@@ -34,8 +39,15 @@ __all__ = [
     "WaveformInterpolant",
     "build_basis",
     "describe",
+    "load_bajes",
     "load_basis",
+    "load_bilby",
     "parse_roq_configuration",
     "read_roq_configuration",
+    "require",
+    "save_bajes",
     "save_basis",
+    "save_bilby",
+    "validate_basis",
+    "write_roq_report",
 ]

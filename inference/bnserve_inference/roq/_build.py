@@ -28,7 +28,7 @@ from bnserve_protocol import UniformGrid, WaveformModel
 
 _CODE = 1
 """Part of the name of the working directory: raise it when the same configuration gives another result."""
-_STAGES = {"linear": 11, "quadratic": 12, "validation": 13}
+_STAGES = {"linear": 11, "quadratic": 12, "validation": 13, "edges": 15}
 """Parts of the keys of the draws."""
 
 Say = Callable[[str], None]
@@ -112,11 +112,16 @@ def build_basis(
             clock.stage(family.term, f"{len(grown)} elements, worst of the last sweep {grown.sweeps[-1][3]:.2e}")
         quadrature = _assembled(configuration, model, linear, quadratic, growth)
         draws = Draws(prior, configuration.validation.count, (seed, _STAGES["validation"]))
-        errors = validate(linear, quadrature, draws, workers, checkpoints, bars)
-        clock.stage("validation", f"{draws.count} fresh binaries")
+        errors = validate(linear, quadrature, draws, workers, checkpoints, "validation", bars)
+        edges = Draws(
+            replace(prior, arcsine_fraction=1.0), configuration.validation.edge_count, (seed, _STAGES["edges"])
+        )
+        edge_errors = validate(linear, quadrature, edges, workers, checkpoints, "edges", bars)
+        clock.stage("validation", f"{draws.count} fresh binaries, {edges.count} that crowd at the edges of the prior")
         measured = {
             "grid": {"points": len(grid), "full": len(full), "gram_error": grid.gram_error},
             "validation": validation_figures(configuration, errors),
+            "edges": validation_figures(configuration, edge_errors),
             "full_grid": full_grid_figures(configuration, quadrature, linear),
         }
         clock.stage("full grid", "errors compared with those on the thinned one")

@@ -15,6 +15,8 @@ from bnserve_inference.roq._sampling import Draws
 from bnserve_inference.roq._validation import ValidationTask, full_grid_errors, on_grid, summary
 from bnserve_inference.roq.config import RoqConfiguration
 
+VALIDATIONS = {"validation": "fresh", "edges": "edge"}
+"""Names of the two validations, and what their binaries are called."""
 _FULL_GRID_SAMPLE = 12
 _STAGE = 14
 """Part of the key of its draws."""
@@ -66,7 +68,11 @@ def describe(quadrature: ReducedOrderQuadrature) -> str:
             f"prior       {prior}",
             _term_line("linear", len(quadrature.linear_nodes), points, quadrature.diagnostics),
             _term_line("quadratic", len(quadrature.quadratic_nodes), points, quadrature.diagnostics),
-            *(_validation_line(*item) for item in quadrature.diagnostics.get("validation", {}).items()),
+            *(
+                _validation_line(kind, *item)
+                for kind in VALIDATIONS
+                for item in quadrature.diagnostics.get(kind, {}).items()
+            ),
         ]
     )
 
@@ -82,9 +88,9 @@ def _term_line(term: Term, elements: int, points: int, diagnostics: Mapping[str,
     )
 
 
-def _validation_line(term: str, figures: Mapping[str, Any]) -> str:
+def _validation_line(kind: str, term: str, figures: Mapping[str, Any]) -> str:
     return (
-        f"validation  {term}: {figures['outliers']} of {figures['count']} fresh binaries above "
+        f"{kind:12}{term}: {figures['outliers']} of {figures['count']} {VALIDATIONS[kind]} binaries above "
         f"{figures['tolerance']:g} ({100.0 * figures['outlier_fraction']:.4f} %), {figures['above_limit']} above "
         f"{figures['limit']:g}; median {figures['median']:.2e}, 99.9 % {figures['99.9 %']:.2e}, "
         f"largest {figures['max']:.2e}"

@@ -52,7 +52,7 @@ def enrich(
     ConstructionFailed
         ``most_elements`` are not enough.
     """
-    draws = Draws(family.prior, cycle.size, key)
+    draws = Draws(family.prior, cycle.size, key, corners=True)
     number = growth.cycle
     while True:
         growth = _sweep(family, growth, draws, workers, keep, progress)

@@ -75,18 +75,45 @@ class WaveformInterpolant:
 
 @dataclass(frozen=True, eq=False)
 class TabulatedInterpolant:
-    """Rows read from a file: ``table`` is ``(n, M)`` or anything that can be sliced like it, such as an HDF5 dataset.
+    """Rows from a table: ``(n, M)`` or, if not ``rows``, ``(M, n)``.
 
-    ``rows`` says whether the rows of the table are the elements (bilby's layout), or its columns (bajes').
+    Parameters
+    ----------
+    term
+        What is interpolated.
+    nodes
+        Increasing frequencies in Hz, ``(n,)``.
+    table
+        An array, or anything that can be sliced like one, such as an HDF5 dataset.
+    order
+        Element ``order[j]`` of the table belongs to node j, ``(n,)``.
+    rows
+        Whether the elements are the table's rows (bilby's layout) or its columns (bajes').
     """
 
     term: Term
     nodes: FloatArray
     table: Any
+    order: NDArray[np.int64]
     rows: bool = True
 
     def __len__(self) -> int:
         return len(self.nodes)
+
+    @classmethod
+    def in_order(cls, term: Term, nodes: FloatArray, table: Any, rows: bool) -> TabulatedInterpolant:
+        """From nodes in the order of the table, which may be any."""
+        order = np.argsort(nodes)
+        return cls(term, nodes[order], table, order, rows)
+
+    def check(self, frequencies: int, f_min: float, f_max: float) -> None:
+        """Raise a ``ValueError`` if table and nodes do not fit a grid of so many frequencies from f_min to f_max."""
+        expected = (len(self), frequencies) if self.rows else (frequencies, len(self))
+        if self.table.shape != expected or self.table.dtype.kind not in "fc":
+            raise ValueError(f"the {self.term} basis is {self.table.shape} of {self.table.dtype}, not {expected}")
+        inside = len(self) > 0 and f_min <= self.nodes[0] and self.nodes[-1] <= f_max
+        if not (inside and (np.diff(self.nodes) > 0.0).all()):
+            raise ValueError(f"the {self.term} nodes are not distinct frequencies of the band")
 
     def chunks(
         self, model: WaveformModel | None, grid: UniformGrid, alignment: Alignment
@@ -94,7 +121,7 @@ class TabulatedInterpolant:
         """Read the rows; the model and its alignment do not matter."""
         for start in range(0, len(grid), CHUNK):
             place = slice(start, min(start + CHUNK, len(grid)))
-            piece = self.table[:, place] if self.rows else self.table[place].T
+            piece = np.asarray(self.table[:, place] if self.rows else self.table[place].T)[self.order]
             yield place, np.ascontiguousarray(piece if self.term == "linear" else piece.real)
 
 

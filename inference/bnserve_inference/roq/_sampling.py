@@ -42,8 +42,9 @@ class Prior:
         return self.binaries(np.array(list(self.ranges.values()), dtype=np.float64).T)
 
     def corners(self) -> ParameterBatch:
-        """The 2**d corners of the box."""
-        return self.binaries(np.array(list(itertools.product(*self.ranges.values())), dtype=np.float64))
+        """The corners of the box, 2**d of them if every parameter varies."""
+        ends = [sorted(set(pair)) for pair in self.ranges.values()]
+        return self.binaries(np.array(list(itertools.product(*ends)), dtype=np.float64))
 
     def draw(self, count: int, *key: int) -> ParameterBatch:
         """``count`` draws; the same for the same key, whatever was drawn before."""
@@ -56,11 +57,16 @@ class Prior:
 
 @dataclass(frozen=True)
 class Draws:
-    """``count`` draws in chunks of ``CHUNK_ROWS``, each with a key of its own."""
+    """``count`` draws in chunks of ``CHUNK_ROWS``, each with a key of its own.
+
+    With ``corners`` the first of them are the corners of the prior instead, as far as they fit in one chunk: there an
+    interpolant extrapolates, and its errors grow without bound.
+    """
 
     prior: Prior
     count: int
     key: tuple[int, ...]
+    corners: bool = False
 
     @property
     def chunks(self) -> int:
@@ -69,7 +75,11 @@ class Draws:
 
     def chunk(self, number: int) -> ParameterBatch:
         """Chunk number ``number``; the last may be shorter."""
-        return self.prior.draw(min(CHUNK_ROWS, self.count - number * CHUNK_ROWS), *self.key, number)
+        drawn = self.prior.draw(min(CHUNK_ROWS, self.count - number * CHUNK_ROWS), *self.key, number)
+        if not (self.corners and number == 0):
+            return drawn
+        corners = self.prior.corners().values[: len(drawn)]
+        return ParameterBatch(np.concatenate([corners, drawn.values[len(corners) :]]))
 
     def rows(self, indices: list[int]) -> ParameterBatch:
         """Single draws by their number, in the order given."""

@@ -8,15 +8,18 @@ from typing import Any
 import numpy as np
 
 from bnserve_inference.roq._checkpoint import Checkpoints
+from bnserve_inference.roq._errors import BasisFileInvalid
 from bnserve_inference.roq._family import Family, normalised
 from bnserve_inference.roq._interpolant import FloatArray, Term, WaveformInterpolant, evaluate_term
 from bnserve_inference.roq._interpolation import interpolation_errors
 from bnserve_inference.roq._progress import Progress
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
-from bnserve_inference.roq._sampling import CHUNK_ROWS, Draws
+from bnserve_inference.roq._sampling import CHUNK_ROWS, Draws, Prior
 from bnserve_inference.roq._workers import Workers
 from bnserve_protocol import ParameterBatch, WaveformModel
 
+_LIMIT = 1e-3
+"""The error that the paper found no binary to exceed."""
 QUANTILES = {"median": 0.5, "99 %": 0.99, "99.9 %": 0.999}
 
 
@@ -51,7 +54,8 @@ def validate(
     quadrature: ReducedOrderQuadrature,
     draws: Draws,
     workers: Workers,
-    checkpoints: Checkpoints | None,
+    checkpoints: Checkpoints,
+    name: str,
     progress: Progress,
 ) -> FloatArray:
     """Errors of both interpolants for all draws, ``(2, N)``: linear, quadratic; squared norms.
@@ -60,21 +64,20 @@ def validate(
     ----------
     family
         The linear one, on the thinned grid.
-    checkpoints
-        Where to keep them and to go on from.
+    checkpoints, name
+        Where to keep them and to go on from, and under what name.
     """
     task = ValidationTask(family, draws, on_grid(family, quadrature.linear), on_grid(family, quadrature.quadratic))
     errors = np.zeros((2, draws.count))
-    kept = (checkpoints.find("validation") if checkpoints else None) or {"errors": errors[:, :0]}
+    kept = checkpoints.find(name) or {"errors": errors[:, :0]}
     begin = kept["errors"].shape[1] // CHUNK_ROWS
     done = min(begin * CHUNK_ROWS, draws.count)
     errors[:, :done] = kept["errors"][:, :done]
-    with progress.bar(draws.count, "validation", done) as bar:
+    with progress.bar(draws.count, name, done) as bar:
         for more in workers.map(task, range(begin, draws.chunks)):
             errors[:, done : done + more.shape[1]] = more
             done += more.shape[1]
-            if checkpoints:
-                checkpoints.keep("validation", {"errors": errors[:, :done]}, force=done == draws.count)
+            checkpoints.keep(name, {"errors": errors[:, :done]}, force=done == draws.count)
             bar.show(done, f"worst of the last {more[0].max():.1e}, {more[1].max():.1e}")
     return errors
 
@@ -103,6 +106,41 @@ def full_grid_errors(
         missed += np.square(np.abs(values - at_nodes @ rows)).sum(axis=1)
         whole += np.square(np.abs(values)).sum(axis=1)
     return missed / whole
+
+
+def validate_basis(
+    quadrature: ReducedOrderQuadrature, model: WaveformModel, count: int = 64, seed: int = 2024
+) -> dict[Term, dict[str, float]]:
+    """Interpolation errors of fresh uniform draws from the basis' prior, summed over the full grid.
+
+    Parameters
+    ----------
+    count
+        Binaries; each takes some 20 ms for GW170817.
+    seed
+        Of the draws.
+
+    Returns
+    -------
+    For each term, ``summary`` of the errors against the tolerance that the basis was built for.
+
+    Raises
+    ------
+    BasisMismatch
+        Another model.
+    BasisFileInvalid
+        A basis without a prior or tolerances, as from another program's file.
+    """
+    quadrature.check_model(model)
+    terms: tuple[Term, Term] = ("linear", "quadratic")
+    if not quadrature.prior or not set(terms) <= set(quadrature.diagnostics):
+        raise BasisFileInvalid("This basis does not say what prior and tolerance it is for; only compact ones do.")
+    found: dict[Term, dict[str, float]] = {}
+    for term in terms:
+        draws = Draws(Prior(quadrature.prior), count, (seed,))
+        pieces = [full_grid_errors(quadrature, model, draws.chunk(number), term) for number in range(draws.chunks)]
+        found[term] = summary(np.concatenate(pieces), quadrature.diagnostics[term]["tolerance"], _LIMIT)
+    return found
 
 
 def summary(errors: FloatArray, tolerance: float, limit: float) -> dict[str, float]:

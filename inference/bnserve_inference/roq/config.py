@@ -87,18 +87,22 @@ class CycleSection(_Section, frozen=True, forbid_unknown_fields=True):
 
 
 class ValidationSection(_Section, frozen=True, forbid_unknown_fields=True):
-    """Fresh binaries; ``limit`` is the error that none of them should exceed."""
+    """Fresh binaries: ``count`` uniform in the prior, ``edge_count`` that crowd at its edges.
+
+    ``limit`` is the error that none of the uniform ones should exceed.
+    """
 
     count: Count = 10_000
+    edge_count: Count = 1_000
     limit: Positive = 1e-3
 
 
 class RoqConfiguration(_Section, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A whole configuration file.
 
-    ``arcsine_fraction`` is the share of the training draws that crowd at the edges of the prior instead of being uniform
-    (the paper's are all uniform; validation always is). ``elements`` is the form of the elements: ``orthonormal`` (iterated modified Gram-Schmidt) or ``waveforms`` (the
-    paper's). See ``docs/decisions/0004-orthonormal-elements.md``.
+    ``arcsine_fraction`` is the share of the training draws that crowd at the edges of the prior instead of being
+    uniform (the paper's are all uniform; validation always is). ``elements`` is the form of the elements:
+    ``orthonormal`` (iterated modified Gram-Schmidt) or ``waveforms`` (the paper's).
     """
 
     name: str
