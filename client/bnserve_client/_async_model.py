@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from bnserve_client._connections import AsyncConnections
 from bnserve_client._drivers import run_async
-from bnserve_client._likelihood import AsyncLikelihood
+from bnserve_client._likelihood import AsyncLikelihood, InvalidRows
 from bnserve_client._messages import Conversation
 from bnserve_client._remote import RemoteModel, connecting, settings_from
 from bnserve_client._session import Pinned
@@ -134,10 +134,10 @@ class AsyncModel:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
         return await self._run(self._remote.time_until_merger(frequency, parameters))
 
-    async def likelihood(self, analysis: Analysis) -> AsyncLikelihood:
+    async def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> AsyncLikelihood:
         """The likelihood of an analysis; see :meth:`.Model.likelihood`."""
         await self._run(self._remote.likelihood(analysis).introduce())
-        return AsyncLikelihood(self, analysis)
+        return AsyncLikelihood(self, analysis, invalid_rows)
 
     async def close(self) -> None:
         """Close the connections of this event loop."""

@@ -2,16 +2,39 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import Analysis, LikelihoodBatch, LikelihoodBatchLike, LikelihoodCounts, RowStatus
+from bnserve_protocol import (
+    Analysis,
+    InvalidRequest,
+    LikelihoodBatch,
+    LikelihoodBatchLike,
+    LikelihoodCounts,
+    RowStatus,
+    refuse_rows,
+)
 
 if TYPE_CHECKING:
     from bnserve_client._async_model import AsyncModel
     from bnserve_client._model import Model
+
+
+InvalidRows: TypeAlias = Literal["flag", "error"]
+
+
+def check_invalid_rows(choice: InvalidRows) -> InvalidRows:
+    """Refuse another choice than the two.
+
+    Raises
+    ------
+    InvalidRequest
+    """
+    if choice not in ("flag", "error"):
+        raise InvalidRequest(f"invalid_rows must be 'flag' or 'error'; got {str(choice)[:40]!r}.")
+    return choice
 
 
 class Counter:
@@ -38,8 +61,9 @@ class Likelihood:
     because it is started again; it is then uploaded again, without a word.
     """
 
-    def __init__(self, model: Model, analysis: Analysis) -> None:
+    def __init__(self, model: Model, analysis: Analysis, invalid_rows: InvalidRows = "flag") -> None:
         self._model = model
+        self._invalid_rows = check_invalid_rows(invalid_rows)
         self._remote = model._remote.likelihood(analysis)
         self._counter = Counter()
 
@@ -56,26 +80,31 @@ class Likelihood:
     def log_likelihood(self, batch: LikelihoodBatchLike) -> NDArray[np.float64]:
         """Logarithm of the ratio of the likelihoods with and without the signal, float64 ``(N,)``.
 
-        Rows outside the analysis' prior ranges or the model's trained range are -inf and counted. However large the
-        batch, one call is fastest: it is split where the service's limits ask for it, and put together again.
+        However large the batch, one call is fastest: it is split where the service's limits ask for it, and put
+        together again.
 
         Raises
         ------
         InvalidParameters
             Names and shapes that do not fit; as the local likelihood.
+        OutOfDomain
+            With ``invalid_rows="error"``: rows outside the prior's or the model's range.
         AnalysisInvalid, TooLarge, Unavailable, UntrustedAnswer, ModelUnknown, AccessDenied, InternalError
             What a service can add to that, after the retries.
         """
-        return self.evaluate(batch)[0]
+        values, status = self.evaluate(batch)
+        if self._invalid_rows == "error":
+            refuse_rows(status)
+        return values
 
     def evaluate(self, batch: LikelihoodBatchLike) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-        """As :meth:`log_likelihood`, with the :class:`.RowStatus` of every row, uint8 ``(N,)``."""
+        """As :meth:`log_likelihood`, with the :class:`.RowStatus` of every row, uint8 ``(N,)``; rows never raise."""
         arrays = self._model._run(self._remote.evaluate(LikelihoodBatch.coerce(batch)))
         self._counter.add(arrays["status"])
         return arrays["log_likelihood"], arrays["status"]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Likelihood, (self._model, self.analysis)
+        return Likelihood, (self._model, self.analysis, self._invalid_rows)
 
     def __repr__(self) -> str:
         settings = self.analysis.settings
@@ -85,8 +114,9 @@ class Likelihood:
 class AsyncLikelihood:
     """As :class:`Likelihood`, for asyncio: every evaluation is awaited; made by :meth:`.AsyncModel.likelihood`."""
 
-    def __init__(self, model: AsyncModel, analysis: Analysis) -> None:
+    def __init__(self, model: AsyncModel, analysis: Analysis, invalid_rows: InvalidRows = "flag") -> None:
         self._model = model
+        self._invalid_rows = check_invalid_rows(invalid_rows)
         self._remote = model._remote.likelihood(analysis)
         self._counter = Counter()
 
@@ -102,7 +132,10 @@ class AsyncLikelihood:
 
     async def log_likelihood(self, batch: LikelihoodBatchLike) -> NDArray[np.float64]:
         """As :meth:`Likelihood.log_likelihood`."""
-        return (await self.evaluate(batch))[0]
+        values, status = await self.evaluate(batch)
+        if self._invalid_rows == "error":
+            refuse_rows(status)
+        return values
 
     async def evaluate(self, batch: LikelihoodBatchLike) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         """As :meth:`Likelihood.evaluate`."""
@@ -111,7 +144,7 @@ class AsyncLikelihood:
         return arrays["log_likelihood"], arrays["status"]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return AsyncLikelihood, (self._model, self.analysis)
+        return AsyncLikelihood, (self._model, self.analysis, self._invalid_rows)
 
     def __repr__(self) -> str:
         settings = self.analysis.settings

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from bnserve_client._connections import Connections
 from bnserve_client._drivers import run
-from bnserve_client._likelihood import Likelihood
+from bnserve_client._likelihood import InvalidRows, Likelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._remote import RemoteModel, connecting, settings_from
 from bnserve_client._session import Pinned
@@ -177,10 +177,17 @@ class Model:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
         return self._run(self._remote.time_until_merger(frequency, parameters))
 
-    def likelihood(self, analysis: Analysis) -> Likelihood:
+    def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:
         """The likelihood of an analysis, evaluated where the model is: eight bytes per sample travel back.
 
         The analysis is uploaded now, unless the service has it, and again whenever the service has it no more.
+
+        Parameters
+        ----------
+        analysis:
+            Built by ``bnserve_inference``.
+        invalid_rows:
+            ``"flag"``: rows outside the prior's or the model's range are -inf and counted. ``"error"``: they raise.
 
         Raises
         ------
@@ -190,7 +197,7 @@ class Model:
             Larger than the service takes.
         """
         self._run(self._remote.likelihood(analysis).introduce())
-        return Likelihood(self, analysis)
+        return Likelihood(self, analysis, invalid_rows)
 
     def close(self) -> None:
         """Close the connections."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bnserve_protocol._analyses import Analysis
 from bnserve_protocol._answers import ModelIdentity
-from bnserve_protocol._errors import AnalysisInvalid
+from bnserve_protocol._errors import AnalysisInvalid, FieldError
 from bnserve_protocol._model import ModelDescription
 
 
@@ -18,6 +18,7 @@ def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) 
     wanted = analysis.settings.model_digest
     if wanted not in (None, model.digest):
         raise AnalysisInvalid(
-            f"This analysis is made for the model {wanted} and cannot be evaluated with {model.name} {model.version} "
-            f"({model.digest}): make it again with this model, or use the other one."
+            f"The analysis was made for the model {wanted}, and this is {model.name} {model.version} ({model.digest}). "
+            "Use that model, or build the analysis again for this one.",
+            errors=[FieldError(reason="made for another model", parameter="model_digest", value=model.digest)],
         )

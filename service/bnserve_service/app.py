@@ -190,6 +190,7 @@ def create_app(
     metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: grids.stored_bytes)
     metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses))
     metrics.watch("bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes)
+    metrics.watch("bnserve_uploads_bytes", "Memory of analyses on their way", lambda: likelihoods.uploads.taken)
     parts = Parts(
         settings, registry, grids, analyses, queue, waveforms, likelihoods, lifecycle, health, maintenance, metrics
     )

@@ -17,7 +17,7 @@ from bnserve_service.metrics import Metrics
 from bnserve_service.registry import LoadedModel
 from bnserve_service.settings import REQUEST_COST, ROW_COST
 
-Layout: TypeAlias = tuple[tuple[str, int], ...]
+Layout: TypeAlias = tuple[frozenset[str], tuple[tuple[str, int], ...]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,8 +66,8 @@ class LikelihoodQuestion:
 
 
 def _layout(batch: LikelihoodBatch) -> Layout:
-    """Which detectors have how many calibration nodes; parameters without any have none."""
-    return tuple((name, array.shape[1]) for name, array in batch.calibration_amplitude.items())
+    """Which parameters were left out, and which detectors have how many calibration nodes."""
+    return batch.absent, tuple((name, array.shape[1]) for name, array in batch.calibration_amplitude.items())
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -147,6 +147,7 @@ def stack(batches: Sequence[LikelihoodBatch]) -> LikelihoodBatch:
             for name in first.calibration_amplitude
         },
         {name: np.concatenate([b.calibration_phase[name] for b in batches]) for name in first.calibration_phase},
+        first.absent,
     )
 
 

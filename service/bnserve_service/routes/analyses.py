@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
-
 from fastapi import APIRouter, Request, Response
-from starlette.types import Message, Receive
 
-from bnserve_protocol import MSGPACK, Overloaded, UnsupportedMediaType
+from bnserve_protocol import MSGPACK, UnsupportedMediaType
 from bnserve_service.analyses import AnalysisStore
 from bnserve_service.documents import AnalysisDocument, analysis_document
 from bnserve_service.likelihood_answering import LikelihoodService
@@ -20,56 +16,11 @@ from bnserve_service.transport.body import read_body
 from bnserve_service.transport.context import context_of
 from bnserve_service.transport.negotiation import media_type_of, refuse_encoded
 
-UPLOADS_AT_ONCE = 4
-"""So many bodies of the largest size may be on their way: what arrives is in memory before it counts as stored."""
-
-
-class UploadRoom:
-    """Memory for bodies on their way, counted as they arrive: a slow sender holds no more than it has sent.
-
-    Parameters
-    ----------
-    capacity:
-        Bytes of all together.
-    """
-
-    def __init__(self, capacity: int) -> None:
-        self._capacity = capacity
-        self.taken = 0
-        """Bytes held now."""
-
-    @contextmanager
-    def counting(self, receive: Receive) -> Iterator[Receive]:
-        """``receive``, which counts until the context ends.
-
-        Raises
-        ------
-        Overloaded
-            From that ``receive``: too many large bodies are on their way.
-        """
-        own = 0
-
-        async def counted() -> Message:
-            nonlocal own
-            message = await receive()
-            size = len(message.get("body", b""))
-            if self.taken + size > self._capacity:
-                raise Overloaded("Too many analyses are being uploaded at once; try again shortly.", retry_after=1.0)
-            own += size
-            self.taken += size
-            return message
-
-        try:
-            yield counted
-        finally:
-            self.taken -= own
-
 
 def analysis_router(analyses: AnalysisStore, service: LikelihoodService, settings: Settings) -> APIRouter:
     """The paths of uploaded analyses."""
     router = APIRouter(tags=["likelihoods"], default_response_class=Response)
     limit = settings.max_analysis_bytes
-    room = UploadRoom(UPLOADS_AT_ONCE * limit)
 
     @router.put(
         "/v1/analyses/{sha256}",
@@ -83,7 +34,7 @@ def analysis_router(analyses: AnalysisStore, service: LikelihoodService, setting
         refuse_encoded(context.headers)
         if media_type_of(context.headers) not in ("", MSGPACK):
             raise UnsupportedMediaType(f"Send the analysis as {MSGPACK}.")
-        with room.counting(request.receive) as receive:
+        with service.uploads.counting(request.receive) as receive:
             body = await read_body(context.headers, receive, limit, settings.body_timeout)
             context.request_digest = await service.digest(body)
             stored, is_new = await service.keep(context.owner, sha256.lower(), body)
