@@ -21,6 +21,7 @@ from benchmarks.figures.workspace import VALIDATION_SEED, Arrays, Workspace
 from bnserve_surrogate.training.config import TrainingConfiguration, ValidationSection
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.regressors import weighted_exponents
+from bnserve_surrogate.training.validation import validate
 
 _BASELINE = "baseline alone"
 _SMALLEST = 2**9
@@ -33,9 +34,8 @@ def draw(workspace: Workspace) -> Drawing:
     curves: dict[str, dict[int, NDArray[Any]]] = {}
     for label, recipe in recipes.items():
         sizes = _sizes(workspace, min(recipe.dataset.count, most[label]))
-        results = {size: _mismatches(workspace, of_size(recipe, size)) for size in sizes}
-        curves[label] = {size: arrays["mismatch"] for size, arrays in results.items()}
-        baseline = next(iter(results.values()))["baseline_mismatch"]
+        curves[label] = {size: _mismatches(workspace, of_size(recipe, size)) for size in sizes}
+    baseline = _baseline(workspace)
     figure = style.figure()
     axes = figure.subplots(2, 1, sharex=True, sharey=True)
     largest = max(max(sizes) for sizes in curves.values())
@@ -57,14 +57,18 @@ def draw(workspace: Workspace) -> Drawing:
 
 
 def of_size(recipe: TrainingConfiguration, size: int) -> TrainingConfiguration:
-    """The recipe for fewer waveforms: a polynomial keeps at least two of them for every term it starts from."""
+    """The recipe for ``size`` waveforms in all, an eighth of them on faces and edges if it has such.
+
+    A polynomial keeps at least two of them for every term it starts from.
+    """
+    edges = size // 8 if recipe.dataset.edge_count else 0
     options = recipe.regressor.polynomial
     degrees = np.arange(1.0, options.degree + 0.5)
     possible = [degree for degree in degrees if 2 * len(weighted_exponents(degree, options.weights)) <= size]
     smaller = msgspec.structs.replace(options, degree=float(max(possible, default=1.0)))
     return msgspec.structs.replace(
         recipe,
-        dataset=msgspec.structs.replace(recipe.dataset, count=size),
+        dataset=msgspec.structs.replace(recipe.dataset, count=size - edges, edge_count=edges),
         regressor=msgspec.structs.replace(recipe.regressor, polynomial=smaller),
     )
 
@@ -74,12 +78,12 @@ def _sizes(workspace: Workspace, most: int) -> list[int]:
     return sizes[:2] if workspace.short else [size for size in sizes if size >= _SMALLEST]
 
 
-def _mismatches(workspace: Workspace, recipe: TrainingConfiguration) -> Arrays:
+def _mismatches(workspace: Workspace, recipe: TrainingConfiguration) -> NDArray[Any]:
     """Of one training, on the waveforms of ``bnserve validate``; kept, for a network takes minutes."""
-    section = ValidationSection(count=workspace.count(workspace.fresh, 32), edge_count=0, seed=VALIDATION_SEED)
-    whole = msgspec.structs.replace(recipe, validation=section)
-    inputs = {"configuration": msgspec.to_builtins(msgspec.structs.replace(whole, labels=(), citation=""))}
-    return workspace.kept("mismatch", inputs, partial(_trained, workspace, whole))
+    whole = msgspec.structs.replace(recipe, validation=ValidationSection(count=32, edge_count=0))
+    plain = msgspec.to_builtins(msgspec.structs.replace(whole, labels=(), citation=""))
+    inputs = {"configuration": plain, "waveforms": _fresh(workspace), "seed": VALIDATION_SEED}
+    return workspace.kept("mismatch", inputs, partial(_trained, workspace, whole))["mismatch"]
 
 
 def _trained(workspace: Workspace, recipe: TrainingConfiguration) -> Arrays:
@@ -87,8 +91,23 @@ def _trained(workspace: Workspace, recipe: TrainingConfiguration) -> Arrays:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)  # the paper's number of epochs is the paper's
         trained = train(recipe, workspace.directory, n_jobs=workspace.jobs, say=lambda line: None)
-    result = trained.validations["uniform"]
-    return {"mismatch": result.mismatch, "baseline_mismatch": result.baseline_mismatch}
+    fresh = workspace.waveforms("uniform", _fresh(workspace), recipe)
+    return {"mismatch": validate(trained.model, trained.metadata, fresh).mismatch}
+
+
+def _baseline(workspace: Workspace) -> NDArray[Any]:
+    """Of the baseline alone on the same waveforms, whatever the model."""
+
+    def measured() -> Arrays:
+        return {"mismatch": workspace.validation(workspace.waveforms("uniform", count)).baseline_mismatch}
+
+    count = _fresh(workspace)
+    inputs = {"recipe": msgspec.to_builtins(workspace.recipe.ranges), "waveforms": count}
+    return workspace.kept("baseline", inputs, measured)["mismatch"]
+
+
+def _fresh(workspace: Workspace) -> int:
+    return workspace.count(workspace.fresh, 32)
 
 
 def _panel(axis: Axes, by_size: dict[int, NDArray[Any]], baseline: NDArray[Any], largest: int) -> None:

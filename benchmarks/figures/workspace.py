@@ -83,9 +83,12 @@ class Workspace:
         """Name and version of the shipped model."""
         return f"{self.artifact.manifest.name} {self.artifact.manifest.version}"
 
-    def waveforms(self, kind: str, count: int) -> ResidualDataset:
-        """Waveforms that the shipped model never saw: ``"uniform"`` in its box or on its ``"edges"``."""
-        trained = parse_configuration(self.metadata.provenance["configuration"])
+    def waveforms(self, kind: str, count: int, configuration: TrainingConfiguration | None = None) -> ResidualDataset:
+        """Waveforms that no model has seen: ``"uniform"`` in the box or on its ``"edges"``.
+
+        The box is that of a configuration, by default of the shipped model's.
+        """
+        trained = configuration or parse_configuration(self.metadata.provenance["configuration"])
         generator = make_generator(trained.generator.name, **trained.generator.options)
         nodes = smooth_nodes(*training_band(trained), 300, trained.ranges.reference_mass)  # as validate_artifact's
         specification = DatasetSpecification(

@@ -92,13 +92,23 @@ def test_what_a_search_found_comes_back_as_it_was_written(tmp_path):
 @pytest.mark.parametrize(
     ("count", "trial"), [(60, 4), (199, 4), (200, 1), (10**6, 1)], ids=lambda value: str(value)
 )  # fmt: skip
-def test_the_largest_training_set_that_is_not_larger_is_taken(count, trial):
+def test_the_best_of_those_with_no_more_waveforms_is_taken(count, trial):
     assert COLLECTION.best_for(count).trial == trial
 
 
-def test_of_two_with_as_many_waveforms_the_more_accurate_is_taken():
+def test_the_more_accurate_is_taken_whether_it_has_as_many_waveforms_or_fewer():
     twice = msgspec.structs.replace(COLLECTION, entry=(entry(1, 200, 1e-3, 2.0), entry(2, 200, 1e-4, 2.0)))
     assert twice.best_for(500).trial == 2
+    fewer = msgspec.structs.replace(COLLECTION, entry=(entry(1, 100, 1e-4, 2.0), entry(2, 200, 1e-3, 2.0)))
+    assert fewer.best_for(500).trial == fewer.best_for(199).trial == 1
+
+
+@pytest.mark.parametrize("name", ["pareto_polynomial.toml", "pareto_network.toml"])
+def test_more_waveforms_never_mean_worse_hyperparameters(name):
+    text = (resources.files("bnserve_surrogate") / "data" / name).read_text(encoding="utf-8")
+    collection = parse_collection(text, name)
+    errors = [collection.best_for(entry.waveforms).reconstruction_error for entry in collection.entry]
+    assert errors == sorted(errors, reverse=True)
 
 
 def test_fewer_waveforms_than_any_entry_is_an_error():

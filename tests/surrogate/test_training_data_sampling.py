@@ -85,6 +85,17 @@ def test_edge_samples_have_one_to_five_parameters_at_a_bound_equally_often():
     assert (theta == RANGES.upper).any(axis=0).all()
 
 
+def test_edge_samples_without_corners_leave_one_parameter_inside():
+    theta = draw(EdgeSampling(most=4), RANGES, 3, "x", 2000)
+    bound = ((theta == RANGES.lower) | (theta == RANGES.upper)).sum(axis=1)
+    counts = np.bincount(bound, minlength=6)
+    assert counts[0] == counts[5] == 0
+    assert np.abs(counts[1:5] - 500).max() < 100
+    assert EdgeSampling(most=4).settings != EdgeSampling().settings
+    with pytest.raises(InvalidParameters, match="Between 1 and 5"):
+        EdgeSampling(most=6)
+
+
 def test_a_mixture_takes_its_fraction_from_the_first_density():
     mixture = MixtureSampling(first=EdgeSampling(), second=UniformSampling(), fraction=0.25)
     theta = draw(mixture, RANGES, 3, "x", 2000)

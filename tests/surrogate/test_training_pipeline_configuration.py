@@ -104,6 +104,11 @@ def test_values_of_a_wrong_type_are_named(change, says):
         ({"reduction": {"components": 121}}, "numbers at the nodes"),
         ({"reduction": {"noise": "ETD"}}, "Unknown noise curve 'ETD'"),
         ({"regressor": {"polynomial": {"degree": 9}}}, "1097 terms of the polynomial cannot be determined by 200"),
+        ({"dataset": {"edge_count": -1}}, "dataset.edge_count"),
+        (
+            {"dataset": {"count": 7}, "regressor": {"kind": "network"}},
+            "a network cannot be trained on 7 waveforms; raise 'count' in [dataset] to at least 8",
+        ),
         ({"regressor": {"polynomial": {"terms": 0}}}, "terms"),
         ({"regressor": {"polynomial": {"weights": [1.0, 1.0, 0.0, 1.0, 1.0]}}}, "positive weights"),
         ({"regressor": {"network": {"hidden_layer_sizes": [0]}}}, "hidden_layer_sizes"),

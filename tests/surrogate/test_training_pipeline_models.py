@@ -153,6 +153,31 @@ def test_the_exported_model_equals_its_parts_to_rounding(change, work):
     np.testing.assert_allclose(ours.phase, -psi, rtol=1e-13, atol=1e-8)
 
 
+def test_edges_come_after_the_other_waveforms_and_no_corner_is_among_them(work):
+    def made(*changes):
+        configuration = configured(*changes)
+        generator = make_generator(configuration.generator.name, **configuration.generator.options)
+        options = {"n_jobs": 1, "backend": "sequential", "progress": False, "say": lambda line: None}
+        return training_dataset(configuration, generator, work, **options)
+
+    plain, enriched = made(), made({"dataset": {"edge_count": 40}})
+    np.testing.assert_array_equal(enriched.theta[:200], plain.theta)
+    np.testing.assert_array_equal(enriched.psi_residual[:200], plain.psi_residual)
+    assert enriched.index.tolist() == list(range(240))
+    bound = np.isin(enriched.theta[200:], [1.0, 3.0, -0.5, 0.5, 5.0, 5000.0]).sum(axis=1)
+    assert set(bound) == {1, 2, 3, 4}
+    assert enriched.digest != plain.digest
+
+
+@pytest.mark.parametrize("waveforms", [8, 60])
+def test_a_network_can_be_trained_on_few_waveforms(work, waveforms):
+    """The scalars beside it then have a polynomial of lower degree."""
+    few = {"dataset": {"count": waveforms}, "reduction": {"components": 4}, "regressor": {
+        "kind": "network", "network": {**NETWORK, "batch_size": 4, "validation_fraction": 0.25}}}  # fmt: skip
+    options = {"n_jobs": 1, "backend": "sequential", "progress": False, "say": lambda line: None}
+    assert train(configured(few), work, **options).model.self_check()
+
+
 @pytest.fixture(scope="module")
 def exact(work):
     trained = train(configured(), work, n_jobs=1, backend="sequential", progress=False, say=lambda line: None)

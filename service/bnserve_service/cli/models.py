@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from bnserve_store import ModelStore
+    from bnserve_store import Manifest, ModelStore
 
 
 def add_parser(subparsers: Any) -> None:
@@ -127,8 +128,19 @@ def publish_model(options: argparse.Namespace) -> int:
         labels=labels,
         created=manifest.created,  # so that the copy has the same digest
     )
+    _copy_report(options.origin, options.store[0], published)
     print(f"Published {published.name} {published.version} ({published.digest})")
     return 0
+
+
+def _copy_report(origin: Path, target: Path, manifest: Manifest) -> None:
+    """Take along the page that ``bnserve train`` has left beside the manifest."""
+    version = Path(manifest.name) / manifest.version
+    for page in (origin / version).glob("report.html"):
+        try:
+            shutil.copyfile(page, target / version / page.name)
+        except OSError as error:
+            print(f"Its report was not copied: {error.strerror}.", file=sys.stderr)
 
 
 def label_model(options: argparse.Namespace) -> int:

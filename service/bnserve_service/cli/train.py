@@ -50,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
     print(report.table(trained.validations))
     print(f"Published {manifest.name} {manifest.version} ({manifest.digest}) to {options.store}")
     if not options.no_report:
-        page = options.work / f"{manifest.name}-{manifest.version}-report.html"
+        page = options.store / manifest.name / manifest.version / report.REPORT_FILE
         report.write_report(page, f"{manifest.name} {manifest.version}", manifest.digest, trained)
         print(f"Report: {page}")
     return 0

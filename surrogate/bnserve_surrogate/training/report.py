@@ -19,6 +19,8 @@ from bnserve_surrogate.training.validation import QUANTILES, Validation, quantil
 if TYPE_CHECKING:
     from bnserve_surrogate.training.pipeline import Trained
 
+REPORT_FILE = "report.html"
+"""Its name, beside the manifest of the model. It is for people: no part of the artifact, and of no digest."""
 _ROWS = {
     "mismatch": lambda v: v.mismatch,
     "mismatch of the baseline alone": lambda v: v.baseline_mismatch,
@@ -117,7 +119,7 @@ def _figure(rows: int, columns: int, size: tuple[float, float]) -> Any:
 
 def _png(figure: Any) -> str:
     buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=130)
+    figure.savefig(buffer, format="png", dpi=100)
     return base64.b64encode(buffer.getvalue()).decode()
 
 

@@ -67,7 +67,10 @@ class ParetoCollection(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown
     entry: tuple[ParetoEntry, ...]
 
     def best_for(self, waveforms: int) -> ParetoEntry:
-        """The entry with the most training waveforms not above ``waveforms``; of several, the smallest error.
+        """The entry with the smallest error among those found with no more than ``waveforms`` training waveforms.
+
+        On the front in both costs it need not be the one with the most: one with fewer and a longer training can be
+        ahead of it. Of equals, the cheapest.
 
         Raises
         ------
@@ -81,7 +84,7 @@ class ParetoCollection(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown
                 f"The smallest training set among the best hyper-parameters has {least} waveforms; this configuration "
                 f'has {waveforms}. Raise [dataset] count, or set [regressor] hyperparameters = "given".'
             )
-        return max(usable, key=lambda entry: (entry.waveforms, -entry.reconstruction_error))
+        return min(usable, key=lambda entry: (entry.reconstruction_error, entry.cost_seconds))
 
 
 def parse_collection(text: str, name: str) -> ParetoCollection:
