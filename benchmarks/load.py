@@ -49,6 +49,36 @@ def open_connection(address: tuple[str, int] | str) -> socket.socket:
     return connection
 
 
+def round_trips(address: tuple[str, int] | str, request: bytes, calls: int) -> tuple[list[float], bytes]:
+    """Seconds from sending to having all of each of some answers, on one connection; and the last answer's body.
+
+    Raises
+    ------
+    LoadFailed
+        An answer was not 200, or the connection ended.
+    """
+    scratch, seconds, body = memoryview(bytearray(_SCRATCH)), [], bytearray()
+    with open_connection(address) as connection:
+        for _ in range(calls):
+            body.clear()
+            missing, started = -1, time.perf_counter()
+            connection.sendall(request)
+            while missing:
+                count = connection.recv_into(scratch)
+                if count == 0:
+                    raise LoadFailed("The server closed a connection.")
+                body += scratch[:count]
+                if missing < 0:
+                    if (end := body.find(b"\r\n\r\n")) < 0:
+                        continue
+                    missing = _body_length(bytes(body[:end])) + end + 4 - len(body)
+                    del body[: end + 4]
+                else:
+                    missing -= count
+            seconds.append(time.perf_counter() - started)
+    return seconds, bytes(body)
+
+
 def answers_per_second(address: tuple[str, int] | str, requests: Sequence[bytes], seconds: float) -> float:
     """Answers per second when as many clients as there are requests repeat theirs for some seconds.
 
