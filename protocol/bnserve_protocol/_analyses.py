@@ -122,7 +122,13 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
         return UniformGrid(f_min=self.f_min, f_max=self.f_max, delta_f=1.0 / self.duration)
 
 
-_settings_encoder = msgspec.msgpack.Encoder(order="deterministic")
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.floating | np.integer | np.bool_):
+        return value.item()
+    raise NotImplementedError(f"{type(value).__name__} does not travel")
+
+
+_settings_encoder = msgspec.msgpack.Encoder(order="deterministic", enc_hook=_plain)
 _settings_decoder = msgspec.msgpack.Decoder(AnalysisSettings)
 
 
@@ -188,7 +194,7 @@ def _canonical(settings: AnalysisSettings) -> AnalysisSettings:
     """The same settings in the types of the schema: an integer is another message than the float of its value."""
     try:
         return _settings_decoder.decode(_settings_encoder.encode(settings))
-    except (msgspec.MsgspecError, TypeError) as error:
+    except (msgspec.MsgspecError, TypeError, NotImplementedError) as error:
         raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
 
 
