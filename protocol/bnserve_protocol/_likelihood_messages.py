@@ -41,6 +41,7 @@ _MOST_NAMES = 64
 _MOST_PLAIN_BYTES = 2**20
 """Of numbers that do not travel as an array: decoded one by one they take up to sixty times as much."""
 
+_ALL_NAMES = list(LIKELIHOOD_NAMES)
 _Named: TypeAlias = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)]
 
 
@@ -148,31 +149,37 @@ def decode_likelihood_request(
 
 
 def _batch(reader: _Reader, wire: _WireRequest, max_rows: int) -> LikelihoodBatch:
-    names = wire.names
-    if names is None:
+    columns: dict[str, NDArray[np.float64]] = {}
+    rows = None
+    if wire.names is None:
         columns = {name: reader.values(raw) for name, raw in reader.columns.decode(wire.parameters).items()}
-        lengths = [len(column) for column in columns.values() if column.ndim]
     else:
-        check_likelihood_names(names)
-        rows = reader.values(wire.parameters)
-        if rows.ndim != 2 or rows.shape[1] != len(names):
-            raise InvalidParameters(
-                f"With 'names' given, 'parameters' is an array [N, {len(names)}]; got shape {list(rows.shape)}."
-            )
-        columns = {name: rows[:, column] for column, name in enumerate(names)}
-        lengths = [len(rows)]
-    if max(lengths, default=1) > max_rows:
-        raise TooLarge(f"A batch has at most {max_rows} rows here; this one has {max(lengths)}: split it.")
+        rows = _rows(reader, wire.parameters, wire.names)
+        columns = {name: rows[:, column] for column, name in enumerate(wire.names)}
+    most = max((len(column) for column in columns.values() if column.ndim), default=1)
+    if most > max_rows:
+        raise TooLarge(f"A batch has at most {max_rows} rows here; this one has {most}: split it.")
     amplitude, phase = (
         {detector: reader.values(raw) for detector, raw in arrays.items()}
         for arrays in (wire.calibration_amplitude, wire.calibration_phase)
     )
-    if names is not None and tuple(names) == LIKELIHOOD_NAMES:  # what our client sends
-        return LikelihoodBatch(rows.copy(), amplitude, phase)  # a copy, because the body it views is read-only
     if any(array.ndim != 2 for array in (*amplitude.values(), *phase.values())):
         raise InvalidParameters("Calibration errors travel as one array [N, nodes] for each detector.")
+    if rows is not None and wire.names == _ALL_NAMES:  # what our client sends
+        return LikelihoodBatch(rows.copy(), amplitude, phase)  # a copy, because the body it views is read-only
     calibration = {"calibration_amplitude": amplitude, "calibration_phase": phase}
     return LikelihoodBatch.coerce({**columns, **calibration})
+
+
+def _rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> NDArray[np.float64]:
+    if names != _ALL_NAMES:
+        check_likelihood_names(names)
+    rows = reader.values(raw)
+    if rows.ndim != 2 or rows.shape[1] != len(names):
+        raise InvalidParameters(
+            f"With 'names' given, 'parameters' is an array [N, {len(names)}]; got shape {list(rows.shape)}."
+        )
+    return rows
 
 
 def _real(array: NDArray[Any]) -> NDArray[np.float64]:
