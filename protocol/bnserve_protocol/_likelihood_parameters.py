@@ -161,7 +161,8 @@ class LikelihoodBatch:
             rows = [[getattr(row, name) for name in LIKELIHOOD_NAMES] for row in batch]
             values = _as_floats("parameters", rows).reshape(len(rows), len(LIKELIHOOD_NAMES))
             absent = [name for name in _OPTIONAL if all(math.isnan(getattr(row, name)) for row in batch)]
-            return cls(values, *(_stacked(batch, name) for name in CALIBRATION_NAMES), absent=absent)
+            amplitude, phase = (_stacked(batch, name) for name in CALIBRATION_NAMES)
+            return cls(values, amplitude, phase, absent)
         raise InvalidParameters(
             "A batch is a list of LikelihoodParameters or a mapping from parameter names to numbers and vectors; "
             f"got {type(batch).__name__}."
@@ -180,7 +181,8 @@ class LikelihoodBatch:
         for column, name in enumerate(LIKELIHOOD_NAMES):
             values[:, column] = arrays[name] if name in arrays else _DEFAULTS[name]
         absent = [name for name in _OPTIONAL if name not in columns]
-        return cls(values, *(_repeated(rows, name, columns.get(name, {})) for name in CALIBRATION_NAMES), absent=absent)
+        amplitude, phase = (_repeated(rows, name, columns.get(name, {})) for name in CALIBRATION_NAMES)
+        return cls(values, amplitude, phase, absent)
 
 
 LikelihoodBatchLike: TypeAlias = (
