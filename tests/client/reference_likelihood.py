@@ -1,4 +1,4 @@
-"""A :class:`ReferenceService` that also keeps analyses: a likelihood is a sum of numbers with the same bits anywhere."""
+"""A :class:`ReferenceService` that also keeps analyses: its likelihood is a sum with the same bits anywhere."""
 
 import json
 import re
