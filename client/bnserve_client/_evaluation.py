@@ -142,6 +142,7 @@ class Evaluator:
                 try:
                     yield from self._session.upload_grid(grid.sha256, grid.frequencies.tobytes(), patience)
                 except (Forbidden, TooLarge):
+                    grid.in_full = True
                     break
         return (yield from self._post(question, part, grid.frequencies, patience))
 

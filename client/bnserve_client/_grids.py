@@ -9,8 +9,10 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import Grid, GridDigest, GridLike, UniformGrid, as_frequencies, grid_digest
 
-UPLOAD_ABOVE = 512
-"""Grids of more points (4 KiB) are uploaded once and then named by their digest."""
+IN_FULL_ONCE = 512
+"""Grids of more points (4 KiB) are uploaded at once and named by their digest; smaller ones when they are used again."""
+IN_FULL_ALWAYS = 16
+"""So few points are shorter than a digest with what belongs to it."""
 
 _REMEMBERED = 4
 
@@ -21,6 +23,9 @@ class ExplicitGrid:
     def __init__(self, frequencies: NDArray[np.float64]) -> None:
         self.frequencies = frequencies.copy()
         self.frequencies.flags.writeable = False
+        self.in_full = len(frequencies) <= IN_FULL_ALWAYS
+        """Whether it always travels in full: because it is tiny, or because the service does not take uploads."""
+        self._used_before = False
 
     def __len__(self) -> int:
         return len(self.frequencies)
@@ -32,7 +37,10 @@ class ExplicitGrid:
 
     def on_the_wire(self) -> Grid:
         """The grid in a request: in full, or its digest where the service can be expected to know it."""
-        return self.frequencies if len(self) <= UPLOAD_ABOVE else GridDigest(sha256=self.sha256)
+        first_use, self._used_before = not self._used_before, True
+        if self.in_full or (first_use and len(self) <= IN_FULL_ONCE):
+            return self.frequencies
+        return GridDigest(sha256=self.sha256)
 
 
 class GridMemory:

@@ -9,7 +9,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol._arrays import decode_array, encode_array
+from bnserve_protocol._arrays import decode_array, encode_array, encode_small_array
 from bnserve_protocol._errors import UndecodableBody
 
 ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
@@ -47,7 +47,7 @@ _identity = msgspec.msgpack.Decoder(ModelIdentity)
 
 
 def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> list[bytes | memoryview]:
-    """Write an answer as a list of buffers; array memory is not copied. Joined, they are one MessagePack map.
+    """Write an answer as buffers, which joined are one MessagePack map; the memory of large arrays is not copied.
 
     The data of a large array begins at a multiple of 64 bytes, behind a field of zeros named ``pad_`` and its name: a
     reader who puts the body into aligned memory can use the array where it is.
@@ -57,12 +57,15 @@ def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> l
     parts: list[bytes | memoryview] = []
     position = 0
     for name, array in arrays.items():
+        if name not in large:
+            start += _encode(name) + encode_small_array(array)
+            continue
         header, data = encode_array(array)
-        start += _encode(name) + bytes(header) if name not in large else _padded(name, header, position + len(start))
+        start += _padded(name, header, position + len(start))
         parts += [start, data]
         position += len(start) + len(data)
         start = b""
-    return parts
+    return [*parts, start] if start else parts
 
 
 def _padded(name: str, header: bytes | memoryview, position: int) -> bytes:

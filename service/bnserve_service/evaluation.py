@@ -191,6 +191,8 @@ def _told(error: Exception) -> Exception:
 
 def split_rows(arrays: Mapping[str, NDArray[Any]], lengths: Sequence[int]) -> list[Arrays]:
     """The rows of each part of a stacked batch, as views."""
+    if len(lengths) == 1:
+        return [dict(arrays)]
     ends = np.cumsum(lengths).tolist()
     return [
         {name: array[end - length : end] for name, array in arrays.items()}

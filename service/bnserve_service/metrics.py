@@ -12,13 +12,13 @@ from prometheus_client import (
     CollectorRegistry,
     Counter,
     Gauge,
-    Histogram,
     Info,
     ProcessCollector,
     generate_latest,
 )
 
 from bnserve_protocol import ModelIdentity, RowStatus, __version__
+from bnserve_service.distribution import Distribution
 
 _METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"})
 _SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
@@ -37,19 +37,16 @@ class Metrics:
         self._requests = Counter(
             "bnserve_requests", "Requests answered", ["route", "method", "status"], registry=registry
         )
-        self._seconds = Histogram(
-            "bnserve_request_duration_seconds", "From the headers to the end of the answer", ["route"],
-            buckets=_SECONDS, registry=registry,
-        )  # fmt: skip
+        self._seconds = Distribution(
+            "bnserve_request_duration_seconds", "From the headers to the end of the answer", _SECONDS, registry, "route"
+        )
         self._refused = Counter("bnserve_errors", "Error answers by code", ["code"], registry=registry)
-        self.queue_wait = Histogram(
-            "bnserve_queue_wait_seconds", "Between admission and evaluation", buckets=_SECONDS, registry=registry
+        self.queue_wait = Distribution(
+            "bnserve_queue_wait_seconds", "Between admission and evaluation", _SECONDS, registry
         )
-        self.evaluation = Histogram(
-            "bnserve_evaluation_seconds", "One call of the model", buckets=_SECONDS, registry=registry
-        )
-        self.group_requests = Histogram(
-            "bnserve_group_requests", "Requests evaluated together", buckets=_GROUP_SIZES, registry=registry
+        self.evaluation = Distribution("bnserve_evaluation_seconds", "One call of the model", _SECONDS, registry)
+        self.group_requests = Distribution(
+            "bnserve_group_requests", "Requests evaluated together", _GROUP_SIZES, registry
         )
         self._rows = Counter("bnserve_rows", "Waveforms evaluated", ["model"], registry=registry)
         self._samples = Counter("bnserve_samples", "Frequency samples evaluated", ["model"], registry=registry)
@@ -62,7 +59,8 @@ class Metrics:
         self.reloads = Counter("bnserve_reloads", "Looks at the stores by outcome", ["outcome"], registry=registry)
         self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
         self._request_child = cache(self._requests.labels)
-        self._seconds_child = cache(self._seconds.labels)
+        self._rows_child = cache(self._rows.labels)
+        self._samples_child = cache(self._samples.labels)
 
     def watch(self, name: str, description: str, value: Callable[[], float]) -> None:
         """A gauge that is read when it is scraped."""
@@ -71,7 +69,7 @@ class Metrics:
     def observe_request(self, route: str, method: str, status: int, seconds: float) -> None:
         """Count one answered request."""
         self._request_child(route, method if method in _METHODS else "other", str(status)).inc()
-        self._seconds_child(route).observe(seconds)
+        self._seconds.observe(seconds, route)
 
     def refused(self, code: str) -> None:
         """Count one error answer."""
@@ -79,8 +77,8 @@ class Metrics:
 
     def evaluated(self, model: str, rows: int, samples: int) -> None:
         """Count evaluated waveforms."""
-        self._rows.labels(model).inc(rows)
-        self._samples.labels(model).inc(samples)
+        self._rows_child(model).inc(rows)
+        self._samples_child(model).inc(samples)
 
     def likelihoods(self, model: str, status: NDArray[np.uint8]) -> None:
         """Count evaluated log-likelihoods by their :class:`RowStatus`."""

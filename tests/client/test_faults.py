@@ -141,7 +141,7 @@ def test_a_server_that_hangs_is_left_for_another(start_server, connect):
 
 def test_a_stopped_replica_is_left_for_another(start_server, connect):
     servers = [start_server() for _ in range(3)]
-    model = connect(",".join(server.address for server in servers), retries=1)
+    model = connect(",".join(server.address for server in servers), retries=2)
     for server in servers[:2]:
         server.faults.extend([faults.reset] * 1)
     for _ in range(12):
