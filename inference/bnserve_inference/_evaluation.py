@@ -11,19 +11,20 @@ from numpy.typing import NDArray
 
 from bnserve_inference._chirp_z import ChirpZ
 from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0, log_mean_over_times
-from bnserve_inference._rows import check_batch, refuse_rows, row_statuses
+from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference.kernel import Contraction, Sky
 from bnserve_protocol import (
     Analysis,
-    AnalysisInvalid,
     EvaluationOptions,
     Factored,
-    FieldError,
+    Likelihood,
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodCounts,
     RowStatus,
     WaveformModel,
+    check_model_of,
+    refuse_rows,
 )
 
 Floats = NDArray[np.float64]
@@ -65,7 +66,7 @@ class LocalLikelihood:
     def __init__(
         self, model: WaveformModel, analysis: Analysis, *, invalid_rows: Literal["flag", "error"] = "flag"
     ) -> None:
-        _check_model(model, analysis)
+        check_model_of(analysis, model.description)
         self._model, self._analysis, self._invalid_rows = model, analysis, invalid_rows
         settings = analysis.settings
         self._contraction = Contraction(analysis)
@@ -213,16 +214,14 @@ class LocalLikelihood:
 
 def likelihood(
     model: WaveformModel, analysis: Analysis, *, invalid_rows: Literal["flag", "error"] = "flag"
-) -> LocalLikelihood:
-    """The likelihood of an analysis, evaluated with a model in this process; see :class:`LocalLikelihood`."""
+) -> Likelihood:
+    """The likelihood of an analysis with a model: evaluated where the model is.
+
+    A model that has a method ``likelihood`` of its own, as remote ones do, is asked for it; for any other model it is a
+    :class:`LocalLikelihood`. Parameters and errors are the same.
+    """
+    remote = getattr(model, "likelihood", None)
+    if remote is not None:
+        found: Likelihood = remote(analysis, invalid_rows=invalid_rows)
+        return found
     return LocalLikelihood(model, analysis, invalid_rows=invalid_rows)
-
-
-def _check_model(model: WaveformModel, analysis: Analysis) -> None:
-    wanted, given = analysis.settings.model_digest, model.description
-    if wanted is not None and wanted != given.digest:
-        raise AnalysisInvalid(
-            f"The analysis was made for the model {wanted}, and this is {given.name} {given.version} ({given.digest}). "
-            "Use that model, or build the analysis again for this one.",
-            errors=[FieldError(reason="made for another model", parameter="model_digest", value=given.digest)],
-        )

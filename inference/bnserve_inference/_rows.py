@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,7 +11,6 @@ from bnserve_protocol import (
     FieldError,
     InvalidParameters,
     LikelihoodBatch,
-    OutOfDomain,
     RowStatus,
 )
 
@@ -90,28 +87,3 @@ def chirp_mass(batch: LikelihoodBatch) -> NDArray[np.float64]:
     """In solar masses, ``(N,)``."""
     q = batch["mass_ratio"]
     return np.asarray(batch["total_mass"] * (q / (1.0 + q) ** 2) ** 0.6)
-
-
-_REASONS = {
-    RowStatus.NOT_FINITE: "holds values that are not finite",
-    RowStatus.OUT_OF_DOMAIN: "is outside the model's trained range",
-    RowStatus.OUT_OF_BAND: "has no frequency inside the model's band",
-    RowStatus.OUT_OF_PRIOR: "is outside the ranges that the analysis is made for",
-}
-
-
-def refuse_rows(status: NDArray[np.uint8]) -> None:
-    """Raise for the rows that are not OK.
-
-    Raises
-    ------
-    OutOfDomain
-    """
-    bad: Iterable[int] = np.flatnonzero(status)[:64].tolist()
-    problems = [FieldError(reason=_REASONS[RowStatus(int(status[row]))], row=row) for row in bad]
-    if problems:
-        raise OutOfDomain(
-            f"Row {problems[0].row} {problems[0].reason}; {int((status != 0).sum())} of {len(status)} rows cannot be "
-            "evaluated.",
-            errors=problems,
-        )

@@ -40,3 +40,9 @@ class Likelihood(Protocol):
         Rows outside the analysis' prior ranges or the model's trained range are -inf and counted; names and shapes that
         do not fit raise ``InvalidParameters``.
         """
+
+    def evaluate(self, batch: LikelihoodBatchLike) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """As :meth:`log_likelihood`, with the :class:`RowStatus` of every row, uint8 ``(N,)``; rows never raise.
+
+        A row's bits depend on the row, the analysis and the model alone.
+        """

@@ -6,11 +6,14 @@ import threading
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import TypeAlias
 
-from bnserve_protocol import Analysis, AnalysisInvalid, AnalysisUnknown, TooLarge
-from bnserve_service.bound_likelihoods import BoundLikelihood, LikelihoodFactory
+from bnserve_protocol import Analysis, AnalysisInvalid, AnalysisUnknown, Likelihood, TooLarge, WaveformModel
 from bnserve_service.registry import LoadedModel
 from bnserve_service.settings import Settings
+
+LikelihoodFactory: TypeAlias = Callable[[WaveformModel, Analysis], Likelihood]
+"""Makes the likelihood of an analysis with a model; ``bnserve_inference.likelihood`` is one."""
 
 UNKNOWN = (
     "No analysis that you uploaded has that digest here (they are dropped when the server restarts or needs the "
@@ -36,14 +39,14 @@ class StoredAnalysis:
     def __init__(self, analysis: Analysis, nbytes: int) -> None:
         self.analysis = analysis
         self.nbytes = nbytes
-        self._likelihoods: dict[LoadedModel, BoundLikelihood] = {}
+        self._likelihoods: dict[LoadedModel, Likelihood] = {}
 
     @property
     def sha256(self) -> str:
         """Its name: the digest of its canonical form, in hexadecimal."""
         return self.analysis.digest.removeprefix("sha256:")
 
-    def likelihood(self, model: LoadedModel, bind: LikelihoodFactory) -> BoundLikelihood:
+    def likelihood(self, model: LoadedModel, bind: LikelihoodFactory) -> Likelihood:
         """The likelihood of this analysis with a model; made when it is first asked for, in a worker thread."""
         found = self._likelihoods.get(model)
         if found is None:

@@ -13,11 +13,10 @@ from fastapi.middleware.asyncexitstack import AsyncExitStackMiddleware
 from fastapi.responses import Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from bnserve_protocol import Analysis, WaveformModel, decode_analysis
-from bnserve_service.analyses import AnalysisStore
+from bnserve_protocol import Analysis, Likelihood, WaveformModel, decode_analysis
+from bnserve_service.analyses import AnalysisStore, LikelihoodFactory
 from bnserve_service.answering import WaveformService
 from bnserve_service.batching import WorkQueue
-from bnserve_service.bound_likelihoods import BoundLikelihood, LikelihoodFactory
 from bnserve_service.cpu import available_cpus
 from bnserve_service.evaluation import Evaluator
 from bnserve_service.grids import GridCache
@@ -209,7 +208,7 @@ def _surrogate(artifact: Any) -> Any:
     return Model.from_artifact(artifact)
 
 
-def _likelihood(model: WaveformModel, analysis: Analysis) -> BoundLikelihood:
+def _likelihood(model: WaveformModel, analysis: Analysis) -> Likelihood:
     from bnserve_inference import likelihood  # here, because a server that only serves waveforms need not load it
 
     return likelihood(model, analysis)

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import LikelihoodBatch, Limits, Overloaded, TooLarge, check_model_of, likelihood_samples
-from bnserve_service.analyses import StoredAnalysis
-from bnserve_service.bound_likelihoods import BoundLikelihood, LikelihoodFactory
+from bnserve_service.analyses import LikelihoodFactory, StoredAnalysis
 from bnserve_service.metrics import Metrics
 from bnserve_service.registry import LoadedModel
 from bnserve_service.settings import REQUEST_COST, ROW_COST
@@ -120,7 +119,7 @@ class LikelihoodEvaluator:
 
     def _together(self, questions: Sequence[LikelihoodQuestion]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         first = questions[0]
-        likelihood: BoundLikelihood = first.stored.likelihood(first.model, self._bind)
+        likelihood = first.stored.likelihood(first.model, self._bind)
         return likelihood.evaluate(stack([question.batch for question in questions]))
 
 
