@@ -36,11 +36,14 @@ def run(options: argparse.Namespace) -> int:
     """Serve until told to stop."""
     for name in ONE_THREAD:  # before numpy is imported
         os.environ.setdefault(name, "1")
+    from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
     from bnserve_service.server import serve
     from bnserve_service.settings import load_settings
 
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
     logging.getLogger("uvicorn").setLevel(logging.WARNING)
+    keep_freed_memory()
+    forget_what_is_imported()
     serve(load_settings(options.config, _overrides(options)), announce=_announce)
     return 0
 
