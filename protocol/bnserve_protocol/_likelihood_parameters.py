@@ -160,7 +160,7 @@ class LikelihoodBatch:
         if isinstance(batch, Sequence) and all(isinstance(row, LikelihoodParameters) for row in batch):
             rows = [[getattr(row, name) for name in LIKELIHOOD_NAMES] for row in batch]
             values = _as_floats("parameters", rows).reshape(len(rows), len(LIKELIHOOD_NAMES))
-            absent = [name for name in _OPTIONAL if all(math.isnan(getattr(row, name)) for row in batch)]
+            absent = [name for name in _OPTIONAL if batch and all(math.isnan(getattr(row, name)) for row in batch)]
             amplitude, phase = (_stacked(batch, name) for name in CALIBRATION_NAMES)
             return cls(values, amplitude, phase, absent)
         raise InvalidParameters(

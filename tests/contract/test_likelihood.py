@@ -1,0 +1,222 @@
+"""What holds for every likelihood: the remote ones equal the local one in bits, types and errors."""
+
+import asyncio
+import functools
+
+import numpy as np
+import pytest
+
+from bnserve_client import AsyncModel
+from bnserve_client import Model as RemoteModel
+from bnserve_inference import likelihood
+from bnserve_protocol import (
+    Analysis,
+    AnalysisSettings,
+    BnserveError,
+    Calibration,
+    DistanceMarginalisation,
+    InvalidParameters,
+    Likelihood,
+    LikelihoodCounts,
+    LikelihoodParameters,
+    OutOfDomain,
+    RowStatus,
+    TimeGrid,
+    TimeMarginalisation,
+)
+from tests.service.injections import SIGNAL, samples, sites, small_analysis
+
+DETECTORS = ("H1", "L1", "V1")
+
+
+def with_nodes(kind, **settings):
+    """An analysis whose weights depend on time; they belong to no data, which the arithmetic does not mind."""
+    random = np.random.default_rng(4)
+    settings = AnalysisSettings(
+        kind=kind, detectors=DETECTORS, f_min=20.0, f_max=1024.0, duration=4.0, trigger_time=0.0, sidereal_time=2.0,
+        sidereal_rate=7.292e-5, prior={"coalescence_time": (-0.1, 0.1)}, time_grid=TimeGrid(start=-0.15, step=0.01),
+        **settings,
+    )  # fmt: skip
+    arrays = {"linear_nodes": np.geomspace(20.0, 1000.0, 97), "quadratic_nodes": np.geomspace(21.0, 900.0, 11)}
+    for name, response, location in sites(DETECTORS):
+        arrays[f"response/{name}"], arrays[f"location/{name}"] = response, location
+        parts = random.normal(size=(2, 31, 97)) * 1e23
+        arrays[f"linear_weights/{name}"] = parts[0] + 1j * parts[1]
+        arrays[f"quadratic_weights/{name}"] = random.uniform(0.5, 1.0, 11) * 1e46
+    return Analysis(settings=settings, arrays=arrays)
+
+
+SUMS = TimeMarginalisation(minimum=-0.05, maximum=0.05, step=1e-3)
+FAR = DistanceMarginalisation(minimum=10.0, maximum=100.0)
+ANALYSES = {
+    "full": lambda model: small_analysis(model, DETECTORS, f_max=256.0),
+    "reduced-order quadrature": lambda model: with_nodes("roq", model_digest=model.description.digest),
+    "relative binning": lambda model: with_nodes("relative_binning"),
+    "calibration": lambda model: with_nodes("roq", calibration=Calibration(nodes=6, f_min=20.0, f_max=1024.0)),
+    "phase and distance": lambda model: with_nodes("roq", phase_marginalisation=True, distance_marginalisation=FAR),
+    "time": lambda model: with_nodes("relative_binning", time_marginalisation=SUMS),
+    "time and phase on the full grid": lambda model: small_analysis(
+        model, f_max=64.0, phase_marginalisation=True, time_marginalisation=SUMS
+    ),
+    "aligned at the merger": lambda model: small_analysis(model, alignment="merger"),
+}
+
+
+@pytest.fixture(params=ANALYSES.values(), ids=ANALYSES)
+def analysis(request, local):
+    return request.param(local)
+
+
+class _Waiting:
+    """An asynchronous likelihood whose calls are waited for."""
+
+    def __init__(self, address, analysis, invalid_rows):
+        self._loop = asyncio.new_event_loop()
+        self._model = self._loop.run_until_complete(AsyncModel.connect(address))
+        self._likelihood = self._loop.run_until_complete(self._model.likelihood(analysis, invalid_rows=invalid_rows))
+        self.analysis = analysis
+
+    @property
+    def counts(self):
+        return self._likelihood.counts
+
+    def log_likelihood(self, batch):
+        return self._loop.run_until_complete(self._likelihood.log_likelihood(batch))
+
+    def evaluate(self, batch):
+        return self._loop.run_until_complete(self._likelihood.evaluate(batch))
+
+    def close(self):
+        self._loop.run_until_complete(self._model.close())
+        self._loop.close()
+
+
+@pytest.fixture(params=["local", "remote", "asynchronous"])
+def reach(request, local):
+    """Binds an analysis to the model, reached in every way."""
+    opened = []
+
+    def bound(analysis, invalid_rows="flag"):
+        if request.param == "local":
+            return likelihood(local, analysis, invalid_rows=invalid_rows)
+        address = request.getfixturevalue("address")
+        if request.param == "asynchronous":
+            opened.append(_Waiting(address, analysis, invalid_rows))
+            return opened[-1]
+        opened.append(RemoteModel.connect(address))
+        return likelihood(opened[-1], analysis, invalid_rows=invalid_rows)
+
+    yield bound
+    for one in opened:
+        one.close()
+
+
+def batch_for(analysis, rows=33):
+    calibration = analysis.settings.calibration
+    if calibration is None:
+        return samples(rows)
+    random = np.random.default_rng(9)
+    errors = {name: random.normal(scale=0.03, size=(rows, calibration.nodes)) for name in DETECTORS[:2]}
+    return samples(rows, calibration_amplitude=errors, calibration_phase=errors)
+
+
+def test_it_is_a_likelihood(reach, analysis):
+    bound = reach(analysis)
+    assert isinstance(bound, Likelihood)
+    assert bound.analysis is analysis
+
+
+def test_values_are_equal_in_bits_and_finite(reach, analysis, local):
+    batch = batch_for(analysis)
+    values = reach(analysis).log_likelihood(batch)
+    here = likelihood(local, analysis).log_likelihood(batch)
+    assert (values.dtype, values.shape, values.tobytes()) == (here.dtype, here.shape, here.tobytes())
+    assert np.isfinite(values).all()
+    assert len(set(values.tolist())) == len(values)
+
+
+def test_a_row_has_the_same_bits_alone_and_in_a_batch(reach, analysis):
+    batch, bound = batch_for(analysis), reach(analysis)
+    together = bound.log_likelihood(batch)
+    alone = [bound.log_likelihood(batch.rows(slice(row, row + 1))) for row in range(len(batch))]
+    assert np.concatenate(alone).tobytes() == together.tobytes()
+
+
+@functools.cache
+def small():
+    return with_nodes("roq", phase_marginalisation=True)
+
+
+BATCHES = {
+    "one": LikelihoodParameters(**SIGNAL),
+    "a list": [LikelihoodParameters(**SIGNAL), LikelihoodParameters(**SIGNAL | {"chi_1": 0.1})],
+    "vectors and numbers": SIGNAL | {"polarization_angle": [0.0, 0.1, 0.2]},
+    "nothing": [],
+}
+
+
+@pytest.mark.parametrize("batch", BATCHES.values(), ids=BATCHES)
+def test_every_form_of_a_batch_is_accepted(reach, local, batch):
+    here = likelihood(local, small()).log_likelihood(batch)
+    assert reach(small()).log_likelihood(batch).tobytes() == here.tobytes()
+
+
+BAD = {
+    "outside the prior": ("coalescence_time", 0.11, RowStatus.OUT_OF_PRIOR),
+    "outside the model's range": ("mass_ratio", 0.5, RowStatus.OUT_OF_DOMAIN),
+    "not a number": ("declination", np.nan, RowStatus.NOT_FINITE),
+    "no distance": ("distance_mpc", np.inf, RowStatus.NOT_FINITE),
+}
+
+
+def bad_batch():
+    batch = samples(9)
+    for row, (name, bad, _) in enumerate(BAD.values()):
+        batch[name][2 * row] = bad
+    return batch
+
+
+def test_rows_that_cannot_be_are_minus_infinity_and_counted(reach, local):
+    bound = reach(small())
+    values, status = bound.evaluate(bad_batch())
+    here = likelihood(local, small()).evaluate(bad_batch())
+    assert (values.tobytes(), status.tobytes()) == (here[0].tobytes(), here[1].tobytes())
+    assert status[[0, 2, 4, 6]].tolist() == [bad[2] for bad in BAD.values()]
+    assert (values[::2][:4] == -np.inf).all()
+    assert bound.counts == LikelihoodCounts(rows=9, not_finite=2, out_of_domain=1, out_of_prior=1)
+
+
+def failure(call):
+    with pytest.raises(BnserveError) as raised:
+        call()
+    error = raised.value
+    return type(error), error.code, error.detail, error.errors
+
+
+def test_they_raise_the_same_error_where_that_is_asked_for(reach, local):
+    there = failure(lambda: reach(small(), "error").log_likelihood(bad_batch()))
+    assert there == failure(lambda: likelihood(local, small(), invalid_rows="error").log_likelihood(bad_batch()))
+    assert there[0] is OutOfDomain
+    assert there[2].startswith("Row 0 is outside the ranges")
+
+
+WRONG = {
+    "an unknown name": SIGNAL | {"eccentricity": 0.1},
+    "a missing name": {name: value for name, value in SIGNAL.items() if name != "declination"},
+    "no distance": {name: value for name, value in SIGNAL.items() if name != "distance_mpc"},
+    "unequal lengths": SIGNAL | {"chi_1": [0.0, 0.1], "chi_2": [0.0] * 3},
+    "errors of no node": SIGNAL | {"calibration_phase": {"H1": [0.0] * 4}},
+    "no batch": 3,
+}
+
+
+@pytest.mark.parametrize("batch", WRONG.values(), ids=WRONG)
+def test_a_wrong_batch_is_the_same_error(reach, local, batch):
+    there = failure(lambda: reach(small()).log_likelihood(batch))
+    assert there == failure(lambda: likelihood(local, small()).log_likelihood(batch))
+    assert there[0] is InvalidParameters
+
+
+def test_another_models_analysis_is_the_same_error(reach, local):
+    analysis = with_nodes("roq", model_digest="sha256:another")
+    assert failure(lambda: reach(analysis)) == failure(lambda: likelihood(local, analysis))
