@@ -77,4 +77,10 @@ def _distribution(axis: Axes, values: dict[str, Rows]) -> None:
 def _colour_bar(figure: Figure, cells: Any) -> None:
     axis = figure.add_axes((0.60, 0.57, 0.37, 0.02))
     axis.set_in_layout(False)
-    figure.colorbar(cells, cax=axis, orientation="horizontal", label="median mismatch", extend="both")
+    bar = figure.colorbar(cells, cax=axis, orientation="horizontal", label="median mismatch", extend="both")
+    powers = range(int(np.floor(np.log10(cells.norm.vmin))), int(np.ceil(np.log10(cells.norm.vmax))))
+    factors = {1.0: "", 3.0: r"3\times "}
+    ticks = {f * 10.0**p: f"${text}10^{{{p}}}$" for p in powers for f, text in factors.items()}
+    shown = {tick: label for tick, label in ticks.items() if cells.norm.vmin <= tick <= cells.norm.vmax}
+    bar.set_ticks(list(shown), labels=list(shown.values()))
+    bar.minorticks_off()

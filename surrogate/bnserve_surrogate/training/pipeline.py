@@ -40,7 +40,7 @@ from bnserve_surrogate.training.search_lookup import with_best_hyperparameters
 from bnserve_surrogate.training.validation import Validation, validate, validation_frequencies
 
 Say = Callable[[str], None]
-_SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 1e-2, "phase_shift": 1e-6}
+_SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 2e-3, "phase_shift": 1e-7}
 """What a squared error of a scalar costs against one of the components, when a polynomial is pruned: the match does not
 see it, but the merger's alignment does. That of the time shift multiplies its own part of the metric."""
 _SCALAR_DEGREE = 4
