@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Ranges
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import FiducialBasis
-from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, linear_moments, quadratic_weights, time_table
+from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights, time_table
 from bnserve_protocol import (
     Analysis,
     AnalysisInvalid,
@@ -23,7 +23,7 @@ from bnserve_protocol import (
     WaveformModel,
 )
 
-TIME_TOLERANCE = 3e-6
+TIME_TOLERANCE = 1e-5
 """Error of <d|h> from interpolating weights over time, for a signal of norm one: times the signal-to-noise ratio."""
 
 
@@ -173,9 +173,9 @@ def _reduced(
     band.check_times(times)
     arrivals = TimeRange(times[0] - ARRIVAL_MARGIN, times[1] + ARRIVAL_MARGIN)
     quadratic = quadratic_weights(basis.quadratic_chunks(model), band.densities)
-    moments = linear_moments(basis.linear_chunks(model), basis.linear_nodes, band.frequencies, band.data, arrivals)
+    weights = Weights(basis.linear_chunks(model), basis.linear_nodes, band.frequencies, band.data, arrivals)
     amplitudes = _amplitudes(basis, quadratic, model, reference, alignment)
-    grid, table, _ = time_table(moments, amplitudes, TIME_TOLERANCE)
+    grid, table, _ = time_table(weights, amplitudes, TIME_TOLERANCE)
     arrays = band.arrays(list(table), list(quadratic))
     arrays |= {"linear_nodes": basis.linear_nodes, "quadratic_nodes": basis.quadratic_nodes}
     return Analysis(settings=band.settings(kind, alignment, options, grid, model_digest), arrays=arrays)

@@ -4,9 +4,8 @@ With data d and noise S on the grid f_k, and rows B_j of a basis whose nodes are
 
     w_j(t) = 4 / T sum_k conj(d_k) / S_k B_j(f_k) exp(-2 pi i (f_k - F_j) t).
 
-Without its node's own oscillation a weight varies slowly, because B_j lives around F_j: a coarse grid of times and cubic
-B-splines are enough. The sum is taken once over pieces of frequency, as Chebyshev moments within each piece, after which
-any time costs little.
+Without its node's own oscillation a weight varies more slowly, the more so the more B_j lives around F_j; cubic B-splines on
+a grid of times that is as coarse as a tolerance allows interpolate it.
 """
 
 from __future__ import annotations
@@ -18,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._splines import MARGIN, b_spline_coefficients, b_spline_midpoints
+from bnserve_inference._spreading import Spreading
 from bnserve_protocol import AnalysisInvalid, TimeGrid
 
 Complex = NDArray[np.complex128]
@@ -27,9 +27,7 @@ ARRIVAL_MARGIN = 0.0214
 """Seconds that light needs from the centre of the Earth to a detector, a little more."""
 LARGEST_TABLE = 512 * 2**20
 """Bytes of weights; a time prior that needs more is too wide for weights that are interpolated over time."""
-_WIDEST_TURN = 4.0
-"""Radians by which a piece's ends turn against its middle over half the range of times."""
-_FIRST_INTERVALS = 24
+_FEWEST_INTERVALS = 64
 
 
 @dataclass(frozen=True)
@@ -40,77 +38,69 @@ class TimeRange:
     stop: float
 
     @property
-    def centre(self) -> float:
-        """Its middle."""
-        return 0.5 * (self.start + self.stop)
-
-    @property
-    def reach(self) -> float:
-        """Farthest time from the centre at which the moments must hold, with room for the spline's ends."""
-        half = 0.5 * (self.stop - self.start)
-        return half * (1.0 + 2.0 * (MARGIN + 2) / _FIRST_INTERVALS)
+    def width(self) -> float:
+        """Seconds."""
+        return self.stop - self.start
 
 
-class Moments:
-    """Chebyshev moments of ``rows times data``, piece by piece of frequency, for every detector.
+class Weights:
+    """The weights of a basis as functions of time, for every detector.
 
     Parameters
     ----------
+    chunks:
+        The basis: ``(place in the grid, rows (L, m))``.
     nodes:
         F_j in Hz, ``(L,)``.
+    frequencies:
+        The grid f_k in Hz, ``(M,)``.
+    data:
+        ``4 / T conj(d) / S`` of D detectors, complex ``(M,)`` each.
     times:
-        Range in which :meth:`weights` may be asked for.
-    delta_f:
-        Step of the grid in Hz.
+        Where the weights are wanted.
     """
 
-    def __init__(self, nodes: Floats, times: TimeRange, delta_f: float) -> None:
-        self.nodes, self.times, self._delta_f = nodes, times, delta_f
-        self.width = max(16, int(2.0 * _WIDEST_TURN / (2.0 * np.pi * delta_f * times.reach)))
-        turn = np.pi * delta_f * self.width * times.reach
-        self._terms = int(turn + 8.0 * turn ** (1.0 / 3.0) + 12.0)
-        self._centres: list[float] = []
-        self._pieces: list[Complex] = []
+    def __init__(
+        self,
+        chunks: Iterable[tuple[slice, Complex]],
+        nodes: Floats,
+        frequencies: Floats,
+        data: Sequence[Complex],
+        times: TimeRange,
+    ) -> None:
+        self.nodes, self.times = nodes, times
+        stacked = np.array(data)
+        reach = 0.5 * times.width * (1.0 + 2.0 * (MARGIN + 2) / _FEWEST_INTERVALS)
+        centre = 0.5 * (times.start + times.stop)
+        ends = float(frequencies[0]), float(frequencies[-1])
+        self._sums = Spreading(*ends, centre, reach, (len(stacked), len(nodes)))
+        for place, rows in chunks:
+            self._sums.add(frequencies[place], rows, stacked[:, place])
 
-    def add(self, frequencies: Floats, rows: Complex, data: Complex) -> None:
-        """Add consecutive frequencies ``(m,)`` with rows ``(L, m)`` and ``4 / T conj(d) / S`` of D detectors ``(D, m)``."""
-        for start in range(0, len(frequencies), self.width):
-            place = slice(start, start + self.width)
-            f = frequencies[place]
-            centre = 0.5 * (f[0] + f[-1])
-            half = 0.5 * self._delta_f * self.width
-            chebyshev = np.polynomial.chebyshev.chebvander((f - centre) / half, self._terms - 1)
-            turned = data[:, place] * np.exp(-2j * np.pi * f * self.times.centre)
-            self._centres.append(float(centre))
-            self._pieces.append(np.stack([rows[:, place] @ (row[:, None] * chebyshev) for row in turned]))
+    def fewest(self) -> int:
+        """Fewest intervals that :meth:`sampled` can divide the range into."""
+        return max(_FEWEST_INTERVALS, int(np.ceil(self._sums.points * self.times.width / self._sums.period)))
 
-    def weights(self, times: Floats) -> Complex:
-        """w_j(t), complex ``(D, T, L)``, at ``times`` in seconds from the trigger."""
-        offsets = times - self.times.centre
-        half = 0.5 * self._delta_f * self.width
-        series = _turning_series(2.0 * np.pi * half * offsets, self._terms)
-        total = np.zeros((len(self._pieces[0]), len(times), len(self.nodes)), dtype=np.complex128)
-        for centre, piece in zip(self._centres, self._pieces, strict=True):
-            total += np.exp(-2j * np.pi * centre * offsets)[:, None] * (series @ piece.transpose(0, 2, 1))
-        return total * np.exp(2j * np.pi * self.nodes * times[:, None])
+    def sampled(self, intervals: int) -> tuple[float, float, Complex]:
+        """Samples at most ``width / intervals`` apart over the range and :data:`MARGIN` beyond on either side.
 
-
-def _turning_series(turns: Floats, terms: int) -> Complex:
-    """Chebyshev coefficients in x of exp(-i turn x) on [-1, 1], complex ``(len(turns), terms)``."""
-    samples = terms + 16
-    angles = np.pi * (np.arange(samples) + 0.5) / samples
-    values = np.exp(-1j * turns[:, None] * np.cos(angles))
-    coefficients = (2.0 / samples) * values @ np.cos(angles[:, None] * np.arange(terms))
-    coefficients[:, 0] *= 0.5
-    return coefficients
+        Returns
+        -------
+        The first time, the step, and the weights ``(D, n, L)``.
+        """
+        per_period = int(np.ceil(intervals * self._sums.period / self.times.width))
+        step = self._sums.period / per_period
+        half = int(np.ceil(0.5 * self.times.width / step)) + MARGIN
+        times, sums = self._sums.transform(per_period, -half, 2 * half + 1)
+        return float(times[0]), step, sums * np.exp(2j * np.pi * self.nodes * times[:, None])
 
 
-def time_table(moments: Moments, amplitudes: Floats, tolerance: float) -> tuple[TimeGrid, Complex, float]:
+def time_table(weights: Weights, amplitudes: Floats, tolerance: float) -> tuple[TimeGrid, Complex, float]:
     """B-spline coefficients of the weights on the coarsest grid of times that is good enough.
 
     Parameters
     ----------
-    moments:
+    weights:
         Of the basis and the data.
     amplitudes:
         Size of the strain at the nodes, ``(D, L)``, of a signal whose norm is one in every detector.
@@ -126,46 +116,29 @@ def time_table(moments: Moments, amplitudes: Floats, tolerance: float) -> tuple[
     AnalysisInvalid
         The table would be larger than :data:`LARGEST_TABLE`.
     """
-    times = moments.times
-    intervals = _FIRST_INTERVALS
+    intervals = weights.fewest()
     while True:
-        step = (times.stop - times.start) / intervals
-        _refuse_huge(intervals, amplitudes, times)
-        knots = times.start + step * np.arange(-MARGIN, intervals + 1 + MARGIN)
-        samples = moments.weights(knots).transpose(1, 0, 2)
+        _refuse_huge(intervals, amplitudes, weights.times)
+        start, step, fine = weights.sampled(2 * intervals)
+        # Every other sample is a knot, those between tell the error; both ends are knots.
+        samples, between = fine[:, MARGIN % 2 :: 2], fine[:, MARGIN % 2 + 1 :: 2]
+        samples, between = samples[:, : between.shape[1] + 1], between[:, : samples.shape[1] - 1]
         coefficients = b_spline_coefficients(samples)
-        middles = times.start + step * (np.arange(intervals) + 0.5)
-        truth = moments.weights(middles).transpose(1, 0, 2)
-        errors = np.abs(b_spline_midpoints(coefficients) - truth) * amplitudes
-        error = float(np.sqrt((errors**2).sum(axis=2)).max())
+        errors = np.abs(b_spline_midpoints(coefficients) - between) * amplitudes[:, None, :]
+        error = float(np.sqrt((errors[:, MARGIN // 2 : -MARGIN // 2] ** 2).sum(axis=2)).max())
         if error <= tolerance:
-            table = np.ascontiguousarray(coefficients.transpose(1, 0, 2))
-            return TimeGrid(start=times.start - step, step=step), table, error
+            first = start + (MARGIN % 2) * step - 2.0 * step
+            return TimeGrid(start=first, step=2.0 * step), coefficients, error
         finer = intervals * (error / tolerance) ** 0.25 * 1.05
-        intervals = max(intervals + 8, min(int(finer) + 1, 4 * intervals))
+        intervals = max(intervals + 8, min(int(finer) + 1, 3 * intervals))
 
 
 def _refuse_huge(intervals: int, amplitudes: Floats, times: TimeRange) -> None:
     if intervals * amplitudes.size * 16 > LARGEST_TABLE:
         raise AnalysisInvalid(
-            f"Weights for coalescence times over {times.stop - times.start:.3g} s would need more than "
-            f"{LARGEST_TABLE // 2**20} MiB; narrow the prior of 'coalescence_time'."
+            f"Weights for coalescence times over {times.width:.3g} s would need more than {LARGEST_TABLE // 2**20} MiB; "
+            "narrow the prior of 'coalescence_time'."
         )
-
-
-def linear_moments(
-    chunks: Iterable[tuple[slice, Complex]],
-    nodes: Floats,
-    frequencies: Floats,
-    data: Sequence[Complex],
-    times: TimeRange,
-) -> Moments:
-    """Moments of a basis that comes in chunks ``(place in the grid, (L, m))``; ``data`` is ``4 / T conj(d) / S``."""
-    moments = Moments(nodes, times, float(frequencies[1] - frequencies[0]))
-    stacked = np.array(data)
-    for place, rows in chunks:
-        moments.add(frequencies[place], rows, stacked[:, place])
-    return moments
 
 
 def quadratic_weights(chunks: Iterable[tuple[slice, Floats]], densities: Sequence[Floats]) -> Floats:
