@@ -19,6 +19,7 @@ from bnserve_inference.roq._file import load_basis, save_basis
 from bnserve_inference.roq._interpolant import Interpolant, TabulatedInterpolant, WaveformInterpolant
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._report import write_roq_report
+from bnserve_inference.roq._shipped import load_shipped_basis, shipped_bases
 from bnserve_inference.roq._validation import validate_basis
 from bnserve_inference.roq.config import RoqConfiguration, parse_roq_configuration, read_roq_configuration
 
@@ -42,12 +43,14 @@ __all__ = [
     "load_bajes",
     "load_basis",
     "load_bilby",
+    "load_shipped_basis",
     "parse_roq_configuration",
     "read_roq_configuration",
     "require",
     "save_bajes",
     "save_basis",
     "save_bilby",
+    "shipped_bases",
     "validate_basis",
     "write_roq_report",
 ]
