@@ -59,6 +59,15 @@ def test_decoding_without_any_library_of_ours(bnserve_server, local):
     assert f"|h+| at 20 Hz: {np.abs(local.predict_batch([20.0], changed).plus[:, 0])} / Hz" in output
 
 
+def test_a_likelihood_in_the_service(bnserve_server):
+    output = printed(EXAMPLES / "likelihood_in_the_service.py", bnserve_server.address)
+    of_the_signal = float(re.search(r"ln L of the signal: ([\d.]+)", output).group(1))
+    best = float(re.search(r"1000 samples in \d+ ms; best ln L ([\d.]+)", output).group(1))
+    assert of_the_signal > 1000.0
+    assert abs(best - of_the_signal) < 0.2 * of_the_signal
+    assert "rows=1001" in output
+
+
 @pytest.mark.slow
 def test_training_on_a_function_of_ones_own(tmp_path):
     path = os.pathsep.join([str(EXAMPLES), os.environ.get("PYTHONPATH", "")])
@@ -72,5 +81,11 @@ def test_training_on_a_function_of_ones_own(tmp_path):
 
 
 def test_every_example_is_run_here():
-    tested = {"local_waveform.py", "remote_batch.py", "decode_without_bnserve.py", "own_generator.py"}
+    tested = {
+        "local_waveform.py",
+        "remote_batch.py",
+        "decode_without_bnserve.py",
+        "own_generator.py",
+        "likelihood_in_the_service.py",
+    }
     assert {path.name for path in EXAMPLES.glob("*.py")} == tested
