@@ -1,47 +1,45 @@
-"""Uniform cubic B-splines in time, and cardinal cubic splines through uneven nodes."""
+"""Uniform quintic B-splines in time, and cardinal cubic splines through uneven nodes."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-MARGIN = 24
-"""Fine samples taken beyond either end of a range: knots there let the spline forget its straight ends."""
+MARGIN = 48
+"""Fine samples taken beyond either end of a range, two to a knot: 0.43**24 = 2e-9 of what happens at the end is left."""
+_POLES = (-0.430575347099973, -0.0430962882032647)
+"""Of the quintic B-spline's filter (Unser, Aldroubi, Eden 1993): roots of z^4 + 26 z^3 + 66 z^2 + 26 z + 1."""
 
 
 def b_spline_coefficients(samples: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Coefficients of the cubic B-spline that interpolates uniform samples along the second axis.
+    """Coefficients of the quintic B-spline that interpolates uniform samples along the second axis.
 
     Parameters
     ----------
     samples:
-        ``(D, n, L)``; the ends of the spline are straight, so that a few samples at either end serve the ends alone.
+        ``(D, n, L)``; taken to be constant beyond the ends, so that :data:`MARGIN` / 2 of them serve the ends alone.
 
     Returns
     -------
-    ``(D, n + 2, L)``: the coefficients from one before to one after the samples.
+    ``(D, n, L)``.
     """
-    count = samples.shape[1]
-    coefficients = np.empty((samples.shape[0], count + 2, samples.shape[2]), dtype=np.complex128)
-    # c[k-1] + 4 c[k] + c[k+1] = 6 s[k]; without curvature at the ends c = s there.
-    inner = coefficients[:, 1:-1]
-    inner[:] = samples
-    ratios = np.zeros(count)
-    for k in range(1, count - 1):
-        pivot = 4.0 - ratios[k - 1]
-        ratios[k] = 1.0 / pivot
-        inner[:, k] = (6.0 * samples[:, k] - inner[:, k - 1]) / pivot
-    for k in range(count - 2, 0, -1):
-        inner[:, k] -= ratios[k] * inner[:, k + 1]
-    coefficients[:, 0] = 2.0 * coefficients[:, 1] - coefficients[:, 2]
-    coefficients[:, -1] = 2.0 * coefficients[:, -2] - coefficients[:, -3]
+    coefficients = samples.copy()
+    for pole in _POLES:
+        coefficients *= (1.0 - pole) * (1.0 - 1.0 / pole)
+        coefficients[:, 0] /= 1.0 - pole
+        for k in range(1, coefficients.shape[1]):
+            coefficients[:, k] += pole * coefficients[:, k - 1]
+        coefficients[:, -1] *= -pole / (1.0 - pole)
+        for k in range(coefficients.shape[1] - 2, -1, -1):
+            coefficients[:, k] = pole * (coefficients[:, k + 1] - coefficients[:, k])
     return coefficients
 
 
 def b_spline_midpoints(coefficients: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """The spline halfway between its samples: from ``(D, n + 2, L)`` coefficients ``(D, n - 1, L)`` values."""
+    """The spline halfway between its samples, where six coefficients are at hand: ``(D, n, L)`` to ``(D, n - 5, L)``."""
     c = coefficients
-    return (c[:, :-3] + 23.0 * c[:, 1:-2] + 23.0 * c[:, 2:-1] + c[:, 3:]) / 48.0
+    outer, middle, inner = c[:, :-5] + c[:, 5:], c[:, 1:-4] + c[:, 4:-1], c[:, 2:-3] + c[:, 3:-2]
+    return (outer + 237.0 * middle + 1682.0 * inner) / 3840.0
 
 
 def cardinal_spline(nodes: NDArray[np.float64]) -> NDArray[np.float64]:

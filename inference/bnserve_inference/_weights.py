@@ -4,8 +4,8 @@ With data d and noise S on the grid f_k, and rows B_j of a basis whose nodes are
 
     w_j(t) = 4 / T sum_k conj(d_k) / S_k B_j(f_k) exp(-2 pi i (f_k - F_j) t).
 
-Without its node's own oscillation a weight varies more slowly, the more so the more B_j lives around F_j; cubic B-splines on
-a grid of times that is as coarse as a tolerance allows interpolate it.
+Without its node's own oscillation a weight varies more slowly, the more so the more B_j lives around F_j; quintic B-splines
+on a grid of times that is as coarse as a tolerance allows interpolate it.
 """
 
 from __future__ import annotations
@@ -27,7 +27,9 @@ ARRIVAL_MARGIN = 0.0214
 """Seconds that light needs from the centre of the Earth to a detector, a little more."""
 LARGEST_TABLE = 512 * 2**20
 """Bytes of weights; a time prior that needs more is too wide for weights that are interpolated over time."""
-_FEWEST_INTERVALS = 64
+_FEWEST_INTERVALS = 128
+_SPARE = MARGIN // 2 - 3
+"""Knots at either end that are not kept."""
 
 
 @dataclass(frozen=True)
@@ -120,16 +122,14 @@ def time_table(weights: Weights, amplitudes: Floats, tolerance: float) -> tuple[
     while True:
         _refuse_huge(intervals, amplitudes, weights.times)
         start, step, fine = weights.sampled(2 * intervals)
-        # Every other sample is a knot, those between tell the error; both ends are knots.
-        samples, between = fine[:, MARGIN % 2 :: 2], fine[:, MARGIN % 2 + 1 :: 2]
-        samples, between = samples[:, : between.shape[1] + 1], between[:, : samples.shape[1] - 1]
-        coefficients = b_spline_coefficients(samples)
-        errors = np.abs(b_spline_midpoints(coefficients) - between) * amplitudes[:, None, :]
-        error = float(np.sqrt((errors[:, MARGIN // 2 : -MARGIN // 2] ** 2).sum(axis=2)).max())
+        knots, between = fine[:, ::2], fine[:, 1::2]  # both ends are knots
+        coefficients = b_spline_coefficients(knots)
+        errors = np.abs(b_spline_midpoints(coefficients) - between[:, 2:-2]) * amplitudes[:, None, :]
+        error = float(np.sqrt((errors[:, _SPARE:-_SPARE] ** 2).sum(axis=2)).max())
         if error <= tolerance:
-            first = start + (MARGIN % 2) * step - 2.0 * step
-            return TimeGrid(start=first, step=2.0 * step), coefficients, error
-        finer = intervals * (error / tolerance) ** 0.25 * 1.05
+            table = np.ascontiguousarray(coefficients[:, _SPARE:-_SPARE])
+            return TimeGrid(start=start + 2.0 * step * _SPARE, step=2.0 * step), table, error
+        finer = intervals * (error / tolerance) ** (1.0 / 6.0) * 1.02
         intervals = max(intervals + 8, min(int(finer) + 1, 3 * intervals))
 
 

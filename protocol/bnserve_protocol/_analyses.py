@@ -31,7 +31,7 @@ AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
 
 
 class TimeGrid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """The knots of the cubic B-splines in time that linear weights are the coefficients of.
+    """The knots of the quintic B-splines in time that linear weights are the coefficients of.
 
     Coefficient row k belongs to the B-spline centred at ``start + k * step``, in seconds of arrival at a detector,
     relative to the trigger time.
@@ -145,7 +145,7 @@ class Analysis:
         detector ``X``: ``response/X`` float64 ``(3, 3)`` and ``location/X`` float64 ``(3,)`` in metres (Earth-fixed
         frame), ``linear_weights/X`` complex128 ``(T, L)`` and ``quadratic_weights/X`` float64 ``(Q,)``. For ``"roq"``
         and ``"relative_binning"`` also ``linear_nodes`` ``(L,)`` and ``quadratic_nodes`` ``(Q,)``, increasing, in Hz;
-        for ``"full"`` both are :attr:`AnalysisSettings.grid`. T is 1 without a time grid, and at least 4 with one.
+        for ``"full"`` both are :attr:`AnalysisSettings.grid`. T is 1 without a time grid, and at least 6 with one.
 
     Raises
     ------

@@ -203,8 +203,8 @@ def _check_knots(settings: AnalysisSettings, rows: int) -> None:
         _require(rows == 1, "linear_weights", rows, "have one row without a time grid")
         return
     low, high = settings.prior["coalescence_time"]
-    first, last = grid.start + grid.step, grid.start + (rows - 2) * grid.step
-    if rows < 4 or first > low - _EARTH_CROSSING or last < high + _EARTH_CROSSING:
+    first, last = grid.start + 2.0 * grid.step, grid.start + (rows - 3) * grid.step
+    if rows < 6 or first > low - _EARTH_CROSSING or last < high + _EARTH_CROSSING:
         raise AnalysisInvalid(
             f"The time grid of the analysis covers arrivals from {first} to {last} s; the coalescence times of its "
             f"prior, [{low}, {high}] s, and the {_EARTH_CROSSING} s to the detectors need more."

@@ -106,25 +106,31 @@ def _calibrate(amplitude: Floats, phase: Floats, hr: Floats, hi: Floats, kr: Flo
 def _products(
     f: Floats, time: float, kr: Floats, ki: Floats, weights: Floats, rows: Any, spline: Any, pr: Floats, pi: Floats
 ) -> None:
-    """Strain, moved to ``time``, times the weights at that time: a sum of four rows of B-spline coefficients.
+    """Strain, moved to ``time``, times the weights at that time: a sum of six rows of B-spline coefficients.
 
-    ``rows`` are the places of the four rows of real parts, each followed by its imaginary parts at ``rows[4]``.
+    ``rows``: where the first row of real parts begins, how far it is to the next row, and to its imaginary parts.
     """
     n = f.shape[0]
-    at0, at1, at2, at3, imaginary = rows
-    b0, b1, b2, b3 = spline
-    r0, r1, r2, r3 = weights[at0 : at0 + n], weights[at1 : at1 + n], weights[at2 : at2 + n], weights[at3 : at3 + n]
-    i0 = weights[at0 + imaginary : at0 + imaginary + n]
-    i1 = weights[at1 + imaginary : at1 + imaginary + n]
-    i2 = weights[at2 + imaginary : at2 + imaginary + n]
-    i3 = weights[at3 + imaginary : at3 + imaginary + n]
+    first, row, imaginary = rows
+    b0, b1, b2, b3, b4, b5 = spline
+    r0, i0 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
+    first += row
+    r1, i1 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
+    first += row
+    r2, i2 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
+    first += row
+    r3, i3 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
+    first += row
+    r4, i4 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
+    first += row
+    r5, i5 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
     turn = -_TWO_PI * time
     for j in range(n):
         s, c = sincos(f[j] * turn)
         hr = kr[j] * c - ki[j] * s
         hi = kr[j] * s + ki[j] * c
-        wr = b0 * r0[j] + b1 * r1[j] + b2 * r2[j] + b3 * r3[j]
-        wi = b0 * i0[j] + b1 * i1[j] + b2 * i2[j] + b3 * i3[j]
+        wr = b0 * r0[j] + b1 * r1[j] + b2 * r2[j] + b3 * r3[j] + b4 * r4[j] + b5 * r5[j]
+        wi = b0 * i0[j] + b1 * i1[j] + b2 * i2[j] + b3 * i3[j] + b4 * i4[j] + b5 * i5[j]
         pr[j] = wr * hr - wi * hi
         pi[j] = wr * hi + wi * hr
 
@@ -145,20 +151,21 @@ def _fixed_products(
 
 @njit(**JIT_OPTIONS)
 def _knots(time: float, knots: Floats, rows: int, width: int, first: int) -> Any:
-    """Which four coefficient rows, and the four B-splines, at a time."""
+    """Which six coefficient rows, and the values of the six quintic B-splines, at a time."""
     u = (time - knots[0]) / knots[1]
     cell = int(np.floor(u))
-    cell = min(max(cell, 1), rows - 3)
+    cell = min(max(cell, 2), rows - 4)
     x = u - cell
     y = 1.0 - x
     spline = (
-        y * y * y / 6.0,
-        (3.0 * x * x * x - 6.0 * x * x + 4.0) / 6.0,
-        (3.0 * y * y * y - 6.0 * y * y + 4.0) / 6.0,
-        x * x * x / 6.0,
+        y * y * y * y * y / 120.0,
+        (26.0 + x * (-50.0 + x * (20.0 + x * (20.0 + x * (-20.0 + 5.0 * x))))) / 120.0,
+        (66.0 + x * x * (-60.0 + x * x * (30.0 - 10.0 * x))) / 120.0,
+        (66.0 + y * y * (-60.0 + y * y * (30.0 - 10.0 * y))) / 120.0,
+        (26.0 + y * (-50.0 + y * (20.0 + y * (20.0 + y * (-20.0 + 5.0 * y))))) / 120.0,
+        x * x * x * x * x / 120.0,
     )
-    at = 2 * width * (cell - 1) + first
-    return (at, at + 2 * width, at + 4 * width, at + 6 * width, width), spline
+    return (2 * width * (cell - 2) + first, 2 * width, width), spline
 
 
 @njit(**JIT_OPTIONS)

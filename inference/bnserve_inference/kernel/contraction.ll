@@ -1,4 +1,4 @@
-; sources: f1c6f015f9914dde1dd10bea74727a0ec47b6cbe415b711bd971dbeee4bd8af9
+; sources: cc976eaca1ca9125cd3d9e1c8175b444ce5f1a79d09ea609ff58dffb6f649aea
 ; ModuleID = '<string>'
 source_filename = "<string>"
 
@@ -70,7 +70,7 @@ B1188.i:                                          ; preds = %B1090.else.endif.en
 
 B1306.if.preheader.i:                             ; preds = %B1188.i
   %0 = shl i64 %.3625.sroa.0.068.i, 3
-  %scevgep383.i = getelementptr i8, ptr %arg.linear_at, i64 %0
+  %scevgep384.i = getelementptr i8, ptr %arg.linear_at, i64 %0
   br label %B1306.if.i
 
 B1410.i:                                          ; preds = %B1306.if.i, %B1188.i
@@ -101,9 +101,9 @@ B1442.if.prol.loopexit.i:                         ; preds = %B1442.if.prol.i, %B
   %.413532823286.unr.i = phi i64 [ %.4093.i, %B1442.if.preheader.i ], [ %.4145.prol.i, %B1442.if.prol.i ]
   %.414232833285.unr.i = phi i64 [ %.13.i98.i, %B1442.if.preheader.i ], [ %.neg.i, %B1442.if.prol.i ]
   %3 = icmp eq i64 %.13.i.i, %.neg.i
-  br i1 %3, label %B1468.i, label %B1442.if.preheader380.i
+  br i1 %3, label %B1468.i, label %B1442.if.preheader381.i
 
-B1442.if.preheader380.i:                          ; preds = %B1442.if.prol.loopexit.i
+B1442.if.preheader381.i:                          ; preds = %B1442.if.prol.loopexit.i
   %4 = add nuw i64 %.413532823286.unr.i, 2
   br label %B1442.if.i
 
@@ -210,39 +210,60 @@ B2300.i:                                          ; preds = %B2054.i
   %.85.i.i = fdiv contract double %.49.i.i, %.78.i.i
   %.93.le.i.i = tail call contract double @llvm.floor.f64(double %.85.i.i)
   %.5.i.i.i = fptosi double %.93.le.i.i to i64
-  %.13.i.i.i = tail call i64 @llvm.smax.i64(i64 %.5.i.i.i, i64 1)
+  %.13.i.i.i = tail call i64 @llvm.smax.i64(i64 %.5.i.i.i, i64 2)
   %.13.i1.i.i = tail call i64 @llvm.smin.i64(i64 %.152.i.i, i64 %.13.i.i.i)
   %.181.i.i = sitofp i64 %.13.i1.i.i to double
   %.182.i.i = fsub contract double %.85.i.i, %.181.i.i
   %.183.i.i = fsub contract double 1.000000e+00, %.182.i.i
   %.184.i.i = fmul contract double %.183.i.i, %.183.i.i
   %.185.i.i = fmul contract double %.183.i.i, %.184.i.i
-  %.189.i.i = fdiv contract double %.185.i.i, 6.000000e+00
-  %.190.i.i = fmul contract double %.182.i.i, 3.000000e+00
-  %.191.i.i = fmul contract double %.182.i.i, %.190.i.i
-  %.192.i.i = fmul contract double %.182.i.i, %.191.i.i
-  %.193.i.i = fmul contract double %.182.i.i, 6.000000e+00
+  %.186.i.i = fmul contract double %.183.i.i, %.185.i.i
+  %.187.i.i = fmul contract double %.183.i.i, %.186.i.i
+  %.191.i.i = fdiv contract double %.187.i.i, 1.200000e+02
+  %.192.i.i = fmul contract double %.182.i.i, 5.000000e+00
+  %.193.i.i = fadd contract double %.192.i.i, -2.000000e+01
   %.194.i.i = fmul contract double %.182.i.i, %.193.i.i
-  %.195.i.i = fsub contract double %.192.i.i, %.194.i.i
-  %.196.i.i = fadd contract double %.195.i.i, 4.000000e+00
-  %.200.i.i = fdiv contract double %.196.i.i, 6.000000e+00
-  %.201.i.i = fmul contract double %.183.i.i, 3.000000e+00
-  %.202.i.i = fmul contract double %.183.i.i, %.201.i.i
-  %.203.i.i = fmul contract double %.183.i.i, %.202.i.i
-  %.204.i.i = fmul contract double %.183.i.i, 6.000000e+00
-  %.205.i.i = fmul contract double %.183.i.i, %.204.i.i
-  %.206.i.i = fsub contract double %.203.i.i, %.205.i.i
-  %.207.i.i = fadd contract double %.206.i.i, 4.000000e+00
-  %.211.i.i = fdiv contract double %.207.i.i, 6.000000e+00
-  %.212.i.i = fmul contract double %.182.i.i, %.182.i.i
-  %.213.i.i = fmul contract double %.182.i.i, %.212.i.i
-  %.217.i.i = fdiv contract double %.213.i.i, 6.000000e+00
-  %.227.i.i = add nsw i64 %.13.i1.i.i, -1
-  %.228.i.i = mul nsw i64 %.227.i.i, %.904.i
-  %.229.i.i = add nsw i64 %.228.i.i, %.3625.sroa.0.068.i
-  %.231.i.i = add nsw i64 %.229.i.i, %.904.i
-  %.233.i.i = add nsw i64 %.229.i.i, %.232.i.i
-  %.235.i.i = add nsw i64 %.229.i.i, %.234.i.i
+  %.195.i.i = fadd contract double %.194.i.i, 2.000000e+01
+  %.196.i.i = fmul contract double %.182.i.i, %.195.i.i
+  %.197.i.i = fadd contract double %.196.i.i, 2.000000e+01
+  %.198.i.i = fmul contract double %.182.i.i, %.197.i.i
+  %.199.i.i = fadd contract double %.198.i.i, -5.000000e+01
+  %.200.i.i = fmul contract double %.182.i.i, %.199.i.i
+  %.201.i.i = fadd contract double %.200.i.i, 2.600000e+01
+  %.205.i.i = fdiv contract double %.201.i.i, 1.200000e+02
+  %.206.i.i = fmul contract double %.182.i.i, %.182.i.i
+  %.208.i.i = fmul contract double %.182.i.i, 1.000000e+01
+  %.209.i.i = fsub contract double 3.000000e+01, %.208.i.i
+  %.210.i.i = fmul contract double %.206.i.i, %.209.i.i
+  %.211.i.i = fadd contract double %.210.i.i, -6.000000e+01
+  %.212.i.i = fmul contract double %.206.i.i, %.211.i.i
+  %.213.i.i = fadd contract double %.212.i.i, 6.600000e+01
+  %.217.i.i = fdiv contract double %.213.i.i, 1.200000e+02
+  %.220.i.i = fmul contract double %.183.i.i, 1.000000e+01
+  %.221.i.i = fsub contract double 3.000000e+01, %.220.i.i
+  %.222.i.i = fmul contract double %.184.i.i, %.221.i.i
+  %.223.i.i = fadd contract double %.222.i.i, -6.000000e+01
+  %.224.i.i = fmul contract double %.184.i.i, %.223.i.i
+  %.225.i.i = fadd contract double %.224.i.i, 6.600000e+01
+  %.229.i.i = fdiv contract double %.225.i.i, 1.200000e+02
+  %.230.i.i = fmul contract double %.183.i.i, 5.000000e+00
+  %.231.i.i = fadd contract double %.230.i.i, -2.000000e+01
+  %.232.i.i = fmul contract double %.183.i.i, %.231.i.i
+  %.233.i.i = fadd contract double %.232.i.i, 2.000000e+01
+  %.234.i.i = fmul contract double %.183.i.i, %.233.i.i
+  %.235.i.i = fadd contract double %.234.i.i, 2.000000e+01
+  %.236.i.i = fmul contract double %.183.i.i, %.235.i.i
+  %.237.i.i = fadd contract double %.236.i.i, -5.000000e+01
+  %.238.i.i = fmul contract double %.183.i.i, %.237.i.i
+  %.239.i.i = fadd contract double %.238.i.i, 2.600000e+01
+  %.243.i.i = fdiv contract double %.239.i.i, 1.200000e+02
+  %.245.i.i = fmul contract double %.182.i.i, %.206.i.i
+  %.246.i.i = fmul contract double %.182.i.i, %.245.i.i
+  %.247.i.i = fmul contract double %.182.i.i, %.246.i.i
+  %.251.i.i = fdiv contract double %.247.i.i, 1.200000e+02
+  %.265.i.i = add nsw i64 %.13.i1.i.i, -2
+  %.266.i.i = mul nsw i64 %.265.i.i, %.904.i
+  %.267.i.i = add nsw i64 %.266.i.i, %.3625.sroa.0.068.i
   br i1 %18, label %B2300.endif.else.if.i, label %B2300.endif.else.endif.i, !prof !0
 
 B2658.i:                                          ; preds = %B2444.endif.endif.endif.endif.i, %B1908.else.endif.endif.endif.endif.i
@@ -256,7 +277,7 @@ B2818.i:                                          ; preds = %B2692.else.endif.en
 
 B2848.if.preheader.i:                             ; preds = %B2818.thread.i, %B2818.i
   %27 = shl i64 %.9687.sroa.0.3.i, 3
-  %scevgep445.i = getelementptr i8, ptr %scevgep444.i, i64 %27
+  %scevgep446.i = getelementptr i8, ptr %scevgep445.i, i64 %27
   br label %B2848.if.i
 
 B3020.i:                                          ; preds = %B2848.if.i, %B2818.i, %B2658.i
@@ -289,39 +310,39 @@ B3080.i:                                          ; preds = %B3028.i, %B3076.loo
   %.10539.i = sub nsw i64 %quot.1.0.i, %.10486.sroa.0.084.i
   %.13.i97.i = tail call i64 @llvm.smin.i64(i64 %.10539.i, i64 512)
   %.10573.i = sub nsw i64 %arg.n_quadratic, %.10486.sroa.0.084.i
-  %.13.i228.i = tail call i64 @llvm.smin.i64(i64 %.10573.i, i64 %.13.i97.i)
-  %.106863548.not.i = icmp slt i64 %.13.i228.i, 1
+  %.13.i229.i = tail call i64 @llvm.smin.i64(i64 %.10573.i, i64 %.13.i97.i)
+  %.106863548.not.i = icmp slt i64 %.13.i229.i, 1
   br i1 %.106863548.not.i, label %B3318.i, label %B3198.if.preheader.i
 
 B3198.if.preheader.i:                             ; preds = %B3080.i
   %28 = shl i64 %.10486.sroa.0.084.i, 3
-  %scevgep452.i = getelementptr i8, ptr %arg.quadratic_at, i64 %28
+  %scevgep453.i = getelementptr i8, ptr %arg.quadratic_at, i64 %28
   br label %B3198.if.i
 
 B3318.i:                                          ; preds = %B3198.if.i, %B3080.i
-  %.10929.i = sub i64 %.13.i97.i, %.13.i228.i
+  %.10929.i = sub i64 %.13.i97.i, %.13.i229.i
   %.109723555.not.i = icmp slt i64 %.10929.i, 1
   br i1 %.109723555.not.i, label %B3366.i, label %B3350.if.preheader.i
 
 B3350.if.preheader.i:                             ; preds = %B3318.i
-  %xtraiter355.i = and i64 %.10929.i, 3
-  %lcmp.mod356.not.i = icmp eq i64 %xtraiter355.i, 0
-  br i1 %lcmp.mod356.not.i, label %B3350.if.prol.loopexit.i, label %B3350.if.prol.preheader.i
+  %xtraiter356.i = and i64 %.10929.i, 3
+  %lcmp.mod357.not.i = icmp eq i64 %xtraiter356.i, 0
+  br i1 %lcmp.mod357.not.i, label %B3350.if.prol.loopexit.i, label %B3350.if.prol.preheader.i
 
 B3350.if.prol.preheader.i:                        ; preds = %B3350.if.preheader.i
-  %29 = sub nsw i64 0, %xtraiter355.i
+  %29 = sub nsw i64 0, %xtraiter356.i
   br label %B3350.if.prol.i
 
 B3350.if.prol.i:                                  ; preds = %B3350.if.prol.i, %B3350.if.prol.preheader.i
   %lsr.iv60.i = phi i64 [ %lsr.iv.next61.i, %B3350.if.prol.i ], [ %29, %B3350.if.prol.preheader.i ]
-  %.1097835543556.prol.i = phi i64 [ %.10985.prol.i, %B3350.if.prol.i ], [ %.13.i228.i, %B3350.if.prol.preheader.i ]
+  %.1097835543556.prol.i = phi i64 [ %.10985.prol.i, %B3350.if.prol.i ], [ %.13.i229.i, %B3350.if.prol.preheader.i ]
   %.10985.prol.i = add nsw i64 %.1097835543556.prol.i, 1
   %.11023.prol.i = icmp slt i64 %.1097835543556.prol.i, 0
   %30 = select i1 %.11023.prol.i, i64 %73, i64 0
-  %scevgep455.i = getelementptr i8, ptr %.1339.i, i64 %30
+  %scevgep456.i = getelementptr i8, ptr %.1339.i, i64 %30
   %31 = shl i64 %.1097835543556.prol.i, 3
-  %scevgep456.i = getelementptr i8, ptr %scevgep455.i, i64 %31
-  store double 0.000000e+00, ptr %scevgep456.i, align 8, !noalias !1
+  %scevgep457.i = getelementptr i8, ptr %scevgep456.i, i64 %31
+  store double 0.000000e+00, ptr %scevgep457.i, align 8, !noalias !1
   %ov.i = icmp eq i64 %lsr.iv60.i, -1
   %lsr.iv.next61.i = add nsw i64 %lsr.iv60.i, 1
   br i1 %ov.i, label %B3350.if.prol.loopexit.loopexit.i, label %B3350.if.prol.i, !llvm.loop !7
@@ -332,12 +353,12 @@ B3350.if.prol.loopexit.loopexit.i:                ; preds = %B3350.if.prol.i
 
 B3350.if.prol.loopexit.i:                         ; preds = %B3350.if.prol.loopexit.loopexit.i, %B3350.if.preheader.i
   %.1097135533557.unr.i = phi i64 [ %.10929.i, %B3350.if.preheader.i ], [ %32, %B3350.if.prol.loopexit.loopexit.i ]
-  %.1097835543556.unr.i = phi i64 [ %.13.i228.i, %B3350.if.preheader.i ], [ %.10985.prol.i, %B3350.if.prol.loopexit.loopexit.i ]
-  %33 = sub i64 %.13.i228.i, %.13.i97.i
+  %.1097835543556.unr.i = phi i64 [ %.13.i229.i, %B3350.if.preheader.i ], [ %.10985.prol.i, %B3350.if.prol.loopexit.loopexit.i ]
+  %33 = sub i64 %.13.i229.i, %.13.i97.i
   %34 = icmp ugt i64 %33, -4
-  br i1 %34, label %B3366.i, label %B3350.if.preheader379.i
+  br i1 %34, label %B3366.i, label %B3350.if.preheader380.i
 
-B3350.if.preheader379.i:                          ; preds = %B3350.if.prol.loopexit.i
+B3350.if.preheader380.i:                          ; preds = %B3350.if.prol.loopexit.i
   %35 = add i64 %.1097135533557.unr.i, 4
   br label %B3350.if.i
 
@@ -350,14 +371,14 @@ B3366.i:                                          ; preds = %B3350.if.i, %B3350.
   br i1 %79, label %B3398.preheader.i, label %B3076.loopexit.i
 
 B3398.preheader.i:                                ; preds = %B3366.i
-  %xtraiter357.i = and i64 %.13.i97.i, 3
-  %unroll_iter360.i = and i64 %.13.i97.i, 1020
-  %unroll_iter373.i = and i64 %.13.i97.i, 1022
+  %xtraiter358.i = and i64 %.13.i97.i, 3
+  %unroll_iter361.i = and i64 %.13.i97.i, 1020
+  %unroll_iter374.i = and i64 %.13.i97.i, 1022
   %36 = icmp slt i64 %.12386.i, 0
   %37 = icmp slt i64 %.12386.i, %.2058.i
   %38 = icmp slt i64 %.10539.i, 1
   %39 = icmp slt i64 %.10539.i, 4
-  %40 = icmp eq i64 %xtraiter357.i, 0
+  %40 = icmp eq i64 %xtraiter358.i, 0
   %41 = icmp slt i64 %.11601.i, 0
   %42 = icmp slt i64 %.11601.i, %.2426.i
   %43 = icmp eq i64 %.10539.i, 1
@@ -411,11 +432,11 @@ B3686.i:                                          ; preds = %B3398.else.endif.en
   br i1 %38, label %B3762.i, label %B3716.if.preheader.i
 
 B3716.if.preheader.i:                             ; preds = %B3686.i
-  br i1 %39, label %B3716.if.epil.preheader.i, label %B3716.if.preheader378.i
+  br i1 %39, label %B3716.if.epil.preheader.i, label %B3716.if.preheader379.i
 
-B3716.if.preheader378.i:                          ; preds = %B3716.if.preheader.i
+B3716.if.preheader379.i:                          ; preds = %B3716.if.preheader.i
   %50 = shl i64 %.11210.sroa.0.3.i, 3
-  %scevgep481.i = getelementptr i8, ptr %scevgep480.i, i64 %50
+  %scevgep482.i = getelementptr i8, ptr %scevgep481.i, i64 %50
   br label %B3716.if.i
 
 B3762.loopexit.unr-lcssa.i:                       ; preds = %B3716.if.i
@@ -424,25 +445,25 @@ B3762.loopexit.unr-lcssa.i:                       ; preds = %B3716.if.i
 B3716.if.epil.preheader.i:                        ; preds = %B3762.loopexit.unr-lcssa.i, %B3716.if.preheader.i
   %.1212635613563.epil.init.i = phi i64 [ 0, %B3716.if.preheader.i ], [ %.12133.3.i, %B3762.loopexit.unr-lcssa.i ]
   %51 = shl nuw nsw i64 %.1212635613563.epil.init.i, 3
-  %scevgep498.i = getelementptr i8, ptr %71, i64 %51
+  %scevgep499.i = getelementptr i8, ptr %71, i64 %51
   %52 = add i64 %.1212635613563.epil.init.i, %.11210.sroa.0.3.i
   %53 = shl i64 %52, 3
-  %scevgep500.i = getelementptr i8, ptr %arg.quadratic, i64 %53
-  %scevgep503.i = getelementptr i8, ptr %69, i64 %51
+  %scevgep501.i = getelementptr i8, ptr %arg.quadratic, i64 %53
+  %scevgep504.i = getelementptr i8, ptr %69, i64 %51
   br label %B3716.if.epil.i
 
 B3716.if.epil.i:                                  ; preds = %B3716.if.epil.i, %B3716.if.epil.preheader.i
   %epil.iter.i = phi i64 [ %epil.iter.next.i, %B3716.if.epil.i ], [ 0, %B3716.if.epil.preheader.i ]
   %54 = shl i64 %epil.iter.i, 3
-  %scevgep84.i = getelementptr i8, ptr %scevgep503.i, i64 %54
+  %scevgep84.i = getelementptr i8, ptr %scevgep504.i, i64 %54
   %.12187.epil.i = load double, ptr %scevgep84.i, align 8, !noalias !1
-  %scevgep83.i = getelementptr i8, ptr %scevgep500.i, i64 %54
+  %scevgep83.i = getelementptr i8, ptr %scevgep501.i, i64 %54
   %.12217.epil.i = load double, ptr %scevgep83.i, align 8, !noalias !1
   %.12218.epil.i = fmul contract double %.12187.epil.i, %.12217.epil.i
-  %scevgep82.i = getelementptr i8, ptr %scevgep498.i, i64 %54
+  %scevgep82.i = getelementptr i8, ptr %scevgep499.i, i64 %54
   store double %.12218.epil.i, ptr %scevgep82.i, align 8, !noalias !1
   %epil.iter.next.i = add i64 %epil.iter.i, 1
-  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter357.i, %epil.iter.next.i
+  %epil.iter.cmp.not.i = icmp eq i64 %xtraiter358.i, %epil.iter.next.i
   br i1 %epil.iter.cmp.not.i, label %B3762.i, label %B3716.if.epil.i, !llvm.loop !9
 
 B3762.i:                                          ; preds = %B3716.if.epil.i, %B3462.endif.endif.endif.i, %B3762.loopexit.unr-lcssa.i, %B3686.i, %B3590.if.epil.preheader.i, %B3684.loopexit.unr-lcssa.i
@@ -859,29 +880,27 @@ B890.preheader.i:                                 ; preds = %B318.endif.endif.en
   %.4319331758.i = add nsw i64 %..759.1.i, -1
   %scevgep6.i.i = getelementptr i8, ptr %arg.linear_spline, i64 8
   %.7317328951.i = add nsw i64 %.arg.times.0.i, -1
-  %.152.i.i = add nsw i64 %quot.2.0.i, -3
-  %.232.i.i = shl nsw i64 %arg.n_f, 2
-  %.234.i.i = mul nsw i64 %arg.n_f, 6
+  %.152.i.i = add nsw i64 %quot.2.0.i, -4
   %.10495359880.i = add nsw i64 %storemerge3206.i, -1
-  %scevgep6.i234.i = getelementptr i8, ptr %arg.quadratic_spline, i64 8
+  %scevgep6.i235.i = getelementptr i8, ptr %arg.quadratic_spline, i64 8
   %63 = shl nuw i64 %..3029.i, 3
   %64 = shl i64 %.2329.sroa.0.3.i, 3
   %65 = getelementptr i8, ptr %arg.scratch, i64 %64
-  %scevgep396.i = getelementptr i8, ptr %65, i64 24
-  %scevgep405.i = getelementptr i8, ptr %arg.linear_spline, i64 24
+  %scevgep397.i = getelementptr i8, ptr %65, i64 24
+  %scevgep406.i = getelementptr i8, ptr %arg.linear_spline, i64 24
   %66 = shl i64 %.2504.sroa.0.3.i, 3
   %67 = getelementptr i8, ptr %arg.scratch, i64 %66
-  %scevgep415.i = getelementptr i8, ptr %67, i64 24
-  %scevgep444.i = getelementptr i8, ptr %arg.spectrum, i64 8
+  %scevgep416.i = getelementptr i8, ptr %67, i64 24
+  %scevgep445.i = getelementptr i8, ptr %arg.spectrum, i64 8
   %68 = shl i64 %.1226.sroa.0.3.i, 3
   %69 = getelementptr i8, ptr %arg.scratch, i64 %68
-  %scevgep472.i = getelementptr i8, ptr %69, i64 24
-  %scevgep480.i = getelementptr i8, ptr %arg.quadratic, i64 24
+  %scevgep473.i = getelementptr i8, ptr %69, i64 24
+  %scevgep481.i = getelementptr i8, ptr %arg.quadratic, i64 24
   %70 = shl i64 %.1961.sroa.0.3.i, 3
   %71 = getelementptr i8, ptr %arg.scratch, i64 %70
-  %scevgep489.i = getelementptr i8, ptr %71, i64 24
-  %scevgep514.i = getelementptr i8, ptr %arg.quadratic_spline, i64 24
-  %scevgep528.i = getelementptr i8, ptr %arg.quadratic, i64 8
+  %scevgep490.i = getelementptr i8, ptr %71, i64 24
+  %scevgep515.i = getelementptr i8, ptr %arg.quadratic_spline, i64 24
+  %scevgep529.i = getelementptr i8, ptr %arg.quadratic, i64 8
   %72 = shl i64 %arg.n_linear, 3
   %73 = shl i64 %.1323.i, 3
   %74 = shl i64 %.1497.i, 3
@@ -933,35 +952,35 @@ B890.else.endif.endif.i:                          ; preds = %B890.else.endif.if.
   %.164.i.i = fadd contract double %.100.i.i, %.163.i.i
   %.194.i1.i = load double, ptr %.2950.i, align 8, !noalias !11
   %.195.i2.i = fsub contract double %.164.i.i, %.194.i1.i
-  %.197.i.i = fmul contract double %.195.i2.i, 0x3FE45F306DC9C883
-  %.198.i.i = fadd contract double %.197.i.i, 0x4338000000000000
-  %.199.i.i = fadd contract double %.198.i.i, 0xC338000000000000
-  %.217.i3.i = fmul contract double %.199.i.i, 0x3FF921FA00000000
-  %.218.i.i = fsub contract double %.195.i2.i, %.217.i3.i
-  %.236.i.i = fmul contract double %.199.i.i, 0x3EB5444200000000
-  %.237.i.i = fsub contract double %.218.i.i, %.236.i.i
-  %.255.i.i = fmul contract double %.199.i.i, 0x3D6A308C00000000
-  %.256.i.i = fsub contract double %.237.i.i, %.255.i.i
-  %.274.i.i = fmul contract double %.199.i.i, 0x3C2313198A2E0370
+  %.197.i3.i = fmul contract double %.195.i2.i, 0x3FE45F306DC9C883
+  %.198.i4.i = fadd contract double %.197.i3.i, 0x4338000000000000
+  %.199.i5.i = fadd contract double %.198.i4.i, 0xC338000000000000
+  %.217.i6.i = fmul contract double %.199.i5.i, 0x3FF921FA00000000
+  %.218.i.i = fsub contract double %.195.i2.i, %.217.i6.i
+  %.236.i7.i = fmul contract double %.199.i5.i, 0x3EB5444200000000
+  %.237.i8.i = fsub contract double %.218.i.i, %.236.i7.i
+  %.255.i.i = fmul contract double %.199.i5.i, 0x3D6A308C00000000
+  %.256.i.i = fsub contract double %.237.i8.i, %.255.i.i
+  %.274.i.i = fmul contract double %.199.i5.i, 0x3C2313198A2E0370
   %.275.i.i = fsub contract double %.256.i.i, %.274.i.i
   %.276.i.i = fmul contract double %.275.i.i, %.275.i.i
-  %.277.i4.i = fmul contract double %.275.i.i, %.276.i.i
-  %.278.i5.i = fmul contract double %.276.i.i, 0x3D6AE7F3E733B81F
-  %95 = fsub contract double 0x3DE6124613A86D09, %.278.i5.i
-  %.280.i6.i = fmul contract double %.276.i.i, %95
-  %.281.i.i = fadd contract double %.280.i6.i, 0xBE5AE64567F544E4
+  %.277.i9.i = fmul contract double %.275.i.i, %.276.i.i
+  %.278.i10.i = fmul contract double %.276.i.i, 0x3D6AE7F3E733B81F
+  %95 = fsub contract double 0x3DE6124613A86D09, %.278.i10.i
+  %.280.i11.i = fmul contract double %.276.i.i, %95
+  %.281.i.i = fadd contract double %.280.i11.i, 0xBE5AE64567F544E4
   %.282.i.i = fmul contract double %.276.i.i, %.281.i.i
   %.283.i.i = fadd contract double %.282.i.i, 0x3EC71DE3A556C734
-  %.284.i7.i = fmul contract double %.276.i.i, %.283.i.i
-  %.285.i.i = fadd contract double %.284.i7.i, 0xBF2A01A01A01A01A
-  %.286.i8.i = fmul contract double %.276.i.i, %.285.i.i
-  %.287.i9.i = fadd contract double %.286.i8.i, 0x3F81111111111111
-  %.288.i10.i = fmul contract double %.276.i.i, %.287.i9.i
-  %.289.i11.i = fadd contract double %.288.i10.i, 0xBFC5555555555555
-  %.290.i.i = fmul contract double %.277.i4.i, %.289.i11.i
-  %.291.i12.i = fadd contract double %.275.i.i, %.290.i.i
-  %.292.i13.i = fmul contract double %.276.i.i, 0x3D2AE7F3E733B81F
-  %.293.i.i = fadd contract double %.292.i13.i, 0xBDA93974A8C07C9D
+  %.284.i12.i = fmul contract double %.276.i.i, %.283.i.i
+  %.285.i.i = fadd contract double %.284.i12.i, 0xBF2A01A01A01A01A
+  %.286.i13.i = fmul contract double %.276.i.i, %.285.i.i
+  %.287.i14.i = fadd contract double %.286.i13.i, 0x3F81111111111111
+  %.288.i15.i = fmul contract double %.276.i.i, %.287.i14.i
+  %.289.i16.i = fadd contract double %.288.i15.i, 0xBFC5555555555555
+  %.290.i.i = fmul contract double %.277.i9.i, %.289.i16.i
+  %.291.i17.i = fadd contract double %.275.i.i, %.290.i.i
+  %.292.i18.i = fmul contract double %.276.i.i, 0x3D2AE7F3E733B81F
+  %.293.i.i = fadd contract double %.292.i18.i, 0xBDA93974A8C07C9D
   %.294.i.i = fmul contract double %.276.i.i, %.293.i.i
   %.295.i.i = fadd contract double %.294.i.i, 0x3E21EED8EFF8D898
   %.296.i.i = fmul contract double %.276.i.i, %.295.i.i
@@ -976,36 +995,36 @@ B890.else.endif.endif.i:                          ; preds = %B890.else.endif.if.
   %.305.i.i = fadd contract double %.304.i.i, -5.000000e-01
   %.306.i.i = fmul contract double %.276.i.i, %.305.i.i
   %.307.i.i = fadd contract double %.306.i.i, 1.000000e+00
-  %.308.i.i = bitcast double %.198.i.i to i64
+  %.308.i.i = bitcast double %.198.i4.i to i64
   %.309.i.i = and i64 %.308.i.i, 1
-  %.311.i14.i = bitcast double %.291.i12.i to i64
-  %.312.i15.i = bitcast double %.307.i.i to i64
-  %.313.i.i = xor i64 %.312.i15.i, %.311.i14.i
+  %.311.i19.i = bitcast double %.291.i17.i to i64
+  %.312.i20.i = bitcast double %.307.i.i to i64
+  %.313.i.i = xor i64 %.312.i20.i, %.311.i19.i
   %96 = icmp eq i64 %.309.i.i, 0
-  %.314.i16.i = select i1 %96, i64 0, i64 %.313.i.i
+  %.314.i21.i = select i1 %96, i64 0, i64 %.313.i.i
   %.315.i.i = shl i64 %.308.i.i, 62
   %.316.i.i = and i64 %.315.i.i, -9223372036854775808
   %.318.i.i = add i64 %.315.i.i, 4611686018427387904
-  %.319.i17.i = and i64 %.318.i.i, -9223372036854775808
-  %97 = xor i64 %.316.i.i, %.311.i14.i
-  %.321.i.i = xor i64 %97, %.314.i16.i
+  %.319.i22.i = and i64 %.318.i.i, -9223372036854775808
+  %97 = xor i64 %.316.i.i, %.311.i19.i
+  %.321.i.i = xor i64 %97, %.314.i21.i
   %.322.i.i = bitcast i64 %.321.i.i to double
-  %98 = xor i64 %.319.i17.i, %.312.i15.i
-  %.324.i18.i = xor i64 %98, %.314.i16.i
-  %.325.i.i = bitcast i64 %.324.i18.i to double
-  %.375.i19.i = getelementptr i8, ptr %.2950.i, i64 8
-  %.376.i20.i = load double, ptr %.375.i19.i, align 8, !noalias !11
-  %.377.i21.i = fmul contract double %.376.i20.i, 0x3FE45F306DC9C883
-  %.378.i22.i = fadd contract double %.377.i21.i, 0x4338000000000000
-  %.379.i23.i = fadd contract double %.378.i22.i, 0xC338000000000000
-  %.397.i24.i = fmul contract double %.379.i23.i, 0x3FF921FA00000000
-  %.398.i25.i = fsub contract double %.376.i20.i, %.397.i24.i
-  %.416.i.i = fmul contract double %.379.i23.i, 0x3EB5444200000000
-  %.417.i26.i = fsub contract double %.398.i25.i, %.416.i.i
-  %.435.i.i = fmul contract double %.379.i23.i, 0x3D6A308C00000000
-  %.436.i.i = fsub contract double %.417.i26.i, %.435.i.i
-  %.454.i27.i = fmul contract double %.379.i23.i, 0x3C2313198A2E0370
-  %.455.i.i = fsub contract double %.436.i.i, %.454.i27.i
+  %98 = xor i64 %.319.i22.i, %.312.i20.i
+  %.324.i23.i = xor i64 %98, %.314.i21.i
+  %.325.i.i = bitcast i64 %.324.i23.i to double
+  %.375.i24.i = getelementptr i8, ptr %.2950.i, i64 8
+  %.376.i25.i = load double, ptr %.375.i24.i, align 8, !noalias !11
+  %.377.i26.i = fmul contract double %.376.i25.i, 0x3FE45F306DC9C883
+  %.378.i27.i = fadd contract double %.377.i26.i, 0x4338000000000000
+  %.379.i28.i = fadd contract double %.378.i27.i, 0xC338000000000000
+  %.397.i29.i = fmul contract double %.379.i28.i, 0x3FF921FA00000000
+  %.398.i30.i = fsub contract double %.376.i25.i, %.397.i29.i
+  %.416.i.i = fmul contract double %.379.i28.i, 0x3EB5444200000000
+  %.417.i31.i = fsub contract double %.398.i30.i, %.416.i.i
+  %.435.i.i = fmul contract double %.379.i28.i, 0x3D6A308C00000000
+  %.436.i.i = fsub contract double %.417.i31.i, %.435.i.i
+  %.454.i32.i = fmul contract double %.379.i28.i, 0x3C2313198A2E0370
+  %.455.i.i = fsub contract double %.436.i.i, %.454.i32.i
   %.456.i.i = fmul contract double %.455.i.i, %.455.i.i
   %.457.i.i = fmul contract double %.455.i.i, %.456.i.i
   %.458.i.i = fmul contract double %.456.i.i, 0x3D6AE7F3E733B81F
@@ -1030,25 +1049,25 @@ B890.else.endif.endif.i:                          ; preds = %B890.else.endif.if.
   %.477.i.i = fadd contract double %.476.i.i, 0xBE927E4FB7789F5C
   %.478.i.i = fmul contract double %.456.i.i, %.477.i.i
   %.479.i.i = fadd contract double %.478.i.i, 0x3EFA01A01A01A01A
-  %.480.i28.i = fmul contract double %.456.i.i, %.479.i.i
-  %.481.i29.i = fadd contract double %.480.i28.i, 0xBF56C16C16C16C17
-  %.482.i30.i = fmul contract double %.456.i.i, %.481.i29.i
-  %.483.i.i = fadd contract double %.482.i30.i, 0x3FA5555555555555
+  %.480.i33.i = fmul contract double %.456.i.i, %.479.i.i
+  %.481.i34.i = fadd contract double %.480.i33.i, 0xBF56C16C16C16C17
+  %.482.i35.i = fmul contract double %.456.i.i, %.481.i34.i
+  %.483.i.i = fadd contract double %.482.i35.i, 0x3FA5555555555555
   %.484.i.i = fmul contract double %.456.i.i, %.483.i.i
   %.485.i.i = fadd contract double %.484.i.i, -5.000000e-01
   %.486.i.i = fmul contract double %.456.i.i, %.485.i.i
-  %.487.i31.i = fadd contract double %.486.i.i, 1.000000e+00
-  %.488.i.i = bitcast double %.378.i22.i to i64
-  %.489.i32.i = and i64 %.488.i.i, 1
+  %.487.i36.i = fadd contract double %.486.i.i, 1.000000e+00
+  %.488.i.i = bitcast double %.378.i27.i to i64
+  %.489.i37.i = and i64 %.488.i.i, 1
   %.491.i.i = bitcast double %.471.i.i to i64
-  %.492.i.i = bitcast double %.487.i31.i to i64
+  %.492.i.i = bitcast double %.487.i36.i to i64
   %.493.i.i = xor i64 %.492.i.i, %.491.i.i
-  %100 = icmp eq i64 %.489.i32.i, 0
+  %100 = icmp eq i64 %.489.i37.i, 0
   %.494.i.i = select i1 %100, i64 0, i64 %.493.i.i
   %.495.i.i = shl i64 %.488.i.i, 62
   %.496.i.i = and i64 %.495.i.i, -9223372036854775808
-  %.498.i33.i = add i64 %.495.i.i, 4611686018427387904
-  %.499.i.i = and i64 %.498.i33.i, -9223372036854775808
+  %.498.i38.i = add i64 %.495.i.i, 4611686018427387904
+  %.499.i.i = and i64 %.498.i38.i, -9223372036854775808
   %101 = xor i64 %.496.i.i, %.491.i.i
   %.501.i.i = xor i64 %101, %.494.i.i
   %.502.i.i = bitcast i64 %.501.i.i to double
@@ -1097,9 +1116,9 @@ B890.else.endif.endif.i:                          ; preds = %B890.else.endif.if.
   %.665.i.i = fmul contract double %.639.i.i, %.664.i.i
   %.666.i.i = fadd contract double %.665.i.i, 0x3FA5555555555555
   %.667.i.i = fmul contract double %.639.i.i, %.666.i.i
-  %.668.i34.i = fadd contract double %.667.i.i, -5.000000e-01
-  %.669.i35.i = fmul contract double %.639.i.i, %.668.i34.i
-  %.670.i.i = fadd contract double %.669.i35.i, 1.000000e+00
+  %.668.i39.i = fadd contract double %.667.i.i, -5.000000e-01
+  %.669.i40.i = fmul contract double %.639.i.i, %.668.i39.i
+  %.670.i.i = fadd contract double %.669.i40.i, 1.000000e+00
   %.671.i.i = bitcast double %.561.i.i to i64
   %.672.i.i = and i64 %.671.i.i, 1
   %.674.i.i = bitcast double %.654.i.i to i64
@@ -1147,7 +1166,7 @@ B462.if.preheader.i.i:                            ; preds = %B890.else.endif.end
 B462.if.i.i:                                      ; preds = %B466.endif.else.endif.endif.i.i, %B462.if.preheader.i.i
   %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B466.endif.else.endif.endif.i.i ], [ %.789.i.i, %B462.if.preheader.i.i ]
   %lsr.iv6.i.i = phi i64 [ %lsr.iv.next7.i.i, %B466.endif.else.endif.endif.i.i ], [ 0, %B462.if.preheader.i.i ]
-  %lsr.iv.i36.i = phi i64 [ %lsr.iv.next.i37.i, %B466.endif.else.endif.endif.i.i ], [ 0, %B462.if.preheader.i.i ]
+  %lsr.iv.i41.i = phi i64 [ %lsr.iv.next.i42.i, %B466.endif.else.endif.endif.i.i ], [ 0, %B462.if.preheader.i.i ]
   %.979.not.i.i = icmp slt i64 %lsr.iv6.i.i, %arg.n_responses
   br i1 %.979.not.i.i, label %B466.else.endif.endif.i.i, label %B466.else.endif.if.i.i, !prof !10
 
@@ -1226,21 +1245,21 @@ B466.else.endif.endif.i.i:                        ; preds = %B466.else.endif.if.
   %.1708.i.i = fmul contract double %.747.i.i, %.1388.i.i
   %.1709.i.i = fadd contract double %.1706.i.i, %.1708.i.i
   %.1710.i.i = fadd contract double %.1701.i.i, %.1709.i.i
-  %.1760.not.i.i = icmp slt i64 %lsr.iv.i36.i, %arg.n_locations
+  %.1760.not.i.i = icmp slt i64 %lsr.iv.i41.i, %arg.n_locations
   br i1 %.1760.not.i.i, label %B466.endif.else.endif.endif.i.i, label %B466.endif.else.endif.if.i.i, !prof !10
 
 B466.endif.else.endif.if.i.i:                     ; preds = %B466.else.endif.endif.i.i
   br label %B466.endif.else.endif.endif.i.i
 
 B466.endif.else.endif.endif.i.i:                  ; preds = %B466.endif.else.endif.if.i.i, %B466.else.endif.endif.i.i
-  %.1740.sroa.0.3.i.i = phi i64 [ %arg.n_locations, %B466.endif.else.endif.if.i.i ], [ %lsr.iv.i36.i, %B466.else.endif.endif.i.i ]
+  %.1740.sroa.0.3.i.i = phi i64 [ %arg.n_locations, %B466.endif.else.endif.if.i.i ], [ %lsr.iv.i41.i, %B466.else.endif.endif.i.i ]
   %.1853.i.i = getelementptr double, ptr %arg.locations, i64 %.1740.sroa.0.3.i.i
   %.1914.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !11
   %.1915.i.i = fmul contract double %.1693.i.i, %.1914.i.i
   %.1945.i.i = load double, ptr %sunkaddr11.i.i, align 8, !noalias !11
   %.1946.i.i = fmul contract double %.1710.i.i, %.1945.i.i
   %.1947.i.i = fadd contract double %.1915.i.i, %.1946.i.i
-  %sunkaddr.i.i = shl i64 %lsr.iv.i36.i, 3
+  %sunkaddr.i.i = shl i64 %lsr.iv.i41.i, 3
   %sunkaddr12.i.i = getelementptr i8, ptr %.1159.i, i64 %sunkaddr.i.i
   store double %.1947.i.i, ptr %sunkaddr12.i.i, align 8, !noalias !11
   %.2008.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !11
@@ -1260,11 +1279,11 @@ B466.endif.else.endif.endif.i.i:                  ; preds = %B466.endif.else.end
   %.2144.i.i = fdiv contract double %.2139.i.i, 0xC1B1DE784A000000
   %sunkaddr19.i.i = getelementptr i8, ptr %sunkaddr12.i.i, i64 16
   store double %.2144.i.i, ptr %sunkaddr19.i.i, align 8, !noalias !11
-  %lsr.iv.next.i37.i = add nuw nsw i64 %lsr.iv.i36.i, 3
+  %lsr.iv.next.i42.i = add nuw nsw i64 %lsr.iv.i41.i, 3
   %lsr.iv.next7.i.i = add nuw i64 %lsr.iv6.i.i, 9
   %lsr.iv.next9.i.i = add nsw i64 %lsr.iv8.i.i, -1
-  %exitcond.not.i38.i = icmp eq i64 %lsr.iv.next9.i.i, 0
-  br i1 %exitcond.not.i38.i, label %_ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B462.if.i.i
+  %exitcond.not.i43.i = icmp eq i64 %lsr.iv.next9.i.i, 0
+  br i1 %exitcond.not.i43.i, label %_ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B462.if.i.i
 
 _ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B466.endif.else.endif.endif.i.i, %B890.else.endif.endif.i
   %.3031.i = mul nsw i64 %.2755.sroa.0.091.i, %.3029.i
@@ -1361,9 +1380,9 @@ B1306.if.i:                                       ; preds = %B1306.if.i, %B1306.
   %108 = add i64 %.383132763278.i, %.3625.sroa.0.068.i
   %.3878.i = icmp slt i64 %108, 0
   %109 = select i1 %.3878.i, i64 %72, i64 0
-  %scevgep384.i = getelementptr i8, ptr %scevgep383.i, i64 %109
+  %scevgep385.i = getelementptr i8, ptr %scevgep384.i, i64 %109
   %110 = shl nuw nsw i64 %.383132763278.i, 3
-  %scevgep22.i = getelementptr i8, ptr %scevgep384.i, i64 %110
+  %scevgep22.i = getelementptr i8, ptr %scevgep385.i, i64 %110
   %.3894.i = load i64, ptr %scevgep22.i, align 8, !noalias !1
   %.3909.i = icmp slt i64 %.3894.i, 0
   %.3910.i = select i1 %.3909.i, i64 %.3500.i, i64 0
@@ -1386,19 +1405,19 @@ B1306.if.i:                                       ; preds = %B1306.if.i, %B1306.
   %exitcond3984.not.i = icmp eq i64 %.13.i98.i, %.3838.i
   br i1 %exitcond3984.not.i, label %B1410.i, label %B1306.if.i
 
-B1442.if.i:                                       ; preds = %B1442.if.i, %B1442.if.preheader380.i
-  %lsr.iv.i = phi i64 [ %4, %B1442.if.preheader380.i ], [ %lsr.iv.next.i, %B1442.if.i ]
-  %.414232833285.i = phi i64 [ %.414232833285.unr.i, %B1442.if.preheader380.i ], [ %120, %B1442.if.i ]
+B1442.if.i:                                       ; preds = %B1442.if.i, %B1442.if.preheader381.i
+  %lsr.iv.i = phi i64 [ %4, %B1442.if.preheader381.i ], [ %lsr.iv.next.i, %B1442.if.i ]
+  %.414232833285.i = phi i64 [ %.414232833285.unr.i, %B1442.if.preheader381.i ], [ %120, %B1442.if.i ]
   %.4187.i = icmp slt i64 %.414232833285.i, 0
   %114 = select i1 %.4187.i, i64 %73, i64 0
-  %scevgep388.i = getelementptr i8, ptr %.1339.i, i64 %114
+  %scevgep389.i = getelementptr i8, ptr %.1339.i, i64 %114
   %115 = shl i64 %.414232833285.i, 3
-  %scevgep389.i = getelementptr i8, ptr %scevgep388.i, i64 %115
-  store double 0.000000e+00, ptr %scevgep389.i, align 8, !noalias !1
+  %scevgep390.i = getelementptr i8, ptr %scevgep389.i, i64 %115
+  store double 0.000000e+00, ptr %scevgep390.i, align 8, !noalias !1
   %116 = select i1 %.4187.i, i64 %74, i64 0
-  %scevgep386.i = getelementptr i8, ptr %.1513.i, i64 %116
-  %scevgep387.i = getelementptr i8, ptr %scevgep386.i, i64 %115
-  store double 0.000000e+00, ptr %scevgep387.i, align 8, !noalias !1
+  %scevgep387.i = getelementptr i8, ptr %.1513.i, i64 %116
+  %scevgep388.i = getelementptr i8, ptr %scevgep387.i, i64 %115
+  store double 0.000000e+00, ptr %scevgep388.i, align 8, !noalias !1
   %117 = add i64 %.414232833285.i, 1
   %.4187.1.i = icmp slt i64 %117, 0
   %118 = select i1 %.4187.1.i, i64 %80, i64 8
@@ -1489,7 +1508,7 @@ B128.if.lr.ph.i.i:                                ; preds = %B76.i.i
   %123 = lshr i64 %122, 1
   %124 = add nuw i64 %123, 1
   %125 = shl i64 %.4572.sroa.0.3.i, 3
-  %scevgep397.i = getelementptr i8, ptr %scevgep396.i, i64 %125
+  %scevgep398.i = getelementptr i8, ptr %scevgep397.i, i64 %125
   %126 = lshr i64 %124, 1
   %127 = mul nsw i64 %126, -2
   %128 = icmp eq i64 %.4660.i, 1
@@ -1580,42 +1599,42 @@ B228.if.preheader2.i.i:                           ; preds = %B228.if.preheader.i
   br i1 %129, label %B228.if.i.epil.preheader.i, label %B228.if.i.preheader.i
 
 B228.if.i.preheader.i:                            ; preds = %B228.if.preheader2.i.i
-  %scevgep406.i = getelementptr i8, ptr %scevgep405.i, i64 %138
+  %scevgep407.i = getelementptr i8, ptr %scevgep406.i, i64 %138
   br label %B228.if.i.i
 
 B228.if.i.i:                                      ; preds = %B228.if.i.i, %B228.if.i.preheader.i
   %lsr.iv26.i = phi i64 [ %lsr.iv.next27.i, %B228.if.i.i ], [ %127, %B228.if.i.preheader.i ]
   %.655272274.i.i = phi i64 [ %.662.1.i.1.i, %B228.if.i.i ], [ 0, %B228.if.i.preheader.i ]
   %139 = shl i64 %.655272274.i.i, 3
-  %scevgep403.i = getelementptr i8, ptr %scevgep397.i, i64 %139
-  %scevgep404.i = getelementptr i8, ptr %scevgep403.i, i64 -24
-  %.716.i.i = load double, ptr %scevgep404.i, align 8, !noalias !14
-  %scevgep409.i = getelementptr i8, ptr %scevgep406.i, i64 %139
-  %scevgep410.i = getelementptr i8, ptr %scevgep409.i, i64 -16
-  %scevgep31.i = getelementptr i8, ptr %scevgep409.i, i64 -24
+  %scevgep404.i = getelementptr i8, ptr %scevgep398.i, i64 %139
+  %scevgep405.i = getelementptr i8, ptr %scevgep404.i, i64 -24
+  %.716.i.i = load double, ptr %scevgep405.i, align 8, !noalias !14
+  %scevgep410.i = getelementptr i8, ptr %scevgep407.i, i64 %139
+  %scevgep411.i = getelementptr i8, ptr %scevgep410.i, i64 -16
+  %scevgep31.i = getelementptr i8, ptr %scevgep410.i, i64 -24
   %.746.i.i = load double, ptr %scevgep31.i, align 8, !noalias !14
   %.748.i.i = fmul contract double %.565.i.i, %.746.i.i
   %.749.i.i = fadd contract double %.716.i.i, %.748.i.i
-  store double %.749.i.i, ptr %scevgep404.i, align 8, !noalias !14
-  %scevgep35.i = getelementptr i8, ptr %scevgep403.i, i64 -16
+  store double %.749.i.i, ptr %scevgep405.i, align 8, !noalias !14
+  %scevgep35.i = getelementptr i8, ptr %scevgep404.i, i64 -16
   %.716.1.i.i = load double, ptr %scevgep35.i, align 8, !noalias !14
-  %.746.1.i.i = load double, ptr %scevgep410.i, align 8, !noalias !14
+  %.746.1.i.i = load double, ptr %scevgep411.i, align 8, !noalias !14
   %.748.1.i.i = fmul contract double %.565.i.i, %.746.1.i.i
   %.749.1.i.i = fadd contract double %.716.1.i.i, %.748.1.i.i
   store double %.749.1.i.i, ptr %scevgep35.i, align 8, !noalias !14
-  %scevgep33.i = getelementptr i8, ptr %scevgep403.i, i64 -8
+  %scevgep33.i = getelementptr i8, ptr %scevgep404.i, i64 -8
   %.716.i.1.i = load double, ptr %scevgep33.i, align 8, !noalias !14
-  %scevgep29.i = getelementptr i8, ptr %scevgep409.i, i64 -8
+  %scevgep29.i = getelementptr i8, ptr %scevgep410.i, i64 -8
   %.746.i.1.i = load double, ptr %scevgep29.i, align 8, !noalias !14
   %.748.i.1.i = fmul contract double %.565.i.i, %.746.i.1.i
   %.749.i.1.i = fadd contract double %.716.i.1.i, %.748.i.1.i
   store double %.749.i.1.i, ptr %scevgep33.i, align 8, !noalias !14
   %.662.1.i.1.i = add i64 %.655272274.i.i, 4
-  %.716.1.i.1.i = load double, ptr %scevgep403.i, align 8, !noalias !14
-  %.746.1.i.1.i = load double, ptr %scevgep409.i, align 8, !noalias !14
+  %.716.1.i.1.i = load double, ptr %scevgep404.i, align 8, !noalias !14
+  %.746.1.i.1.i = load double, ptr %scevgep410.i, align 8, !noalias !14
   %.748.1.i.1.i = fmul contract double %.565.i.i, %.746.1.i.1.i
   %.749.1.i.1.i = fadd contract double %.716.1.i.1.i, %.748.1.i.1.i
-  store double %.749.1.i.1.i, ptr %scevgep403.i, align 8, !noalias !14
+  store double %.749.1.i.1.i, ptr %scevgep404.i, align 8, !noalias !14
   %lsr.iv.next27.i = add i64 %lsr.iv26.i, 2
   %niter.ncmp.1.i = icmp eq i64 %lsr.iv.next27.i, 0
   br i1 %niter.ncmp.1.i, label %B284.loopexit.unr-lcssa.i.unr-lcssa.i, label %B228.if.i.i
@@ -1700,7 +1719,7 @@ B128.if.lr.ph.i102.i:                             ; preds = %B76.i100.i
   %142 = lshr i64 %141, 1
   %143 = add nuw i64 %142, 1
   %144 = shl i64 %.4957.sroa.0.3.i, 3
-  %scevgep416.i = getelementptr i8, ptr %scevgep415.i, i64 %144
+  %scevgep417.i = getelementptr i8, ptr %scevgep416.i, i64 %144
   %145 = lshr i64 %143, 1
   %146 = mul nsw i64 %145, -2
   %147 = icmp eq i64 %.5045.i, 1
@@ -1791,45 +1810,45 @@ B228.if.preheader2.i123.i:                        ; preds = %B228.if.preheader.i
   br i1 %148, label %B228.if.i125.epil.preheader.i, label %B228.if.i125.preheader.i
 
 B228.if.i125.preheader.i:                         ; preds = %B228.if.preheader2.i123.i
-  %scevgep425.i = getelementptr i8, ptr %scevgep405.i, i64 %157
+  %scevgep426.i = getelementptr i8, ptr %scevgep406.i, i64 %157
   br label %B228.if.i125.i
 
 B228.if.i125.i:                                   ; preds = %B228.if.i125.i, %B228.if.i125.preheader.i
   %lsr.iv36.i = phi i64 [ %lsr.iv.next37.i, %B228.if.i125.i ], [ %146, %B228.if.i125.preheader.i ]
   %.655272274.i126.i = phi i64 [ %.662.1.i134.1.i, %B228.if.i125.i ], [ 0, %B228.if.i125.preheader.i ]
   %158 = shl i64 %.655272274.i126.i, 3
-  %scevgep422.i = getelementptr i8, ptr %scevgep416.i, i64 %158
-  %scevgep423.i = getelementptr i8, ptr %scevgep422.i, i64 -24
-  %.716.i128.i = load double, ptr %scevgep423.i, align 8, !noalias !17
-  %scevgep428.i = getelementptr i8, ptr %scevgep425.i, i64 %158
-  %scevgep429.i = getelementptr i8, ptr %scevgep428.i, i64 -16
-  %scevgep41.i = getelementptr i8, ptr %scevgep428.i, i64 -24
+  %scevgep423.i = getelementptr i8, ptr %scevgep417.i, i64 %158
+  %scevgep424.i = getelementptr i8, ptr %scevgep423.i, i64 -24
+  %.716.i128.i = load double, ptr %scevgep424.i, align 8, !noalias !17
+  %scevgep429.i = getelementptr i8, ptr %scevgep426.i, i64 %158
+  %scevgep430.i = getelementptr i8, ptr %scevgep429.i, i64 -16
+  %scevgep41.i = getelementptr i8, ptr %scevgep429.i, i64 -24
   %.746.i131.i = load double, ptr %scevgep41.i, align 8, !noalias !17
   %.748.i132.i = fmul contract double %.565.i121.i, %.746.i131.i
   %.749.i133.i = fadd contract double %.716.i128.i, %.748.i132.i
-  store double %.749.i133.i, ptr %scevgep423.i, align 8, !noalias !17
-  %scevgep45.i = getelementptr i8, ptr %scevgep422.i, i64 -16
+  store double %.749.i133.i, ptr %scevgep424.i, align 8, !noalias !17
+  %scevgep45.i = getelementptr i8, ptr %scevgep423.i, i64 -16
   %.716.1.i136.i = load double, ptr %scevgep45.i, align 8, !noalias !17
-  %.746.1.i137.i = load double, ptr %scevgep429.i, align 8, !noalias !17
+  %.746.1.i137.i = load double, ptr %scevgep430.i, align 8, !noalias !17
   %.748.1.i138.i = fmul contract double %.565.i121.i, %.746.1.i137.i
   %.749.1.i139.i = fadd contract double %.716.1.i136.i, %.748.1.i138.i
   store double %.749.1.i139.i, ptr %scevgep45.i, align 8, !noalias !17
-  %scevgep43.i = getelementptr i8, ptr %scevgep422.i, i64 -8
+  %scevgep43.i = getelementptr i8, ptr %scevgep423.i, i64 -8
   %.716.i128.1.i = load double, ptr %scevgep43.i, align 8, !noalias !17
-  %scevgep39.i = getelementptr i8, ptr %scevgep428.i, i64 -8
+  %scevgep39.i = getelementptr i8, ptr %scevgep429.i, i64 -8
   %.746.i131.1.i = load double, ptr %scevgep39.i, align 8, !noalias !17
   %.748.i132.1.i = fmul contract double %.565.i121.i, %.746.i131.1.i
   %.749.i133.1.i = fadd contract double %.716.i128.1.i, %.748.i132.1.i
   store double %.749.i133.1.i, ptr %scevgep43.i, align 8, !noalias !17
   %.662.1.i134.1.i = add i64 %.655272274.i126.i, 4
-  %.716.1.i136.1.i = load double, ptr %scevgep422.i, align 8, !noalias !17
-  %.746.1.i137.1.i = load double, ptr %scevgep428.i, align 8, !noalias !17
+  %.716.1.i136.1.i = load double, ptr %scevgep423.i, align 8, !noalias !17
+  %.746.1.i137.1.i = load double, ptr %scevgep429.i, align 8, !noalias !17
   %.748.1.i138.1.i = fmul contract double %.565.i121.i, %.746.1.i137.1.i
   %.749.1.i139.1.i = fadd contract double %.716.1.i136.1.i, %.748.1.i138.1.i
-  store double %.749.1.i139.1.i, ptr %scevgep422.i, align 8, !noalias !17
+  store double %.749.1.i139.1.i, ptr %scevgep423.i, align 8, !noalias !17
   %lsr.iv.next37.i = add i64 %lsr.iv36.i, 2
-  %niter354.ncmp.1.i = icmp eq i64 %lsr.iv.next37.i, 0
-  br i1 %niter354.ncmp.1.i, label %B284.loopexit.unr-lcssa.i141.unr-lcssa.i, label %B228.if.i125.i
+  %niter355.ncmp.1.i = icmp eq i64 %lsr.iv.next37.i, 0
+  br i1 %niter355.ncmp.1.i, label %B284.loopexit.unr-lcssa.i141.unr-lcssa.i, label %B228.if.i125.i
 
 B1516.endif.endif.endif.endif.endif.endif.i:      ; preds = %B284.i148.i, %B76.i100.i
   br i1 %86, label %B1516.endif.endif.endif.e...if.1.i, label %B1516.endif.endif.endif.e...endif.1.i, !prof !0
@@ -1903,26 +1922,26 @@ B56.if.i.i:                                       ; preds = %B1516.endif.endif.e
   %.193.i153.i = add nuw nsw i64 %.186192194.i.i, 1
   %159 = shl i64 %.186192194.i.i, 3
   %scevgep5.i.i = getelementptr i8, ptr %.5454.i, i64 %159
-  %.247.i.i = load double, ptr %scevgep5.i.i, align 8, !noalias !20
+  %.247.i154.i = load double, ptr %scevgep5.i.i, align 8, !noalias !20
   %scevgep4.i.i = getelementptr i8, ptr %.5282.i, i64 %159
   %.277.i.i = load double, ptr %scevgep4.i.i, align 8, !noalias !20
   %.278.i.i = fadd contract double %.277.i.i, 1.000000e+00
-  %.279.i.i = fmul contract double %.247.i.i, %.247.i.i
+  %.279.i.i = fmul contract double %.247.i154.i, %.247.i154.i
   %.280.i.i = fadd contract double %.279.i.i, 4.000000e+00
   %.284.i.i = fdiv contract double %.278.i.i, %.280.i.i
   %.286.i.i = fsub contract double 4.000000e+00, %.279.i.i
   %.287.i.i = fmul contract double %.286.i.i, %.284.i.i
-  %.288.i.i = fmul contract double %.247.i.i, 4.000000e+00
+  %.288.i.i = fmul contract double %.247.i154.i, 4.000000e+00
   %.289.i.i = fmul contract double %.288.i.i, %.284.i.i
   %scevgep49.i = getelementptr i8, ptr %.5626.i, i64 %159
   %.319.i.i = load double, ptr %scevgep49.i, align 8, !noalias !20
   %.320.i.i = fmul contract double %.319.i.i, %.287.i.i
   %scevgep48.i = getelementptr i8, ptr %.5798.i, i64 %159
-  %.350.i154.i = load double, ptr %scevgep48.i, align 8, !noalias !20
-  %.351.i.i = fmul contract double %.350.i154.i, %.289.i.i
-  %.352.i155.i = fsub contract double %.320.i.i, %.351.i.i
+  %.350.i155.i = load double, ptr %scevgep48.i, align 8, !noalias !20
+  %.351.i.i = fmul contract double %.350.i155.i, %.289.i.i
+  %.352.i156.i = fsub contract double %.320.i.i, %.351.i.i
   %scevgep47.i = getelementptr i8, ptr %.5970.i, i64 %159
-  store double %.352.i155.i, ptr %scevgep47.i, align 8, !noalias !20
+  store double %.352.i156.i, ptr %scevgep47.i, align 8, !noalias !20
   %.412.i.i = load double, ptr %scevgep49.i, align 8, !noalias !20
   %.413.i.i = fmul contract double %.289.i.i, %.412.i.i
   %.443.i.i = load double, ptr %scevgep48.i, align 8, !noalias !20
@@ -2105,17 +2124,17 @@ B2136.endif.endif.endif.endif.else.endif.if.i:    ; preds = %B2136.endif.endif.e
 B2136.endif.endif.endif.endif.else.endif.endif.i: ; preds = %B2136.endif.endif.endif.endif.else.endif.if.i, %B2136.endif.endif.endif.else.endif.endif.i
   %.8169.sroa.0.3.i = phi i64 [ %.2233.i, %B2136.endif.endif.endif.endif.else.endif.if.i ], [ 0, %B2136.endif.endif.endif.else.endif.endif.i ]
   %.8282.i = getelementptr double, ptr %.2249.i, i64 %.8169.sroa.0.3.i
-  %.104.i156.i = fmul contract double %.7427.i, 0xC01921FB54442D18
+  %.104.i157.i = fmul contract double %.7427.i, 0xC01921FB54442D18
   %.200239.not.i.i = icmp slt i64 %.7913.i, 1
   br i1 %.200239.not.i.i, label %B2444.else.endif.i, label %B78.if.i.i
 
 B78.if.i.i:                                       ; preds = %B2136.endif.endif.endif.endif.else.endif.endif.i, %B78.if.i.i
-  %.206238240.i.i = phi i64 [ %.213.i157.i, %B78.if.i.i ], [ 0, %B2136.endif.endif.endif.endif.else.endif.endif.i ]
-  %.213.i157.i = add nuw nsw i64 %.206238240.i.i, 1
+  %.206238240.i.i = phi i64 [ %.213.i158.i, %B78.if.i.i ], [ 0, %B2136.endif.endif.endif.endif.else.endif.endif.i ]
+  %.213.i158.i = add nuw nsw i64 %.206238240.i.i, 1
   %166 = shl i64 %.206238240.i.i, 3
-  %scevgep6.i158.i = getelementptr i8, ptr %.7938.i, i64 %166
-  %.268.i.i = load double, ptr %scevgep6.i158.i, align 8, !noalias !23
-  %.270.i.i = fmul contract double %.104.i156.i, %.268.i.i
+  %scevgep6.i159.i = getelementptr i8, ptr %.7938.i, i64 %166
+  %.268.i.i = load double, ptr %scevgep6.i159.i, align 8, !noalias !23
+  %.270.i.i = fmul contract double %.104.i157.i, %.268.i.i
   %.271.i.i = fmul contract double %.270.i.i, 0x3FE45F306DC9C883
   %.272.i.i = fadd contract double %.271.i.i, 0x4338000000000000
   %.273.i.i = fadd contract double %.272.i.i, 0xC338000000000000
@@ -2127,37 +2146,37 @@ B78.if.i.i:                                       ; preds = %B2136.endif.endif.e
   %.330.i.i = fsub contract double %.311.i.i, %.329.i.i
   %.348.i.i = fmul contract double %.273.i.i, 0x3C2313198A2E0370
   %.349.i.i = fsub contract double %.330.i.i, %.348.i.i
-  %.350.i159.i = fmul contract double %.349.i.i, %.349.i.i
-  %.351.i160.i = fmul contract double %.349.i.i, %.350.i159.i
-  %.352.i161.i = fmul contract double %.350.i159.i, 0x3D6AE7F3E733B81F
-  %167 = fsub contract double 0x3DE6124613A86D09, %.352.i161.i
-  %.354.i.i = fmul contract double %.350.i159.i, %167
+  %.350.i160.i = fmul contract double %.349.i.i, %.349.i.i
+  %.351.i161.i = fmul contract double %.349.i.i, %.350.i160.i
+  %.352.i162.i = fmul contract double %.350.i160.i, 0x3D6AE7F3E733B81F
+  %167 = fsub contract double 0x3DE6124613A86D09, %.352.i162.i
+  %.354.i.i = fmul contract double %.350.i160.i, %167
   %.355.i.i = fadd contract double %.354.i.i, 0xBE5AE64567F544E4
-  %.356.i.i = fmul contract double %.350.i159.i, %.355.i.i
+  %.356.i.i = fmul contract double %.350.i160.i, %.355.i.i
   %.357.i.i = fadd contract double %.356.i.i, 0x3EC71DE3A556C734
-  %.358.i.i = fmul contract double %.350.i159.i, %.357.i.i
+  %.358.i.i = fmul contract double %.350.i160.i, %.357.i.i
   %.359.i.i = fadd contract double %.358.i.i, 0xBF2A01A01A01A01A
-  %.360.i.i = fmul contract double %.350.i159.i, %.359.i.i
+  %.360.i.i = fmul contract double %.350.i160.i, %.359.i.i
   %.361.i.i = fadd contract double %.360.i.i, 0x3F81111111111111
-  %.362.i.i = fmul contract double %.350.i159.i, %.361.i.i
+  %.362.i.i = fmul contract double %.350.i160.i, %.361.i.i
   %.363.i.i = fadd contract double %.362.i.i, 0xBFC5555555555555
-  %.364.i.i = fmul contract double %.351.i160.i, %.363.i.i
+  %.364.i.i = fmul contract double %.351.i161.i, %.363.i.i
   %.365.i.i = fadd contract double %.349.i.i, %.364.i.i
-  %.366.i.i = fmul contract double %.350.i159.i, 0x3D2AE7F3E733B81F
+  %.366.i.i = fmul contract double %.350.i160.i, 0x3D2AE7F3E733B81F
   %.367.i.i = fadd contract double %.366.i.i, 0xBDA93974A8C07C9D
-  %.368.i.i = fmul contract double %.350.i159.i, %.367.i.i
+  %.368.i.i = fmul contract double %.350.i160.i, %.367.i.i
   %.369.i.i = fadd contract double %.368.i.i, 0x3E21EED8EFF8D898
-  %.370.i.i = fmul contract double %.350.i159.i, %.369.i.i
+  %.370.i.i = fmul contract double %.350.i160.i, %.369.i.i
   %.371.i.i = fadd contract double %.370.i.i, 0xBE927E4FB7789F5C
-  %.372.i.i = fmul contract double %.350.i159.i, %.371.i.i
+  %.372.i.i = fmul contract double %.350.i160.i, %.371.i.i
   %.373.i.i = fadd contract double %.372.i.i, 0x3EFA01A01A01A01A
-  %.374.i.i = fmul contract double %.350.i159.i, %.373.i.i
+  %.374.i.i = fmul contract double %.350.i160.i, %.373.i.i
   %.375.i.i = fadd contract double %.374.i.i, 0xBF56C16C16C16C17
-  %.376.i.i = fmul contract double %.350.i159.i, %.375.i.i
+  %.376.i.i = fmul contract double %.350.i160.i, %.375.i.i
   %.377.i.i = fadd contract double %.376.i.i, 0x3FA5555555555555
-  %.378.i.i = fmul contract double %.350.i159.i, %.377.i.i
+  %.378.i.i = fmul contract double %.350.i160.i, %.377.i.i
   %.379.i.i = fadd contract double %.378.i.i, -5.000000e-01
-  %.380.i.i = fmul contract double %.350.i159.i, %.379.i.i
+  %.380.i.i = fmul contract double %.350.i160.i, %.379.i.i
   %.381.i.i = fadd contract double %.380.i.i, 1.000000e+00
   %.382.i.i = bitcast double %.272.i.i to i64
   %.383.i.i = and i64 %.382.i.i, 1
@@ -2171,8 +2190,8 @@ B78.if.i.i:                                       ; preds = %B2136.endif.endif.e
   %.392.i.i = add i64 %.389.i.i, 4611686018427387904
   %.393.i.i = and i64 %.392.i.i, -9223372036854775808
   %169 = xor i64 %.390.i.i, %.385.i.i
-  %.395.i162.i = xor i64 %169, %.388.i.i
-  %.396.i163.i = bitcast i64 %.395.i162.i to double
+  %.395.i163.i = xor i64 %169, %.388.i.i
+  %.396.i164.i = bitcast i64 %.395.i163.i to double
   %170 = xor i64 %.393.i.i, %.386.i.i
   %.398.i.i = xor i64 %170, %.388.i.i
   %.399.i.i = bitcast i64 %.398.i.i to double
@@ -2181,9 +2200,9 @@ B78.if.i.i:                                       ; preds = %B2136.endif.endif.e
   %.450.i.i = fmul contract double %.449.i.i, %.399.i.i
   %scevgep54.i = getelementptr i8, ptr %si.2.sroa.36.3.i, i64 %166
   %.480.i.i = load double, ptr %scevgep54.i, align 8, !noalias !23
-  %.481.i.i = fmul contract double %.480.i.i, %.396.i163.i
+  %.481.i.i = fmul contract double %.480.i.i, %.396.i164.i
   %.482.i.i = fsub contract double %.450.i.i, %.481.i.i
-  %.513.i.i = fmul contract double %.449.i.i, %.396.i163.i
+  %.513.i.i = fmul contract double %.449.i.i, %.396.i164.i
   %.544.i.i = fmul contract double %.480.i.i, %.399.i.i
   %.545.i.i = fadd contract double %.513.i.i, %.544.i.i
   %scevgep53.i = getelementptr i8, ptr %.7577.i, i64 %166
@@ -2202,8 +2221,8 @@ B78.if.i.i:                                       ; preds = %B2136.endif.endif.e
   %.701.i.i = fadd contract double %.669.i.i, %.700.i.i
   %scevgep50.i = getelementptr i8, ptr %.8282.i, i64 %166
   store double %.701.i.i, ptr %scevgep50.i, align 8, !noalias !23
-  %exitcond.not.i170.i = icmp eq i64 %.7913.i, %.213.i157.i
-  br i1 %exitcond.not.i170.i, label %B2444.else.endif.i, label %B78.if.i.i
+  %exitcond.not.i171.i = icmp eq i64 %.7913.i, %.213.i158.i
+  br i1 %exitcond.not.i171.i, label %B2444.else.endif.i, label %B78.if.i.i
 
 B2300.endif.else.if.i:                            ; preds = %B2300.i
   br label %B2300.endif.else.endif.i
@@ -2249,295 +2268,398 @@ B2300.endif.endif.endif.else.endif.if.i:          ; preds = %B2300.endif.endif.e
 B2300.endif.endif.endif.else.endif.endif.i:       ; preds = %B2300.endif.endif.endif.else.endif.if.i, %B2300.endif.endif.else.endif.endif.i
   %.8856.sroa.0.3.i = phi i64 [ %.2233.i, %B2300.endif.endif.endif.else.endif.if.i ], [ 0, %B2300.endif.endif.else.endif.endif.i ]
   %.8969.i = getelementptr double, ptr %.2249.i, i64 %.8856.sroa.0.3.i
-  %.209.i.i = icmp slt i64 %.229.i.i, 0
-  %.210.i.i = select i1 %.209.i.i, i64 %.7112.i, i64 0
-  %.211.i39.i = add i64 %.210.i.i, %.229.i.i
-  %.214.i.i = icmp slt i64 %.211.i39.i, 0
-  br i1 %.214.i.i, label %B0.else.if.i.i, label %B0.else.endif.i.i, !prof !0
+  %.215.i.i = icmp slt i64 %.267.i.i, 0
+  %.216.i.i = select i1 %.215.i.i, i64 %.7112.i, i64 0
+  %.217.i44.i = add i64 %.216.i.i, %.267.i.i
+  %.220.i45.i = icmp slt i64 %.217.i44.i, 0
+  br i1 %.220.i45.i, label %B0.else.if.i.i, label %B0.else.endif.i.i, !prof !0
 
 B0.else.if.i.i:                                   ; preds = %B2300.endif.endif.endif.else.endif.endif.i
   br label %B0.else.endif.i.i
 
 B0.else.endif.i.i:                                ; preds = %B0.else.if.i.i, %B2300.endif.endif.endif.else.endif.endif.i
-  %.199.sroa.0.1.i.i = phi i64 [ 0, %B0.else.if.i.i ], [ %.211.i39.i, %B2300.endif.endif.endif.else.endif.endif.i ]
-  %.219.not.i.i = icmp slt i64 %.211.i39.i, %.7112.i
-  br i1 %.219.not.i.i, label %B0.else.endif.endif.endif.endif.i.i, label %B0.else.endif.if.i.i, !prof !10
+  %.205.sroa.0.1.i.i = phi i64 [ 0, %B0.else.if.i.i ], [ %.217.i44.i, %B2300.endif.endif.endif.else.endif.endif.i ]
+  %.225.not.i.i = icmp slt i64 %.217.i44.i, %.7112.i
+  br i1 %.225.not.i.i, label %B0.else.endif.endif.endif.endif.i.i, label %B0.else.endif.if.i.i, !prof !10
 
 B0.else.endif.if.i.i:                             ; preds = %B0.else.endif.i.i
   br label %B0.else.endif.endif.endif.endif.i.i
 
 B0.else.endif.endif.endif.endif.i.i:              ; preds = %B0.else.endif.if.i.i, %B0.else.endif.i.i
-  %.199.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.else.endif.if.i.i ], [ %.199.sroa.0.1.i.i, %B0.else.endif.i.i ]
-  %.312.i40.i = getelementptr double, ptr %.7128.i, i64 %.199.sroa.0.3.i.i
-  %.380.i41.i = icmp slt i64 %.231.i.i, 0
-  %.381.i42.i = select i1 %.380.i41.i, i64 %.7112.i, i64 0
-  %.382.i43.i = add i64 %.381.i42.i, %.231.i.i
-  %.385.i44.i = icmp slt i64 %.382.i43.i, 0
-  br i1 %.385.i44.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !0
+  %.205.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.else.endif.if.i.i ], [ %.205.sroa.0.1.i.i, %B0.else.endif.i.i ]
+  %.318.i46.i = getelementptr double, ptr %.7128.i, i64 %.205.sroa.0.3.i.i
+  %.350.i47.i = add nsw i64 %.267.i.i, %arg.n_f
+  %.388.i48.i = icmp slt i64 %.350.i47.i, 0
+  %.389.i49.i = select i1 %.388.i48.i, i64 %.7112.i, i64 0
+  %.390.i50.i = add i64 %.389.i49.i, %.350.i47.i
+  %.393.i51.i = icmp slt i64 %.390.i50.i, 0
+  br i1 %.393.i51.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !0
 
 B0.endif.else.if.i.i:                             ; preds = %B0.else.endif.endif.endif.endif.i.i
   br label %B0.endif.else.endif.i.i
 
 B0.endif.else.endif.i.i:                          ; preds = %B0.endif.else.if.i.i, %B0.else.endif.endif.endif.endif.i.i
-  %.370.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.else.if.i.i ], [ %.382.i43.i, %B0.else.endif.endif.endif.endif.i.i ]
-  %.390.not.i.i = icmp slt i64 %.382.i43.i, %.7112.i
-  br i1 %.390.not.i.i, label %B0.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.else.endif.if.i.i, !prof !10
+  %.378.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.else.if.i.i ], [ %.390.i50.i, %B0.else.endif.endif.endif.endif.i.i ]
+  %.398.not.i.i = icmp slt i64 %.390.i50.i, %.7112.i
+  br i1 %.398.not.i.i, label %B0.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.else.endif.if.i.i:                       ; preds = %B0.endif.else.endif.i.i
   br label %B0.endif.else.endif.endif.endif.endif.i.i
 
 B0.endif.else.endif.endif.endif.endif.i.i:        ; preds = %B0.endif.else.endif.if.i.i, %B0.endif.else.endif.i.i
-  %.370.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.else.endif.if.i.i ], [ %.370.sroa.0.1.i.i, %B0.endif.else.endif.i.i ]
-  %.483.i45.i = getelementptr double, ptr %.7128.i, i64 %.370.sroa.0.3.i.i
-  %.551.i.i = icmp slt i64 %.233.i.i, 0
-  %.552.i.i = select i1 %.551.i.i, i64 %.7112.i, i64 0
-  %.553.i.i = add i64 %.552.i.i, %.233.i.i
-  %.556.i.i = icmp slt i64 %.553.i.i, 0
-  br i1 %.556.i.i, label %B0.endif.endif.else.if.i.i, label %B0.endif.endif.else.endif.i.i, !prof !0
+  %.378.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.else.endif.if.i.i ], [ %.378.sroa.0.1.i.i, %B0.endif.else.endif.i.i ]
+  %.491.i52.i = getelementptr double, ptr %.7128.i, i64 %.378.sroa.0.3.i.i
+  %.541.i.i = add nsw i64 %.267.i.i, %.904.i
+  %.578.i.i = icmp slt i64 %.541.i.i, 0
+  %.579.i.i = select i1 %.578.i.i, i64 %.7112.i, i64 0
+  %.580.i53.i = add i64 %.579.i.i, %.541.i.i
+  %.583.i.i = icmp slt i64 %.580.i53.i, 0
+  br i1 %.583.i.i, label %B0.endif.endif.else.if.i.i, label %B0.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.else.if.i.i:                       ; preds = %B0.endif.else.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.else.endif.i.i
 
 B0.endif.endif.else.endif.i.i:                    ; preds = %B0.endif.endif.else.if.i.i, %B0.endif.else.endif.endif.endif.endif.i.i
-  %.541.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.else.if.i.i ], [ %.553.i.i, %B0.endif.else.endif.endif.endif.endif.i.i ]
-  %.561.not.i.i = icmp slt i64 %.553.i.i, %.7112.i
-  br i1 %.561.not.i.i, label %B0.endif.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.endif.else.endif.if.i.i, !prof !10
+  %.568.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.else.if.i.i ], [ %.580.i53.i, %B0.endif.else.endif.endif.endif.endif.i.i ]
+  %.588.not.i.i = icmp slt i64 %.580.i53.i, %.7112.i
+  br i1 %.588.not.i.i, label %B0.endif.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.endif.else.endif.if.i.i:                 ; preds = %B0.endif.endif.else.endif.i.i
   br label %B0.endif.endif.else.endif.endif.endif.endif.i.i
 
 B0.endif.endif.else.endif.endif.endif.endif.i.i:  ; preds = %B0.endif.endif.else.endif.if.i.i, %B0.endif.endif.else.endif.i.i
-  %.541.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.else.endif.if.i.i ], [ %.541.sroa.0.1.i.i, %B0.endif.endif.else.endif.i.i ]
-  %.654.i46.i = getelementptr double, ptr %.7128.i, i64 %.541.sroa.0.3.i.i
-  %.722.i47.i = icmp slt i64 %.235.i.i, 0
-  %.723.i48.i = select i1 %.722.i47.i, i64 %.7112.i, i64 0
-  %.724.i.i = add i64 %.723.i48.i, %.235.i.i
-  %.727.i49.i = icmp slt i64 %.724.i.i, 0
-  br i1 %.727.i49.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.else.endif.i.i, !prof !0
+  %.568.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.else.endif.if.i.i ], [ %.568.sroa.0.1.i.i, %B0.endif.endif.else.endif.i.i ]
+  %.681.i54.i = getelementptr double, ptr %.7128.i, i64 %.568.sroa.0.3.i.i
+  %.713.i55.i = add nsw i64 %.541.i.i, %arg.n_f
+  %.751.i56.i = icmp slt i64 %.713.i55.i, 0
+  %.752.i.i = select i1 %.751.i56.i, i64 %.7112.i, i64 0
+  %.753.i.i = add i64 %.752.i.i, %.713.i55.i
+  %.756.i57.i = icmp slt i64 %.753.i.i, 0
+  br i1 %.756.i57.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.else.if.i.i:                 ; preds = %B0.endif.endif.else.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.else.endif.i.i
 
 B0.endif.endif.endif.else.endif.i.i:              ; preds = %B0.endif.endif.endif.else.if.i.i, %B0.endif.endif.else.endif.endif.endif.endif.i.i
-  %.712.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.else.if.i.i ], [ %.724.i.i, %B0.endif.endif.else.endif.endif.endif.endif.i.i ]
-  %.732.not.i.i = icmp slt i64 %.724.i.i, %.7112.i
-  br i1 %.732.not.i.i, label %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.endif.endif.else.endif.if.i.i, !prof !10
+  %.741.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.else.if.i.i ], [ %.753.i.i, %B0.endif.endif.else.endif.endif.endif.endif.i.i ]
+  %.761.not.i.i = icmp slt i64 %.753.i.i, %.7112.i
+  br i1 %.761.not.i.i, label %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.endif.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.endif.endif.else.endif.if.i.i:           ; preds = %B0.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i
 
 B0.endif.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %B0.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.else.endif.i.i
-  %.712.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.else.endif.if.i.i ], [ %.712.sroa.0.1.i.i, %B0.endif.endif.endif.else.endif.i.i ]
-  %.825.i.i = getelementptr double, ptr %.7128.i, i64 %.712.sroa.0.3.i.i
-  %.1001.i.i = add nsw i64 %.229.i.i, %arg.n_f
-  %.1039.i.i = icmp slt i64 %.1001.i.i, 0
-  %.1040.i.i = select i1 %.1039.i.i, i64 %.7112.i, i64 0
-  %.1041.i.i = add i64 %.1040.i.i, %.1001.i.i
-  %.1044.i.i = icmp slt i64 %.1041.i.i, 0
-  br i1 %.1044.i.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !0
+  %.741.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.else.endif.if.i.i ], [ %.741.sroa.0.1.i.i, %B0.endif.endif.endif.else.endif.i.i ]
+  %.854.i.i = getelementptr double, ptr %.7128.i, i64 %.741.sroa.0.3.i.i
+  %.904.i.i = add nsw i64 %.541.i.i, %.904.i
+  %.941.i.i = icmp slt i64 %.904.i.i, 0
+  %.942.i.i = select i1 %.941.i.i, i64 %.7112.i, i64 0
+  %.943.i.i = add i64 %.942.i.i, %.904.i.i
+  %.946.i.i = icmp slt i64 %.943.i.i, 0
+  br i1 %.946.i.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.endif.else.if.i.i:           ; preds = %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.endif.else.endif.i.i
 
 B0.endif.endif.endif.endif.else.endif.i.i:        ; preds = %B0.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i
-  %.1029.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.else.if.i.i ], [ %.1041.i.i, %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i ]
-  %.1049.not.i.i = icmp slt i64 %.1041.i.i, %.7112.i
-  br i1 %.1049.not.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, !prof !10
+  %.931.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.else.if.i.i ], [ %.943.i.i, %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i ]
+  %.951.not.i.i = icmp slt i64 %.943.i.i, %.7112.i
+  br i1 %.951.not.i.i, label %B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.endif.endif.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.endif.endif.endif.else.endif.if.i.i:     ; preds = %B0.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i
 
 B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %B0.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.else.endif.i.i
-  %.1029.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endif.else.endif.if.i.i ], [ %.1029.sroa.0.1.i.i, %B0.endif.endif.endif.endif.else.endif.i.i ]
-  %.1142.i.i = getelementptr double, ptr %.7128.i, i64 %.1029.sroa.0.3.i.i
-  %.1180.i.i = add nsw i64 %.231.i.i, %arg.n_f
-  %.1218.i.i = icmp slt i64 %.1180.i.i, 0
-  %.1219.i.i = select i1 %.1218.i.i, i64 %.7112.i, i64 0
-  %.1220.i.i = add i64 %.1219.i.i, %.1180.i.i
-  %.1223.i.i = icmp slt i64 %.1220.i.i, 0
-  br i1 %.1223.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
+  %.931.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endif.else.endif.if.i.i ], [ %.931.sroa.0.1.i.i, %B0.endif.endif.endif.endif.else.endif.i.i ]
+  %.1044.i.i = getelementptr double, ptr %.7128.i, i64 %.931.sroa.0.3.i.i
+  %.1076.i.i = add nsw i64 %.904.i.i, %arg.n_f
+  %.1114.i.i = icmp slt i64 %.1076.i.i, 0
+  %.1115.i.i = select i1 %.1114.i.i, i64 %.7112.i, i64 0
+  %.1116.i.i = add i64 %.1115.i.i, %.1076.i.i
+  %.1119.i.i = icmp slt i64 %.1116.i.i, 0
+  br i1 %.1119.i.i, label %B0.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.endif.endif.else.if.i.i:     ; preds = %B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.else.endif.i.i
 
 B0.endif.endif.endif.endif.endif.else.endif.i.i:  ; preds = %B0.endif.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i
-  %.1208.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if.i.i ], [ %.1220.i.i, %B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i ]
-  %.1228.not.i.i = icmp slt i64 %.1220.i.i, %.7112.i
-  br i1 %.1228.not.i.i, label %B0.endif.endif.endif.endi...endif.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !10
+  %.1104.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if.i.i ], [ %.1116.i.i, %B0.endif.endif.endif.endif.else.endif.endif.endif.endif.i.i ]
+  %.1124.not.i.i = icmp slt i64 %.1116.i.i, %.7112.i
+  br i1 %.1124.not.i.i, label %B0.endif.endif.endif.endi...endif.i.i, label %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.endif.endif.endif.endif.else.endif.if.i.i: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endi...endif.i.i
 
 B0.endif.endif.endif.endi...endif.i.i:            ; preds = %B0.endif.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i
-  %.1208.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.1208.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i ]
-  %.1321.i50.i = getelementptr double, ptr %.7128.i, i64 %.1208.sroa.0.3.i.i
-  %.1359.i.i = add nsw i64 %.233.i.i, %arg.n_f
-  %.1397.i.i = icmp slt i64 %.1359.i.i, 0
-  %.1398.i.i = select i1 %.1397.i.i, i64 %.7112.i, i64 0
-  %.1399.i.i = add i64 %.1398.i.i, %.1359.i.i
-  %.1402.i.i = icmp slt i64 %.1399.i.i, 0
-  br i1 %.1402.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
+  %.1104.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.1104.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.1217.i.i = getelementptr double, ptr %.7128.i, i64 %.1104.sroa.0.3.i.i
+  %.1267.i.i = add nsw i64 %.904.i.i, %.904.i
+  %.1304.i.i = icmp slt i64 %.1267.i.i, 0
+  %.1305.i.i = select i1 %.1304.i.i, i64 %.7112.i, i64 0
+  %.1306.i.i = add i64 %.1305.i.i, %.1267.i.i
+  %.1309.i.i = icmp slt i64 %.1306.i.i, 0
+  br i1 %.1309.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.endif.endif.endif.else.if.i.i: ; preds = %B0.endif.endif.endif.endi...endif.i.i
   br label %B0.endif.endif.endif.endif.endif.endif.else.endif.i.i
 
 B0.endif.endif.endif.endif.endif.endif.else.endif.i.i: ; preds = %B0.endif.endif.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endi...endif.i.i
-  %.1387.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.else.if.i.i ], [ %.1399.i.i, %B0.endif.endif.endif.endi...endif.i.i ]
-  %.1407.not.i.i = icmp slt i64 %.1399.i.i, %.7112.i
-  br i1 %.1407.not.i.i, label %B0.endif.endif.endif.endi...endif.2.endif.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !10
+  %.1294.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.else.if.i.i ], [ %.1306.i.i, %B0.endif.endif.endif.endi...endif.i.i ]
+  %.1314.not.i.i = icmp slt i64 %.1306.i.i, %.7112.i
+  br i1 %.1314.not.i.i, label %B0.endif.endif.endif.endi...endif.2.endif.i.i, label %B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i: ; preds = %B0.endif.endif.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endi...endif.2.endif.i.i
 
 B0.endif.endif.endif.endi...endif.2.endif.i.i:    ; preds = %B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.endif.endif.endif.else.endif.i.i
-  %.1387.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.1387.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
-  %.1500.i.i = getelementptr double, ptr %.7128.i, i64 %.1387.sroa.0.3.i.i
-  %.1538.i.i = add nsw i64 %.235.i.i, %arg.n_f
-  %.1576.i.i = icmp slt i64 %.1538.i.i, 0
-  %.1577.i51.i = select i1 %.1576.i.i, i64 %.7112.i, i64 0
-  %.1578.i52.i = add i64 %.1577.i51.i, %.1538.i.i
-  %.1581.i.i = icmp slt i64 %.1578.i52.i, 0
-  br i1 %.1581.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
+  %.1294.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endif.endif.endif.else.endif.if.i.i ], [ %.1294.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.1407.i.i = getelementptr double, ptr %.7128.i, i64 %.1294.sroa.0.3.i.i
+  %.1439.i.i = add nsw i64 %.1267.i.i, %arg.n_f
+  %.1477.i.i = icmp slt i64 %.1439.i.i, 0
+  %.1478.i.i = select i1 %.1477.i.i, i64 %.7112.i, i64 0
+  %.1479.i.i = add i64 %.1478.i.i, %.1439.i.i
+  %.1482.i58.i = icmp slt i64 %.1479.i.i, 0
+  br i1 %.1482.i58.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i: ; preds = %B0.endif.endif.endif.endi...endif.2.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i
 
 B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i: ; preds = %B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i, %B0.endif.endif.endif.endi...endif.2.endif.i.i
-  %.1566.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i ], [ %.1578.i52.i, %B0.endif.endif.endif.endi...endif.2.endif.i.i ]
-  %.1586.not.i.i = icmp slt i64 %.1578.i52.i, %.7112.i
-  br i1 %.1586.not.i.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i, label %B0.endif.endif.endif.endi...if.4.i.i, !prof !10
+  %.1467.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i ], [ %.1479.i.i, %B0.endif.endif.endif.endi...endif.2.endif.i.i ]
+  %.1487.not.i.i = icmp slt i64 %.1479.i.i, %.7112.i
+  br i1 %.1487.not.i.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i, label %B0.endif.endif.endif.endi...if.4.i.i, !prof !10
 
 B0.endif.endif.endif.endi...if.4.i.i:             ; preds = %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i
   br label %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i
 
 B0.endif.endif.endif.endi...endif.4.endif.endif.i.i: ; preds = %B0.endif.endif.endif.endi...if.4.i.i, %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i
-  %.1566.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...if.4.i.i ], [ %.1566.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
-  %.1679.i.i = getelementptr double, ptr %.7128.i, i64 %.1566.sroa.0.3.i.i
-  %.1721.i.i = fmul contract double %.7427.i, 0xC01921FB54442D18
-  %.1806646.not.i.i = icmp slt i64 %.8600.i, 1
-  br i1 %.1806646.not.i.i, label %B2444.else.endif.i, label %B374.if.i.i
+  %.1467.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...if.4.i.i ], [ %.1467.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
+  %.1580.i.i = getelementptr double, ptr %.7128.i, i64 %.1467.sroa.0.3.i.i
+  %.1630.i.i = add nsw i64 %.1267.i.i, %.904.i
+  %.1667.i.i = icmp slt i64 %.1630.i.i, 0
+  %.1668.i.i = select i1 %.1667.i.i, i64 %.7112.i, i64 0
+  %.1669.i.i = add i64 %.1668.i.i, %.1630.i.i
+  %.1672.i.i = icmp slt i64 %.1669.i.i, 0
+  br i1 %.1672.i.i, label %B0.endif.endif.endif.endi...if.6.i.i, label %B0.endif.endif.endif.endi...endif.6.i.i, !prof !0
 
-B374.if.i.i:                                      ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i, %B374.if.i.i
-  %.1812645647.i.i = phi i64 [ %.1819.i.i, %B374.if.i.i ], [ 0, %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i ]
-  %.1819.i.i = add nuw nsw i64 %.1812645647.i.i, 1
-  %171 = shl i64 %.1812645647.i.i, 3
-  %scevgep12.i.i = getelementptr i8, ptr %.8625.i, i64 %171
-  %.1874.i.i = load double, ptr %scevgep12.i.i, align 8, !noalias !26
-  %.1876.i.i = fmul contract double %.1721.i.i, %.1874.i.i
-  %.1877.i.i = fmul contract double %.1876.i.i, 0x3FE45F306DC9C883
-  %.1878.i.i = fadd contract double %.1877.i.i, 0x4338000000000000
-  %.1879.i.i = fadd contract double %.1878.i.i, 0xC338000000000000
-  %.1897.i.i = fmul contract double %.1879.i.i, 0x3FF921FA00000000
-  %.1898.i.i = fsub contract double %.1876.i.i, %.1897.i.i
-  %.1916.i.i = fmul contract double %.1879.i.i, 0x3EB5444200000000
-  %.1917.i.i = fsub contract double %.1898.i.i, %.1916.i.i
-  %.1935.i.i = fmul contract double %.1879.i.i, 0x3D6A308C00000000
-  %.1936.i.i = fsub contract double %.1917.i.i, %.1935.i.i
-  %.1954.i.i = fmul contract double %.1879.i.i, 0x3C2313198A2E0370
-  %.1955.i.i = fsub contract double %.1936.i.i, %.1954.i.i
-  %.1956.i.i = fmul contract double %.1955.i.i, %.1955.i.i
-  %.1957.i.i = fmul contract double %.1955.i.i, %.1956.i.i
-  %.1958.i.i = fmul contract double %.1956.i.i, 0x3D6AE7F3E733B81F
-  %172 = fsub contract double 0x3DE6124613A86D09, %.1958.i.i
-  %.1960.i.i = fmul contract double %.1956.i.i, %172
-  %.1961.i.i = fadd contract double %.1960.i.i, 0xBE5AE64567F544E4
-  %.1962.i.i = fmul contract double %.1956.i.i, %.1961.i.i
-  %.1963.i.i = fadd contract double %.1962.i.i, 0x3EC71DE3A556C734
-  %.1964.i.i = fmul contract double %.1956.i.i, %.1963.i.i
-  %.1965.i.i = fadd contract double %.1964.i.i, 0xBF2A01A01A01A01A
-  %.1966.i.i = fmul contract double %.1956.i.i, %.1965.i.i
-  %.1967.i.i = fadd contract double %.1966.i.i, 0x3F81111111111111
-  %.1968.i.i = fmul contract double %.1956.i.i, %.1967.i.i
-  %.1969.i.i = fadd contract double %.1968.i.i, 0xBFC5555555555555
-  %.1970.i.i = fmul contract double %.1957.i.i, %.1969.i.i
-  %.1971.i.i = fadd contract double %.1955.i.i, %.1970.i.i
-  %.1972.i.i = fmul contract double %.1956.i.i, 0x3D2AE7F3E733B81F
-  %.1973.i.i = fadd contract double %.1972.i.i, 0xBDA93974A8C07C9D
-  %.1974.i.i = fmul contract double %.1956.i.i, %.1973.i.i
-  %.1975.i.i = fadd contract double %.1974.i.i, 0x3E21EED8EFF8D898
-  %.1976.i.i = fmul contract double %.1956.i.i, %.1975.i.i
-  %.1977.i.i = fadd contract double %.1976.i.i, 0xBE927E4FB7789F5C
-  %.1978.i.i = fmul contract double %.1956.i.i, %.1977.i.i
-  %.1979.i.i = fadd contract double %.1978.i.i, 0x3EFA01A01A01A01A
-  %.1980.i.i = fmul contract double %.1956.i.i, %.1979.i.i
-  %.1981.i.i = fadd contract double %.1980.i.i, 0xBF56C16C16C16C17
-  %.1982.i.i = fmul contract double %.1956.i.i, %.1981.i.i
-  %.1983.i.i = fadd contract double %.1982.i.i, 0x3FA5555555555555
-  %.1984.i.i = fmul contract double %.1956.i.i, %.1983.i.i
-  %.1985.i.i = fadd contract double %.1984.i.i, -5.000000e-01
-  %.1986.i.i = fmul contract double %.1956.i.i, %.1985.i.i
-  %.1987.i.i = fadd contract double %.1986.i.i, 1.000000e+00
-  %.1988.i.i = bitcast double %.1878.i.i to i64
-  %.1989.i.i = and i64 %.1988.i.i, 1
-  %.1991.i.i = bitcast double %.1971.i.i to i64
-  %.1992.i.i = bitcast double %.1987.i.i to i64
-  %.1993.i.i = xor i64 %.1992.i.i, %.1991.i.i
-  %173 = icmp eq i64 %.1989.i.i, 0
-  %.1994.i.i = select i1 %173, i64 0, i64 %.1993.i.i
-  %.1995.i.i = shl i64 %.1988.i.i, 62
-  %.1996.i.i = and i64 %.1995.i.i, -9223372036854775808
-  %.1998.i.i = add i64 %.1995.i.i, 4611686018427387904
-  %.1999.i.i = and i64 %.1998.i.i, -9223372036854775808
-  %174 = xor i64 %.1996.i.i, %.1991.i.i
-  %.2001.i.i = xor i64 %174, %.1994.i.i
-  %.2002.i.i = bitcast i64 %.2001.i.i to double
-  %175 = xor i64 %.1999.i.i, %.1992.i.i
-  %.2004.i.i = xor i64 %175, %.1994.i.i
-  %.2005.i.i = bitcast i64 %.2004.i.i to double
-  %scevgep11.i.i = getelementptr i8, ptr %sr.2.sroa.36.3.i, i64 %171
-  %.2055.i.i = load double, ptr %scevgep11.i.i, align 8, !noalias !26
-  %.2056.i.i = fmul contract double %.2055.i.i, %.2005.i.i
-  %scevgep10.i.i = getelementptr i8, ptr %si.2.sroa.36.3.i, i64 %171
-  %.2086.i.i = load double, ptr %scevgep10.i.i, align 8, !noalias !26
-  %.2087.i.i = fmul contract double %.2086.i.i, %.2002.i.i
-  %.2088.i.i = fsub contract double %.2056.i.i, %.2087.i.i
-  %.2119.i.i = fmul contract double %.2055.i.i, %.2002.i.i
-  %.2150.i.i = fmul contract double %.2086.i.i, %.2005.i.i
-  %.2151.i.i = fadd contract double %.2119.i.i, %.2150.i.i
-  %scevgep9.i.i = getelementptr i8, ptr %.312.i40.i, i64 %171
-  %.2181.i.i = load double, ptr %scevgep9.i.i, align 8, !noalias !26
-  %.2183.i.i = fmul contract double %.189.i.i, %.2181.i.i
-  %scevgep8.i53.i = getelementptr i8, ptr %.483.i45.i, i64 %171
-  %.2213.i.i = load double, ptr %scevgep8.i53.i, align 8, !noalias !26
-  %.2215.i.i = fmul contract double %.200.i.i, %.2213.i.i
-  %.2216.i.i = fadd contract double %.2183.i.i, %.2215.i.i
-  %scevgep7.i54.i = getelementptr i8, ptr %.654.i46.i, i64 %171
-  %.2246.i.i = load double, ptr %scevgep7.i54.i, align 8, !noalias !26
-  %.2248.i.i = fmul contract double %.211.i.i, %.2246.i.i
-  %.2249.i.i = fadd contract double %.2216.i.i, %.2248.i.i
-  %scevgep6.i55.i = getelementptr i8, ptr %.825.i.i, i64 %171
-  %.2279.i.i = load double, ptr %scevgep6.i55.i, align 8, !noalias !26
-  %.2281.i.i = fmul contract double %.217.i.i, %.2279.i.i
-  %.2282.i.i = fadd contract double %.2249.i.i, %.2281.i.i
-  %scevgep5.i56.i = getelementptr i8, ptr %.1142.i.i, i64 %171
-  %.2312.i.i = load double, ptr %scevgep5.i56.i, align 8, !noalias !26
-  %.2314.i.i = fmul contract double %.189.i.i, %.2312.i.i
-  %scevgep4.i57.i = getelementptr i8, ptr %.1321.i50.i, i64 %171
-  %.2344.i.i = load double, ptr %scevgep4.i57.i, align 8, !noalias !26
-  %.2346.i.i = fmul contract double %.200.i.i, %.2344.i.i
-  %.2347.i.i = fadd contract double %.2314.i.i, %.2346.i.i
-  %scevgep3.i.i = getelementptr i8, ptr %.1500.i.i, i64 %171
-  %.2377.i.i = load double, ptr %scevgep3.i.i, align 8, !noalias !26
-  %.2379.i.i = fmul contract double %.211.i.i, %.2377.i.i
-  %.2380.i.i = fadd contract double %.2347.i.i, %.2379.i.i
-  %scevgep2.i.i = getelementptr i8, ptr %.1679.i.i, i64 %171
-  %.2410.i.i = load double, ptr %scevgep2.i.i, align 8, !noalias !26
-  %.2412.i.i = fmul contract double %.217.i.i, %.2410.i.i
-  %.2413.i.i = fadd contract double %.2380.i.i, %.2412.i.i
-  %.2414.i.i = fmul contract double %.2282.i.i, %.2088.i.i
-  %.2415.i.i = fmul contract double %.2413.i.i, %.2151.i.i
-  %.2416.i.i = fsub contract double %.2414.i.i, %.2415.i.i
+B0.endif.endif.endif.endi...if.6.i.i:             ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i
+  br label %B0.endif.endif.endif.endi...endif.6.i.i
+
+B0.endif.endif.endif.endi...endif.6.i.i:          ; preds = %B0.endif.endif.endif.endi...if.6.i.i, %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i
+  %.1657.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...if.6.i.i ], [ %.1669.i.i, %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i ]
+  %.1677.not.i.i = icmp slt i64 %.1669.i.i, %.7112.i
+  br i1 %.1677.not.i.i, label %B0.endif.endif.endif.endi...endif.6.endif.endif.endif.i.i, label %B0.endif.endif.endif.endi...endif.6.if.i.i, !prof !10
+
+B0.endif.endif.endif.endi...endif.6.if.i.i:       ; preds = %B0.endif.endif.endif.endi...endif.6.i.i
+  br label %B0.endif.endif.endif.endi...endif.6.endif.endif.endif.i.i
+
+B0.endif.endif.endif.endi...endif.6.endif.endif.endif.i.i: ; preds = %B0.endif.endif.endif.endi...endif.6.if.i.i, %B0.endif.endif.endif.endi...endif.6.i.i
+  %.1657.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...endif.6.if.i.i ], [ %.1657.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.6.i.i ]
+  %.1770.i.i = getelementptr double, ptr %.7128.i, i64 %.1657.sroa.0.3.i.i
+  %.1802.i.i = add nsw i64 %.1630.i.i, %arg.n_f
+  %.1840.i.i = icmp slt i64 %.1802.i.i, 0
+  %.1841.i.i = select i1 %.1840.i.i, i64 %.7112.i, i64 0
+  %.1842.i.i = add i64 %.1841.i.i, %.1802.i.i
+  %.1845.i.i = icmp slt i64 %.1842.i.i, 0
+  br i1 %.1845.i.i, label %B0.endif.endif.endif.endi...else.if.i.i, label %B0.endif.endif.endif.endi...else.endif.i.i, !prof !0
+
+B0.endif.endif.endif.endi...else.if.i.i:          ; preds = %B0.endif.endif.endif.endi...endif.6.endif.endif.endif.i.i
+  br label %B0.endif.endif.endif.endi...else.endif.i.i
+
+B0.endif.endif.endif.endi...else.endif.i.i:       ; preds = %B0.endif.endif.endif.endi...else.if.i.i, %B0.endif.endif.endif.endi...endif.6.endif.endif.endif.i.i
+  %.1830.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...else.if.i.i ], [ %.1842.i.i, %B0.endif.endif.endif.endi...endif.6.endif.endif.endif.i.i ]
+  %.1850.not.i.i = icmp slt i64 %.1842.i.i, %.7112.i
+  br i1 %.1850.not.i.i, label %B0.endif.endif.endif.endi...else.endif.endif.endif.endif.i.i, label %B0.endif.endif.endif.endi...else.endif.if.i.i, !prof !10
+
+B0.endif.endif.endif.endi...else.endif.if.i.i:    ; preds = %B0.endif.endif.endif.endi...else.endif.i.i
+  br label %B0.endif.endif.endif.endi...else.endif.endif.endif.endif.i.i
+
+B0.endif.endif.endif.endi...else.endif.endif.endif.endif.i.i: ; preds = %B0.endif.endif.endif.endi...else.endif.if.i.i, %B0.endif.endif.endif.endi...else.endif.i.i
+  %.1830.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...else.endif.if.i.i ], [ %.1830.sroa.0.1.i.i, %B0.endif.endif.endif.endi...else.endif.i.i ]
+  %.1943.i.i = getelementptr double, ptr %.7128.i, i64 %.1830.sroa.0.3.i.i
+  %.1993.i.i = add nsw i64 %.1630.i.i, %.904.i
+  %.2030.i.i = icmp slt i64 %.1993.i.i, 0
+  %.2031.i.i = select i1 %.2030.i.i, i64 %.7112.i, i64 0
+  %.2032.i.i = add i64 %.2031.i.i, %.1993.i.i
+  %.2035.i.i = icmp slt i64 %.2032.i.i, 0
+  br i1 %.2035.i.i, label %B0.endif.endif.endif.endi...endif.8.else.if.i.i, label %B0.endif.endif.endif.endi...endif.8.else.endif.i.i, !prof !0
+
+B0.endif.endif.endif.endi...endif.8.else.if.i.i:  ; preds = %B0.endif.endif.endif.endi...else.endif.endif.endif.endif.i.i
+  br label %B0.endif.endif.endif.endi...endif.8.else.endif.i.i
+
+B0.endif.endif.endif.endi...endif.8.else.endif.i.i: ; preds = %B0.endif.endif.endif.endi...endif.8.else.if.i.i, %B0.endif.endif.endif.endi...else.endif.endif.endif.endif.i.i
+  %.2020.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.8.else.if.i.i ], [ %.2032.i.i, %B0.endif.endif.endif.endi...else.endif.endif.endif.endif.i.i ]
+  %.2040.not.i.i = icmp slt i64 %.2032.i.i, %.7112.i
+  br i1 %.2040.not.i.i, label %B0.endif.endif.endif.endi...endif.9.endif.i.i, label %B0.endif.endif.endif.endi...endif.8.else.endif.if.i.i, !prof !10
+
+B0.endif.endif.endif.endi...endif.8.else.endif.if.i.i: ; preds = %B0.endif.endif.endif.endi...endif.8.else.endif.i.i
+  br label %B0.endif.endif.endif.endi...endif.9.endif.i.i
+
+B0.endif.endif.endif.endi...endif.9.endif.i.i:    ; preds = %B0.endif.endif.endif.endi...endif.8.else.endif.if.i.i, %B0.endif.endif.endif.endi...endif.8.else.endif.i.i
+  %.2020.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...endif.8.else.endif.if.i.i ], [ %.2020.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.8.else.endif.i.i ]
+  %.2133.i59.i = getelementptr double, ptr %.7128.i, i64 %.2020.sroa.0.3.i.i
+  %.2165.i.i = add nsw i64 %.1993.i.i, %arg.n_f
+  %.2203.i.i = icmp slt i64 %.2165.i.i, 0
+  %.2204.i.i = select i1 %.2203.i.i, i64 %.7112.i, i64 0
+  %.2205.i.i = add i64 %.2204.i.i, %.2165.i.i
+  %.2208.i.i = icmp slt i64 %.2205.i.i, 0
+  br i1 %.2208.i.i, label %B0.endif.endif.endif.endi...endif.8.endif.else.if.i.i, label %B0.endif.endif.endif.endi...endif.8.endif.else.endif.i.i, !prof !0
+
+B0.endif.endif.endif.endi...endif.8.endif.else.if.i.i: ; preds = %B0.endif.endif.endif.endi...endif.9.endif.i.i
+  br label %B0.endif.endif.endif.endi...endif.8.endif.else.endif.i.i
+
+B0.endif.endif.endif.endi...endif.8.endif.else.endif.i.i: ; preds = %B0.endif.endif.endif.endi...endif.8.endif.else.if.i.i, %B0.endif.endif.endif.endi...endif.9.endif.i.i
+  %.2193.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.8.endif.else.if.i.i ], [ %.2205.i.i, %B0.endif.endif.endif.endi...endif.9.endif.i.i ]
+  %.2213.not.i.i = icmp slt i64 %.2205.i.i, %.7112.i
+  br i1 %.2213.not.i.i, label %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i, label %B0.endif.endif.endif.endi...if.11.i.i, !prof !10
+
+B0.endif.endif.endif.endi...if.11.i.i:            ; preds = %B0.endif.endif.endif.endi...endif.8.endif.else.endif.i.i
+  br label %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i
+
+B0.endif.endif.endif.endi...endif.11.endif.endif.i.i: ; preds = %B0.endif.endif.endif.endi...if.11.i.i, %B0.endif.endif.endif.endi...endif.8.endif.else.endif.i.i
+  %.2193.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...if.11.i.i ], [ %.2193.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.8.endif.else.endif.i.i ]
+  %.2306.i.i = getelementptr double, ptr %.7128.i, i64 %.2193.sroa.0.3.i.i
+  %.2360.i.i = fmul contract double %.7427.i, 0xC01921FB54442D18
+  %.2445886.not.i.i = icmp slt i64 %.8600.i, 1
+  br i1 %.2445886.not.i.i, label %B2444.else.endif.i, label %B546.if.i.i
+
+B546.if.i.i:                                      ; preds = %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i, %B546.if.i.i
+  %.2451885887.i.i = phi i64 [ %.2458.i.i, %B546.if.i.i ], [ 0, %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i ]
+  %.2458.i.i = add nuw nsw i64 %.2451885887.i.i, 1
+  %171 = shl i64 %.2451885887.i.i, 3
+  %scevgep16.i.i = getelementptr i8, ptr %.8625.i, i64 %171
+  %.2513.i.i = load double, ptr %scevgep16.i.i, align 8, !noalias !26
+  %.2515.i.i = fmul contract double %.2360.i.i, %.2513.i.i
+  %.2516.i.i = fmul contract double %.2515.i.i, 0x3FE45F306DC9C883
+  %.2517.i.i = fadd contract double %.2516.i.i, 0x4338000000000000
+  %.2518.i.i = fadd contract double %.2517.i.i, 0xC338000000000000
+  %.2536.i.i = fmul contract double %.2518.i.i, 0x3FF921FA00000000
+  %.2537.i.i = fsub contract double %.2515.i.i, %.2536.i.i
+  %.2555.i.i = fmul contract double %.2518.i.i, 0x3EB5444200000000
+  %.2556.i.i = fsub contract double %.2537.i.i, %.2555.i.i
+  %.2574.i.i = fmul contract double %.2518.i.i, 0x3D6A308C00000000
+  %.2575.i.i = fsub contract double %.2556.i.i, %.2574.i.i
+  %.2593.i.i = fmul contract double %.2518.i.i, 0x3C2313198A2E0370
+  %.2594.i.i = fsub contract double %.2575.i.i, %.2593.i.i
+  %.2595.i.i = fmul contract double %.2594.i.i, %.2594.i.i
+  %.2596.i.i = fmul contract double %.2594.i.i, %.2595.i.i
+  %.2597.i.i = fmul contract double %.2595.i.i, 0x3D6AE7F3E733B81F
+  %172 = fsub contract double 0x3DE6124613A86D09, %.2597.i.i
+  %.2599.i.i = fmul contract double %.2595.i.i, %172
+  %.2600.i.i = fadd contract double %.2599.i.i, 0xBE5AE64567F544E4
+  %.2601.i.i = fmul contract double %.2595.i.i, %.2600.i.i
+  %.2602.i.i = fadd contract double %.2601.i.i, 0x3EC71DE3A556C734
+  %.2603.i.i = fmul contract double %.2595.i.i, %.2602.i.i
+  %.2604.i.i = fadd contract double %.2603.i.i, 0xBF2A01A01A01A01A
+  %.2605.i.i = fmul contract double %.2595.i.i, %.2604.i.i
+  %.2606.i.i = fadd contract double %.2605.i.i, 0x3F81111111111111
+  %.2607.i.i = fmul contract double %.2595.i.i, %.2606.i.i
+  %.2608.i.i = fadd contract double %.2607.i.i, 0xBFC5555555555555
+  %.2609.i.i = fmul contract double %.2596.i.i, %.2608.i.i
+  %.2610.i.i = fadd contract double %.2594.i.i, %.2609.i.i
+  %.2611.i.i = fmul contract double %.2595.i.i, 0x3D2AE7F3E733B81F
+  %.2612.i.i = fadd contract double %.2611.i.i, 0xBDA93974A8C07C9D
+  %.2613.i.i = fmul contract double %.2595.i.i, %.2612.i.i
+  %.2614.i.i = fadd contract double %.2613.i.i, 0x3E21EED8EFF8D898
+  %.2615.i.i = fmul contract double %.2595.i.i, %.2614.i.i
+  %.2616.i.i = fadd contract double %.2615.i.i, 0xBE927E4FB7789F5C
+  %.2617.i.i = fmul contract double %.2595.i.i, %.2616.i.i
+  %.2618.i.i = fadd contract double %.2617.i.i, 0x3EFA01A01A01A01A
+  %.2619.i.i = fmul contract double %.2595.i.i, %.2618.i.i
+  %.2620.i.i = fadd contract double %.2619.i.i, 0xBF56C16C16C16C17
+  %.2621.i.i = fmul contract double %.2595.i.i, %.2620.i.i
+  %.2622.i.i = fadd contract double %.2621.i.i, 0x3FA5555555555555
+  %.2623.i.i = fmul contract double %.2595.i.i, %.2622.i.i
+  %.2624.i.i = fadd contract double %.2623.i.i, -5.000000e-01
+  %.2625.i.i = fmul contract double %.2595.i.i, %.2624.i.i
+  %.2626.i.i = fadd contract double %.2625.i.i, 1.000000e+00
+  %.2627.i.i = bitcast double %.2517.i.i to i64
+  %.2628.i.i = and i64 %.2627.i.i, 1
+  %.2630.i.i = bitcast double %.2610.i.i to i64
+  %.2631.i.i = bitcast double %.2626.i.i to i64
+  %.2632.i.i = xor i64 %.2631.i.i, %.2630.i.i
+  %173 = icmp eq i64 %.2628.i.i, 0
+  %.2633.i.i = select i1 %173, i64 0, i64 %.2632.i.i
+  %.2634.i.i = shl i64 %.2627.i.i, 62
+  %.2635.i.i = and i64 %.2634.i.i, -9223372036854775808
+  %.2637.i.i = add i64 %.2634.i.i, 4611686018427387904
+  %.2638.i.i = and i64 %.2637.i.i, -9223372036854775808
+  %174 = xor i64 %.2635.i.i, %.2630.i.i
+  %.2640.i.i = xor i64 %174, %.2633.i.i
+  %.2641.i.i = bitcast i64 %.2640.i.i to double
+  %175 = xor i64 %.2638.i.i, %.2631.i.i
+  %.2643.i.i = xor i64 %175, %.2633.i.i
+  %.2644.i.i = bitcast i64 %.2643.i.i to double
+  %scevgep15.i.i = getelementptr i8, ptr %sr.2.sroa.36.3.i, i64 %171
+  %.2694.i.i = load double, ptr %scevgep15.i.i, align 8, !noalias !26
+  %.2695.i.i = fmul contract double %.2694.i.i, %.2644.i.i
+  %scevgep14.i.i = getelementptr i8, ptr %si.2.sroa.36.3.i, i64 %171
+  %.2725.i.i = load double, ptr %scevgep14.i.i, align 8, !noalias !26
+  %.2726.i.i = fmul contract double %.2725.i.i, %.2641.i.i
+  %.2727.i.i = fsub contract double %.2695.i.i, %.2726.i.i
+  %.2758.i.i = fmul contract double %.2694.i.i, %.2641.i.i
+  %.2789.i.i = fmul contract double %.2725.i.i, %.2644.i.i
+  %.2790.i.i = fadd contract double %.2758.i.i, %.2789.i.i
+  %scevgep13.i.i = getelementptr i8, ptr %.318.i46.i, i64 %171
+  %.2820.i.i = load double, ptr %scevgep13.i.i, align 8, !noalias !26
+  %.2822.i.i = fmul contract double %.191.i.i, %.2820.i.i
+  %scevgep12.i.i = getelementptr i8, ptr %.681.i54.i, i64 %171
+  %.2852.i.i = load double, ptr %scevgep12.i.i, align 8, !noalias !26
+  %.2854.i.i = fmul contract double %.205.i.i, %.2852.i.i
+  %.2855.i.i = fadd contract double %.2822.i.i, %.2854.i.i
+  %scevgep11.i.i = getelementptr i8, ptr %.1044.i.i, i64 %171
+  %.2885.i.i = load double, ptr %scevgep11.i.i, align 8, !noalias !26
+  %.2887.i.i = fmul contract double %.217.i.i, %.2885.i.i
+  %.2888.i.i = fadd contract double %.2855.i.i, %.2887.i.i
+  %scevgep10.i.i = getelementptr i8, ptr %.1407.i.i, i64 %171
+  %.2918.i.i = load double, ptr %scevgep10.i.i, align 8, !noalias !26
+  %.2920.i.i = fmul contract double %.229.i.i, %.2918.i.i
+  %.2921.i.i = fadd contract double %.2888.i.i, %.2920.i.i
+  %scevgep9.i.i = getelementptr i8, ptr %.1770.i.i, i64 %171
+  %.2951.i.i = load double, ptr %scevgep9.i.i, align 8, !noalias !26
+  %.2953.i.i = fmul contract double %.243.i.i, %.2951.i.i
+  %.2954.i.i = fadd contract double %.2921.i.i, %.2953.i.i
+  %scevgep8.i60.i = getelementptr i8, ptr %.2133.i59.i, i64 %171
+  %.2984.i.i = load double, ptr %scevgep8.i60.i, align 8, !noalias !26
+  %.2986.i.i = fmul contract double %.251.i.i, %.2984.i.i
+  %.2987.i.i = fadd contract double %.2954.i.i, %.2986.i.i
+  %scevgep7.i61.i = getelementptr i8, ptr %.491.i52.i, i64 %171
+  %.3017.i.i = load double, ptr %scevgep7.i61.i, align 8, !noalias !26
+  %.3019.i.i = fmul contract double %.191.i.i, %.3017.i.i
+  %scevgep6.i62.i = getelementptr i8, ptr %.854.i.i, i64 %171
+  %.3049.i.i = load double, ptr %scevgep6.i62.i, align 8, !noalias !26
+  %.3051.i.i = fmul contract double %.205.i.i, %.3049.i.i
+  %.3052.i.i = fadd contract double %.3019.i.i, %.3051.i.i
+  %scevgep5.i63.i = getelementptr i8, ptr %.1217.i.i, i64 %171
+  %.3082.i.i = load double, ptr %scevgep5.i63.i, align 8, !noalias !26
+  %.3084.i.i = fmul contract double %.217.i.i, %.3082.i.i
+  %.3085.i.i = fadd contract double %.3052.i.i, %.3084.i.i
+  %scevgep4.i64.i = getelementptr i8, ptr %.1580.i.i, i64 %171
+  %.3115.i.i = load double, ptr %scevgep4.i64.i, align 8, !noalias !26
+  %.3117.i.i = fmul contract double %.229.i.i, %.3115.i.i
+  %.3118.i.i = fadd contract double %.3085.i.i, %.3117.i.i
+  %scevgep3.i.i = getelementptr i8, ptr %.1943.i.i, i64 %171
+  %.3148.i.i = load double, ptr %scevgep3.i.i, align 8, !noalias !26
+  %.3150.i.i = fmul contract double %.243.i.i, %.3148.i.i
+  %.3151.i.i = fadd contract double %.3118.i.i, %.3150.i.i
+  %scevgep2.i.i = getelementptr i8, ptr %.2306.i.i, i64 %171
+  %.3181.i.i = load double, ptr %scevgep2.i.i, align 8, !noalias !26
+  %.3183.i.i = fmul contract double %.251.i.i, %.3181.i.i
+  %.3184.i.i = fadd contract double %.3151.i.i, %.3183.i.i
+  %.3185.i.i = fmul contract double %.2987.i.i, %.2727.i.i
+  %.3186.i.i = fmul contract double %.3184.i.i, %.2790.i.i
+  %.3187.i.i = fsub contract double %.3185.i.i, %.3186.i.i
   %scevgep1.i.i = getelementptr i8, ptr %.8797.i, i64 %171
-  store double %.2416.i.i, ptr %scevgep1.i.i, align 8, !noalias !26
-  %.2447.i.i = fmul contract double %.2282.i.i, %.2151.i.i
-  %.2448.i.i = fmul contract double %.2413.i.i, %.2088.i.i
-  %.2449.i.i = fadd contract double %.2447.i.i, %.2448.i.i
+  store double %.3187.i.i, ptr %scevgep1.i.i, align 8, !noalias !26
+  %.3218.i.i = fmul contract double %.2987.i.i, %.2790.i.i
+  %.3219.i.i = fmul contract double %.3184.i.i, %.2727.i.i
+  %.3220.i.i = fadd contract double %.3218.i.i, %.3219.i.i
   %scevgep.i.i = getelementptr i8, ptr %.8969.i, i64 %171
-  store double %.2449.i.i, ptr %scevgep.i.i, align 8, !noalias !26
-  %exitcond.not.i58.i = icmp eq i64 %.8600.i, %.1819.i.i
-  br i1 %exitcond.not.i58.i, label %B2444.else.endif.i, label %B374.if.i.i
+  store double %.3220.i.i, ptr %scevgep.i.i, align 8, !noalias !26
+  %exitcond.not.i65.i = icmp eq i64 %.8600.i, %.2458.i.i
+  br i1 %exitcond.not.i65.i, label %B2444.else.endif.i, label %B546.if.i.i
 
-B2444.else.endif.i:                               ; preds = %B374.if.i.i, %B78.if.i.i, %B0.endif.endif.endif.endi...endif.4.endif.endif.i.i, %B2136.endif.endif.endif.endif.else.endif.endif.i
+B2444.else.endif.i:                               ; preds = %B546.if.i.i, %B78.if.i.i, %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i, %B2136.endif.endif.endif.endif.else.endif.endif.i
   br i1 %91, label %B2444.else.endif.if.i, label %B2444.else.endif.endif.i, !prof !0
 
 B2444.else.endif.if.i:                            ; preds = %B2444.else.endif.i
@@ -2567,12 +2689,12 @@ B2444.else.endif.endif.endif.endif.i:             ; preds = %B2444.else.endif.en
 
 B104.if.preheader.i.i:                            ; preds = %B2444.else.endif.endif.endif.endif.i
   %.9212.i = getelementptr double, ptr %.2074.i, i64 %.9099.sroa.0.3.i
-  %scevgep.i171.i = getelementptr i8, ptr %.9212.i, i64 56
+  %scevgep.i172.i = getelementptr i8, ptr %.9212.i, i64 56
   br label %B104.if.i.i
 
 B348.loopexit.i.i:                                ; preds = %B104.if.i.i
-  %176 = fadd contract double %.244.i.i, %.279.i175.i
-  %177 = fadd contract double %.314.i.i, %.349.i178.i
+  %176 = fadd contract double %.244.i.i, %.279.i176.i
+  %177 = fadd contract double %.314.i.i, %.349.i179.i
   %178 = fadd contract double %176, %177
   %179 = fadd contract double %.384.i.i, %.419.i.i
   %180 = fadd contract double %.454.i.i, %.489.i.i
@@ -2582,42 +2704,42 @@ B348.loopexit.i.i:                                ; preds = %B104.if.i.i
 
 B104.if.i.i:                                      ; preds = %B104.if.i.i, %B104.if.preheader.i.i
   %lsr.iv9.i.i = phi i64 [ %.60.1.i.i, %B104.if.preheader.i.i ], [ %lsr.iv.next.i.i, %B104.if.i.i ]
-  %lsr.iv.i.i = phi ptr [ %scevgep.i171.i, %B104.if.preheader.i.i ], [ %scevgep1.i182.i, %B104.if.i.i ]
+  %lsr.iv.i.i = phi ptr [ %scevgep.i172.i, %B104.if.preheader.i.i ], [ %scevgep1.i183.i, %B104.if.i.i ]
   %s7.2.0168.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.489.i.i, %B104.if.i.i ]
   %s6.2.0167.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.454.i.i, %B104.if.i.i ]
   %s5.2.0166.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.419.i.i, %B104.if.i.i ]
   %s4.2.0165.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.384.i.i, %B104.if.i.i ]
-  %s3.2.0164.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.349.i178.i, %B104.if.i.i ]
+  %s3.2.0164.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.349.i179.i, %B104.if.i.i ]
   %s2.2.0163.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.314.i.i, %B104.if.i.i ]
-  %s1.2.0162.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.279.i175.i, %B104.if.i.i ]
+  %s1.2.0162.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.279.i176.i, %B104.if.i.i ]
   %s0.2.0161.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.244.i.i, %B104.if.i.i ]
-  %scevgep2.i172.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -56
-  %.242.i.i = load double, ptr %scevgep2.i172.i, align 8, !noalias !29
+  %scevgep2.i173.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -56
+  %.242.i.i = load double, ptr %scevgep2.i173.i, align 8, !noalias !29
   %.244.i.i = fadd contract double %s0.2.0161.i.i, %.242.i.i
-  %scevgep3.i173.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -48
-  %.277.i174.i = load double, ptr %scevgep3.i173.i, align 8, !noalias !29
-  %.279.i175.i = fadd contract double %s1.2.0162.i.i, %.277.i174.i
-  %scevgep4.i176.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -40
-  %.312.i.i = load double, ptr %scevgep4.i176.i, align 8, !noalias !29
+  %scevgep3.i174.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -48
+  %.277.i175.i = load double, ptr %scevgep3.i174.i, align 8, !noalias !29
+  %.279.i176.i = fadd contract double %s1.2.0162.i.i, %.277.i175.i
+  %scevgep4.i177.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -40
+  %.312.i.i = load double, ptr %scevgep4.i177.i, align 8, !noalias !29
   %.314.i.i = fadd contract double %s2.2.0163.i.i, %.312.i.i
-  %scevgep5.i177.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -32
-  %.347.i.i = load double, ptr %scevgep5.i177.i, align 8, !noalias !29
-  %.349.i178.i = fadd contract double %s3.2.0164.i.i, %.347.i.i
-  %scevgep6.i179.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -24
-  %.382.i180.i = load double, ptr %scevgep6.i179.i, align 8, !noalias !29
-  %.384.i.i = fadd contract double %s4.2.0165.i.i, %.382.i180.i
-  %scevgep7.i181.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -16
-  %.417.i.i = load double, ptr %scevgep7.i181.i, align 8, !noalias !29
+  %scevgep5.i178.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -32
+  %.347.i.i = load double, ptr %scevgep5.i178.i, align 8, !noalias !29
+  %.349.i179.i = fadd contract double %s3.2.0164.i.i, %.347.i.i
+  %scevgep6.i180.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -24
+  %.382.i181.i = load double, ptr %scevgep6.i180.i, align 8, !noalias !29
+  %.384.i.i = fadd contract double %s4.2.0165.i.i, %.382.i181.i
+  %scevgep7.i182.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -16
+  %.417.i.i = load double, ptr %scevgep7.i182.i, align 8, !noalias !29
   %.419.i.i = fadd contract double %s5.2.0166.i.i, %.417.i.i
   %scevgep8.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
   %.452.i.i = load double, ptr %scevgep8.i.i, align 8, !noalias !29
   %.454.i.i = fadd contract double %s6.2.0167.i.i, %.452.i.i
   %.487.i.i = load double, ptr %lsr.iv.i.i, align 8, !noalias !29
   %.489.i.i = fadd contract double %s7.2.0168.i.i, %.487.i.i
-  %scevgep1.i182.i = getelementptr i8, ptr %lsr.iv.i.i, i64 64
+  %scevgep1.i183.i = getelementptr i8, ptr %lsr.iv.i.i, i64 64
   %lsr.iv.next.i.i = add nsw i64 %lsr.iv9.i.i, -1
-  %exitcond.not.i183.i = icmp eq i64 %lsr.iv.next.i.i, 0
-  br i1 %exitcond.not.i183.i, label %B348.loopexit.i.i, label %B104.if.i.i
+  %exitcond.not.i184.i = icmp eq i64 %lsr.iv.next.i.i, 0
+  br i1 %exitcond.not.i184.i, label %B348.loopexit.i.i, label %B104.if.i.i
 
 B2444.endif.endif.i:                              ; preds = %B348.loopexit.i.i, %B2444.else.endif.endif.endif.endif.i
   %s0.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B2444.else.endif.endif.endif.endif.i ], [ %182, %B348.loopexit.i.i ]
@@ -2644,66 +2766,66 @@ B2444.endif.endif.else.endif.endif.endif.endif.i: ; preds = %B2444.endif.endif.e
   %.9301.sroa.13.2.i = phi i64 [ %.2233.i, %B2444.endif.endif.else.endif.endif.endif.if.i ], [ %.9301.sroa.13.1.i, %B2444.endif.endif.else.endif.endif.endif.i ]
   %.9389.i = sub nsw i64 %.9301.sroa.13.2.i, %.9301.sroa.0.3.i
   %.9398.i = tail call i64 @llvm.smax.i64(i64 %.9389.i, i64 0)
-  %.60.1.i184.i = lshr i64 %.9398.i, 3
-  %.174158.not.i185.i = icmp eq i64 %.60.1.i184.i, 0
-  br i1 %.174158.not.i185.i, label %B2444.endif.endif.endif.endif.i, label %B104.if.preheader.i186.i
+  %.60.1.i185.i = lshr i64 %.9398.i, 3
+  %.174158.not.i186.i = icmp eq i64 %.60.1.i185.i, 0
+  br i1 %.174158.not.i186.i, label %B2444.endif.endif.endif.endif.i, label %B104.if.preheader.i187.i
 
-B104.if.preheader.i186.i:                         ; preds = %B2444.endif.endif.else.endif.endif.endif.endif.i
+B104.if.preheader.i187.i:                         ; preds = %B2444.endif.endif.else.endif.endif.endif.endif.i
   %.9414.i = getelementptr double, ptr %.2249.i, i64 %.9301.sroa.0.3.i
-  %scevgep.i187.i = getelementptr i8, ptr %.9414.i, i64 56
-  br label %B104.if.i188.i
+  %scevgep.i188.i = getelementptr i8, ptr %.9414.i, i64 56
+  br label %B104.if.i189.i
 
-B348.loopexit.i225.i:                             ; preds = %B104.if.i188.i
-  %183 = fadd contract double %.244.i201.i, %.279.i204.i
-  %184 = fadd contract double %.314.i207.i, %.349.i210.i
+B348.loopexit.i226.i:                             ; preds = %B104.if.i189.i
+  %183 = fadd contract double %.244.i202.i, %.279.i205.i
+  %184 = fadd contract double %.314.i208.i, %.349.i211.i
   %185 = fadd contract double %183, %184
-  %186 = fadd contract double %.384.i213.i, %.419.i216.i
-  %187 = fadd contract double %.454.i219.i, %.489.i221.i
+  %186 = fadd contract double %.384.i214.i, %.419.i217.i
+  %187 = fadd contract double %.454.i220.i, %.489.i222.i
   %188 = fadd contract double %186, %187
   %189 = fadd contract double %185, %188
   br label %B2444.endif.endif.endif.endif.i
 
-B104.if.i188.i:                                   ; preds = %B104.if.i188.i, %B104.if.preheader.i186.i
-  %lsr.iv9.i189.i = phi i64 [ %.60.1.i184.i, %B104.if.preheader.i186.i ], [ %lsr.iv.next.i223.i, %B104.if.i188.i ]
-  %lsr.iv.i190.i = phi ptr [ %scevgep.i187.i, %B104.if.preheader.i186.i ], [ %scevgep1.i222.i, %B104.if.i188.i ]
-  %s7.2.0168.i191.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.489.i221.i, %B104.if.i188.i ]
-  %s6.2.0167.i192.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.454.i219.i, %B104.if.i188.i ]
-  %s5.2.0166.i193.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.419.i216.i, %B104.if.i188.i ]
-  %s4.2.0165.i194.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.384.i213.i, %B104.if.i188.i ]
-  %s3.2.0164.i195.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.349.i210.i, %B104.if.i188.i ]
-  %s2.2.0163.i196.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.314.i207.i, %B104.if.i188.i ]
-  %s1.2.0162.i197.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.279.i204.i, %B104.if.i188.i ]
-  %s0.2.0161.i198.i = phi double [ 0.000000e+00, %B104.if.preheader.i186.i ], [ %.244.i201.i, %B104.if.i188.i ]
-  %scevgep2.i199.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 -56
-  %.242.i200.i = load double, ptr %scevgep2.i199.i, align 8, !noalias !32
-  %.244.i201.i = fadd contract double %s0.2.0161.i198.i, %.242.i200.i
-  %scevgep3.i202.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 -48
-  %.277.i203.i = load double, ptr %scevgep3.i202.i, align 8, !noalias !32
-  %.279.i204.i = fadd contract double %s1.2.0162.i197.i, %.277.i203.i
-  %scevgep4.i205.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 -40
-  %.312.i206.i = load double, ptr %scevgep4.i205.i, align 8, !noalias !32
-  %.314.i207.i = fadd contract double %s2.2.0163.i196.i, %.312.i206.i
-  %scevgep5.i208.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 -32
-  %.347.i209.i = load double, ptr %scevgep5.i208.i, align 8, !noalias !32
-  %.349.i210.i = fadd contract double %s3.2.0164.i195.i, %.347.i209.i
-  %scevgep6.i211.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 -24
-  %.382.i212.i = load double, ptr %scevgep6.i211.i, align 8, !noalias !32
-  %.384.i213.i = fadd contract double %s4.2.0165.i194.i, %.382.i212.i
-  %scevgep7.i214.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 -16
-  %.417.i215.i = load double, ptr %scevgep7.i214.i, align 8, !noalias !32
-  %.419.i216.i = fadd contract double %s5.2.0166.i193.i, %.417.i215.i
-  %scevgep8.i217.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 -8
-  %.452.i218.i = load double, ptr %scevgep8.i217.i, align 8, !noalias !32
-  %.454.i219.i = fadd contract double %s6.2.0167.i192.i, %.452.i218.i
-  %.487.i220.i = load double, ptr %lsr.iv.i190.i, align 8, !noalias !32
-  %.489.i221.i = fadd contract double %s7.2.0168.i191.i, %.487.i220.i
-  %scevgep1.i222.i = getelementptr i8, ptr %lsr.iv.i190.i, i64 64
-  %lsr.iv.next.i223.i = add nsw i64 %lsr.iv9.i189.i, -1
-  %exitcond.not.i224.i = icmp eq i64 %lsr.iv.next.i223.i, 0
-  br i1 %exitcond.not.i224.i, label %B348.loopexit.i225.i, label %B104.if.i188.i
+B104.if.i189.i:                                   ; preds = %B104.if.i189.i, %B104.if.preheader.i187.i
+  %lsr.iv9.i190.i = phi i64 [ %.60.1.i185.i, %B104.if.preheader.i187.i ], [ %lsr.iv.next.i224.i, %B104.if.i189.i ]
+  %lsr.iv.i191.i = phi ptr [ %scevgep.i188.i, %B104.if.preheader.i187.i ], [ %scevgep1.i223.i, %B104.if.i189.i ]
+  %s7.2.0168.i192.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.489.i222.i, %B104.if.i189.i ]
+  %s6.2.0167.i193.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.454.i220.i, %B104.if.i189.i ]
+  %s5.2.0166.i194.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.419.i217.i, %B104.if.i189.i ]
+  %s4.2.0165.i195.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.384.i214.i, %B104.if.i189.i ]
+  %s3.2.0164.i196.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.349.i211.i, %B104.if.i189.i ]
+  %s2.2.0163.i197.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.314.i208.i, %B104.if.i189.i ]
+  %s1.2.0162.i198.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.279.i205.i, %B104.if.i189.i ]
+  %s0.2.0161.i199.i = phi double [ 0.000000e+00, %B104.if.preheader.i187.i ], [ %.244.i202.i, %B104.if.i189.i ]
+  %scevgep2.i200.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 -56
+  %.242.i201.i = load double, ptr %scevgep2.i200.i, align 8, !noalias !32
+  %.244.i202.i = fadd contract double %s0.2.0161.i199.i, %.242.i201.i
+  %scevgep3.i203.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 -48
+  %.277.i204.i = load double, ptr %scevgep3.i203.i, align 8, !noalias !32
+  %.279.i205.i = fadd contract double %s1.2.0162.i198.i, %.277.i204.i
+  %scevgep4.i206.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 -40
+  %.312.i207.i = load double, ptr %scevgep4.i206.i, align 8, !noalias !32
+  %.314.i208.i = fadd contract double %s2.2.0163.i197.i, %.312.i207.i
+  %scevgep5.i209.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 -32
+  %.347.i210.i = load double, ptr %scevgep5.i209.i, align 8, !noalias !32
+  %.349.i211.i = fadd contract double %s3.2.0164.i196.i, %.347.i210.i
+  %scevgep6.i212.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 -24
+  %.382.i213.i = load double, ptr %scevgep6.i212.i, align 8, !noalias !32
+  %.384.i214.i = fadd contract double %s4.2.0165.i195.i, %.382.i213.i
+  %scevgep7.i215.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 -16
+  %.417.i216.i = load double, ptr %scevgep7.i215.i, align 8, !noalias !32
+  %.419.i217.i = fadd contract double %s5.2.0166.i194.i, %.417.i216.i
+  %scevgep8.i218.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 -8
+  %.452.i219.i = load double, ptr %scevgep8.i218.i, align 8, !noalias !32
+  %.454.i220.i = fadd contract double %s6.2.0167.i193.i, %.452.i219.i
+  %.487.i221.i = load double, ptr %lsr.iv.i191.i, align 8, !noalias !32
+  %.489.i222.i = fadd contract double %s7.2.0168.i192.i, %.487.i221.i
+  %scevgep1.i223.i = getelementptr i8, ptr %lsr.iv.i191.i, i64 64
+  %lsr.iv.next.i224.i = add nsw i64 %lsr.iv9.i190.i, -1
+  %exitcond.not.i225.i = icmp eq i64 %lsr.iv.next.i224.i, 0
+  br i1 %exitcond.not.i225.i, label %B348.loopexit.i226.i, label %B104.if.i189.i
 
-B2444.endif.endif.endif.endif.i:                  ; preds = %B348.loopexit.i225.i, %B2444.endif.endif.else.endif.endif.endif.endif.i
-  %s0.2.0.lcssa.i226.i = phi double [ 0.000000e+00, %B2444.endif.endif.else.endif.endif.endif.endif.i ], [ %189, %B348.loopexit.i225.i ]
+B2444.endif.endif.endif.endif.i:                  ; preds = %B348.loopexit.i226.i, %B2444.endif.endif.else.endif.endif.endif.endif.i
+  %s0.2.0.lcssa.i227.i = phi double [ 0.000000e+00, %B2444.endif.endif.else.endif.endif.endif.endif.i ], [ %189, %B348.loopexit.i226.i ]
   %.9490.i = icmp slt i64 %.7308.sroa.0.054.i, 0
   %.9491.i = select i1 %.9490.i, i64 %.3160.i, i64 0
   %.idx93.i = shl i64 %.7308.sroa.0.054.i, 4
@@ -2711,14 +2833,14 @@ B2444.endif.endif.endif.endif.i:                  ; preds = %B348.loopexit.i225.
   %.9505.i = getelementptr double, ptr %190, i64 %.9491.i
   %.9506.i = load double, ptr %.9505.i, align 8, !noalias !1
   %.9508.i = fmul contract double %.7197.i, %s0.2.0.lcssa.i.i
-  %.9510.i = fmul contract double %.7230.i, %s0.2.0.lcssa.i226.i
+  %.9510.i = fmul contract double %.7230.i, %s0.2.0.lcssa.i227.i
   %.9511.i = fsub contract double %.9508.i, %.9510.i
   %.9512.i = fadd contract double %.9506.i, %.9511.i
   store double %.9512.i, ptr %.9505.i, align 8, !noalias !1
   %191 = getelementptr i8, ptr %190, i64 8
   %.9576.i = getelementptr double, ptr %191, i64 %.9491.i
   %.9577.i = load double, ptr %.9576.i, align 8, !noalias !1
-  %.9579.i = fmul contract double %.7197.i, %s0.2.0.lcssa.i226.i
+  %.9579.i = fmul contract double %.7197.i, %s0.2.0.lcssa.i227.i
   %.9581.i = fmul contract double %.7230.i, %s0.2.0.lcssa.i.i
   %.9582.i = fadd contract double %.9581.i, %.9579.i
   %.9583.i = fadd contract double %.9582.i, %.9577.i
@@ -2753,11 +2875,11 @@ B2818.thread.i:                                   ; preds = %B2692.else.endif.en
   br label %B2848.if.preheader.i
 
 B2848.if.i:                                       ; preds = %B2848.if.i, %B2848.if.preheader.i
-  %lsr.iv446.i = phi ptr [ %scevgep445.i, %B2848.if.preheader.i ], [ %scevgep447.i, %B2848.if.i ]
+  %lsr.iv447.i = phi ptr [ %scevgep446.i, %B2848.if.preheader.i ], [ %scevgep448.i, %B2848.if.i ]
   %.1008333113313.i = phi i64 [ 0, %B2848.if.preheader.i ], [ %.10090.i, %B2848.if.i ]
   %.10090.i = add nuw nsw i64 %.1008333113313.i, 1
-  %scevgep448.i = getelementptr i8, ptr %lsr.iv446.i, i64 -8
-  %.10145.i = load double, ptr %scevgep448.i, align 8, !noalias !1
+  %scevgep449.i = getelementptr i8, ptr %lsr.iv447.i, i64 -8
+  %.10145.i = load double, ptr %scevgep449.i, align 8, !noalias !1
   %192 = shl i64 %.1008333113313.i, 3
   %scevgep57.i = getelementptr i8, ptr %.2074.i, i64 %192
   %.10175.i = load double, ptr %scevgep57.i, align 8, !noalias !1
@@ -2767,16 +2889,16 @@ B2848.if.i:                                       ; preds = %B2848.if.i, %B2848.
   %.10209.i = fmul contract double %.7230.i, %.10207.i
   %.10210.i = fsub contract double %.10177.i, %.10209.i
   %.10211.i = fadd contract double %.10145.i, %.10210.i
-  store double %.10211.i, ptr %scevgep448.i, align 8, !noalias !1
-  %.10273.i = load double, ptr %lsr.iv446.i, align 8, !noalias !1
+  store double %.10211.i, ptr %scevgep449.i, align 8, !noalias !1
+  %.10273.i = load double, ptr %lsr.iv447.i, align 8, !noalias !1
   %.10303.i = load double, ptr %scevgep56.i, align 8, !noalias !1
   %.10305.i = fmul contract double %.7197.i, %.10303.i
   %.10335.i = load double, ptr %scevgep57.i, align 8, !noalias !1
   %.10337.i = fmul contract double %.7230.i, %.10335.i
   %.10338.i = fadd contract double %.10305.i, %.10337.i
   %.10339.i = fadd contract double %.10273.i, %.10338.i
-  store double %.10339.i, ptr %lsr.iv446.i, align 8, !noalias !1
-  %scevgep447.i = getelementptr i8, ptr %lsr.iv446.i, i64 16
+  store double %.10339.i, ptr %lsr.iv447.i, align 8, !noalias !1
+  %scevgep448.i = getelementptr i8, ptr %lsr.iv447.i, i64 16
   %exitcond3986.not.i = icmp eq i64 %.13.i98.i, %.10090.i
   br i1 %exitcond3986.not.i, label %B3020.i, label %B2848.if.i
 
@@ -2786,9 +2908,9 @@ B3198.if.i:                                       ; preds = %B3198.if.i, %B3198.
   %193 = add i64 %.1069235473549.i, %.10486.sroa.0.084.i
   %.10739.i = icmp slt i64 %193, 0
   %194 = select i1 %.10739.i, i64 %75, i64 0
-  %scevgep453.i = getelementptr i8, ptr %scevgep452.i, i64 %194
+  %scevgep454.i = getelementptr i8, ptr %scevgep453.i, i64 %194
   %195 = shl nuw nsw i64 %.1069235473549.i, 3
-  %scevgep59.i = getelementptr i8, ptr %scevgep453.i, i64 %195
+  %scevgep59.i = getelementptr i8, ptr %scevgep454.i, i64 %195
   %.10755.i = load i64, ptr %scevgep59.i, align 8, !noalias !1
   %.10770.i = icmp slt i64 %.10755.i, 0
   %.10771.i = select i1 %.10770.i, i64 %.3500.i, i64 0
@@ -2804,18 +2926,18 @@ B3198.if.i:                                       ; preds = %B3198.if.i, %B3198.
   %.10853.i = fadd contract double %.10851.i, %.10852.i
   %scevgep58.i = getelementptr i8, ptr %.1339.i, i64 %195
   store double %.10853.i, ptr %scevgep58.i, align 8, !noalias !1
-  %exitcond3987.not.i = icmp eq i64 %.13.i228.i, %.10699.i
+  %exitcond3987.not.i = icmp eq i64 %.13.i229.i, %.10699.i
   br i1 %exitcond3987.not.i, label %B3318.i, label %B3198.if.i
 
-B3350.if.i:                                       ; preds = %B3350.if.i, %B3350.if.preheader379.i
-  %lsr.iv459.i = phi i64 [ %35, %B3350.if.preheader379.i ], [ %lsr.iv.next460.i, %B3350.if.i ]
-  %.1097835543556.i = phi i64 [ %.1097835543556.unr.i, %B3350.if.preheader379.i ], [ %206, %B3350.if.i ]
+B3350.if.i:                                       ; preds = %B3350.if.i, %B3350.if.preheader380.i
+  %lsr.iv460.i = phi i64 [ %35, %B3350.if.preheader380.i ], [ %lsr.iv.next461.i, %B3350.if.i ]
+  %.1097835543556.i = phi i64 [ %.1097835543556.unr.i, %B3350.if.preheader380.i ], [ %206, %B3350.if.i ]
   %.11023.i = icmp slt i64 %.1097835543556.i, 0
   %198 = select i1 %.11023.i, i64 %73, i64 0
-  %scevgep467.i = getelementptr i8, ptr %.1339.i, i64 %198
+  %scevgep468.i = getelementptr i8, ptr %.1339.i, i64 %198
   %199 = shl i64 %.1097835543556.i, 3
-  %scevgep468.i = getelementptr i8, ptr %scevgep467.i, i64 %199
-  store double 0.000000e+00, ptr %scevgep468.i, align 8, !noalias !1
+  %scevgep469.i = getelementptr i8, ptr %scevgep468.i, i64 %199
+  store double 0.000000e+00, ptr %scevgep469.i, align 8, !noalias !1
   %200 = add i64 %.1097835543556.i, 1
   %.11023.1.i = icmp slt i64 %200, 0
   %201 = select i1 %.11023.1.i, i64 %80, i64 8
@@ -2834,8 +2956,8 @@ B3350.if.i:                                       ; preds = %B3350.if.i, %B3350.
   %scevgep62.i = getelementptr i8, ptr %.1339.i, i64 %205
   %scevgep63.i = getelementptr i8, ptr %scevgep62.i, i64 %199
   store double 0.000000e+00, ptr %scevgep63.i, align 8, !noalias !1
-  %lsr.iv.next460.i = add i64 %lsr.iv459.i, -4
-  %.10972.3.i = icmp sgt i64 %lsr.iv.next460.i, 4
+  %lsr.iv.next461.i = add i64 %lsr.iv460.i, -4
+  %.10972.3.i = icmp sgt i64 %lsr.iv.next461.i, 4
   %206 = add i64 %.1097835543556.i, 4
   br i1 %.10972.3.i, label %B3350.if.i, label %B3366.i
 
@@ -2913,24 +3035,24 @@ B3462.endif.else.endif.endif.endif.endif.i:       ; preds = %B3462.endif.else.en
   %.11660.i = sub nsw i64 %.11572.sroa.13.2.i, %.11572.sroa.0.3.i
   %.11669.i = tail call i64 @llvm.smax.i64(i64 %.11660.i, i64 0)
   %.11685.i = getelementptr double, ptr %.2442.i, i64 %.11572.sroa.0.3.i
-  %.104.i229.not.i = icmp slt i64 %.11660.i, 1
-  br i1 %.104.i229.not.i, label %B76.i230.i, label %B60.if.preheader.i281.i
+  %.104.i230.not.i = icmp slt i64 %.11660.i, 1
+  br i1 %.104.i230.not.i, label %B76.i231.i, label %B60.if.preheader.i282.i
 
-B60.if.preheader.i281.i:                          ; preds = %B3462.endif.else.endif.endif.endif.endif.i
+B60.if.preheader.i282.i:                          ; preds = %B3462.endif.else.endif.endif.endif.endif.i
   %207 = shl nuw i64 %.11669.i, 3
   tail call void @llvm.memset.p0.i64(ptr align 8 %.11685.i, i8 0, i64 %207, i1 false), !noalias !35
-  br label %B76.i230.i
+  br label %B76.i231.i
 
-B76.i230.i:                                       ; preds = %B60.if.preheader.i281.i, %B3462.endif.else.endif.endif.endif.endif.i
-  %.311284.not.i231.i = icmp slt i64 %.11488.i, 1
-  br i1 %.311284.not.i231.i, label %B3462.endif.endif.endif.i, label %B128.if.lr.ph.i232.i
+B76.i231.i:                                       ; preds = %B60.if.preheader.i282.i, %B3462.endif.else.endif.endif.endif.endif.i
+  %.311284.not.i232.i = icmp slt i64 %.11488.i, 1
+  br i1 %.311284.not.i232.i, label %B3462.endif.endif.endif.i, label %B128.if.lr.ph.i233.i
 
-B128.if.lr.ph.i232.i:                             ; preds = %B76.i230.i
+B128.if.lr.ph.i233.i:                             ; preds = %B76.i231.i
   %208 = add nsw i64 %.11669.i, -2
   %209 = lshr i64 %208, 1
   %210 = add nuw i64 %209, 1
   %211 = shl i64 %.11572.sroa.0.3.i, 3
-  %scevgep506.i = getelementptr i8, ptr %scevgep396.i, i64 %211
+  %scevgep507.i = getelementptr i8, ptr %scevgep397.i, i64 %211
   %212 = lshr i64 %210, 1
   %213 = mul nsw i64 %212, -2
   %214 = icmp eq i64 %.11660.i, 1
@@ -2939,147 +3061,147 @@ B128.if.lr.ph.i232.i:                             ; preds = %B76.i230.i
   %217 = icmp eq i64 %216, 0
   %218 = and i64 %.11669.i, 1
   %219 = icmp eq i64 %218, 0
-  br label %B128.if.i235.i
+  br label %B128.if.i236.i
 
-B284.loopexit.unr-lcssa.i271.unr-lcssa.i:         ; preds = %B228.if.i255.i
-  br i1 %217, label %B228.if.i255.epil.preheader.i, label %B284.loopexit.unr-lcssa.i271.i
+B284.loopexit.unr-lcssa.i272.unr-lcssa.i:         ; preds = %B228.if.i256.i
+  br i1 %217, label %B228.if.i256.epil.preheader.i, label %B284.loopexit.unr-lcssa.i272.i
 
-B228.if.i255.epil.preheader.i:                    ; preds = %B228.if.preheader2.i253.i, %B284.loopexit.unr-lcssa.i271.unr-lcssa.i
-  %.655272274.i256.epil.init.i = phi i64 [ 0, %B228.if.preheader2.i253.i ], [ %.662.1.i264.1.i, %B284.loopexit.unr-lcssa.i271.unr-lcssa.i ]
-  %220 = shl i64 %.655272274.i256.epil.init.i, 3
-  %sunkaddr11.i257.epil.i = getelementptr i8, ptr %.11685.i, i64 %220
-  %.716.i258.epil.i = load double, ptr %sunkaddr11.i257.epil.i, align 8, !noalias !35
-  %scevgep9.i259.epil.i = getelementptr i8, ptr %scevgep7.i254.i, i64 %220
-  %scevgep10.i260.epil.i = getelementptr i8, ptr %scevgep9.i259.epil.i, i64 -8
-  %.746.i261.epil.i = load double, ptr %scevgep10.i260.epil.i, align 8, !noalias !35
-  %.748.i262.epil.i = fmul contract double %.565.i251.i, %.746.i261.epil.i
-  %.749.i263.epil.i = fadd contract double %.716.i258.epil.i, %.748.i262.epil.i
-  store double %.749.i263.epil.i, ptr %sunkaddr11.i257.epil.i, align 8, !noalias !35
-  %.662.1.i264.epil.i = add nuw i64 %.655272274.i256.epil.init.i, 2
-  %sunkaddr14.i265.epil.i = getelementptr i8, ptr %sunkaddr11.i257.epil.i, i64 8
-  %.716.1.i266.epil.i = load double, ptr %sunkaddr14.i265.epil.i, align 8, !noalias !35
-  %.746.1.i267.epil.i = load double, ptr %scevgep9.i259.epil.i, align 8, !noalias !35
-  %.748.1.i268.epil.i = fmul contract double %.565.i251.i, %.746.1.i267.epil.i
-  %.749.1.i269.epil.i = fadd contract double %.716.1.i266.epil.i, %.748.1.i268.epil.i
-  store double %.749.1.i269.epil.i, ptr %sunkaddr14.i265.epil.i, align 8, !noalias !35
-  br label %B284.loopexit.unr-lcssa.i271.i
+B228.if.i256.epil.preheader.i:                    ; preds = %B228.if.preheader2.i254.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i
+  %.655272274.i257.epil.init.i = phi i64 [ 0, %B228.if.preheader2.i254.i ], [ %.662.1.i265.1.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i ]
+  %220 = shl i64 %.655272274.i257.epil.init.i, 3
+  %sunkaddr11.i258.epil.i = getelementptr i8, ptr %.11685.i, i64 %220
+  %.716.i259.epil.i = load double, ptr %sunkaddr11.i258.epil.i, align 8, !noalias !35
+  %scevgep9.i260.epil.i = getelementptr i8, ptr %scevgep7.i255.i, i64 %220
+  %scevgep10.i261.epil.i = getelementptr i8, ptr %scevgep9.i260.epil.i, i64 -8
+  %.746.i262.epil.i = load double, ptr %scevgep10.i261.epil.i, align 8, !noalias !35
+  %.748.i263.epil.i = fmul contract double %.565.i252.i, %.746.i262.epil.i
+  %.749.i264.epil.i = fadd contract double %.716.i259.epil.i, %.748.i263.epil.i
+  store double %.749.i264.epil.i, ptr %sunkaddr11.i258.epil.i, align 8, !noalias !35
+  %.662.1.i265.epil.i = add nuw i64 %.655272274.i257.epil.init.i, 2
+  %sunkaddr14.i266.epil.i = getelementptr i8, ptr %sunkaddr11.i258.epil.i, i64 8
+  %.716.1.i267.epil.i = load double, ptr %sunkaddr14.i266.epil.i, align 8, !noalias !35
+  %.746.1.i268.epil.i = load double, ptr %scevgep9.i260.epil.i, align 8, !noalias !35
+  %.748.1.i269.epil.i = fmul contract double %.565.i252.i, %.746.1.i268.epil.i
+  %.749.1.i270.epil.i = fadd contract double %.716.1.i267.epil.i, %.748.1.i269.epil.i
+  store double %.749.1.i270.epil.i, ptr %sunkaddr14.i266.epil.i, align 8, !noalias !35
+  br label %B284.loopexit.unr-lcssa.i272.i
 
-B284.loopexit.unr-lcssa.i271.i:                   ; preds = %B228.if.i255.epil.preheader.i, %B284.loopexit.unr-lcssa.i271.unr-lcssa.i
-  %.662.1.i264.lcssa.i = phi i64 [ %.662.1.i264.epil.i, %B228.if.i255.epil.preheader.i ], [ %.662.1.i264.1.i, %B284.loopexit.unr-lcssa.i271.unr-lcssa.i ]
-  br i1 %219, label %B284.i278.i, label %B228.if.epil.preheader.i272.i
+B284.loopexit.unr-lcssa.i272.i:                   ; preds = %B228.if.i256.epil.preheader.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i
+  %.662.1.i265.lcssa.i = phi i64 [ %.662.1.i265.epil.i, %B228.if.i256.epil.preheader.i ], [ %.662.1.i265.1.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i ]
+  br i1 %219, label %B284.i279.i, label %B228.if.epil.preheader.i273.i
 
-B228.if.epil.preheader.i272.i:                    ; preds = %B228.if.preheader.i252.i, %B284.loopexit.unr-lcssa.i271.i
-  %.655272274.epil.init.i273.i = phi i64 [ 0, %B228.if.preheader.i252.i ], [ %.662.1.i264.lcssa.i, %B284.loopexit.unr-lcssa.i271.i ]
-  %221 = getelementptr double, ptr %.11685.i, i64 %.655272274.epil.init.i273.i
-  %.716.epil.i274.i = load double, ptr %221, align 8, !noalias !35
-  %222 = getelementptr double, ptr %.498.i250.i, i64 %.655272274.epil.init.i273.i
-  %.746.epil.i275.i = load double, ptr %222, align 8, !noalias !35
-  %.748.epil.i276.i = fmul contract double %.565.i251.i, %.746.epil.i275.i
-  %.749.epil.i277.i = fadd contract double %.716.epil.i274.i, %.748.epil.i276.i
-  store double %.749.epil.i277.i, ptr %221, align 8, !noalias !35
-  br label %B284.i278.i
+B228.if.epil.preheader.i273.i:                    ; preds = %B228.if.preheader.i253.i, %B284.loopexit.unr-lcssa.i272.i
+  %.655272274.epil.init.i274.i = phi i64 [ 0, %B228.if.preheader.i253.i ], [ %.662.1.i265.lcssa.i, %B284.loopexit.unr-lcssa.i272.i ]
+  %221 = getelementptr double, ptr %.11685.i, i64 %.655272274.epil.init.i274.i
+  %.716.epil.i275.i = load double, ptr %221, align 8, !noalias !35
+  %222 = getelementptr double, ptr %.498.i251.i, i64 %.655272274.epil.init.i274.i
+  %.746.epil.i276.i = load double, ptr %222, align 8, !noalias !35
+  %.748.epil.i277.i = fmul contract double %.565.i252.i, %.746.epil.i276.i
+  %.749.epil.i278.i = fadd contract double %.716.epil.i275.i, %.748.epil.i277.i
+  store double %.749.epil.i278.i, ptr %221, align 8, !noalias !35
+  br label %B284.i279.i
 
-B284.i278.i:                                      ; preds = %B130.else.endif.endif.endif.endif.i248.i, %B228.if.epil.preheader.i272.i, %B284.loopexit.unr-lcssa.i271.i
-  %exitcond292.not.i279.i = icmp eq i64 %.11488.i, %.324.i237.i
-  br i1 %exitcond292.not.i279.i, label %B3462.endif.endif.endif.i, label %B128.if.i235.i
+B284.i279.i:                                      ; preds = %B130.else.endif.endif.endif.endif.i249.i, %B228.if.epil.preheader.i273.i, %B284.loopexit.unr-lcssa.i272.i
+  %exitcond292.not.i280.i = icmp eq i64 %.11488.i, %.324.i238.i
+  br i1 %exitcond292.not.i280.i, label %B3462.endif.endif.endif.i, label %B128.if.i236.i
 
-B128.if.i235.i:                                   ; preds = %B284.i278.i, %B128.if.lr.ph.i232.i
-  %.317279285.i236.i = phi i64 [ 0, %B128.if.lr.ph.i232.i ], [ %.324.i237.i, %B284.i278.i ]
-  %.324.i237.i = add nuw nsw i64 %.317279285.i236.i, 1
-  %.350.i238.i = mul nsw i64 %.317279285.i236.i, %quot.1.0.i
-  %.352.i239.i = add nsw i64 %.350.i238.i, %.10486.sroa.0.084.i
-  %.395.i240.i = icmp slt i64 %.352.i239.i, 0
-  %.396.i241.i = select i1 %.395.i240.i, i64 %arg.n_qs, i64 0
-  %.397.i242.i = add i64 %.396.i241.i, %.352.i239.i
-  %.400.i243.i = icmp slt i64 %.397.i242.i, 0
-  br i1 %.400.i243.i, label %B130.else.if.i280.i, label %B130.else.endif.i244.i, !prof !0
+B128.if.i236.i:                                   ; preds = %B284.i279.i, %B128.if.lr.ph.i233.i
+  %.317279285.i237.i = phi i64 [ 0, %B128.if.lr.ph.i233.i ], [ %.324.i238.i, %B284.i279.i ]
+  %.324.i238.i = add nuw nsw i64 %.317279285.i237.i, 1
+  %.350.i239.i = mul nsw i64 %.317279285.i237.i, %quot.1.0.i
+  %.352.i240.i = add nsw i64 %.350.i239.i, %.10486.sroa.0.084.i
+  %.395.i241.i = icmp slt i64 %.352.i240.i, 0
+  %.396.i242.i = select i1 %.395.i241.i, i64 %arg.n_qs, i64 0
+  %.397.i243.i = add i64 %.396.i242.i, %.352.i240.i
+  %.400.i244.i = icmp slt i64 %.397.i243.i, 0
+  br i1 %.400.i244.i, label %B130.else.if.i281.i, label %B130.else.endif.i245.i, !prof !0
 
-B130.else.if.i280.i:                              ; preds = %B128.if.i235.i
-  br label %B130.else.endif.i244.i
+B130.else.if.i281.i:                              ; preds = %B128.if.i236.i
+  br label %B130.else.endif.i245.i
 
-B130.else.endif.i244.i:                           ; preds = %B130.else.if.i280.i, %B128.if.i235.i
-  %.385.sroa.0.1.i245.i = phi i64 [ 0, %B130.else.if.i280.i ], [ %.397.i242.i, %B128.if.i235.i ]
-  %.405.not.i246.i = icmp slt i64 %.397.i242.i, %arg.n_qs
-  br i1 %.405.not.i246.i, label %B130.else.endif.endif.endif.endif.i248.i, label %B130.else.endif.if.i247.i, !prof !10
+B130.else.endif.i245.i:                           ; preds = %B130.else.if.i281.i, %B128.if.i236.i
+  %.385.sroa.0.1.i246.i = phi i64 [ 0, %B130.else.if.i281.i ], [ %.397.i243.i, %B128.if.i236.i ]
+  %.405.not.i247.i = icmp slt i64 %.397.i243.i, %arg.n_qs
+  br i1 %.405.not.i247.i, label %B130.else.endif.endif.endif.endif.i249.i, label %B130.else.endif.if.i248.i, !prof !10
 
-B130.else.endif.if.i247.i:                        ; preds = %B130.else.endif.i244.i
-  br label %B130.else.endif.endif.endif.endif.i248.i
+B130.else.endif.if.i248.i:                        ; preds = %B130.else.endif.i245.i
+  br label %B130.else.endif.endif.endif.endif.i249.i
 
-B130.else.endif.endif.endif.endif.i248.i:         ; preds = %B130.else.endif.if.i247.i, %B130.else.endif.i244.i
-  %.385.sroa.0.3.i249.i = phi i64 [ %arg.n_qs, %B130.else.endif.if.i247.i ], [ %.385.sroa.0.1.i245.i, %B130.else.endif.i244.i ]
-  %.498.i250.i = getelementptr double, ptr %arg.quadratic_spline, i64 %.385.sroa.0.3.i249.i
-  %223 = getelementptr double, ptr %.11513.i, i64 %.317279285.i236.i
-  %.565.i251.i = load double, ptr %223, align 8, !noalias !35
-  br i1 %.104.i229.not.i, label %B284.i278.i, label %B228.if.preheader.i252.i
+B130.else.endif.endif.endif.endif.i249.i:         ; preds = %B130.else.endif.if.i248.i, %B130.else.endif.i245.i
+  %.385.sroa.0.3.i250.i = phi i64 [ %arg.n_qs, %B130.else.endif.if.i248.i ], [ %.385.sroa.0.1.i246.i, %B130.else.endif.i245.i ]
+  %.498.i251.i = getelementptr double, ptr %arg.quadratic_spline, i64 %.385.sroa.0.3.i250.i
+  %223 = getelementptr double, ptr %.11513.i, i64 %.317279285.i237.i
+  %.565.i252.i = load double, ptr %223, align 8, !noalias !35
+  br i1 %.104.i230.not.i, label %B284.i279.i, label %B228.if.preheader.i253.i
 
-B228.if.preheader.i252.i:                         ; preds = %B130.else.endif.endif.endif.endif.i248.i
-  br i1 %214, label %B228.if.epil.preheader.i272.i, label %B228.if.preheader2.i253.i
+B228.if.preheader.i253.i:                         ; preds = %B130.else.endif.endif.endif.endif.i249.i
+  br i1 %214, label %B228.if.epil.preheader.i273.i, label %B228.if.preheader2.i254.i
 
-B228.if.preheader2.i253.i:                        ; preds = %B228.if.preheader.i252.i
-  %224 = shl i64 %.385.sroa.0.3.i249.i, 3
-  %scevgep7.i254.i = getelementptr i8, ptr %scevgep6.i234.i, i64 %224
-  br i1 %215, label %B228.if.i255.epil.preheader.i, label %B228.if.i255.preheader.i
+B228.if.preheader2.i254.i:                        ; preds = %B228.if.preheader.i253.i
+  %224 = shl i64 %.385.sroa.0.3.i250.i, 3
+  %scevgep7.i255.i = getelementptr i8, ptr %scevgep6.i235.i, i64 %224
+  br i1 %215, label %B228.if.i256.epil.preheader.i, label %B228.if.i256.preheader.i
 
-B228.if.i255.preheader.i:                         ; preds = %B228.if.preheader2.i253.i
-  %scevgep515.i = getelementptr i8, ptr %scevgep514.i, i64 %224
-  br label %B228.if.i255.i
+B228.if.i256.preheader.i:                         ; preds = %B228.if.preheader2.i254.i
+  %scevgep516.i = getelementptr i8, ptr %scevgep515.i, i64 %224
+  br label %B228.if.i256.i
 
-B228.if.i255.i:                                   ; preds = %B228.if.i255.i, %B228.if.i255.preheader.i
-  %lsr.iv85.i = phi i64 [ %lsr.iv.next86.i, %B228.if.i255.i ], [ %213, %B228.if.i255.preheader.i ]
-  %.655272274.i256.i = phi i64 [ %.662.1.i264.1.i, %B228.if.i255.i ], [ 0, %B228.if.i255.preheader.i ]
-  %225 = shl i64 %.655272274.i256.i, 3
-  %scevgep512.i = getelementptr i8, ptr %scevgep506.i, i64 %225
-  %scevgep513.i = getelementptr i8, ptr %scevgep512.i, i64 -24
-  %.716.i258.i = load double, ptr %scevgep513.i, align 8, !noalias !35
-  %scevgep518.i = getelementptr i8, ptr %scevgep515.i, i64 %225
-  %scevgep519.i = getelementptr i8, ptr %scevgep518.i, i64 -16
-  %scevgep90.i = getelementptr i8, ptr %scevgep518.i, i64 -24
-  %.746.i261.i = load double, ptr %scevgep90.i, align 8, !noalias !35
-  %.748.i262.i = fmul contract double %.565.i251.i, %.746.i261.i
-  %.749.i263.i = fadd contract double %.716.i258.i, %.748.i262.i
-  store double %.749.i263.i, ptr %scevgep513.i, align 8, !noalias !35
-  %scevgep94.i = getelementptr i8, ptr %scevgep512.i, i64 -16
-  %.716.1.i266.i = load double, ptr %scevgep94.i, align 8, !noalias !35
-  %.746.1.i267.i = load double, ptr %scevgep519.i, align 8, !noalias !35
-  %.748.1.i268.i = fmul contract double %.565.i251.i, %.746.1.i267.i
-  %.749.1.i269.i = fadd contract double %.716.1.i266.i, %.748.1.i268.i
-  store double %.749.1.i269.i, ptr %scevgep94.i, align 8, !noalias !35
-  %scevgep92.i = getelementptr i8, ptr %scevgep512.i, i64 -8
-  %.716.i258.1.i = load double, ptr %scevgep92.i, align 8, !noalias !35
-  %scevgep88.i = getelementptr i8, ptr %scevgep518.i, i64 -8
-  %.746.i261.1.i = load double, ptr %scevgep88.i, align 8, !noalias !35
-  %.748.i262.1.i = fmul contract double %.565.i251.i, %.746.i261.1.i
-  %.749.i263.1.i = fadd contract double %.716.i258.1.i, %.748.i262.1.i
-  store double %.749.i263.1.i, ptr %scevgep92.i, align 8, !noalias !35
-  %.662.1.i264.1.i = add i64 %.655272274.i256.i, 4
-  %.716.1.i266.1.i = load double, ptr %scevgep512.i, align 8, !noalias !35
-  %.746.1.i267.1.i = load double, ptr %scevgep518.i, align 8, !noalias !35
-  %.748.1.i268.1.i = fmul contract double %.565.i251.i, %.746.1.i267.1.i
-  %.749.1.i269.1.i = fadd contract double %.716.1.i266.1.i, %.748.1.i268.1.i
-  store double %.749.1.i269.1.i, ptr %scevgep512.i, align 8, !noalias !35
+B228.if.i256.i:                                   ; preds = %B228.if.i256.i, %B228.if.i256.preheader.i
+  %lsr.iv85.i = phi i64 [ %lsr.iv.next86.i, %B228.if.i256.i ], [ %213, %B228.if.i256.preheader.i ]
+  %.655272274.i257.i = phi i64 [ %.662.1.i265.1.i, %B228.if.i256.i ], [ 0, %B228.if.i256.preheader.i ]
+  %225 = shl i64 %.655272274.i257.i, 3
+  %scevgep513.i = getelementptr i8, ptr %scevgep507.i, i64 %225
+  %scevgep514.i = getelementptr i8, ptr %scevgep513.i, i64 -24
+  %.716.i259.i = load double, ptr %scevgep514.i, align 8, !noalias !35
+  %scevgep519.i = getelementptr i8, ptr %scevgep516.i, i64 %225
+  %scevgep520.i = getelementptr i8, ptr %scevgep519.i, i64 -16
+  %scevgep90.i = getelementptr i8, ptr %scevgep519.i, i64 -24
+  %.746.i262.i = load double, ptr %scevgep90.i, align 8, !noalias !35
+  %.748.i263.i = fmul contract double %.565.i252.i, %.746.i262.i
+  %.749.i264.i = fadd contract double %.716.i259.i, %.748.i263.i
+  store double %.749.i264.i, ptr %scevgep514.i, align 8, !noalias !35
+  %scevgep94.i = getelementptr i8, ptr %scevgep513.i, i64 -16
+  %.716.1.i267.i = load double, ptr %scevgep94.i, align 8, !noalias !35
+  %.746.1.i268.i = load double, ptr %scevgep520.i, align 8, !noalias !35
+  %.748.1.i269.i = fmul contract double %.565.i252.i, %.746.1.i268.i
+  %.749.1.i270.i = fadd contract double %.716.1.i267.i, %.748.1.i269.i
+  store double %.749.1.i270.i, ptr %scevgep94.i, align 8, !noalias !35
+  %scevgep92.i = getelementptr i8, ptr %scevgep513.i, i64 -8
+  %.716.i259.1.i = load double, ptr %scevgep92.i, align 8, !noalias !35
+  %scevgep88.i = getelementptr i8, ptr %scevgep519.i, i64 -8
+  %.746.i262.1.i = load double, ptr %scevgep88.i, align 8, !noalias !35
+  %.748.i263.1.i = fmul contract double %.565.i252.i, %.746.i262.1.i
+  %.749.i264.1.i = fadd contract double %.716.i259.1.i, %.748.i263.1.i
+  store double %.749.i264.1.i, ptr %scevgep92.i, align 8, !noalias !35
+  %.662.1.i265.1.i = add i64 %.655272274.i257.i, 4
+  %.716.1.i267.1.i = load double, ptr %scevgep513.i, align 8, !noalias !35
+  %.746.1.i268.1.i = load double, ptr %scevgep519.i, align 8, !noalias !35
+  %.748.1.i269.1.i = fmul contract double %.565.i252.i, %.746.1.i268.1.i
+  %.749.1.i270.1.i = fadd contract double %.716.1.i267.1.i, %.748.1.i269.1.i
+  store double %.749.1.i270.1.i, ptr %scevgep513.i, align 8, !noalias !35
   %lsr.iv.next86.i = add i64 %lsr.iv85.i, 2
-  %niter368.ncmp.1.i = icmp eq i64 %lsr.iv.next86.i, 0
-  br i1 %niter368.ncmp.1.i, label %B284.loopexit.unr-lcssa.i271.unr-lcssa.i, label %B228.if.i255.i
+  %niter369.ncmp.1.i = icmp eq i64 %lsr.iv.next86.i, 0
+  br i1 %niter369.ncmp.1.i, label %B284.loopexit.unr-lcssa.i272.unr-lcssa.i, label %B228.if.i256.i
 
-B3462.endif.endif.endif.i:                        ; preds = %B284.i278.i, %B76.i230.i
+B3462.endif.endif.endif.i:                        ; preds = %B284.i279.i, %B76.i231.i
   br i1 %38, label %B3762.i, label %B3590.if.preheader.i
 
 B3590.if.preheader.i:                             ; preds = %B3462.endif.endif.endif.i
-  br i1 %43, label %B3590.if.epil.preheader.i, label %B3590.if.preheader377.i
+  br i1 %43, label %B3590.if.epil.preheader.i, label %B3590.if.preheader378.i
 
-B3590.if.preheader377.i:                          ; preds = %B3590.if.preheader.i
+B3590.if.preheader378.i:                          ; preds = %B3590.if.preheader.i
   %226 = shl i64 %.11210.sroa.0.3.i, 3
-  %scevgep529.i = getelementptr i8, ptr %scevgep528.i, i64 %226
+  %scevgep530.i = getelementptr i8, ptr %scevgep529.i, i64 %226
   br label %B3590.if.i
 
-B3590.if.i:                                       ; preds = %B3590.if.i, %B3590.if.preheader377.i
-  %.1184235683570.i = phi i64 [ %.11849.1.i, %B3590.if.i ], [ 0, %B3590.if.preheader377.i ]
+B3590.if.i:                                       ; preds = %B3590.if.i, %B3590.if.preheader378.i
+  %.1184235683570.i = phi i64 [ %.11849.1.i, %B3590.if.i ], [ 0, %B3590.if.preheader378.i ]
   %227 = shl i64 %.1184235683570.i, 3
   %sunkaddr106.i = getelementptr i8, ptr %69, i64 %227
   %.11903.i = load double, ptr %sunkaddr106.i, align 8, !noalias !1
-  %scevgep531.i = getelementptr i8, ptr %scevgep529.i, i64 %227
-  %scevgep532.i = getelementptr i8, ptr %scevgep531.i, i64 -8
-  %.11933.i = load double, ptr %scevgep532.i, align 8, !noalias !1
+  %scevgep532.i = getelementptr i8, ptr %scevgep530.i, i64 %227
+  %scevgep533.i = getelementptr i8, ptr %scevgep532.i, i64 -8
+  %.11933.i = load double, ptr %scevgep533.i, align 8, !noalias !1
   %.11934.i = fmul contract double %.11903.i, %.11933.i
   %sunkaddr108.i = getelementptr i8, ptr %65, i64 %227
   %.11964.i = load double, ptr %sunkaddr108.i, align 8, !noalias !1
@@ -3091,7 +3213,7 @@ B3590.if.i:                                       ; preds = %B3590.if.i, %B3590.
   %.11849.1.i = add nuw i64 %.1184235683570.i, 2
   %sunkaddr113.i = getelementptr i8, ptr %sunkaddr106.i, i64 8
   %.11903.1.i = load double, ptr %sunkaddr113.i, align 8, !noalias !1
-  %.11933.1.i = load double, ptr %scevgep531.i, align 8, !noalias !1
+  %.11933.1.i = load double, ptr %scevgep532.i, align 8, !noalias !1
   %.11934.1.i = fmul contract double %.11903.1.i, %.11933.1.i
   %sunkaddr116.i = getelementptr i8, ptr %sunkaddr108.i, i64 8
   %.11964.1.i = load double, ptr %sunkaddr116.i, align 8, !noalias !1
@@ -3100,43 +3222,43 @@ B3590.if.i:                                       ; preds = %B3590.if.i, %B3590.
   %.11998.1.i = fmul contract double %.11934.1.i, %.11997.1.i
   %sunkaddr119.i = getelementptr i8, ptr %sunkaddr110.i, i64 8
   store double %.11998.1.i, ptr %sunkaddr119.i, align 8, !noalias !1
-  %niter374.ncmp.1.i = icmp eq i64 %unroll_iter373.i, %.11849.1.i
-  br i1 %niter374.ncmp.1.i, label %B3684.loopexit.unr-lcssa.i, label %B3590.if.i
+  %niter375.ncmp.1.i = icmp eq i64 %unroll_iter374.i, %.11849.1.i
+  br i1 %niter375.ncmp.1.i, label %B3684.loopexit.unr-lcssa.i, label %B3590.if.i
 
-B3716.if.i:                                       ; preds = %B3716.if.i, %B3716.if.preheader378.i
-  %.1212635613563.i = phi i64 [ %.12133.3.i, %B3716.if.i ], [ 0, %B3716.if.preheader378.i ]
+B3716.if.i:                                       ; preds = %B3716.if.i, %B3716.if.preheader379.i
+  %.1212635613563.i = phi i64 [ %.12133.3.i, %B3716.if.i ], [ 0, %B3716.if.preheader379.i ]
   %228 = shl i64 %.1212635613563.i, 3
-  %scevgep478.i = getelementptr i8, ptr %scevgep472.i, i64 %228
-  %scevgep479.i = getelementptr i8, ptr %scevgep478.i, i64 -24
-  %.12187.i = load double, ptr %scevgep479.i, align 8, !noalias !1
-  %scevgep487.i = getelementptr i8, ptr %scevgep481.i, i64 %228
-  %scevgep488.i = getelementptr i8, ptr %scevgep487.i, i64 -24
-  %.12217.i = load double, ptr %scevgep488.i, align 8, !noalias !1
+  %scevgep479.i = getelementptr i8, ptr %scevgep473.i, i64 %228
+  %scevgep480.i = getelementptr i8, ptr %scevgep479.i, i64 -24
+  %.12187.i = load double, ptr %scevgep480.i, align 8, !noalias !1
+  %scevgep488.i = getelementptr i8, ptr %scevgep482.i, i64 %228
+  %scevgep489.i = getelementptr i8, ptr %scevgep488.i, i64 -24
+  %.12217.i = load double, ptr %scevgep489.i, align 8, !noalias !1
   %.12218.i = fmul contract double %.12187.i, %.12217.i
-  %scevgep68.i = getelementptr i8, ptr %scevgep489.i, i64 %228
+  %scevgep68.i = getelementptr i8, ptr %scevgep490.i, i64 %228
   %scevgep73.i = getelementptr i8, ptr %scevgep68.i, i64 -24
   store double %.12218.i, ptr %scevgep73.i, align 8, !noalias !1
-  %scevgep81.i = getelementptr i8, ptr %scevgep478.i, i64 -16
+  %scevgep81.i = getelementptr i8, ptr %scevgep479.i, i64 -16
   %.12187.1.i = load double, ptr %scevgep81.i, align 8, !noalias !1
-  %scevgep77.i = getelementptr i8, ptr %scevgep487.i, i64 -16
+  %scevgep77.i = getelementptr i8, ptr %scevgep488.i, i64 -16
   %.12217.1.i = load double, ptr %scevgep77.i, align 8, !noalias !1
   %.12218.1.i = fmul contract double %.12187.1.i, %.12217.1.i
   %scevgep72.i = getelementptr i8, ptr %scevgep68.i, i64 -16
   store double %.12218.1.i, ptr %scevgep72.i, align 8, !noalias !1
-  %scevgep79.i = getelementptr i8, ptr %scevgep478.i, i64 -8
+  %scevgep79.i = getelementptr i8, ptr %scevgep479.i, i64 -8
   %.12187.2.i = load double, ptr %scevgep79.i, align 8, !noalias !1
-  %scevgep75.i = getelementptr i8, ptr %scevgep487.i, i64 -8
+  %scevgep75.i = getelementptr i8, ptr %scevgep488.i, i64 -8
   %.12217.2.i = load double, ptr %scevgep75.i, align 8, !noalias !1
   %.12218.2.i = fmul contract double %.12187.2.i, %.12217.2.i
   %scevgep70.i = getelementptr i8, ptr %scevgep68.i, i64 -8
   store double %.12218.2.i, ptr %scevgep70.i, align 8, !noalias !1
   %.12133.3.i = add nuw i64 %.1212635613563.i, 4
-  %.12187.3.i = load double, ptr %scevgep478.i, align 8, !noalias !1
-  %.12217.3.i = load double, ptr %scevgep487.i, align 8, !noalias !1
+  %.12187.3.i = load double, ptr %scevgep479.i, align 8, !noalias !1
+  %.12217.3.i = load double, ptr %scevgep488.i, align 8, !noalias !1
   %.12218.3.i = fmul contract double %.12187.3.i, %.12217.3.i
   store double %.12218.3.i, ptr %scevgep68.i, align 8, !noalias !1
-  %niter361.ncmp.3.i = icmp eq i64 %unroll_iter360.i, %.12133.3.i
-  br i1 %niter361.ncmp.3.i, label %B3762.loopexit.unr-lcssa.i, label %B3716.if.i
+  %niter362.ncmp.3.i = icmp eq i64 %unroll_iter361.i, %.12133.3.i
+  br i1 %niter362.ncmp.3.i, label %B3762.loopexit.unr-lcssa.i, label %B3716.if.i
 
 B3762.else.endif.if.i:                            ; preds = %B3762.i
   br label %B3762.else.endif.endif.i
@@ -3159,67 +3281,67 @@ B3762.else.endif.endif.endif.endif.i:             ; preds = %B3762.else.endif.en
   %.12357.sroa.13.2.i = phi i64 [ %.2058.i, %B3762.else.endif.endif.endif.if.i ], [ %.12357.sroa.13.1.i, %B3762.else.endif.endif.endif.i ]
   %.12445.i = sub nsw i64 %.12357.sroa.13.2.i, %.12357.sroa.0.3.i
   %.12454.i = tail call i64 @llvm.smax.i64(i64 %.12445.i, i64 0)
-  %.60.1.i283.i = lshr i64 %.12454.i, 3
-  %.174158.not.i284.i = icmp eq i64 %.60.1.i283.i, 0
-  br i1 %.174158.not.i284.i, label %B3762.endif.endif.i, label %B104.if.preheader.i285.i
+  %.60.1.i284.i = lshr i64 %.12454.i, 3
+  %.174158.not.i285.i = icmp eq i64 %.60.1.i284.i, 0
+  br i1 %.174158.not.i285.i, label %B3762.endif.endif.i, label %B104.if.preheader.i286.i
 
-B104.if.preheader.i285.i:                         ; preds = %B3762.else.endif.endif.endif.endif.i
+B104.if.preheader.i286.i:                         ; preds = %B3762.else.endif.endif.endif.endif.i
   %.12470.i = getelementptr double, ptr %.2074.i, i64 %.12357.sroa.0.3.i
-  %scevgep.i286.i = getelementptr i8, ptr %.12470.i, i64 56
-  br label %B104.if.i287.i
+  %scevgep.i287.i = getelementptr i8, ptr %.12470.i, i64 56
+  br label %B104.if.i288.i
 
-B348.loopexit.i324.i:                             ; preds = %B104.if.i287.i
-  %229 = fadd contract double %.244.i300.i, %.279.i303.i
-  %230 = fadd contract double %.314.i306.i, %.349.i309.i
+B348.loopexit.i325.i:                             ; preds = %B104.if.i288.i
+  %229 = fadd contract double %.244.i301.i, %.279.i304.i
+  %230 = fadd contract double %.314.i307.i, %.349.i310.i
   %231 = fadd contract double %229, %230
-  %232 = fadd contract double %.384.i312.i, %.419.i315.i
-  %233 = fadd contract double %.454.i318.i, %.489.i320.i
+  %232 = fadd contract double %.384.i313.i, %.419.i316.i
+  %233 = fadd contract double %.454.i319.i, %.489.i321.i
   %234 = fadd contract double %232, %233
   %235 = fadd contract double %231, %234
   br label %B3762.endif.endif.i
 
-B104.if.i287.i:                                   ; preds = %B104.if.i287.i, %B104.if.preheader.i285.i
-  %lsr.iv9.i288.i = phi i64 [ %.60.1.i283.i, %B104.if.preheader.i285.i ], [ %lsr.iv.next.i322.i, %B104.if.i287.i ]
-  %lsr.iv.i289.i = phi ptr [ %scevgep.i286.i, %B104.if.preheader.i285.i ], [ %scevgep1.i321.i, %B104.if.i287.i ]
-  %s7.2.0168.i290.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.489.i320.i, %B104.if.i287.i ]
-  %s6.2.0167.i291.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.454.i318.i, %B104.if.i287.i ]
-  %s5.2.0166.i292.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.419.i315.i, %B104.if.i287.i ]
-  %s4.2.0165.i293.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.384.i312.i, %B104.if.i287.i ]
-  %s3.2.0164.i294.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.349.i309.i, %B104.if.i287.i ]
-  %s2.2.0163.i295.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.314.i306.i, %B104.if.i287.i ]
-  %s1.2.0162.i296.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.279.i303.i, %B104.if.i287.i ]
-  %s0.2.0161.i297.i = phi double [ 0.000000e+00, %B104.if.preheader.i285.i ], [ %.244.i300.i, %B104.if.i287.i ]
-  %scevgep2.i298.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 -56
-  %.242.i299.i = load double, ptr %scevgep2.i298.i, align 8, !noalias !38
-  %.244.i300.i = fadd contract double %s0.2.0161.i297.i, %.242.i299.i
-  %scevgep3.i301.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 -48
-  %.277.i302.i = load double, ptr %scevgep3.i301.i, align 8, !noalias !38
-  %.279.i303.i = fadd contract double %s1.2.0162.i296.i, %.277.i302.i
-  %scevgep4.i304.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 -40
-  %.312.i305.i = load double, ptr %scevgep4.i304.i, align 8, !noalias !38
-  %.314.i306.i = fadd contract double %s2.2.0163.i295.i, %.312.i305.i
-  %scevgep5.i307.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 -32
-  %.347.i308.i = load double, ptr %scevgep5.i307.i, align 8, !noalias !38
-  %.349.i309.i = fadd contract double %s3.2.0164.i294.i, %.347.i308.i
-  %scevgep6.i310.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 -24
-  %.382.i311.i = load double, ptr %scevgep6.i310.i, align 8, !noalias !38
-  %.384.i312.i = fadd contract double %s4.2.0165.i293.i, %.382.i311.i
-  %scevgep7.i313.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 -16
-  %.417.i314.i = load double, ptr %scevgep7.i313.i, align 8, !noalias !38
-  %.419.i315.i = fadd contract double %s5.2.0166.i292.i, %.417.i314.i
-  %scevgep8.i316.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 -8
-  %.452.i317.i = load double, ptr %scevgep8.i316.i, align 8, !noalias !38
-  %.454.i318.i = fadd contract double %s6.2.0167.i291.i, %.452.i317.i
-  %.487.i319.i = load double, ptr %lsr.iv.i289.i, align 8, !noalias !38
-  %.489.i320.i = fadd contract double %s7.2.0168.i290.i, %.487.i319.i
-  %scevgep1.i321.i = getelementptr i8, ptr %lsr.iv.i289.i, i64 64
-  %lsr.iv.next.i322.i = add nsw i64 %lsr.iv9.i288.i, -1
-  %exitcond.not.i323.i = icmp eq i64 %lsr.iv.next.i322.i, 0
-  br i1 %exitcond.not.i323.i, label %B348.loopexit.i324.i, label %B104.if.i287.i
+B104.if.i288.i:                                   ; preds = %B104.if.i288.i, %B104.if.preheader.i286.i
+  %lsr.iv9.i289.i = phi i64 [ %.60.1.i284.i, %B104.if.preheader.i286.i ], [ %lsr.iv.next.i323.i, %B104.if.i288.i ]
+  %lsr.iv.i290.i = phi ptr [ %scevgep.i287.i, %B104.if.preheader.i286.i ], [ %scevgep1.i322.i, %B104.if.i288.i ]
+  %s7.2.0168.i291.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.489.i321.i, %B104.if.i288.i ]
+  %s6.2.0167.i292.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.454.i319.i, %B104.if.i288.i ]
+  %s5.2.0166.i293.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.419.i316.i, %B104.if.i288.i ]
+  %s4.2.0165.i294.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.384.i313.i, %B104.if.i288.i ]
+  %s3.2.0164.i295.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.349.i310.i, %B104.if.i288.i ]
+  %s2.2.0163.i296.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.314.i307.i, %B104.if.i288.i ]
+  %s1.2.0162.i297.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.279.i304.i, %B104.if.i288.i ]
+  %s0.2.0161.i298.i = phi double [ 0.000000e+00, %B104.if.preheader.i286.i ], [ %.244.i301.i, %B104.if.i288.i ]
+  %scevgep2.i299.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 -56
+  %.242.i300.i = load double, ptr %scevgep2.i299.i, align 8, !noalias !38
+  %.244.i301.i = fadd contract double %s0.2.0161.i298.i, %.242.i300.i
+  %scevgep3.i302.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 -48
+  %.277.i303.i = load double, ptr %scevgep3.i302.i, align 8, !noalias !38
+  %.279.i304.i = fadd contract double %s1.2.0162.i297.i, %.277.i303.i
+  %scevgep4.i305.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 -40
+  %.312.i306.i = load double, ptr %scevgep4.i305.i, align 8, !noalias !38
+  %.314.i307.i = fadd contract double %s2.2.0163.i296.i, %.312.i306.i
+  %scevgep5.i308.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 -32
+  %.347.i309.i = load double, ptr %scevgep5.i308.i, align 8, !noalias !38
+  %.349.i310.i = fadd contract double %s3.2.0164.i295.i, %.347.i309.i
+  %scevgep6.i311.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 -24
+  %.382.i312.i = load double, ptr %scevgep6.i311.i, align 8, !noalias !38
+  %.384.i313.i = fadd contract double %s4.2.0165.i294.i, %.382.i312.i
+  %scevgep7.i314.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 -16
+  %.417.i315.i = load double, ptr %scevgep7.i314.i, align 8, !noalias !38
+  %.419.i316.i = fadd contract double %s5.2.0166.i293.i, %.417.i315.i
+  %scevgep8.i317.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 -8
+  %.452.i318.i = load double, ptr %scevgep8.i317.i, align 8, !noalias !38
+  %.454.i319.i = fadd contract double %s6.2.0167.i292.i, %.452.i318.i
+  %.487.i320.i = load double, ptr %lsr.iv.i290.i, align 8, !noalias !38
+  %.489.i321.i = fadd contract double %s7.2.0168.i291.i, %.487.i320.i
+  %scevgep1.i322.i = getelementptr i8, ptr %lsr.iv.i290.i, i64 64
+  %lsr.iv.next.i323.i = add nsw i64 %lsr.iv9.i289.i, -1
+  %exitcond.not.i324.i = icmp eq i64 %lsr.iv.next.i323.i, 0
+  br i1 %exitcond.not.i324.i, label %B348.loopexit.i325.i, label %B104.if.i288.i
 
-B3762.endif.endif.i:                              ; preds = %B348.loopexit.i324.i, %B3762.else.endif.endif.endif.endif.i
-  %s0.2.0.lcssa.i325.i = phi double [ 0.000000e+00, %B3762.else.endif.endif.endif.endif.i ], [ %235, %B348.loopexit.i324.i ]
-  %.12531.i = fmul contract double %.12328.i, %s0.2.0.lcssa.i325.i
+B3762.endif.endif.i:                              ; preds = %B348.loopexit.i325.i, %B3762.else.endif.endif.endif.endif.i
+  %s0.2.0.lcssa.i326.i = phi double [ 0.000000e+00, %B3762.else.endif.endif.endif.endif.i ], [ %235, %B348.loopexit.i325.i ]
+  %.12531.i = fmul contract double %.12328.i, %s0.2.0.lcssa.i326.i
   %.12533.i = fadd contract double %norm.2.273.i, %.12531.i
   %.11131.i = icmp sgt i64 %.11130357475.i, 0
   %.11144.i = zext i1 %.11131.i to i64
@@ -3277,8 +3399,8 @@ attributes #2 = { mustprogress nocallback nocreateundeforpoison nofree nosync no
 !24 = distinct !{!24, !25, !"_ZN17bnserve_inference6kernel7_source15_fixed_productsB3v12B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !25 = distinct !{!25, !"_ZN17bnserve_inference6kernel7_source15_fixed_productsB3v12B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !26 = !{!27, !2}
-!27 = distinct !{!27, !28, !"_ZN17bnserve_inference6kernel7_source9_productsB3v17B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi5EE8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!28 = distinct !{!28, !"_ZN17bnserve_inference6kernel7_source9_productsB3v17B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi5EE8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!27 = distinct !{!27, !28, !"_ZN17bnserve_inference6kernel7_source9_productsB3v17B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!28 = distinct !{!28, !"_ZN17bnserve_inference6kernel7_source9_productsB3v17B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !29 = !{!30, !2}
 !30 = distinct !{!30, !31, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v19B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !31 = distinct !{!31, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v19B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE"}
