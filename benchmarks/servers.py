@@ -11,10 +11,10 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from benchmarks.load import open_connection
 from benchmarks.workers import ONE_THREAD, ROOT
 from bnserve_client import Model
 from bnserve_protocol import BnserveError
+from bnserve_service.bench.load import open_connection
 from tests.running_server import free_port
 
 PATIENCE = 60.0

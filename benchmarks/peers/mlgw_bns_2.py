@@ -51,7 +51,7 @@ def train(base: Path, waveforms: int) -> None:
 
 
 class MlgwBns2(Peer):
-    """``Model.predict`` for one waveform; for batches ``predict_modes_amp_phase`` and ``mode_polarizations`` on numpy."""
+    """``Model.predict`` for one, ``predict_modes_amp_phase`` and ``mode_polarizations`` on numpy for batches."""
 
     packages = ("mlgw-bns", "scikit-learn", "numba")
     name = "mlgw_bns 2.0.1"

@@ -8,13 +8,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
-from benchmarks.load import answers_per_second, http_request, round_trips
 from benchmarks.workers import Worker
+from bnserve_service.bench.load import Target, answers_per_second, round_trips
 
 Encode: TypeAlias = Callable[[int, bytes], bytes]
 """From the number of points and the rows to a complete HTTP request."""
 
 OCTETS = "application/octet-stream"
+_ANY = Target(("127.0.0.1", 0))
+
+
+def local_target(port: int) -> Target:
+    """A server on this machine."""
+    return Target(("127.0.0.1", port))
 
 
 class Asker(Protocol):
@@ -36,11 +42,12 @@ class HttpAsker:
 
     def round_trips(self, points: int, values: bytes, calls: int) -> tuple[list[float], bytes]:
         """See :class:`Asker`."""
-        return round_trips(("127.0.0.1", self.port), self.encode(points, values), calls)
+        return round_trips(local_target(self.port), self.encode(points, values), calls)
 
     def answers_per_second(self, points: int, values: list[bytes], seconds: float) -> float:
         """See :class:`Asker`."""
-        return answers_per_second(("127.0.0.1", self.port), [self.encode(points, each) for each in values], seconds)
+        requests = [self.encode(points, each) for each in values]
+        return answers_per_second(local_target(self.port), requests, seconds)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,13 +73,13 @@ def _text(values: bytes) -> str:
 
 def raw(points: int, values: bytes) -> bytes:
     """Raw numbers to a path that names the grid."""
-    return http_request(f"/evaluate/{points}", values, {"Content-Type": OCTETS})
+    return _ANY.request(f"/evaluate/{points}", values, {"Content-Type": OCTETS})
 
 
 def json_base64(points: int, values: bytes) -> bytes:
     """LitServe's ``/predict``."""
     body = json.dumps({"points": points, "values": _text(values)}).encode()
-    return http_request("/predict", body, {"Content-Type": "application/json"})
+    return _ANY.request("/predict", body, {"Content-Type": "application/json"})
 
 
 def open_inference(points: int, values: bytes) -> bytes:
@@ -85,4 +92,4 @@ def open_inference(points: int, values: bytes) -> bytes:
     }
     head = json.dumps({"inputs": [tensor], "outputs": [{"name": "h", "parameters": {"binary_data": True}}]}).encode()
     headers = {"Inference-Header-Content-Length": str(len(head)), "Content-Type": OCTETS}
-    return http_request(f"/v2/models/waveforms_{points}/infer", head + values, headers)
+    return _ANY.request(f"/v2/models/waveforms_{points}/infer", head + values, headers)

@@ -12,13 +12,13 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.environments import find_python
-from benchmarks.load import LoadFailed
 from benchmarks.servers import ServerFailed, bnserve_server, running
 from benchmarks.serving.asking import Asker, Encode, HttpAsker, WorkerAsker, json_base64, open_inference, raw
 from benchmarks.speed.clients import encoded_body, upload_grid
 from benchmarks.speed.remote import batch_of
 from benchmarks.workers import ROOT, Worker, WorkerFailed
 from bnserve_protocol import GridDigest, ParameterBatch
+from bnserve_service.bench.load import LoadFailed
 from tests.running_server import free_port
 
 SCRIPTS = ROOT / "benchmarks" / "serving"

@@ -6,8 +6,6 @@ Install:
     $SERVING/litserve/bin/pip install litserve==0.2.19 numpy ./protocol ./model_store ./surrogate
 """
 
-from __future__ import annotations
-
 import base64
 import sys
 from typing import Any
@@ -15,7 +13,7 @@ from typing import Any
 import litserve
 import numpy as np
 from application import PARAMETERS, Waveforms
-from fastapi import Response
+from fastapi import Request, Response
 
 
 class WaveformApi(litserve.LitAPI):
@@ -25,7 +23,7 @@ class WaveformApi(litserve.LitAPI):
         """Load the model."""
         self.waveforms = Waveforms()
 
-    def decode_request(self, request: dict[str, Any]) -> tuple[int, Any]:
+    def decode_request(self, request: Request) -> tuple[int, Any]:
         """From JSON."""
         values = np.frombuffer(base64.b64decode(request["values"])).reshape(-1, PARAMETERS)
         return request["points"], values

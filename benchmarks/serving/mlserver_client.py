@@ -46,7 +46,7 @@ async def answers_per_second(address: str, request: dict[str, Any]) -> dict[str,
 
         async def ask() -> int:
             answers = 0
-            while time.perf_counter() - started < request["for"]:
+            while answers == 0 or time.perf_counter() - started < request["for"]:
                 await client.infer(model, inputs)
                 answers += 1
             return answers

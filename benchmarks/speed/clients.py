@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import urllib.request
 
-from benchmarks.load import http_request
 from benchmarks.speed.remote import grid_of
 from bnserve_protocol import MSGPACK, GridDigest, ParameterBatch, WaveformRequest, encode_request, grid_digest
+from bnserve_service.bench.load import Target
 
 PATH = "/v1/models/default/waveforms"
 
@@ -24,4 +24,4 @@ def upload_grid(url: str, points: int) -> GridDigest:
 def encoded_body(grid: GridDigest, batch: ParameterBatch) -> bytes:
     """The bytes of one question over HTTP, as our client asks it."""
     body = encode_request(WaveformRequest(batch=batch, grid=grid))
-    return http_request(PATH, body, {"Content-Type": MSGPACK, "Accept": MSGPACK})
+    return Target(("127.0.0.1", 0)).request(PATH, body, {"Content-Type": MSGPACK, "Accept": MSGPACK})

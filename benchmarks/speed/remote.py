@@ -12,13 +12,13 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.load import open_connection
 from benchmarks.peers.worker import draw
 from benchmarks.servers import bare_server, bnserve_server
 from benchmarks.speed.local import PREDECESSOR, Cases
 from benchmarks.speed.setup import Setup
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import MSGPACK, ParameterBatch, WaveformRequest, encode_request
+from bnserve_service.bench.load import open_connection
 from bnserve_service.bench.timing import timed
 
 SHAPES = ((1, 277), (256, 277), (64, 10_000), (1, 253_056))

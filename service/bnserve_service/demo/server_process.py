@@ -46,6 +46,11 @@ class ServerProcess:
         self.exit_code: int | None = None
         """0 after an orderly end."""
 
+    @property
+    def process_id(self) -> int:
+        """The system's number of the process; once it has been entered."""
+        return self._process.pid
+
     def __enter__(self) -> Self:
         started = time.perf_counter()
         self._log: IO[bytes] = tempfile.TemporaryFile()  # closed by stop()
