@@ -17,7 +17,7 @@ _T = TypeVar("_T")
 
 def run(conversation: Conversation[_T], send: Callable[[Send], HttpResponse]) -> _T:
     """Hold a conversation with blocking calls; effects that fail are thrown into it."""
-    with closing(conversation):
+    try:
         outcome, failure = None, None
         while True:
             try:
@@ -29,6 +29,8 @@ def run(conversation: Conversation[_T], send: Callable[[Send], HttpResponse]) ->
                 outcome = _perform(effect, send)
             except BnserveError as error:
                 failure = error
+    finally:
+        conversation.close()
 
 
 def _perform(effect: Effect, send: Callable[[Send], HttpResponse]) -> Any:

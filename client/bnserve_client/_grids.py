@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from bnserve_protocol import Grid, GridDigest, GridLike, UniformGrid, as_frequencies, grid_digest
 
 IN_FULL_ONCE = 512
-"""Grids of more points (4 KiB) are uploaded at once and named by their digest; smaller ones when they are used again."""
+"""Grids of more points (4 KiB) are uploaded before their first use, smaller ones before their second."""
 IN_FULL_ALWAYS = 16
 """So few points are shorter than a digest with what belongs to it."""
 

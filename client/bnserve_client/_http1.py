@@ -23,7 +23,9 @@ Exchange: TypeAlias = Generator[bytes | memoryview, int, tuple[HttpResponse, boo
 _SCRATCH_BYTES = 2**14
 _LONGEST_HEAD = 2**16
 _STATUS_LINE = re.compile(r"HTTP/1\.([01]) ([1-5][0-9][0-9])(?: [^\r\n\0]*)?")
-_HEADERS = re.compile(r"(?:[!#$%&'*+.^_`|~0-9A-Za-z-]+:[^\r\n\0]*(?:\r\n|\Z))*")
+_NAME = r"[!#$%&'*+.^_`|~0-9A-Za-z-]+"
+_HEADERS = re.compile(rf"(?:{_NAME}:[^\r\n\0]*(?:\r\n|\Z))*")
+_HEADER = re.compile(rf"({_NAME}):[ \t]*([^\r\n\0]*?)[ \t]*(?:\r\n|\Z)")
 _CHUNK_SIZE = re.compile(rb"([0-9a-fA-F]{1,8})[ \t]*(?:;[^\r\n]*)?")
 
 
@@ -59,15 +61,23 @@ def parse_head(head: bytes) -> Head:
         raise Malformed("it does not begin like HTTP/1.1")
     if _HEADERS.fullmatch(rest) is None:
         raise Malformed("it has a malformed header")
+    found = _HEADER.findall(rest)
+    headers = {name.lower(): value for name, value in found}
+    if len(headers) < len(found):
+        headers = _merged(found)
+    options = headers.get("connection", "keep-alive" if matched[1] == "1" else "close").lower()
+    return Head(status=int(matched[2]), headers=headers, persistent="close" not in options)
+
+
+def _merged(found: list[tuple[str, str]]) -> dict[str, str]:
+    """Headers of which some occur more than once."""
     headers: dict[str, str] = {}
-    for line in rest.split("\r\n") if rest else ():
-        name, _, value = line.partition(":")
-        name, value = name.lower(), value.strip(" \t")
+    for mixed_case, value in found:
+        name = mixed_case.lower()
         if name == "content-length" and headers.get(name, value) != value:
             raise Malformed("it states two lengths")
         headers[name] = f"{headers[name]}, {value}" if name in headers and name != "content-length" else value
-    options = headers.get("connection", "keep-alive" if matched[1] == "1" else "close").lower()
-    return Head(status=int(matched[2]), headers=headers, persistent="close" not in options)
+    return headers
 
 
 class _Inbox:

@@ -65,6 +65,12 @@ class Session:
         self._replicas = Replicas(settings.addresses)
         authorization = () if settings.token is None else (("Authorization", f"Bearer {settings.token}"),)
         self._headers = (("User-Agent", f"bnserve-client/{__version__}"), *authorization)
+        self._post_headers = (
+            *self._headers,
+            ("Content-Type", MSGPACK),
+            ("Accept", f"{MSGPACK}, {PROBLEM_JSON}"),
+            ("Want-Content-Digest", WANTED_DIGEST),
+        )
 
     def patience(self) -> Patience:
         """A fresh deadline."""
@@ -126,13 +132,7 @@ class Session:
         max_bytes:
             More than any right answer can have.
         """
-        headers = (
-            *self._headers,
-            ("Content-Type", MSGPACK),
-            ("Accept", f"{MSGPACK}, {PROBLEM_JSON}"),
-            ("Want-Content-Digest", WANTED_DIGEST),
-        )
-        request = HttpRequest("POST", path, headers, body)
+        request = HttpRequest("POST", path, self._post_headers, body)
         asked = request_digest(body)
 
         def checked(response: HttpResponse, where: str) -> _T:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import select
 import socket
 from collections import deque
 
@@ -69,11 +70,6 @@ class SocketPool:
 
 def _is_quiet(sock: socket.socket) -> bool:
     """Whether nothing has arrived: between exchanges, that could only be the end of the connection or garbage."""
-    try:
-        sock.setblocking(False)
-        sock.recv(1, socket.MSG_PEEK)
-    except BlockingIOError:
-        return True
-    except OSError:
-        return False
-    return False
+    poll = select.poll()
+    poll.register(sock, select.POLLIN)
+    return not poll.poll(0)

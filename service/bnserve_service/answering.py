@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any, TypeVar
@@ -24,7 +24,7 @@ from bnserve_service.digests import sha256_hex
 from bnserve_service.evaluation import Packed, Question, grid_key
 from bnserve_service.grids import GridCache
 from bnserve_service.lifecycle import Lifecycle
-from bnserve_service.registry import Registry
+from bnserve_service.registry import LoadedModel, Registry
 from bnserve_service.settings import Settings
 
 T = TypeVar("T")
@@ -72,6 +72,10 @@ class WaveformService:
         """Stop the helper thread."""
         self._helper.shutdown(wait=False, cancel_futures=True)
 
+    def digest_now(self, body: bytes) -> str:
+        """:meth:`digest`, for small bodies."""
+        return sha256_hex(body)
+
     async def digest(self, body: bytes) -> str:
         """SHA-256 of a request body, in hexadecimal."""
         return await self.large_or_small(len(body), sha256_hex, body)
@@ -86,9 +90,26 @@ class WaveformService:
         Draining, ModelUnknown, ModelLoading, UndecodableBody, InvalidParameters, InvalidFrequencies, GridUnknown,
         TooLarge
         """
+        if len(body) <= OFF_LOOP:
+            return self.ask_now(name, version, body, media_type, answer_type, digest)
         self._lifecycle.check_accepting()
         model = self._registry.find(name, version)
-        request, key = await self.large_or_small(len(body), self._decode, body, media_type)
+        loop = asyncio.get_running_loop()
+        decoded = await loop.run_in_executor(self._helper, self._decode, body, media_type)
+        return self._question(model, decoded, answer_type, digest)
+
+    def ask_now(
+        self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str, digest: DigestName
+    ) -> Question:
+        """:meth:`ask`, for small bodies."""
+        self._lifecycle.check_accepting()
+        model = self._registry.find(name, version)
+        return self._question(model, self._decode(body, media_type), answer_type, digest)
+
+    def _question(
+        self, model: LoadedModel, decoded: tuple[WaveformRequest, Any], answer_type: str, digest: DigestName
+    ) -> Question:
+        request, key = decoded
         question = Question(
             model=model,
             batch=request.batch,
@@ -141,6 +162,18 @@ class WaveformService:
         Overloaded, DeadlineExceeded
         """
         return self._queue.submit(question.key, question.cost, question, deadline, quick=question.quick)
+
+    def submit_quick(
+        self, question: Question, deadline: float | None, deliver: Callable[[Packed | BaseException], None]
+    ) -> None:
+        """Queue a quick question; ``deliver`` is called at the end of this turn of the event loop.
+
+        Raises
+        ------
+        Overloaded, DeadlineExceeded
+        """
+        job = self._queue.submit(question.key, question.cost, question, deadline, quick=True)
+        job.deliver = deliver
 
     def withdraw(self, job: Job[Question, Packed]) -> None:
         """Forget a job whose caller went away."""

@@ -44,6 +44,7 @@ from bnserve_service.settings import Settings
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import plain_response
 from bnserve_service.transport.context import RequestContextMiddleware
+from bnserve_service.transport.quick import QuickLane
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,9 +92,11 @@ class Application(FastAPI):
         self._include_routers(endpoint, likelihoods)
         self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
         inner: ASGIApp = FastLane(LikelihoodLane(self._serve_by_router, likelihoods), endpoint)
-        if parts.settings.tokens:
-            inner = AccessMiddleware(inner, parts.settings.tokens)
-        self._front = RequestContextMiddleware(inner, parts.metrics, parts.lifecycle, parts.settings.access_log)
+        access = AccessMiddleware(inner, parts.settings.tokens) if parts.settings.tokens else None
+        self._front = RequestContextMiddleware(
+            access or inner, parts.metrics, parts.lifecycle, parts.settings.access_log
+        )
+        self.quick_lane = QuickLane(parts.waveforms, parts.lifecycle, self._front, access)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve: HTTP through our own middlewares, the rest (the lifespan) through FastAPI's."""

@@ -43,6 +43,8 @@ class Job(Generic[P, R]):
     quick: bool = False
     """Whether it is evaluated on the event loop."""
     timer: asyncio.TimerHandle | None = None
+    deliver: Callable[[R | BaseException], None] | None = None
+    """Called with the outcome, in place of resolving ``result``."""
 
 
 @dataclass(slots=True, eq=False)
@@ -270,6 +272,9 @@ class WorkQueue(Generic[P, R]):
 
 def _resolve(job: Job[P, R], outcome: R | BaseException) -> None:
     if job.result.done():  # its caller was cancelled
+        return
+    if job.deliver is not None:
+        job.deliver(outcome)
         return
     if isinstance(outcome, BaseException):
         job.result.set_exception(outcome)

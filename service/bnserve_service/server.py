@@ -60,7 +60,7 @@ class BnserveServer:
         self._uvicorn = _Uvicorn(
             uvicorn.Config(
                 app,
-                http=bounded_protocol(self._settings),
+                http=bounded_protocol(self._settings, app.quick_lane),
                 ws="none",
                 lifespan="on",
                 log_config=None,

@@ -92,6 +92,20 @@ class ChirpModel:
         return time_until_merger(self, frequency, parameters)
 
 
+class QuickChirpModel(ChirpModel):
+    """Promises to answer small questions at once, and remembers in which threads it did."""
+
+    quick_work = 2**14
+
+    def __init__(self, **options):
+        super().__init__(**options)
+        self.threads = set()
+
+    def predict_amplitude_phase(self, frequencies, batch, *, options=DEFAULT_OPTIONS):
+        self.threads.add(threading.current_thread().name)
+        return super().predict_amplitude_phase(frequencies, batch, options=options)
+
+
 class GatedModel(ChirpModel):
     """Evaluates only while its gate is open: what a test needs to see a server that is busy."""
 

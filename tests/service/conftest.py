@@ -3,7 +3,7 @@
 import pytest
 
 from bnserve_service import BackgroundServer, Settings
-from tests.service.chirp import ChirpModel, MemorySource, as_it_is
+from tests.service.chirp import ChirpModel, MemorySource, QuickChirpModel, as_it_is
 
 SMALL_LIMITS = {
     "port": 0,
@@ -21,10 +21,11 @@ SMALL_LIMITS = {
 }
 
 
-@pytest.fixture(scope="session")
-def server():
+@pytest.fixture(scope="session", params=[ChirpModel, QuickChirpModel], ids=["in threads", "quick lane"])
+def server(request):
     """A server of the Newtonian chirp with small limits, shared by the tests that do not change it."""
-    with BackgroundServer(Settings(**SMALL_LIMITS), source=MemorySource().add(ChirpModel()), factory=as_it_is) as it:
+    source = MemorySource().add(request.param())
+    with BackgroundServer(Settings(**SMALL_LIMITS), source=source, factory=as_it_is) as it:
         yield it
 
 

@@ -79,6 +79,37 @@ def test_what_waits_for_a_busy_worker_is_evaluated_together():
     with_queue(check)
 
 
+def test_quick_jobs_of_one_turn_of_the_event_loop_are_evaluated_together_and_there():
+    async def check(queue, recorder):
+        first = await busy(queue, recorder)  # the worker, for whom quick jobs do not wait
+        recorder.groups.clear()
+        jobs = [queue.submit("same", 2, number, quick=True) for number in range(7)]
+        other = queue.submit("other", 2, 9, quick=True)
+        gone = queue.submit("same", 2, 100, quick=True)
+        gone.result.cancel()
+        assert recorder.groups == []
+        recorder.gate.set()
+        assert [await job.result for job in [*jobs, other]] == [0, 1, 4, 9, 16, 25, 36, 81]
+        await first.result
+        assert recorder.groups == [[0, 1, 2, 3, 4], [5, 6], [9]]  # a group ends at a cost of 10
+        assert queue.cost == 0
+
+    with_queue(check)
+
+
+def test_a_quick_job_may_name_who_gets_its_outcome():
+    async def check(queue, recorder):
+        outcomes = []
+        for number in (3, -1):
+            queue.submit("same", 1, number, quick=True).deliver = outcomes.append
+        await asyncio.sleep(0.01)
+        assert outcomes[0] == 9
+        assert isinstance(outcomes[1], ValueError)
+        assert queue.cost == 0
+
+    with_queue(check)
+
+
 def test_only_equal_keys_share_an_evaluation_and_every_key_gets_its_turn():
     async def check(queue, recorder):
         await busy(queue, recorder)

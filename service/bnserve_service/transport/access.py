@@ -10,7 +10,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Forbidden, Unauthorized
 from bnserve_service.settings import Token
-from bnserve_service.transport.context import context_of
+from bnserve_service.transport.context import RequestContext, context_of
 
 PUBLIC_PATHS = frozenset({"/", "/docs", "/openapi.json"})
 """Pages without data of their own; what they show, they ask for with the visitor's token."""
@@ -34,11 +34,19 @@ class AccessMiddleware:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
         if not is_public(scope["path"]):
-            context = context_of(scope)
-            token = self._find(context.headers.get(b"authorization", b""))
-            context.caller, context.owner = token.name, token.sha256
-            _require_scope(token, scope)
+            self.check(context_of(scope), scope["method"])
         await self._app(scope, receive, send)
+
+    def check(self, context: RequestContext, method: str) -> None:
+        """Find out who asks, and whether he may.
+
+        Raises
+        ------
+        Unauthorized, Forbidden
+        """
+        token = self._find(context.headers.get(b"authorization", b""))
+        context.caller, context.owner = token.name, token.sha256
+        _require_scope(token, method)
 
     def _find(self, authorization: bytes) -> Token:
         kind, _, text = authorization.partition(b" ")
@@ -54,7 +62,7 @@ def is_public(path: str) -> bool:
     return path in PUBLIC_PATHS or path.startswith("/v2/")
 
 
-def _require_scope(token: Token, scope: Scope) -> None:
-    needed = {"POST": "evaluate", "PUT": "upload", "DELETE": "upload"}.get(scope["method"])
+def _require_scope(token: Token, method: str) -> None:
+    needed = {"POST": "evaluate", "PUT": "upload", "DELETE": "upload"}.get(method)
     if needed is not None and needed not in token.scopes:
         raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")

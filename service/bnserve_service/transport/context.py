@@ -6,6 +6,7 @@ import logging
 import os
 import re
 import time
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from fastapi.exceptions import RequestValidationError
@@ -98,13 +99,13 @@ class RequestContextMiddleware:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
-        context = _new_context(scope)
+        context = new_context(scope["headers"])
         scope[_KEY] = context
 
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 context.status = message["status"]
-                message["headers"] = [*message["headers"], *self._common_headers(context)]
+                message["headers"] = [*message["headers"], *self.common_headers(context)]
             await send(message)
 
         try:
@@ -114,11 +115,18 @@ class RequestContextMiddleware:
         except Exception as error:
             await self._answer_error(error, context, send_with_headers)
         finally:
-            self._finish(scope, context)
+            if context.route == NO_ROUTE and "route" in scope:
+                context.route = getattr(scope["route"], "path", NO_ROUTE)
+            self.finish(scope["method"], context)
 
     async def _answer_error(self, error: Exception, context: RequestContext, send: Send) -> None:
         if context.status:  # too late for an answer: break the connection, so that nobody takes half of it for a whole
             raise error
+        status, headers, body = self.problem_answer(error, context)
+        await send_answer(send, status, headers, [body])
+
+    def problem_answer(self, error: BaseException, context: RequestContext) -> tuple[int, list[Header], bytes]:
+        """What the caller is told about an error: status, headers and body."""
         status: int | None = None
         extra: list[Header] = []
         if isinstance(error, HTTPException):
@@ -135,9 +143,10 @@ class RequestContextMiddleware:
         status, body = problem_body(told, context.request_id, status)
         headers = [*body_headers([body], PROBLEM_JSON), *problem_headers(told), *extra]
         self._metrics.refused(told.code)
-        await send_answer(send, status, headers, [body])
+        return status, headers, body
 
-    def _common_headers(self, context: RequestContext) -> list[Header]:
+    def common_headers(self, context: RequestContext) -> list[Header]:
+        """What every answer has: the name of the request, the digest of its body, and whether the connection ends."""
         headers = [(b"x-request-id", context.request_id.encode("ascii")), *context.extra_headers]
         if context.request_digest is not None:
             headers.append((b"x-request-digest", context.request_digest.encode("ascii")))
@@ -145,21 +154,21 @@ class RequestContextMiddleware:
             headers.append((b"connection", b"close"))
         return headers
 
-    def _finish(self, scope: Scope, context: RequestContext) -> None:
+    def finish(self, method: str, context: RequestContext) -> None:
+        """Count and log a request that has been answered."""
         seconds = time.monotonic() - context.arrived
-        if context.route == NO_ROUTE and "route" in scope:
-            context.route = getattr(scope["route"], "path", NO_ROUTE)
-        self._metrics.observe_request(context.route, scope["method"], context.status, seconds)
+        self._metrics.observe_request(context.route, method, context.status, seconds)
         if self._log_requests:
             access_logger.info(
                 "%s %s %s %d %.1f ms caller=%s traceparent=%s",
-                context.request_id, scope["method"], context.route, context.status, seconds * 1e3, context.caller,
+                context.request_id, method, context.route, context.status, seconds * 1e3, context.caller,
                 context.headers.get(b"traceparent", b"-")[:64].decode("latin-1"),
             )  # fmt: skip
 
 
-def _new_context(scope: Scope) -> RequestContext:
-    headers = dict(scope["headers"])
+def new_context(given_headers: Iterable[Header]) -> RequestContext:
+    """The context of a request that arrives now; header names are lower case."""
+    headers = dict(given_headers)
     given = headers.get(b"x-request-id", b"")
     request_id = given.decode("ascii") if _REQUEST_ID.fullmatch(given) else os.urandom(16).hex()
     return RequestContext(request_id=request_id, headers=headers, arrived=time.monotonic())

@@ -8,11 +8,13 @@ import enum
 from typing import Any
 
 import msgspec
-from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 
 from bnserve_protocol import PROBLEM_JSON, Problem, UndecodableBody
 from bnserve_service.digests import content_digest
 from bnserve_service.settings import Settings
+from bnserve_service.transport.answers import Header
+from bnserve_service.transport.quick import QUICK_BODY, QuickLane
 
 MAX_HEADER_BYTES = 2**16
 """Request line and headers; browsers and proxies stay below 16 KiB."""
@@ -26,21 +28,35 @@ class _Waiting(enum.Enum):
     BODY = enum.auto()
 
 
+class _QuickCycle:
+    """What uvicorn's protocol looks at while a request is being answered, for one of the quick lane."""
+
+    def __init__(self) -> None:
+        self.response_complete = False
+        self.disconnected = False
+        self.keep_alive = True
+        self.message_event = asyncio.Event()
+
+
 class BoundedProtocol(HttpToolsProtocol):
     """One connection that cannot be held open by a slow or silent peer.
 
+    Small waveform requests that come in one piece are answered by the ``lane``; all else goes to the application.
     The class attributes are set per server by :func:`bounded_protocol`.
     """
 
     header_timeout: float = 10.0
     body_timeout: float = 30.0
     write_timeout: float = 30.0
+    lane: QuickLane | None = None
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
         self._in_headers = False
         self._in_message = False
         self._header_bytes = 0
+        self._held: bytearray | None = None
+        """The body of a request that is for the quick lane if it comes in one piece with its headers."""
         self._waiting = _Waiting.NOTHING
         self._read_timer: asyncio.TimerHandle | None = None
         self._write_timer: asyncio.TimerHandle | None = None
@@ -64,6 +80,8 @@ class BoundedProtocol(HttpToolsProtocol):
                 self.send_400_response("The headers are too large.")
                 return
         super().data_received(data)
+        if self._held is not None:
+            self._go_the_other_way()
         if not self.transport.is_closing():
             self._watch()
 
@@ -76,12 +94,72 @@ class BoundedProtocol(HttpToolsProtocol):
         """Parser: the headers are there."""
         self._in_headers = False
         self._header_bytes = 0
-        super().on_headers_complete()
+        if self._may_be_quick():
+            self._held = bytearray()
+        else:
+            super().on_headers_complete()
+
+    def on_body(self, body: bytes) -> None:
+        """Parser: some of the body."""
+        if self._held is None:
+            super().on_body(body)
+        else:
+            self._held += body
 
     def on_message_complete(self) -> None:
         """Parser: the body is there."""
         self._in_message = False
-        super().on_message_complete()
+        if self._held is None or not self._answer_quickly(bytes(self._held)):
+            if self._held is not None:
+                self._go_the_other_way()
+            super().on_message_complete()
+
+    def _may_be_quick(self) -> bool:
+        return (
+            self.lane is not None
+            and self._is_idle()
+            and not self.expect_100_continue
+            and not self.flow.write_paused
+            and self.parser.get_method() == b"POST"
+            and self.parser.get_http_version() == "1.1"
+            and self.parser.should_keep_alive()
+            and not self.parser.should_upgrade()
+            and self.lane.offers(self.url)
+        )
+
+    def _answer_quickly(self, body: bytes) -> bool:
+        """Have the quick lane answer; false when it does not take the request."""
+        assert self.lane is not None, "a body is held for the lane alone"
+        if len(body) > QUICK_BODY:
+            return False
+        cycle = _QuickCycle()
+        if not self.lane.take(self.url, self.headers, body, lambda *answer: self._write_quickly(cycle, *answer)):
+            return False
+        self._held = None
+        self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
+        return True
+
+    def _write_quickly(self, cycle: _QuickCycle, status: int, headers: list[Header], body: bytes) -> None:
+        """Send an answer of the quick lane."""
+        cycle.response_complete = True
+        if cycle.disconnected:
+            return
+        if not cycle.keep_alive:
+            headers = [*headers, (b"connection", b"close")]
+        lines = [STATUS_LINE[status]]
+        for name, value in (*self.server_state.default_headers, *headers):
+            lines += (name, b": ", value, b"\r\n")
+        self.transport.write(b"".join((*lines, b"\r\n", body)))
+        if not cycle.keep_alive:
+            self.transport.close()
+        self.on_response_complete()
+
+    def _go_the_other_way(self) -> None:
+        """Hand a held request to the application after all."""
+        body, self._held = self._held, None
+        super().on_headers_complete()
+        if body:
+            super().on_body(bytes(body))
 
     def on_response_complete(self) -> None:
         """An answer was handed to the transport."""
@@ -144,9 +222,10 @@ class BoundedProtocol(HttpToolsProtocol):
         self.transport.abort()
 
 
-def bounded_protocol(settings: Settings) -> type[BoundedProtocol]:
-    """The protocol class with the time limits of ``settings``; what uvicorn's ``http`` option takes."""
+def bounded_protocol(settings: Settings, lane: QuickLane | None = None) -> type[BoundedProtocol]:
+    """The protocol class with the limits of ``settings`` and a quick lane; what uvicorn's ``http`` option takes."""
     limits = {
+        "lane": lane,
         "header_timeout": settings.header_timeout,
         "body_timeout": settings.body_timeout,
         "write_timeout": settings.write_timeout,

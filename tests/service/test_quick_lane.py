@@ -1,0 +1,174 @@
+"""Small questions to a quick model: answered on the event loop, and as every other request."""
+
+import socket
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import msgpack
+import numpy as np
+import pytest
+
+from bnserve_service import Token
+from tests.service.asking import (
+    GW170817,
+    MSGPACK,
+    ask,
+    closing_connection,
+    evaluate,
+    question,
+    raw_connection,
+    read_msgpack,
+    read_response,
+)
+from tests.service.chirp import QuickChirpModel, until
+
+PATH = "/v1/models/chirp/waveforms"
+TIMES = ("date", "server-timing")
+
+
+def message(parameters=None, path=PATH, **headers):
+    """Head and body of a question."""
+    body = msgpack.packb(question(parameters))
+    names = {"Host": "x", "Content-Type": MSGPACK, "X-Request-ID": "me", "Content-Length": len(body)} | headers
+    lines = [f"POST {path} HTTP/1.1", *(f"{name}: {value}" for name, value in names.items()), "", ""]
+    return "\r\n".join(lines).encode(), body
+
+
+def in_one_piece(server, *given, **headers):
+    """Ask so that the quick lane can take it."""
+    with raw_connection(server.address) as connection:
+        connection.sendall(b"".join(message(*given, **headers)))
+        return read_response(connection)
+
+
+def in_two_pieces(server, *given, **headers):
+    """Ask so that it cannot: the body comes later than its headers."""
+    head, body = message(*given, **headers)
+    with raw_connection(server.address) as connection:
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        connection.sendall(head)
+        time.sleep(0.1)
+        connection.sendall(body)
+        return read_response(connection)
+
+
+QUESTIONS = {
+    "one": None,
+    "a batch": GW170817 | {"total_mass": [2.5, 2.6, 2.7]},
+    "outside of the domain": GW170817 | {"mass_ratio": 9.0},
+    "a misspelt parameter": GW170817 | {"lamda_1": 1.0},
+}
+
+
+@pytest.mark.parametrize("parameters", QUESTIONS.values(), ids=QUESTIONS)
+def test_both_ways_give_the_same_answer(start, parameters):
+    server = start(QuickChirpModel())
+    one, other = in_one_piece(server, parameters), in_two_pieces(server, parameters)
+    assert one.status == other.status
+    assert one.body == other.body
+    without_times = [{k: v for k, v in answer.headers.items() if k not in TIMES} for answer in (one, other)]
+    assert without_times[0] == without_times[1]
+    assert set(one.headers) == set(other.headers)
+
+
+def test_small_questions_are_evaluated_on_the_event_loop_and_large_ones_in_threads(start):
+    model = QuickChirpModel()
+    server = start(model)
+    model.threads.clear()
+    assert in_one_piece(server).status == in_two_pieces(server).status == 200
+    assert model.threads == {"bnserve-server"}
+    model.threads.clear()
+    assert evaluate(server.address, question(GW170817 | {"total_mass": np.full(60, 2.7).tolist()})).status == 200
+    assert all(name.startswith("bnserve-worker") for name in model.threads)
+
+
+def test_pipelined_questions_are_answered_in_order(start):
+    server = start(QuickChirpModel())
+    masses = [2.5, 2.6, 2.7, 2.8]
+    with raw_connection(server.address) as connection:
+        connection.sendall(b"".join(b"".join(message(GW170817 | {"total_mass": mass})) for mass in masses))
+        answers = [read_response(connection) for _ in masses]
+    for mass, answer in zip(masses, answers, strict=True):
+        assert answer.body == in_one_piece(server, GW170817 | {"total_mass": mass}).body
+
+
+def test_many_callers_at_once_get_their_own_answers(start):
+    model = QuickChirpModel()
+    server = start(model)
+
+    def many(mass):
+        with closing_connection(server.address) as connection:
+            for _ in range(30):
+                connection.request("POST", PATH, msgpack.packb(question(GW170817 | {"total_mass": mass})),
+                                   {"Content-Type": MSGPACK})  # fmt: skip
+                body = connection.getresponse().read()
+        return read_msgpack(body)["h_plus"].tobytes()
+
+    masses = np.linspace(2.1, 3.9, 16).tolist()
+    model.calls.clear()
+    with ThreadPoolExecutor(len(masses)) as callers:
+        answers = list(callers.map(many, masses))
+    assert sum(model.calls) == 30 * len(masses)
+    for mass, answer in zip(masses, answers, strict=True):
+        assert answer == read_msgpack(in_one_piece(server, GW170817 | {"total_mass": mass}).body)["h_plus"].tobytes()
+
+
+def test_a_caller_that_went_away_does_no_harm(start):
+    server = start(QuickChirpModel())
+    for _ in range(20):
+        with raw_connection(server.address) as connection:
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, b"\1\0\0\0\0\0\0\0")  # reset at once
+            connection.sendall(b"".join(message()))
+    assert in_one_piece(server).status == 200
+
+
+def test_tokens_are_asked_for_here_too(start):
+    server = start(QuickChirpModel(), tokens=(Token.of("secret"), Token.of("reader", scopes=("upload",))))
+    assert in_one_piece(server).status == 401
+    assert in_one_piece(server, Authorization="Bearer wrong").status == 401
+    assert in_one_piece(server, Authorization="Bearer reader").status == 403
+    assert in_one_piece(server, Authorization="Bearer secret").status == 200
+
+
+def test_a_deadline_that_has_passed_is_told(start):
+    server = start(QuickChirpModel())
+    assert in_one_piece(server, **{"X-Request-Deadline-Ms": "0"}).code == "deadline-exceeded"
+    assert in_one_piece(server, **{"X-Request-Deadline-Ms": "60000"}).status == 200
+
+
+def test_quick_requests_are_counted(start):
+    server = start(QuickChirpModel())
+    for _ in range(3):
+        in_one_piece(server)
+    counted = f'bnserve_requests_total{{method="POST",route="{"/v1/models/{name}/waveforms"}",status="200"}} 3.0'
+    until(lambda: counted in ask(server.address, "GET", "/metrics").body.decode(), "three requests")
+
+
+def test_a_draining_server_closes_the_connection(start):
+    server = start(QuickChirpModel(), drain_grace=5.0)
+    with closing_connection(server.address) as connection:
+        connection.connect()
+        server.stop()
+        until(lambda: server.app.parts.lifecycle.draining, "the drain")
+        connection.request("POST", PATH, msgpack.packb(question()), {"Content-Type": MSGPACK})
+        response = connection.getresponse()
+        response.read()
+    assert (response.status, response.getheader("connection")) == (200, "close")
+
+
+WANTED = {
+    "crc32c=10, sha-256=1": "crc32c",
+    "crc32c=1": "crc32c",
+    "sha-256=9, crc32c=1": "sha-256",
+    "sha-512=9": "sha-256",
+    "crc32c=0": "sha-256",
+    "crc32c": "sha-256",
+    "=,;": "sha-256",
+}
+
+
+@pytest.mark.parametrize("wanted", WANTED)
+def test_the_digest_is_the_one_that_the_caller_wants(server, wanted):
+    answer = evaluate(server.address, question(), want_content_digest=wanted)
+    assert answer.status == 200
+    assert answer.headers["content-digest"].partition("=")[0] == WANTED[wanted]
