@@ -123,14 +123,14 @@ class LikelihoodService:
             for piece in question.pieces(self._workers, self._piece_cost):
                 jobs.append(self._queue.submit(piece.key, piece.cost, piece, deadline))
         except BaseException:
-            self.withdraw(jobs)
+            for job in jobs:
+                self.withdraw(job)
             raise
         return jobs
 
-    def withdraw(self, jobs: Sequence[Job[Any, Any]]) -> None:
-        """Forget jobs whose caller went away."""
-        for job in jobs:
-            self._queue.withdraw(job, "disconnect")
+    def withdraw(self, job: Job[Any, Any]) -> None:
+        """Forget a job whose caller went away."""
+        self._queue.withdraw(job, "disconnect")
 
 
 def pack(question: LikelihoodQuestion, pieces: Sequence[LogLikelihoods], media_type: str) -> Packed:

@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import asyncio
 import re
-from collections.abc import Sequence
 
 from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import JSON
-from bnserve_service.batching import Job
-from bnserve_service.errors import ClientDisconnected
 from bnserve_service.likelihood_answering import LikelihoodService, pack
-from bnserve_service.likelihood_evaluation import LikelihoodQuestion, LogLikelihoods
-from bnserve_service.routes.waveforms import WATCH_AFTER, answer_headers
+from bnserve_service.routes.waiting import wait_for
+from bnserve_service.routes.waveforms import answer_headers
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import send_answer
 from bnserve_service.transport.body import read_body
@@ -53,7 +49,8 @@ class LikelihoodEndpoint:
         question = await self._service.ask(context.owner, model, sha256, body, media_type)
         del body
         jobs = self._service.submit(question, deadline)
-        packed = pack(question, await self._wait(jobs, receive), answer_type)
+        pieces = await wait_for(jobs, receive, self._service.withdraw)
+        packed = pack(question, pieces, answer_type)
         await send_answer(send, 200, answer_headers(packed, answer_type, jobs[0].submitted), packed.parts)
 
     async def _read(self, context: RequestContext, receive: Receive, media_type: str) -> bytes:
@@ -62,35 +59,6 @@ class LikelihoodEndpoint:
         body = await read_body(context.headers, receive, limit, settings.body_timeout)
         context.request_digest = await self._service.digest(body)
         return body
-
-    async def _wait(
-        self, jobs: Sequence[Job[LikelihoodQuestion, LogLikelihoods]], receive: Receive
-    ) -> list[LogLikelihoods]:
-        loop = asyncio.get_running_loop()
-        watcher: list[asyncio.Task[None]] = []
-        timer = loop.call_later(
-            WATCH_AFTER, lambda: watcher.append(loop.create_task(self._forget_when_gone(jobs, receive)))
-        )
-        try:
-            return [await job.result for job in jobs]
-        except BaseException:
-            self._service.withdraw(jobs)  # of the other pieces nobody wants to know any more
-            raise
-        finally:
-            timer.cancel()
-            for task in watcher:
-                task.cancel()
-
-    async def _forget_when_gone(
-        self, jobs: Sequence[Job[LikelihoodQuestion, LogLikelihoods]], receive: Receive
-    ) -> None:
-        while (await receive())["type"] != "http.disconnect":
-            pass
-        self._service.withdraw(jobs)
-        for job in jobs:
-            if not job.result.done():
-                job.result.set_exception(ClientDisconnected())
-                job.result.exception()  # retrieved: only the first of them is waited for
 
 
 def likelihood_routes(endpoint: LikelihoodEndpoint) -> list[Route]:

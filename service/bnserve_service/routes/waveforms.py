@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import re
 from typing import Any
 
@@ -12,8 +11,8 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from bnserve_protocol import JSON
 from bnserve_service.answering import WaveformService
 from bnserve_service.batching import Job
-from bnserve_service.errors import ClientDisconnected
 from bnserve_service.evaluation import Packed, Question
+from bnserve_service.routes.waiting import wait_for
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import send_answer
 from bnserve_service.transport.body import read_body
@@ -23,9 +22,6 @@ from bnserve_service.transport.negotiation import answer_digest, answer_media_ty
 PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
 
 _PATH = re.compile(r"/v1/models/(?P<name>[^/]+)(?:/versions/(?P<version>[^/]+))?/waveforms")
-
-WATCH_AFTER = 0.01
-"""Seconds of waiting after which it is worth a task to notice that the caller went away."""
 
 
 class WaveformEndpoint:
@@ -72,27 +68,8 @@ class WaveformEndpoint:
     async def _wait(self, job: Job[Question, Packed], receive: Receive) -> Packed:
         if job.quick:
             return await job.result
-        loop = asyncio.get_running_loop()
-        watcher: list[asyncio.Task[None]] = []
-        timer = loop.call_later(
-            WATCH_AFTER, lambda: watcher.append(loop.create_task(self._forget_when_gone(job, receive)))
-        )
-        try:
-            return await job.result
-        except asyncio.CancelledError:
-            self._service.withdraw(job)
-            raise
-        finally:
-            timer.cancel()
-            for task in watcher:
-                task.cancel()
-
-    async def _forget_when_gone(self, job: Job[Question, Packed], receive: Receive) -> None:
-        while (await receive())["type"] != "http.disconnect":
-            pass
-        self._service.withdraw(job)
-        if not job.result.done():
-            job.result.set_exception(ClientDisconnected())
+        [packed] = await wait_for([job], receive, self._service.withdraw)
+        return packed
 
 
 def answer_headers(packed: Packed, media_type: str, submitted: float) -> list[tuple[bytes, bytes]]:
