@@ -212,8 +212,8 @@ def _covered(options: LikelihoodOptions, ranges: Ranges) -> LikelihoodOptions:
         wanted = prior.setdefault(name, (low, high))
         if wanted[0] < low or wanted[1] > high:
             raise AnalysisInvalid(
-                f"The basis covers '{name}' from {low} to {high}, the prior wants {wanted[0]} to {wanted[1]}. Narrow the "
-                "prior or build a wider basis.",
+                f"The basis covers '{name}' from {low} to {high}, the prior wants {wanted[0]} to {wanted[1]}. "
+                "Narrow the prior or build a wider basis.",
                 errors=[FieldError(reason="not covered by the basis", parameter=name)],
             )
     return LikelihoodOptions(

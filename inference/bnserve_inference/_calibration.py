@@ -50,4 +50,4 @@ def _curvatures(nodes: int) -> NDArray[np.float64]:
     for offset, value, difference in ((-1, 1.0 / 6.0, 1.0), (0, 2.0 / 3.0, -2.0), (1, 1.0 / 6.0, 1.0)):
         left[inner, inner + offset] = value
         right[inner, inner + offset] = difference
-    return np.linalg.solve(left, right)
+    return np.asarray(np.linalg.solve(left, right), dtype=np.float64)

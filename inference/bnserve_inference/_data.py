@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -46,8 +47,8 @@ class DetectorData:
         strain, asd = _vector("strain", self.strain, np.complex128), _vector("asd", self.asd, np.float64)
         if len(strain) != len(asd):
             raise AnalysisInvalid(
-                f"The strain of {self.name} has {len(strain)} frequencies and its ASD has {len(asd)}; both must be given "
-                "at the multiples of 1 / duration from zero (see `interpolate_asd`)."
+                f"The strain of {self.name} has {len(strain)} frequencies and its ASD has {len(asd)}; both must be "
+                "given at the multiples of 1 / duration from zero (see `interpolate_asd`)."
             )
         if not (np.isfinite(self.start_time) and np.isfinite(self.duration) and self.duration > 0.0):
             raise AnalysisInvalid(f"Start time and duration of {self.name} must be finite, the duration positive.")
@@ -73,7 +74,7 @@ class DetectorData:
         """
         bins = f_min * self.duration, f_max * self.duration
         for name, value, place in (("f_min", f_min, bins[0]), ("f_max", f_max, bins[1])):
-            if not abs(place - round(place)) < 1e-6:
+            if not np.isfinite(place) or abs(place - np.round(place)) > 1e-6:
                 raise AnalysisInvalid(
                     f"'{name}' ({value} Hz) must be a multiple of 1 / duration ({1.0 / self.duration} Hz).",
                     errors=[FieldError(reason="not on the data's grid", parameter=name, value=value)],
@@ -107,14 +108,14 @@ class DetectorData:
         if bad.any():
             place = (first + int(np.argmax(bad))) / self.duration
             raise AnalysisInvalid(
-                f"The {what} of {self.name} at {place:.6g} Hz {reason}. {int(bad.sum())} frequencies of the band are so.",
+                f"The {what} of {self.name} at {place:.6g} Hz {reason}. {int(bad.sum())} frequencies are so.",
                 errors=[FieldError(reason=reason, parameter=what, value=place)],
             )
 
 
-def _vector(name: str, value: ArrayLike, dtype: type) -> NDArray:
+def _vector(name: str, value: ArrayLike, dtype: type) -> NDArray[Any]:
     try:
-        array = np.ascontiguousarray(value, dtype=dtype)
+        array: NDArray[Any] = np.ascontiguousarray(value, dtype=dtype)
     except (TypeError, ValueError) as error:
         raise AnalysisInvalid(f"The {name} of a detector must be a vector of numbers.") from error
     if np.ndim(value) != 1 or len(array) == 0:

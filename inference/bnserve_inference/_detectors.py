@@ -1,8 +1,9 @@
 """Detectors and the rotation of the Earth, from LAL (``bnserve-inference[detectors]``).
 
-LAL and not astropy, because its detectors are the ones that every published analysis uses, to the bit, and because it
-has both them and the sidereal time; astropy knows no gravitational-wave detector and wants tables from the network.
-Only building an analysis comes here: an analysis carries the tensors, places and sidereal time that evaluating it needs.
+LAL and not astropy, because its detectors are the ones that every published analysis uses, to the bit, and
+because it has both them and the sidereal time; astropy knows no gravitational-wave detector and wants tables from the
+network. Only building an analysis comes here: an analysis carries the tensors, places and sidereal time that evaluating
+it needs.
 """
 
 from __future__ import annotations
@@ -40,8 +41,8 @@ class Detector:
         known = _lal().cached_detector_by_prefix
         if name not in known:
             raise AnalysisInvalid(
-                f"LAL knows no detector '{name[:32]}'; known are {', '.join(sorted(known))}. Give another one's response "
-                "and location as a Detector.",
+                f"LAL knows no detector '{name[:32]}'; known are {', '.join(sorted(known))}. Give another one's "
+                "response and location as a Detector.",
                 errors=[FieldError(reason="unknown detector", parameter="detector", value=name[:32])],
             )
         # LAL keeps its tensors in single precision: these are the ones that all analyses use.

@@ -19,14 +19,14 @@ from bnserve_protocol import AnalysisInvalid, EvaluationOptions, FieldError, Par
 Floats = NDArray[np.float64]
 
 PHASE_POWERS = (-5.0 / 3.0, -2.0 / 3.0, 1.0, 5.0 / 3.0, 7.0 / 3.0)
-"""Of frequency, in the phases by which waveforms that fit differ: masses, spins, time, tides (Zackay et al., eq. 10)."""
+"""Of frequency, in the phases by which fitting waveforms differ: masses, spins, time, tides (Zackay et al., eq. 10)."""
 _FEWEST_BINS = 8
 _CHUNK = 8192
 
 
 @dataclass(frozen=True, eq=False)
 class FiducialBasis:
-    """B_j(f) = h0(f) s_j(x(f)) / h0(F_j), where s_j is the spline that is one at the edge F_j and zero at the others."""
+    """B_j(f) = h0(f) s_j(x(f)) / h0(F_j), where the spline s_j is one at the edge F_j and zero at the others."""
 
     linear_nodes: Floats
     frequencies: Floats

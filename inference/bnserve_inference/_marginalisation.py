@@ -47,8 +47,8 @@ def log_bessel_i0(x: Floats) -> Floats:
 class DistanceIntegral:
     """The likelihood integrated over the prior of the distance.
 
-    At distance D the products are those at ``reference`` times u = reference / D, and u^2: the exponent is a parabola in u
-    (to which ln I0 comes close). It is integrated by 64 Gauss-Legendre nodes where it matters, so that nothing is
+    At distance D the products are those at ``reference`` times u = reference / D, and u^2: the exponent is a parabola
+    in u (to which ln I0 comes close). It is integrated by 64 Gauss-Legendre nodes where it matters, so that nothing is
     tabulated and no signal is too loud.
 
     Attributes

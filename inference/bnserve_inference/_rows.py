@@ -41,16 +41,16 @@ def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
     missing = sorted(batch.absent - ignored_parameters(settings))
     if missing:
         raise InvalidParameters(
-            f"Missing parameter{'s' if len(missing) > 1 else ''}: {', '.join(missing)}. They may be left out only where "
-            "the analysis marginalises over them.",
+            f"Missing parameter{'s' if len(missing) > 1 else ''}: {', '.join(missing)}. They may be left out only "
+            "where the analysis marginalises over them.",
             errors=[FieldError(reason="missing", parameter=name) for name in missing],
         )
     nodes = 0 if settings.calibration is None else settings.calibration.nodes
     for name, array in batch.calibration_amplitude.items():
         if name not in settings.detectors or array.shape[1] != nodes:
             raise InvalidParameters(
-                f"Calibration errors of '{name[:32]}' have {array.shape[1]} nodes; the analysis has {nodes} for each of "
-                f"{', '.join(settings.detectors)}.",
+                f"Calibration errors of '{name[:32]}' have {array.shape[1]} nodes; the analysis has {nodes} for "
+                f"each of {', '.join(settings.detectors)}.",
                 errors=[
                     FieldError(reason="other nodes than the analysis", parameter=f"calibration_amplitude/{name[:32]}")
                 ],

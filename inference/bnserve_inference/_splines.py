@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MARGIN = 48
-"""Fine samples taken beyond either end of a range, two to a knot: 0.43**24 = 2e-9 of what happens at the end is left."""
+"""Fine samples taken beyond either end of a range, two to a knot: 0.43**24 = 2e-9 of the ends' errors is left."""
 _POLES = (-0.430575347099973, -0.0430962882032647)
 """Of the quintic B-spline's filter (Unser, Aldroubi, Eden 1993): roots of z^4 + 26 z^3 + 66 z^2 + 26 z + 1."""
 
@@ -36,7 +36,7 @@ def b_spline_coefficients(samples: NDArray[np.complex128]) -> NDArray[np.complex
 
 
 def b_spline_midpoints(coefficients: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """The spline halfway between its samples, where six coefficients are at hand: ``(D, n, L)`` to ``(D, n - 5, L)``."""
+    """The spline halfway between its samples, where it has six coefficients: ``(D, n, L)`` to ``(D, n - 5, L)``."""
     c = coefficients
     outer, middle, inner = c[:, :-5] + c[:, 5:], c[:, 1:-4] + c[:, 4:-1], c[:, 2:-3] + c[:, 3:-2]
     return (outer + 237.0 * middle + 1682.0 * inner) / 3840.0
@@ -55,7 +55,7 @@ def cardinal_spline(nodes: NDArray[np.float64]) -> NDArray[np.float64]:
         right[i, i - 1 : i + 2] = 1.0 / h[i - 1], -1.0 / h[i - 1] - 1.0 / h[i], 1.0 / h[i]
     left[0, :3] = -h[1], h[0] + h[1], -h[0]
     left[-1, -3:] = -h[-1], h[-2] + h[-1], -h[-2]
-    return np.linalg.solve(left, right)
+    return np.asarray(np.linalg.solve(left, right), dtype=np.float64)
 
 
 def cardinal_values(
@@ -70,4 +70,4 @@ def cardinal_values(
     places = np.arange(len(x))
     values[cell, places] += a
     values[cell + 1, places] += b
-    return values
+    return np.asarray(values, dtype=np.float64)

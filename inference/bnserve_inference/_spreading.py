@@ -1,11 +1,14 @@
 """Sums of exponentials over very many frequencies at the few times around a trigger.
 
-The time window is short, so that a coarse grid of frequencies resolves it: every frequency of the data is spread over the
-nearest points of that grid, one Fourier transform follows, and the kernel's own transform is divided out (a non-uniform
-fast Fourier transform of type 1 with the kernel of Barnett, Magland and af Klinteberg 2019, SIAM J. Sci. Comput. 41).
+The time window is short, so that a coarse grid of frequencies resolves it: every frequency of the data is spread
+over the nearest points of that grid, one Fourier transform follows, and the kernel's own transform is divided out (a
+non-uniform fast Fourier transform of type 1 with the kernel of Barnett, Magland and af Klinteberg 2019, SIAM J. Sci.
+Comput. 41).
 """
 
 from __future__ import annotations
+
+import itertools
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,7 +54,7 @@ class Spreading:
         cells = ((frequencies - self._first) / self._step).astype(np.int64) // _CELLS
         turned = data * np.exp(-2j * np.pi * frequencies * self.centre)
         edges = np.flatnonzero(np.diff(cells, prepend=-1, append=-1))
-        for start, stop in zip(edges[:-1], edges[1:], strict=True):
+        for start, stop in itertools.pairwise(edges):
             place = slice(start, stop)
             first = int(cells[start]) * _CELLS - _WIDTH // 2
             coarse = self._first + self._step * (first + np.arange(_CELLS + _WIDTH + 1))
@@ -68,7 +71,7 @@ class Spreading:
         The times in seconds ``(count,)`` and the sums ``(D, count, L)``.
         """
         k = first + np.arange(count)
-        offsets = k * (self.period / times)
+        offsets = np.asarray(k * (self.period / times), dtype=np.float64)
         found = np.empty((self._sums.shape[0], count, self._sums.shape[1]), dtype=np.complex128)
         factor = np.exp(-2j * np.pi * self._first * offsets) / _kernel_transform(offsets * self._step)
         for d, rows in enumerate(self._sums):

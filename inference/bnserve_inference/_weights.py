@@ -4,8 +4,8 @@ With data d and noise S on the grid f_k, and rows B_j of a basis whose nodes are
 
     w_j(t) = 4 / T sum_k conj(d_k) / S_k B_j(f_k) exp(-2 pi i (f_k - F_j) t).
 
-Without its node's own oscillation a weight varies more slowly, the more so the more B_j lives around F_j; quintic B-splines
-on a grid of times that is as coarse as a tolerance allows interpolate it.
+Without its node's own oscillation a weight varies more slowly, the more so the more B_j lives around F_j; quintic
+B-splines on a grid of times that is as coarse as a tolerance allows interpolate it.
 """
 
 from __future__ import annotations
@@ -136,7 +136,7 @@ def time_table(weights: Weights, amplitudes: Floats, tolerance: float) -> tuple[
 def _refuse_huge(intervals: int, amplitudes: Floats, times: TimeRange) -> None:
     if intervals * amplitudes.size * 16 > LARGEST_TABLE:
         raise AnalysisInvalid(
-            f"Weights for coalescence times over {times.width:.3g} s would need more than {LARGEST_TABLE // 2**20} MiB; "
+            f"Weights for arrivals over {times.width:.3g} s would need more than {LARGEST_TABLE // 2**20} MiB: "
             "narrow the prior of 'coalescence_time'."
         )
 

@@ -141,7 +141,7 @@ class Analysis:
     settings:
         All that is not an array.
     arrays:
-        By name; copied where they are not C-contiguous float64 or complex128, and read-only ever after. For every
+        By name; copied unless they are read-only, C-contiguous float64 or complex128. For every
         detector ``X``: ``response/X`` float64 ``(3, 3)`` and ``location/X`` float64 ``(3,)`` in metres (Earth-fixed
         frame), ``linear_weights/X`` complex128 ``(T, L)`` and ``quadratic_weights/X`` float64 ``(Q,)``. For ``"roq"``
         and ``"relative_binning"`` also ``linear_nodes`` ``(L,)`` and ``quadratic_nodes`` ``(Q,)``, increasing, in Hz;

@@ -83,7 +83,7 @@ def their_likelihood(bilby, model, data, calibration=None, **marginalised):
         inclination,
         total_mass,
         reference_phase,
-        **unused,
+        **unused,  # what bilby adds
     ):  # bilby reads the names of the arguments
         parameters = dict(locals())
         band = (frequency_array >= F_MIN - 1e-9) & (frequency_array <= F_MAX + 1e-9)

@@ -1,5 +1,7 @@
 """Integrals over phase, distance and time, against integrals done another way."""
 
+import itertools
+
 import numpy as np
 import pytest
 from scipy import integrate, special
@@ -36,7 +38,7 @@ def test_the_distance_is_integrated_out(phase, power, product, norm):
     points = sorted({low, high, *np.clip([peak - width, peak, peak + width], low, high)})
     pieces = [
         integrate.quad(lambda d: d**power * np.exp(exponent(d) - top), *ends, epsabs=0.0, epsrel=1e-10, limit=200)[0]
-        for ends in zip(points[:-1], points[1:], strict=True)
+        for ends in itertools.pairwise(points)
     ]
     prior = integrate.quad(lambda d: d**power, low, high)[0]
     value = ours.log_likelihood(np.array([product]), np.array([norm]), phase)[0]

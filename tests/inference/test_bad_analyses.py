@@ -1,0 +1,271 @@
+"""Data and settings that no likelihood could be evaluated with are refused, with a sentence that says why."""
+
+import dataclasses
+
+import h5py
+import numpy as np
+import pytest
+
+from bnserve_inference import (
+    Detector,
+    DetectorData,
+    LikelihoodOptions,
+    full_analysis,
+    gwosc_segment,
+    interpolate_asd,
+    likelihood,
+    read_asd,
+    relative_binning_analysis,
+    roq_analysis,
+)
+from bnserve_inference.roq import BasisMismatch, ReducedOrderQuadrature, TabulatedInterpolant
+from bnserve_protocol import (
+    AnalysisInvalid,
+    InvalidParameters,
+    OutOfDomain,
+    RowStatus,
+    TimeMarginalisation,
+)
+from tests.inference.networks import DURATION, F_MAX, F_MIN, PRIOR, START, TRIGGER, columns, full, without
+from tests.inference.test_kinds_agree import FIDUCIAL
+
+
+def spoilt(array, index, value):
+    changed = np.array(array)
+    changed[index] = value
+    return changed
+
+
+IN_BAND = int(100.0 * DURATION)
+BAD_DATA = {
+    "ASD with a zero": (lambda d: {"asd": spoilt(d.asd, IN_BAND, 0.0)}, "ASD of L1 at 100 Hz is not positive"),
+    "ASD with a gap": (lambda d: {"asd": spoilt(d.asd, IN_BAND, np.inf)}, "ASD of L1 at 100 Hz is a gap"),
+    "NaN in the ASD": (lambda d: {"asd": spoilt(d.asd, IN_BAND, np.nan)}, "ASD of L1 at 100 Hz is not a number"),
+    "negative ASD": (lambda d: {"asd": -d.asd}, "not positive"),
+    "NaN in the strain": (
+        lambda d: {"strain": spoilt(d.strain, IN_BAND, np.nan)},
+        "strain of L1 at 100 Hz is not finite",
+    ),
+    "lengths": (lambda d: {"asd": d.asd[:-1]}, "8193 frequencies and its ASD has 8192"),
+    "a matrix": (lambda d: {"strain": d.strain[None], "asd": d.asd}, "vector"),
+    "words": (lambda d: {"strain": ["a"] * len(d.strain)}, "vector of numbers"),
+    "another duration": (lambda d: {"duration": 2.0 * DURATION}, "one duration"),
+    "no duration": (lambda d: {"duration": 0.0}, "duration positive"),
+    "an unknown detector": (lambda d: {"detector": "Q9"}, "LAL knows no detector 'Q9'"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_DATA)
+def test_bad_data_is_refused(data, case):
+    change, reason = BAD_DATA[case]
+    with pytest.raises(AnalysisInvalid, match=reason):
+        full(without(data, 1, **change(data[1])))
+
+
+def test_what_is_bad_outside_of_the_band_does_not_matter(model, data):
+    outside = int(20.0 * DURATION)
+    changed = without(data, 1, asd=spoilt(data[1].asd, outside, 0.0), strain=spoilt(data[1].strain, outside, np.nan))
+    batch = columns(2)
+    expected = likelihood(model, full(data)).log_likelihood(batch)
+    assert (likelihood(model, full(changed)).log_likelihood(batch) == expected).all()
+
+
+@pytest.mark.parametrize(
+    ("band", "reason"),
+    [
+        ((40.0, 600.0), "ends at 512"),
+        ((0.0, 500.0), "must be positive"),
+        ((300.0, 200.0), "increasing"),
+        ((40.01, 500.0), "multiple of 1 / duration"),
+        ((float("nan"), 500.0), "multiple of 1 / duration"),
+    ],
+)
+def test_bands_outside_of_the_data_are_refused(data, band, reason):
+    with pytest.raises(AnalysisInvalid, match=reason):
+        full_analysis(data, trigger_time=TRIGGER, f_min=band[0], f_max=band[1])
+
+
+def test_no_data_at_all_is_refused():
+    with pytest.raises(AnalysisInvalid, match="at least one detector"):
+        full([])
+
+
+def test_one_detector_twice_is_refused(data):
+    with pytest.raises(AnalysisInvalid, match="distinct names"):
+        full([data[0], data[0]])
+
+
+def test_coalescence_times_outside_of_the_data_are_refused(data):
+    with pytest.raises(AnalysisInvalid, match="beyond the data of H1"):
+        full(data, prior={"coalescence_time": (-20.0, 0.1)})
+
+
+def test_a_time_marginalisation_beyond_the_prior_is_refused(data):
+    with pytest.raises(AnalysisInvalid, match="time_marginalisation"):
+        full(data, time_marginalisation=TimeMarginalisation(minimum=-0.2, maximum=0.2, step=1e-4))
+
+
+@pytest.fixture
+def basis(model):
+    nodes = np.array([50.0, 100.0, 300.0])
+    count = int((F_MAX - F_MIN) * DURATION) + 1
+    linear, quadratic = (
+        TabulatedInterpolant.in_order(term, nodes, np.ones((3, count), dtype), rows=True)
+        for term, dtype in (("linear", complex), ("quadratic", float))
+    )
+    ranges = {"chirp_mass": (1.19, 1.21), "mass_ratio": (1.0, 2.0)}
+    return ReducedOrderQuadrature(
+        linear, quadratic, F_MIN, F_MAX, DURATION, prior=ranges, model_digest=model.description.digest
+    )
+
+
+def test_a_basis_that_does_not_cover_the_prior_is_refused_by_name(model, data, basis):
+    options = LikelihoodOptions(prior=PRIOR | {"chirp_mass": (1.195, 1.205), "mass_ratio": (1.0, 3.0)})
+    with pytest.raises(AnalysisInvalid, match=r"'mass_ratio' from 1\.0 to 2\.0") as caught:
+        roq_analysis(data, trigger_time=TRIGGER, basis=basis, model=model, options=options)
+    assert caught.value.errors[0].parameter == "mass_ratio"
+
+
+def test_a_basis_for_other_data_or_another_model_is_refused(model, data, basis):
+    options = LikelihoodOptions(prior=PRIOR)
+    other = dataclasses.replace(basis, duration=8.0)
+    with pytest.raises(AnalysisInvalid, match="basis is for data of 8"):
+        roq_analysis(data, trigger_time=TRIGGER, basis=other, model=model, options=options)
+    other = dataclasses.replace(basis, model_digest="sha256:" + 64 * "0")
+    with pytest.raises(BasisMismatch):
+        roq_analysis(data, trigger_time=TRIGGER, basis=other, model=model, options=options)
+
+
+def test_the_ranges_of_a_basis_hold_where_the_prior_is_silent(model, data, basis):
+    analysis = roq_analysis(
+        data, trigger_time=TRIGGER, basis=basis, model=model, options=LikelihoodOptions(prior=PRIOR)
+    )
+    assert analysis.settings.prior["chirp_mass"] == (1.19, 1.21)
+    ours = likelihood(model, analysis)
+    batch = columns(3) | {"mass_ratio": np.array([1.2, 2.5, 1.2])}
+    batch["total_mass"] = 1.2 * ((1.0 + batch["mass_ratio"]) ** 2 / batch["mass_ratio"]) ** 0.6
+    batch["total_mass"][2] *= 1.1
+    assert ours.evaluate(batch).status.tolist() == [0, RowStatus.OUT_OF_PRIOR, RowStatus.OUT_OF_PRIOR]
+
+
+def test_an_analysis_of_another_model_is_refused(model, data, basis):
+    analysis = roq_analysis(
+        data, trigger_time=TRIGGER, basis=basis, model=model, options=LikelihoodOptions(prior=PRIOR)
+    )
+
+    class Other:
+        description = type("Description", (), {"digest": "sha256:1", "name": "other", "version": "2"})()
+
+    with pytest.raises(AnalysisInvalid, match=r"made for the model .* this is other 2"):
+        likelihood(Other(), analysis)
+
+
+def test_relative_binning_needs_a_time_prior_and_a_tolerance(model, data):
+    settings = {"trigger_time": TRIGGER, "f_min": F_MIN, "f_max": F_MAX, "fiducial": FIDUCIAL, "model": model}
+    with pytest.raises(AnalysisInvalid, match="coalescence_time"):
+        relative_binning_analysis(data, options=LikelihoodOptions(), **settings)
+    for tolerance in (0.0, -1.0, float("nan")):
+        with pytest.raises(AnalysisInvalid, match="phase tolerance"):
+            relative_binning_analysis(
+                data, phase_tolerance=tolerance, options=LikelihoodOptions(prior=PRIOR), **settings
+            )
+
+
+BAD_ROWS = {
+    "mass_ratio": (50.0, RowStatus.OUT_OF_DOMAIN),
+    "distance_mpc": (np.nan, RowStatus.NOT_FINITE),
+    "coalescence_time": (0.06, RowStatus.OUT_OF_PRIOR),
+    "right_ascension": (1e300, RowStatus.OUT_OF_PRIOR),
+    "polarization_angle": (np.inf, RowStatus.NOT_FINITE),
+}
+
+
+@pytest.mark.parametrize("name", BAD_ROWS)
+def test_samples_outside_are_minus_infinity_and_counted(model, data, name):
+    ours = likelihood(model, full(data))
+    batch = columns(4)
+    batch[name] = spoilt(batch[name], 2, BAD_ROWS[name][0])
+    values = ours.evaluate(batch)
+    assert values.status.tolist() == [0, 0, BAD_ROWS[name][1], 0]
+    assert np.isneginf(values.log_likelihood).tolist() == [False, False, True, False]
+    counts = ours.counts
+    assert counts.rows == 4
+    assert counts.not_finite + counts.out_of_domain + counts.out_of_prior == 1
+    asked = likelihood(model, full(data), invalid_rows="error")
+    with pytest.raises(OutOfDomain, match=r"Row 2 .* 1 of 4 rows"):
+        asked.log_likelihood(batch)
+
+
+def test_parameters_that_are_not_marginalised_must_be_there(model, data):
+    batch = columns(2)
+    del batch["distance_mpc"]
+    with pytest.raises(InvalidParameters, match="distance_mpc"):
+        likelihood(model, full(data)).log_likelihood(batch)
+
+
+def test_calibration_errors_without_nodes_are_refused(model, data):
+    batch = columns(2) | {"calibration_phase": {"H1": np.zeros((2, 10))}}
+    with pytest.raises(InvalidParameters, match="the analysis has 0"):
+        likelihood(model, full(data)).log_likelihood(batch)
+
+
+def test_an_empty_batch_has_no_likelihoods(model, data):
+    assert likelihood(model, full(data)).log_likelihood(columns(0)).shape == (0,)
+
+
+def test_asds_are_checked_when_they_are_read(tmp_path):
+    with pytest.raises(AnalysisInvalid, match="increasing"):
+        interpolate_asd([10.0, 5.0], [1.0, 1.0], 4.0, 100)
+    with pytest.raises(AnalysisInvalid, match="positive"):
+        interpolate_asd([10.0, 20.0], [1.0, 0.0], 4.0, 100)
+    path = tmp_path / "asd.txt"
+    path.write_text("10 1 3\n20 1 3\n")
+    with pytest.raises(AnalysisInvalid, match="3 columns"):
+        read_asd(path, 4.0, 100)
+    with pytest.raises(AnalysisInvalid, match=r"gone\.txt"):
+        read_asd(tmp_path / "gone.txt", 4.0, 100)
+    path.write_text("10 1\n20 4\n")
+    asd = read_asd(path, 4.0, 100, psd=True)
+    assert np.isinf(asd[:40]).all()
+    assert asd[80] == pytest.approx(2.0)
+    assert asd[40] == pytest.approx(1.0)
+
+
+def write_gwosc(path, strain, start=1000, interval=1.0 / 256.0):
+    with h5py.File(path, "w") as file:
+        dataset = file.create_dataset("strain/Strain", data=strain)
+        dataset.attrs["Xspacing"] = interval
+        file["meta/GPSstart"] = start
+
+
+def test_strain_files_of_the_observatories_are_transformed(tmp_path):
+    path = tmp_path / "strain.hdf5"
+    times = np.arange(256 * 16) / 256.0
+    write_gwosc(path, np.sin(2.0 * np.pi * 32.0 * times))
+    found = gwosc_segment(path, 1004.0, 8.0)
+    assert found.shape == (1025,)
+    line = np.argmax(np.abs(found))
+    assert line == 32 * 8
+    assert np.abs(found[line]) == pytest.approx(0.5 * 8.0, rel=0.06)  # less what the window takes
+    assert np.angle(found[line]) == pytest.approx(-0.5 * np.pi, abs=0.01)
+
+
+def test_strain_files_that_do_not_serve_are_refused(tmp_path):
+    path = tmp_path / "strain.hdf5"
+    strain = np.ones(256 * 16)
+    write_gwosc(path, strain)
+    with pytest.raises(AnalysisInvalid, match="not inside"):
+        gwosc_segment(path, 1010.0, 8.0)
+    strain[1500] = np.nan
+    write_gwosc(path, strain)
+    with pytest.raises(AnalysisInvalid, match=r"1 samples .* gap"):
+        gwosc_segment(path, 1004.0, 8.0)
+    path.write_bytes(b"not HDF5")
+    with pytest.raises(AnalysisInvalid, match="not a GWOSC strain file"):
+        gwosc_segment(path, 1004.0, 8.0)
+
+
+def test_a_detector_may_be_anywhere(model, data):
+    moved = Detector("X1", response=np.eye(3) - 0.5, location=np.array([0.0, 0.0, 6.3e6]))
+    one = DetectorData(moved, data[0].strain, data[0].asd, start_time=START, duration=DURATION)
+    assert np.isfinite(likelihood(model, full([one])).log_likelihood(columns(3))).all()

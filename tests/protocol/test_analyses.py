@@ -1,0 +1,181 @@
+"""Analyses on the wire: one form, one digest, and nothing that contradicts itself."""
+
+import dataclasses
+
+import msgpack
+import msgspec
+import numpy as np
+import pytest
+
+from bnserve_protocol import (
+    Analysis,
+    AnalysisInvalid,
+    AnalysisSettings,
+    Calibration,
+    DistanceMarginalisation,
+    TimeGrid,
+    TimeMarginalisation,
+    UndecodableBody,
+    decode_analysis,
+    encode_analysis,
+)
+
+SETTINGS = AnalysisSettings(
+    kind="roq",
+    detectors=("H1", "L1"),
+    f_min=20.0,
+    f_max=100.0,
+    duration=4.0,
+    trigger_time=1.2e9,
+    sidereal_time=0.5,
+    sidereal_rate=7.29e-5,
+    prior={"chirp_mass": (1.1, 1.3), "coalescence_time": (-0.1, 0.1)},
+    time_grid=TimeGrid(start=-0.2, step=0.01),
+)
+
+
+def arrays(settings=SETTINGS, linear=3, quadratic=2, times=41):
+    draw = np.random.default_rng(0)
+    found = {}
+    if settings.kind != "full":
+        found = {
+            "linear_nodes": np.linspace(20.0, 100.0, linear),
+            "quadratic_nodes": np.linspace(25.0, 90.0, quadratic),
+        }
+    for name in settings.detectors:
+        found[f"response/{name}"] = np.eye(3)
+        found[f"location/{name}"] = np.ones(3)
+        found[f"linear_weights/{name}"] = draw.normal(size=(times, linear)) + 1j
+        found[f"quadratic_weights/{name}"] = draw.normal(size=quadratic)
+    return found
+
+
+def full():
+    settings = msgspec.structs.replace(SETTINGS, kind="full", time_grid=None)
+    return settings, arrays(settings, linear=321, quadratic=321, times=1)
+
+
+def body_of(analysis):
+    return b"".join(encode_analysis(analysis))
+
+
+def test_an_analysis_travels_unchanged():
+    for settings, values in ((SETTINGS, arrays()), full()):
+        analysis = Analysis(settings, values)
+        there = decode_analysis(body_of(analysis))
+        assert there.settings == analysis.settings
+        assert there.digest == analysis.digest
+        assert set(there.arrays) == set(values)
+        for name, array in values.items():
+            assert (there.arrays[name] == array).all()
+
+
+def test_its_digest_names_the_content_and_not_the_order_or_the_types_it_was_given_in():
+    analysis = Analysis(SETTINGS, arrays())
+    backwards = Analysis(SETTINGS, dict(reversed(arrays().items())))
+    integers = msgspec.structs.replace(SETTINGS, f_min=20, duration=np.float64(4.0), detectors=["H1", "L1"])
+    reordered = msgspec.structs.replace(SETTINGS, prior=dict(reversed(SETTINGS.prior.items())))
+    for other in (backwards, Analysis(integers, arrays()), Analysis(reordered, arrays())):
+        assert other.digest == analysis.digest
+    changed = arrays()
+    changed["location/L1"] = np.array([1.0, 1.0, 1.0 + 1e-12])
+    assert Analysis(SETTINGS, changed).digest != analysis.digest
+
+
+def test_any_messagepack_library_reads_it():
+    message = msgpack.unpackb(body_of(Analysis(SETTINGS, arrays())), strict_map_key=False)
+    assert message["settings"]["kind"] == "roq"
+    weights = message["arrays"]["linear_weights/H1"]
+    assert weights[b"type"] == "<c16"
+    assert weights[b"shape"] == [41, 3]
+
+
+def test_arrays_are_read_only_and_are_not_copied_on_the_wire():
+    values = arrays()
+    analysis = Analysis(SETTINGS, values)
+    array = analysis.arrays["linear_weights/H1"]
+    with pytest.raises(ValueError, match="read-only"):
+        array[0, 0] = 1.0
+    values["linear_weights/H1"][0, 0] = 99.0  # ours to change: the analysis has its own
+    assert array[0, 0] != 99.0
+    parts = encode_analysis(analysis)
+    assert any(
+        isinstance(part, memoryview) and np.shares_memory(np.frombuffer(part, np.uint8), array) for part in parts
+    )
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        analysis.digest = "sha256:0"
+
+
+def test_the_nodes_of_a_full_analysis_are_its_grid():
+    settings, values = full()
+    analysis = Analysis(settings, values)
+    assert (analysis.linear_nodes == np.arange(80, 401) / 4.0).all()
+    assert analysis.nbytes == sum(array.nbytes for array in values.values())
+
+
+BAD_ARRAYS = {
+    "missing": ({"location/L1": None}, "'location/L1' of the analysis is missing"),
+    "unknown": ({"location/V1": np.ones(3)}, "'location/V1' of the analysis is unknown"),
+    "shape": ({"response/H1": np.eye(2)}, r"float64 of shape \(3, 3\); got float64 \(2, 2\)"),
+    "other nodes": ({"linear_weights/H1": np.ones((41, 4), complex)}, r"shape \(T, 3\)"),
+    "real weights": ({"linear_weights/H1": np.ones((41, 3))}, "must be complex128"),
+    "complex noise": ({"quadratic_weights/H1": np.ones(2, complex)}, "must be float64"),
+    "not finite": ({"linear_weights/H1": np.full((41, 3), np.nan + 0j)}, "NaN or infinite"),
+    "too few times": ({"linear_weights/H1": np.ones((20, 3), complex)}, "covers arrivals from"),
+    "no times": ({"linear_weights/H1": np.ones((0, 3), complex)}, "covers arrivals from"),
+    "unsorted nodes": ({"linear_nodes": np.array([20.0, 50.0, 40.0])}, "increasing frequencies"),
+    "nodes beyond the band": ({"quadratic_nodes": np.array([50.0, 101.0])}, "between f_min"),
+    "no nodes": ({"quadratic_nodes": np.zeros(0)}, "increasing frequencies"),
+    "words": ({"linear_nodes": np.array(["a", "b", "c"])}, "must hold numbers"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_ARRAYS)
+def test_arrays_that_do_not_fit_are_refused(case):
+    change, reason = BAD_ARRAYS[case]
+    values = {name: array for name, array in (arrays() | change).items() if array is not None}
+    with pytest.raises(AnalysisInvalid, match=reason):
+        Analysis(SETTINGS, values)
+
+
+BAD_SETTINGS = {
+    "no detectors": ({"detectors": ()}, "1 to 16 detectors"),
+    "a detector twice": ({"detectors": ("H1", "H1")}, "distinct names"),
+    "a detector with a slash": ({"detectors": ("H1", "../L1")}, "distinct names"),
+    "band": ({"f_min": 200.0}, "not a grid"),
+    "NaN": ({"f_min": float("nan")}, "'f_min' of the analysis must be positive"),
+    "trigger": ({"trigger_time": float("inf")}, "'trigger_time' of the analysis must be finite"),
+    "unknown parameter": ({"prior": SETTINGS.prior | {"mass": (1.0, 2.0)}}, "Unknown parameter 'mass'"),
+    "range": ({"prior": SETTINGS.prior | {"chirp_mass": (2.0, 1.0)}}, "range of 'chirp_mass'"),
+    "no time prior": ({"prior": {}}, "range of 'coalescence_time'"),
+    "no time grid": ({"time_grid": None}, "needs a time grid"),
+    "time step": ({"time_grid": TimeGrid(start=0.0, step=0.0)}, "'time_grid.step'"),
+    "times": ({"time_marginalisation": TimeMarginalisation(minimum=0.1, maximum=0.0, step=1e-3)}, "minimum < maximum"),
+    "many times": ({"time_marginalisation": TimeMarginalisation(minimum=0.0, maximum=0.1, step=1e-9)}, "more than"),
+    "distance": ({"distance_marginalisation": DistanceMarginalisation(minimum=0.0, maximum=10.0)}, "0 < minimum"),
+    "calibration": ({"calibration": Calibration(nodes=2, f_min=20.0, f_max=100.0)}, "'calibration.nodes'"),
+    "kind": ({"kind": "guess"}, "do not fit their schema"),
+    "type": ({"f_min": "20"}, "do not fit their schema"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_SETTINGS)
+def test_settings_that_contradict_themselves_are_refused(case):
+    change, reason = BAD_SETTINGS[case]
+    with pytest.raises(AnalysisInvalid, match=reason):
+        Analysis(msgspec.structs.replace(SETTINGS, **change), arrays())
+
+
+@pytest.mark.parametrize("body", [b"", b"\x80", b"\xc1", msgpack.packb({"settings": {}, "arrays": {}}), b"\x91" * 5000])
+def test_what_is_not_an_analysis_is_not_decoded(body):
+    with pytest.raises(UndecodableBody):
+        decode_analysis(body)
+
+
+def test_unknown_settings_and_narrow_arrays_are_refused():
+    message = msgpack.unpackb(body_of(Analysis(SETTINGS, arrays())), strict_map_key=False)
+    with pytest.raises(UndecodableBody, match="schema"):
+        decode_analysis(msgpack.packb(message | {"settings": message["settings"] | {"secret": 1}}))
+    narrow = message["arrays"]["location/H1"] | {b"type": "<f4", b"data": bytes(12)}
+    with pytest.raises(AnalysisInvalid, match="travels as <f8"):
+        decode_analysis(msgpack.packb(message | {"arrays": message["arrays"] | {"location/H1": narrow}}))
