@@ -14,6 +14,13 @@ from bnserve_surrogate import Model, ParametersWithExtrinsic
 Model.default().predict([20.0, 30.0], ParametersWithExtrinsic.gw170817())
 """
 
+EVALUATE_A_LIKELIHOOD = """
+from bnserve_inference import likelihood
+from tests.service.chirp import ChirpModel
+from tests.service.injections import samples, small_analysis
+likelihood(ChirpModel(), small_analysis()).log_likelihood(samples(3))
+"""
+
 BANNED = {
     "import bnserve_protocol": SERVING | TRAINING | NUMERICS | OTHER_ROOMS | {"bnserve_client", "httpx"},
     "import bnserve_store": SERVING | TRAINING | {"httpx", "bnserve_surrogate"},
@@ -48,7 +55,11 @@ def test_the_client_needs_no_room_but_the_protocol():
     run_without(absent, "import bnserve_client", env=room_environment("protocol", "client"))
 
 
-@pytest.mark.parametrize("code", ["import bnserve_service", EVALUATE_DEFAULT_MODEL], ids=["service", "evaluation"])
+@pytest.mark.parametrize(
+    "code",
+    ["import bnserve_service", EVALUATE_DEFAULT_MODEL, EVALUATE_A_LIKELIHOOD],
+    ids=["service", "evaluation", "likelihood"],
+)
 def test_serving_needs_nothing_of_training(code):
     run_without(TRAINING, code)
 
