@@ -13,6 +13,9 @@ from benchmarks.peers.roster import OWN, Entry, roster
 from bnserve_service.bench.plots import number_axis, time_axis
 from bnserve_service.bench.report import duration
 
+LABEL_DECADES = 0.27
+"""Height of a label of two lines on the logarithmic axis."""
+
 
 def draw(found: dict[str, Any], path: Path) -> None:
     """Times against points with their fits, and the speed of bnserve over each peer."""
@@ -46,7 +49,7 @@ def _names(axes: Axes, rows: list[tuple[Entry, dict[str, Any]]]) -> None:
     low = np.log10([row["seconds"][0] for _, row in ordered])
     places = low.copy()
     for index in range(1, len(places)):
-        places[index] = max(places[index], places[index - 1] + 0.17)
+        places[index] = max(places[index], places[index - 1] + LABEL_DECADES)
     places -= max(0.0, (places - low).mean())
     for place, (entry, row) in zip(places, ordered, strict=True):
         own = entry.name.startswith(OWN)
@@ -67,7 +70,8 @@ def _ratios(axes: Axes, rows: list[tuple[Entry, dict[str, Any]]]) -> None:
         if not entry.name.startswith(OWN):
             axes.plot(row["points"], np.array(row["seconds"]) / own, color=entry.colour, linewidth=1.8)
     axes.axhline(1.0, color=style.INK, linewidth=1.0)
-    axes.set_title(f"Times that {OWN} takes")
+    axes.set_title(f"In units of {OWN}'s time")
     axes.set(xscale="log", yscale="log", xlabel="points")
+    axes.set_xticks([10, 1_000, 100_000])
     number_axis(axes.xaxis)
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}x")

@@ -14,11 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.environments import folder_from_environment, install
-from benchmarks.serving.contestants import CONTESTANTS, Contestant, started, started_bnserve
-from benchmarks.serving.measuring import check_answer, compared, side_by_side
+from benchmarks.serving.contestants import CONTESTANTS
+from benchmarks.serving.measuring import measure
 from benchmarks.speed.setup import one_cpu, processor_name
 from benchmarks.workers import ROOT
-from bnserve_protocol import BnserveError
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -45,25 +44,6 @@ def main(arguments: list[str] | None = None) -> int:
         options.output.write_text(text + "\n", encoding="utf-8")
     print(text if options.json else "\n".join(table(rows)))
     return 1 if any("error" in row for row in rows) else 0
-
-
-def measure(chosen: list[Contestant], folder: Path, cpus: set[int], short: bool) -> list[dict[str, Any]]:
-    """A row for each server: its figures, bnserve's of the same minutes, and their ratios."""
-    epochs, seconds = (2, 0.5) if short else (5, 1.5)
-    rows: list[dict[str, Any]] = []
-    with started_bnserve(cpus) as bnserve:
-        check_answer("bnserve", bnserve)
-        for contestant in chosen:
-            print(f"{contestant.name} ...", file=sys.stderr, flush=True)
-            try:
-                with started(contestant, folder, cpus) as asker:
-                    check_answer(contestant.name, asker)
-                    found = side_by_side({"theirs": asker, "ours": bnserve}, epochs, seconds)
-            except BnserveError as error:
-                rows.append({"name": contestant.name, "error": error.detail})
-                continue
-            rows.append({"name": contestant.name, **found, "ratio": compared(found["ours"], found["theirs"])})
-    return rows
 
 
 def table(rows: list[dict[str, Any]]) -> list[str]:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
 from statistics import median
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from benchmarks.serving.asking import Asker
-from benchmarks.serving.contestants import rows_of
+from benchmarks.serving.contestants import Contestant, rows_of, started, started_bnserve
 from benchmarks.speed.remote import batch_of, grid_of
 from bnserve_protocol import BnserveError
 from bnserve_surrogate import Model
@@ -64,3 +66,22 @@ def side_by_side(askers: dict[str, Asker], epochs: int, seconds: float) -> dict[
 def compared(ours: dict[str, float], theirs: dict[str, float]) -> dict[str, Any]:
     """How many times better ours are."""
     return {key: (theirs[key] / ours[key] if key == "one" else ours[key] / theirs[key]) for key in ours}
+
+
+def measure(chosen: Sequence[Contestant], folder: Path, cpus: set[int], short: bool) -> list[dict[str, Any]]:
+    """A row for each server: its figures, bnserve's of the same minutes, and their ratios."""
+    epochs, seconds = (2, 0.5) if short else (5, 1.5)
+    rows: list[dict[str, Any]] = []
+    with started_bnserve(cpus) as bnserve:
+        check_answer("bnserve", bnserve)
+        for contestant in chosen:
+            print(f"{contestant.name} ...", file=sys.stderr, flush=True)
+            try:
+                with started(contestant, folder, cpus) as asker:
+                    check_answer(contestant.name, asker)
+                    found = side_by_side({"theirs": asker, "ours": bnserve}, epochs, seconds)
+            except BnserveError as error:
+                rows.append({"name": contestant.name, "error": error.detail})
+                continue
+            rows.append({"name": contestant.name, **found, "ratio": compared(found["ours"], found["theirs"])})
+    return rows

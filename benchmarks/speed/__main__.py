@@ -20,6 +20,7 @@ from benchmarks.speed.bars import BARS
 from benchmarks.speed.fresh import first_waveform, worker_memory
 from benchmarks.speed.local import local_cases, local_figures, local_workers, two_cores
 from benchmarks.speed.remote import remote_cases, remote_figures
+from benchmarks.speed.serving import serving_figures
 from benchmarks.speed.setup import Setup, one_cpu
 from benchmarks.speed.table import lines_of, verdict
 from bnserve_protocol import BnserveError
@@ -67,7 +68,7 @@ def measure(setup: Setup) -> dict[str, dict[str, Any]]:
         medians = {case: median(found) for case, found in seconds.items()}
     finally:
         os.sched_setaffinity(0, setup.all_cpus)
-    figures |= local_figures(medians) | remote_figures(medians)
+    figures |= local_figures(medians) | remote_figures(medians) | serving_figures(setup)
     return figures | ({"two_cores": cores} if cores else {})
 
 
@@ -81,7 +82,7 @@ def _progress(epochs: int) -> Any:
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.speed", description=__doc__.splitlines()[0])
-    parser.add_argument("--short", action="store_true", help="few repetitions: a minute instead of several")
+    parser.add_argument("--short", action="store_true", help="few repetitions: minutes instead of a quarter of an hour")
     parser.add_argument("--json", action="store_true", help="print one JSON object instead of a table")
     parser.add_argument("--epochs", type=int, metavar="N", help="how often everything is timed (25; short: 5)")
     parser.add_argument("--cpu", type=int, metavar="N", help="the processor to run on (the last one)")
