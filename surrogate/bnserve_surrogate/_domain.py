@@ -25,19 +25,19 @@ _LEAST_MF = 1e-9
 """M f below which the post-Newtonian phase exceeds that: 7e-5 Hz at 2.8 solar masses."""
 
 
-def row_status(
+def refuse_rows(
     batch: ParameterBatch,
     frequencies: NDArray[np.float64],
     ranges: list[ParameterDescription],
     mf_band: tuple[float, float],
     options: EvaluationOptions,
-) -> NDArray[np.uint8]:
-    """A :class:`RowStatus` for every row.
+) -> None:
+    """Say what is wrong with the rows that the kernel did not evaluate; it finds the same ones by the same rules.
 
     Parameters
     ----------
     batch:
-        N binaries.
+        N binaries, of which at least one is not to be evaluated.
     frequencies:
         Increasing, in Hz.
     ranges:
@@ -45,15 +45,15 @@ def row_status(
     mf_band:
         The trained band in M f (dimensionless).
     options:
-        Whether to raise or to flag.
+        What counts as outside the band.
 
     Raises
     ------
     InvalidParameters
         A value is not finite, a distance is not positive, or the shifts of phase and time are so large that the phase
-        is lost to rounding (with ``out_of_domain="error"``).
+        is lost to rounding.
     OutOfDomain
-        A value is outside its range (with ``out_of_domain="error"``).
+        A value is outside its range.
     OutOfBand
         Frequencies outside the band where the options forbid it, or altogether above it, or so low that the phase is
         lost to rounding.
@@ -65,16 +65,11 @@ def row_status(
     inside = (values >= minimum) & (values <= maximum)
     inside[:, 5] &= values[:, 5] > 0.0
     inside[:, 8] &= _shift(values, frequencies) <= _MOST_PHASE
-    band = _band_status(values[:, 7] * SOLAR_MASS_SECONDS, frequencies, mf_band, options)
-    if inside.all() and np.isfinite(values).all() and not band.any():
-        return status
     finite = np.isfinite(values)
-    status[band] = RowStatus.OUT_OF_BAND
+    status[_band_status(values[:, 7] * SOLAR_MASS_SECONDS, frequencies, mf_band, options)] = RowStatus.OUT_OF_BAND
     status[~inside.all(axis=1)] = RowStatus.OUT_OF_DOMAIN
     status[~finite.all(axis=1)] = RowStatus.NOT_FINITE
-    if options.out_of_domain == "error":
-        _raise_first(values, finite, inside, status, frequencies, ranges, mf_band)
-    return status
+    _raise_first(values, finite, inside, status, frequencies, ranges, mf_band)
 
 
 def _shift(values: NDArray[np.float64], frequencies: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -89,7 +89,7 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
             version=version,
             digest=digest,
             modes=[MODES[mode] for mode in self.modes],
-            parameters=self._parameters(),
+            parameters=self.parameters(),
             frequency_band=self.frequency_band,
             training_band=self.training_band,
             reference_mass=self.reference_mass,
@@ -98,7 +98,9 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
             citation=self.citation,
         )
 
-    def _parameters(self) -> list[ParameterDescription]:
+    def parameters(self) -> list[ParameterDescription]:
+        """Unit, range and default of every parameter, in the order of a batch's columns."""
+
         def ranged(name: str, unit: str, limits: tuple[float, float]) -> ParameterDescription:
             return ParameterDescription(name=name, unit=unit, minimum=limits[0], maximum=limits[1])
 

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
@@ -21,16 +20,14 @@ from bnserve_protocol import (
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
-    RowStatus,
     check_dtype,
     time_until_merger,
 )
 from bnserve_store import Artifact, ModelStore
-from bnserve_surrogate._domain import row_status
+from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._metadata import SurrogateMetadata
-from bnserve_surrogate._prepared_grid import GridCache
 from bnserve_surrogate._tensors import read_modes
-from bnserve_surrogate.kernel import KernelModel, evaluate_amplitude_phase, evaluate_strain
+from bnserve_surrogate.kernel import KernelModel, Output
 
 
 class Model:
@@ -47,6 +44,8 @@ class Model:
         Name, version, digest.
     modes:
         The kernel arrays of every mode; today (2, 2) alone.
+    threads:
+        Among how many threads a large batch is divided; the bits do not depend on it.
     """
 
     quick_work = 2**13
@@ -54,20 +53,30 @@ class Model:
     thread."""
 
     def __init__(
-        self, metadata: SurrogateMetadata, description: ModelDescription, modes: dict[str, KernelModel]
+        self,
+        metadata: SurrogateMetadata,
+        description: ModelDescription,
+        modes: dict[str, KernelModel],
+        threads: int = 1,
     ) -> None:
         self._metadata = metadata
         self._description = description
-        self._mode = modes["22"]
-        self._grids = GridCache()
+        self._evaluator = Evaluator(modes["22"], description.parameters, threads)
 
     @classmethod
-    def default(cls) -> Model:
+    def default(cls, *, threads: int = 1) -> Model:
         """The model called ``default``, which ships with the package: 5 to 2048 Hz."""
-        return cls.load("default")
+        return cls.load("default", threads=threads)
 
     @classmethod
-    def load(cls, name: str, version: str = "stable", store: str | Path | ModelStore | None = None) -> Model:
+    def load(
+        cls,
+        name: str,
+        version: str = "stable",
+        store: str | Path | ModelStore | None = None,
+        *,
+        threads: int = 1,
+    ) -> Model:
         """A model from a store.
 
         Parameters
@@ -78,6 +87,8 @@ class Model:
             A version or a label.
         store:
             A directory or a store; None for the models that ship with the package.
+        threads:
+            Among how many threads a large batch is divided.
 
         Raises
         ------
@@ -87,10 +98,10 @@ class Model:
             store = ModelStore.default()
         elif not isinstance(store, ModelStore):
             store = ModelStore([store])
-        return cls.from_artifact(store.load(name, version))
+        return cls.from_artifact(store.load(name, version), threads=threads)
 
     @classmethod
-    def from_artifact(cls, artifact: Artifact) -> Model:
+    def from_artifact(cls, artifact: Artifact, *, threads: int = 1) -> Model:
         """A model from a verified artifact.
 
         Raises
@@ -103,7 +114,8 @@ class Model:
         modes = read_modes(metadata, artifact.tensors)
         if "22" not in modes:
             raise ArtifactIncomplete("The model has no (2, 2) mode.")
-        return cls(metadata, metadata.describe(manifest.name, manifest.version, manifest.digest), modes)
+        description = metadata.describe(manifest.name, manifest.version, manifest.digest)
+        return cls(metadata, description, modes, threads)
 
     @property
     def description(self) -> ModelDescription:
@@ -124,6 +136,10 @@ class Model:
         ------
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
         """
+        if type(frequencies) is np.ndarray and type(parameters) is ParametersWithExtrinsic:
+            answer = self._evaluator.one(frequencies, parameters, options, dtype)
+            if answer is not None:
+                return answer
         batch = self.predict_batch(frequencies, ParameterBatch.one(parameters), options=options, dtype=dtype)
         return Polarizations(
             plus=batch.plus[0],
@@ -141,7 +157,12 @@ class Model:
         dtype: DtypeName = "complex128",
     ) -> Polarizations:
         """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. Raises as :meth:`predict`."""
-        return self.predict_factored(frequencies, batch, options=options, dtype=dtype).polarizations()
+        check_dtype(dtype)
+        kind = Output.POLARIZATIONS if dtype == "complex128" else Output.POLARIZATIONS_SINGLE
+        answer = self._evaluator.batch(frequencies, batch, options, kind)
+        return Polarizations(
+            plus=answer.first, cross=answer.second, status=answer.status, estimated_mismatch=answer.estimates
+        )
 
     def predict_factored(
         self,
@@ -152,13 +173,15 @@ class Model:
         dtype: DtypeName = "complex128",
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
-        grid, coerced, status = self._check(frequencies, batch, options)
         check_dtype(dtype)
-        valid = status == RowStatus.OK
-        h, estimates = evaluate_strain(coerced.values[valid], grid, self._mode, options.alignment, dtype)
-        plus, cross = _polarization_factors(coerced["inclination"], status)
+        kind = Output.STRAIN if dtype == "complex128" else Output.STRAIN_SINGLE
+        answer = self._evaluator.batch(frequencies, batch, options, kind)
         return Factored(
-            h=_spread(h, valid), plus=plus, cross=cross, status=status, estimated_mismatch=_spread(estimates, valid)
+            h=answer.first,
+            plus=answer.plus,
+            cross=answer.cross,
+            status=answer.status,
+            estimated_mismatch=answer.estimates,
         )
 
     def predict_amplitude_phase(
@@ -168,15 +191,13 @@ class Model:
 
         Above the band both are zero. Raises as :meth:`predict`.
         """
-        grid, coerced, status = self._check(frequencies, batch, options)
-        valid = status == RowStatus.OK
-        amplitude, phase, estimates = (
-            _spread(array, valid)
-            for array in evaluate_amplitude_phase(coerced.values[valid], grid, self._mode, options.alignment)
-        )
+        answer = self._evaluator.batch(frequencies, batch, options, Output.AMPLITUDE_PHASE)
+        amplitude, phase = answer.first, answer.second
         if isinstance(batch, ParametersWithExtrinsic):
             amplitude, phase = amplitude[0], phase[0]
-        return AmplitudePhase(amplitude=amplitude, phase=phase, status=status, estimated_mismatch=estimates)
+        return AmplitudePhase(
+            amplitude=amplitude, phase=phase, status=answer.status, estimated_mismatch=answer.estimates
+        )
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
@@ -203,30 +224,3 @@ class Model:
             if entry.minimum is not None and entry.maximum is not None:
                 values[entry.name] = 0.5 * (entry.minimum + entry.maximum)
         return ParametersWithExtrinsic(**values)
-
-    def _check(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions) -> Any:
-        grid = self._grids.prepare(frequencies)
-        coerced = ParameterBatch.coerce(batch)
-        band = self._mode.mf_band
-        status = row_status(coerced, grid.frequencies, self._description.parameters, band, options)
-        return grid, coerced, status
-
-
-def _spread(rows: NDArray[Any] | None, valid: NDArray[np.bool_]) -> Any:
-    """Put the rows that were evaluated back into their places; the others are NaN."""
-    if rows is None or valid.all():
-        return rows
-    spread = np.full((len(valid), *rows.shape[1:]), np.nan, dtype=rows.dtype)
-    spread[valid] = rows
-    return spread
-
-
-def _polarization_factors(
-    inclination: NDArray[np.float64], status: NDArray[np.uint8]
-) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
-    with np.errstate(invalid="ignore"):
-        cosine = np.cos(inclination)
-    cosine[status != RowStatus.OK] = np.nan
-    cross = np.zeros(len(cosine), dtype=np.complex128)
-    cross.imag = -cosine
-    return 0.5 * (1.0 + cosine * cosine), cross

@@ -4,20 +4,56 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from typing import NamedTuple
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import GridLike, UniformGrid, as_frequencies
 
+_PADDING = 8
+_MOST_BINS = 2**16
 
-class PreparedGrid(NamedTuple):
-    """Frequencies in Hz with their logarithms and cube roots, each ``(M,)`` and read-only."""
+
+@dataclass(frozen=True, slots=True)
+class PreparedGrid:
+    """A checked grid in the form in which the kernel reads it; all arrays are read-only.
+
+    Parameters
+    ----------
+    frequencies:
+        Hz, ``(M,)``; a view of the first row of ``powers``.
+    powers:
+        ``(5, M + padding)``: f, log f, f^(1/3), f^(-5/3) and f^(-7/6); the padding repeats the last column.
+    table:
+        int64, ``(bins + 1,)``: the first frequency in each of so many bins of equal width in log f, then M.
+    """
 
     frequencies: NDArray[np.float64]
-    log_frequencies: NDArray[np.float64]
-    cube_roots: NDArray[np.float64]
+    powers: NDArray[np.float64]
+    table: NDArray[np.int64]
+    block: tuple[int, int, int, int, int]
+    """M, address and row length of ``powers``, number of bins, address of ``table``: what the kernel is told."""
+
+    @classmethod
+    def of(cls, frequencies: NDArray[np.float64]) -> PreparedGrid:
+        """Prepare increasing, positive frequencies in Hz."""
+        points = len(frequencies)
+        powers = np.empty((5, points + _PADDING))
+        f = powers[0]
+        f[:points], f[points:] = frequencies, frequencies[-1]
+        np.log(f, out=powers[1])
+        np.cbrt(f, out=powers[2])
+        np.power(f, -5.0 / 3.0, out=powers[3])
+        np.power(f, -7.0 / 6.0, out=powers[4])
+        log_f = powers[1, :points]
+        bins = min(2 * points, _MOST_BINS) if log_f[-1] > log_f[0] else 0
+        table = np.searchsorted(log_f, np.linspace(log_f[0], log_f[-1], bins + 1)) if bins else np.zeros(1)
+        table = table.astype(np.int64)
+        table[-1] = points
+        powers.flags.writeable = table.flags.writeable = False
+        addresses = [array.__array_interface__["data"][0] for array in (powers, table)]
+        return cls(powers[0, :points], powers, table, (points, addresses[0], powers.shape[1], bins, addresses[1]))
 
 
 class GridCache:
@@ -40,17 +76,18 @@ class GridCache:
             return known
         frequencies = as_frequencies(grid)
         if not isinstance(grid, UniformGrid):
-            frequencies = frequencies.copy()
             key = self._key(frequencies)
-        prepared = PreparedGrid(frequencies, np.log(frequencies), np.cbrt(frequencies))
-        for array in prepared:
-            array.flags.writeable = False
+        prepared = PreparedGrid.of(frequencies)
         with self._lock:
             self._grids[key] = prepared
             self._grids.move_to_end(key)
             while len(self._grids) > self._max_grids:
                 self._grids.popitem(last=False)
         return prepared
+
+    def candidate(self, grid: NDArray[np.float64]) -> PreparedGrid | None:
+        """The prepared grid that this one probably is: same length, first, middle and last frequency."""
+        return self._grids.get(self._key(grid)) if grid.size else None
 
     def _find(self, grid: GridLike) -> tuple[object, PreparedGrid | None]:
         if isinstance(grid, UniformGrid):

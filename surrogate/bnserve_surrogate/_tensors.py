@@ -52,11 +52,19 @@ def read_modes(metadata: SurrogateMetadata, tensors: Mapping[str, NDArray[Any]])
     """
     reference = metadata.reference_mass * SOLAR_MASS_SECONDS
     band = (metadata.training_band[0] * reference, metadata.training_band[1] * reference)
-    return {mode: _read_mode(mode, entry, tensors, band) for mode, entry in metadata.modes.items()}
+    ranges = metadata.parameters()
+    lowest = np.array([-np.inf if entry.minimum is None else entry.minimum for entry in ranges])
+    highest = np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
+    limits = (lowest, highest)
+    return {mode: _read_mode(mode, entry, tensors, band, limits) for mode, entry in metadata.modes.items()}
 
 
 def _read_mode(
-    mode: str, metadata: ModeMetadata, tensors: Mapping[str, NDArray[Any]], band: tuple[float, float]
+    mode: str,
+    metadata: ModeMetadata,
+    tensors: Mapping[str, NDArray[Any]],
+    band: tuple[float, float],
+    limits: tuple[NDArray[np.float64], NDArray[np.float64]],
 ) -> KernelModel:
     own = {name.removeprefix(f"{mode}/"): tensor for name, tensor in tensors.items() if name.startswith(f"{mode}/")}
     missing = [name for name in _REQUIRED if name not in own]
@@ -72,6 +80,7 @@ def _read_mode(
         mf_band=band,
         merger_start_mf=metadata.merger_start_mf,
         estimates_mismatch=metadata.estimates_mismatch,
+        limits=limits,
     )
 
 

@@ -3,10 +3,9 @@
 The surrogate learns what TEOBResumS adds to it. Frequencies are dimensionless, M f in units of c**3 / G.
 """
 
+from bnserve_surrogate._freezing import FREEZING_END, FREEZING_START
 from bnserve_surrogate.baseline._amplitude import (
     AMPLITUDE_POWERS,
-    FREEZING_END,
-    FREEZING_START,
     FROZEN_AMPLITUDE,
     amplitude_coefficients,
     amplitude_prefactor,

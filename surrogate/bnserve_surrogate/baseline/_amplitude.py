@@ -15,14 +15,11 @@ from math import pi
 import numpy as np
 from numba.extending import register_jitable
 
+from bnserve_surrogate._freezing import FREEZING_END, FREEZING_START
 from bnserve_surrogate.baseline._types import Coefficients, FloatArray, Scalars
 
 AMPLITUDE_POWERS = 8
 """Powers of v in the amplitude relative to the leading order: 0 to 7, that is 3.5PN."""
-FREEZING_START = 0.01
-"""M f below which the PN amplitude is used as it is (paper, "High frequency bound")."""
-FREEZING_END = 0.02
-"""M f above which the amplitude is constant."""
 FROZEN_AMPLITUDE = 20.0
 """That constant, the paper's C."""
 

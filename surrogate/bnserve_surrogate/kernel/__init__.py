@@ -1,6 +1,7 @@
 """The compiled evaluation of a surrogate."""
 
-from bnserve_surrogate.kernel._evaluate import evaluate_amplitude_phase, evaluate_strain
+from bnserve_surrogate.kernel._arguments import OTHER_GRID, Output, Policy
+from bnserve_surrogate.kernel._evaluate import Outputs, address_of, evaluate
 from bnserve_surrogate.kernel._layout import ACTIVATIONS, MAX_DEGREE, MAX_WIDTH, KernelModel, build_kernel_model
 from bnserve_surrogate.kernel._loader import load_assembly, load_kernel
 
@@ -8,10 +9,14 @@ __all__ = [
     "ACTIVATIONS",
     "MAX_DEGREE",
     "MAX_WIDTH",
+    "OTHER_GRID",
     "KernelModel",
+    "Output",
+    "Outputs",
+    "Policy",
+    "address_of",
     "build_kernel_model",
-    "evaluate_amplitude_phase",
-    "evaluate_strain",
+    "evaluate",
     "load_assembly",
     "load_kernel",
 ]

@@ -6,7 +6,22 @@ import hashlib
 from pathlib import Path
 
 _HERE = Path(__file__).parent
-_SOURCES = ("kernel/_source.py", "kernel/_regression.py", "kernel/_math.py", "kernel/_layout.py", "_coordinates.py")
+_KERNEL = (
+    "arguments",
+    "cells",
+    "codes",
+    "layout",
+    "math",
+    "places",
+    "points",
+    "regression",
+    "row",
+    "series",
+    "simd",
+    "source",
+    "writing",
+)
+_SOURCES = (*(f"kernel/_{name}.py" for name in _KERNEL), "_coordinates.py", "_freezing.py")
 
 
 def source_digest() -> str:

@@ -1,109 +1,92 @@
-"""Calling the compiled kernel on numpy arrays."""
+"""Calling the compiled kernel."""
 
 from __future__ import annotations
 
 import ctypes
 import threading
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_surrogate._prepared_grid import PreparedGrid
+from bnserve_surrogate.kernel._arguments import Argument
 from bnserve_surrogate.kernel._layout import KernelModel
 from bnserve_surrogate.kernel._loader import load_kernel
 
-ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
-_EMPTY = np.zeros(0)
 
-
-class _Scratch(threading.local):
-    """Working memory of one thread, kept between calls."""
-
-    floats = _EMPTY
+class _Workspace(threading.local):
+    """What one thread needs for its calls, kept between them."""
 
     def __init__(self) -> None:
-        self.series = np.empty(48)
+        self.scratch = np.empty(0)
+        self.scratch_at = 0
+        self.arguments = (ctypes.c_int64 * Argument.COUNT)()
         self.slots = (ctypes.c_int64 * 2)()
+        slots = ctypes.addressof(self.slots)
+        self.addresses = (slots, slots + 8, ctypes.addressof(self.arguments))
 
-    def of_size(self, size: int) -> NDArray[np.float64]:
-        if self.floats.size < size:
-            self.floats = np.empty(size)
-        return self.floats
-
-
-_scratch = _Scratch()
-
-
-def evaluate_strain(
-    parameters: NDArray[np.float64], grid: PreparedGrid, model: KernelModel, alignment: str, dtype: str
-) -> tuple[NDArray[Any], NDArray[np.float64] | None]:
-    """The strain h = A exp(i phi) of N valid rows on M frequencies, complex ``(N, M)`` in 1/Hz, without inclination.
-
-    With it the estimated mismatches, ``(N,)``, of a model that has them.
-    """
-    out = np.empty((len(parameters), len(grid.frequencies)), dtype=dtype)
-    if dtype == "complex128":
-        return out, _call(parameters, grid, model, alignment, wide=out)
-    return out, _call(parameters, grid, model, alignment, narrow=out)
+    def reserve(self, size: int) -> None:
+        if self.scratch.size < size:
+            self.scratch = np.empty(size)
+            self.scratch_at = address_of(self.scratch)
 
 
-def evaluate_amplitude_phase(
-    parameters: NDArray[np.float64], grid: PreparedGrid, model: KernelModel, alignment: str
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64] | None]:
-    """Amplitude (1/Hz) and continuous phase (rad) of N valid rows, ``(N, M)`` each, and the estimated mismatches."""
-    amplitude = np.empty((len(parameters), len(grid.frequencies)))
-    phase = np.empty_like(amplitude)
-    estimates = _call(parameters, grid, model, alignment, amplitude=amplitude, phase=phase)
-    return amplitude, phase, estimates
+_workspace = _Workspace()
 
 
-def _call(
-    parameters: NDArray[np.float64],
-    grid: PreparedGrid,
+@dataclass(frozen=True, slots=True)
+class Outputs:
+    """Addresses of what a call writes, see :class:`~bnserve_surrogate.kernel._arguments.Argument`; 0 for nothing."""
+
+    kind: int
+    first: int
+    second: int
+    plus: int
+    cross: int
+    status: int
+    estimates: int
+
+    def shifted(self, rows: int, row_bytes: int) -> Outputs:
+        """The same for the rows from number ``rows`` on."""
+        second = self.second + rows * row_bytes if self.second else 0
+        estimates = self.estimates + 8 * rows if self.estimates else 0
+        first, plus, cross = self.first + rows * row_bytes, self.plus + 8 * rows, self.cross + 16 * rows
+        return Outputs(self.kind, first, second, plus, cross, self.status + rows, estimates)
+
+
+def evaluate(
     model: KernelModel,
-    alignment: str,
-    wide: NDArray[Any] = _EMPTY,
-    narrow: NDArray[Any] = _EMPTY,
-    amplitude: NDArray[Any] = _EMPTY,
-    phase: NDArray[Any] = _EMPTY,
-) -> NDArray[np.float64] | None:
-    rows = np.ascontiguousarray(parameters)
-    scratch = _scratch.of_size(model.scratch_size)
-    estimates = np.empty(len(rows)) if model.estimates_mismatch else _EMPTY
-    slots = ctypes.addressof(_scratch.slots)
-    status = load_kernel()(
-        slots,
-        slots + 8,
-        _at(rows),
-        rows.size,
-        *(_at(array) for array in grid),
-        grid.frequencies.size,
-        _at(model.contents),
-        model.contents.size,
-        _at(model.exponents),
-        model.exponents.size,
-        _at(model.weights),
-        model.weights.size,
-        ALIGNMENTS[alignment],
-        _at(scratch),
-        scratch.size,
-        _at(_scratch.series),
-        _at(wide),
-        wide.size,
-        _at(narrow),
-        narrow.size,
-        _at(amplitude),
-        _at(phase),
-        phase.size,
-        _at(estimates),
-        estimates.size,
-    )
-    if status != 0:
-        raise RuntimeError(f"The kernel stopped with status {status}.")
-    return estimates if model.estimates_mismatch else None
+    grid: PreparedGrid,
+    rows: int,
+    parameters: int,
+    alignment: int,
+    policy: int,
+    outputs: Outputs,
+    given: int = 0,
+) -> int:
+    """Evaluate ``rows`` rows of parameters at an address.
+
+    Returns
+    -------
+    The number of rows that were not evaluated, or OTHER_GRID if the frequencies at ``given`` are not those of ``grid``.
+    """
+    workspace = _workspace
+    workspace.reserve(model.scratch_size)
+    points, grid_at, stride, bins, table_at = grid.block
+    contents_at, exponents_at, weights_at = model.addresses
+    workspace.arguments[:] = [
+        rows, parameters, points, grid_at, stride, bins, table_at, given, contents_at, exponents_at, weights_at,
+        alignment, policy, workspace.scratch_at, outputs.kind, outputs.first, outputs.second, outputs.plus,
+        outputs.cross, outputs.status, outputs.estimates,
+    ]  # fmt: skip
+    if load_kernel()(*workspace.addresses) != 0:
+        raise RuntimeError("The kernel stopped with an error.")
+    return workspace.slots[0]
 
 
-def _at(array: NDArray[Any]) -> int:
+def address_of(array: NDArray[Any]) -> int:
+    """Where an array's memory begins."""
     address: int = array.__array_interface__["data"][0]
     return address

@@ -15,8 +15,6 @@ ASSEMBLY = Path(__file__).with_name("kernel.ll")
 DIGEST_PREFIX = "; sources: "
 ENTRY_POINT = "bnserve_evaluate"
 _POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
-_SIGNATURE = "pp pi pppi pipipi i pi p pipi ppi pi"
-"""Pointers and integers: return and exception slots; parameters; grid; model; alignment; scratch; series; outputs."""
 
 _lock = threading.Lock()
 _engines: list[Any] = []
@@ -24,15 +22,17 @@ _engines: list[Any] = []
 
 
 @functools.cache
-def load_kernel() -> Callable[..., int]:
+def load_kernel() -> Callable[[int, int, int], int]:
     """The compiled kernel as a C function; calling it releases the GIL.
 
-    Compiled for the processor at hand on the first call; later calls return the same function.
+    Its arguments are addresses: where the result goes (int64), room for a pointer, and the block of
+    :class:`~bnserve_surrogate.kernel._arguments.Argument`. Compiled for the processor at hand on the first call; later
+    calls return the same function.
     """
-    return load_assembly(ASSEMBLY, ENTRY_POINT, _SIGNATURE)
+    return load_assembly(ASSEMBLY, ENTRY_POINT, "ppp", vectorise=False)
 
 
-def load_assembly(assembly: Path, entry_point: str, signature: str) -> Callable[..., int]:
+def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise: bool = True) -> Callable[..., int]:
     """A function of an assembly file, compiled for the processor at hand; calling it releases the GIL.
 
     Parameters
@@ -43,6 +43,8 @@ def load_assembly(assembly: Path, entry_point: str, signature: str) -> Callable[
         The function's name.
     signature:
         Its arguments: ``p`` for a pointer, ``i`` for an integer; blanks do not count.
+    vectorise:
+        Whether loops are still to be turned into vector instructions, which takes longer than making machine code.
     """
     with _lock:
         llvm.initialize_native_target()
@@ -55,9 +57,10 @@ def load_assembly(assembly: Path, entry_point: str, signature: str) -> Callable[
         module.triple = target.triple
         module.data_layout = str(machine.target_data)
         module.verify()
-        options = llvm.create_pipeline_tuning_options(speed_level=3)
-        passes = llvm.create_pass_builder(machine, options)
-        passes.getModulePassManager().run(module, passes)
+        if vectorise:
+            options = llvm.create_pipeline_tuning_options(speed_level=3)
+            passes = llvm.create_pass_builder(machine, options)
+            passes.getModulePassManager().run(module, passes)
         engine = llvm.create_mcjit_compiler(module, machine)
         engine.finalize_object()
         _engines.append(engine)

@@ -1,7 +1,7 @@
-"""The trained regressor inside the kernel: coordinates, Chebyshev products, a small network.
+"""The trained regressor inside the kernel: coordinates, Chebyshev products, a small network, synthesis.
 
-Everything here is written with plain loops over one-dimensional arrays: that is what compiles in a second rather than
-in a minute, and what the compiler turns into vector instructions.
+Eight rows are evaluated together, each in a lane of its own; every sum runs over its terms in one order, so a row's
+bits do not depend on its neighbours.
 """
 
 from __future__ import annotations
@@ -11,114 +11,217 @@ from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_surrogate._coordinates import transform_physical
-from bnserve_surrogate.kernel._layout import ACTIVATIONS, MAX_WIDTH, Entry
-from bnserve_surrogate.kernel._math import JIT_OPTIONS
+from bnserve_surrogate.kernel._cells import LANES
+from bnserve_surrogate.kernel._layout import ACTIVATIONS, TILE, WIDE, Entry
+from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential
+from bnserve_surrogate.kernel._simd import at, bits_of, fma, from_bits, load, smaller, splat, store
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 _TANH, _RELU = ACTIVATIONS["tanh"], ACTIVATIONS["relu"]
 _PHYSICAL, _TERMS, _DEGREE = int(Entry.PHYSICAL_COORDINATES), int(Entry.TERMS), int(Entry.DEGREE)
-_LAYERS, _LAYER_SIZES, _ACTIVATION = int(Entry.LAYERS), int(Entry.LAYER_SIZES), int(Entry.ACTIVATION)
+_OUTPUTS, _LAYERS, _LAYER_SIZES = int(Entry.OUTPUTS), int(Entry.LAYERS), int(Entry.LAYER_SIZES)
+_ACTIVATION, _WIDEST = int(Entry.ACTIVATION), int(Entry.WIDEST)
 _COORDINATES_AT, _COEFFICIENTS_AT = int(Entry.COORDINATES_AT), int(Entry.COEFFICIENTS_AT)
 _NETWORK_AT = int(Entry.NETWORK_AT)
+_MAGNITUDE = 2**63 - 1
+
+
+@njit(**JIT_OPTIONS)
+def multiply(
+    count: int, scalars: Floats, row: int, step: int, matrix: Floats, columns: int, out: Floats, out_row: int
+) -> None:
+    """A product with four rows: ``out[i, j] = sum_k scalars[i, k] * matrix[k, j]``.
+
+    Parameters
+    ----------
+    count:
+        Number of terms; every sum runs over them in this order.
+    scalars, row, step:
+        ``scalars[i, k]`` stands at ``i * row + k * step``.
+    matrix, columns:
+        As :func:`bnserve_surrogate.kernel._layout.by_columns` arranges it; ``columns`` are whole vectors.
+    out, out_row:
+        ``out[i, j]`` stands at ``i * out_row + j``.
+    """
+    position = 0
+    for column in range(0, columns // WIDE * WIDE, WIDE):
+        a00 = a01 = a02 = a03 = splat(0.0)
+        a10 = a11 = a12 = a13 = splat(0.0)
+        a20 = a21 = a22 = a23 = splat(0.0)
+        a30 = a31 = a32 = a33 = splat(0.0)
+        for k in range(count):
+            v0, v1 = load(matrix, position), load(matrix, position + LANES)
+            v2, v3 = load(matrix, position + 2 * LANES), load(matrix, position + 3 * LANES)
+            position += WIDE
+            s = at(scalars, k * step)
+            a00, a01 = fma(v0, s, a00), fma(v1, s, a01)
+            a02, a03 = fma(v2, s, a02), fma(v3, s, a03)
+            s = at(scalars, row + k * step)
+            a10, a11 = fma(v0, s, a10), fma(v1, s, a11)
+            a12, a13 = fma(v2, s, a12), fma(v3, s, a13)
+            s = at(scalars, 2 * row + k * step)
+            a20, a21 = fma(v0, s, a20), fma(v1, s, a21)
+            a22, a23 = fma(v2, s, a22), fma(v3, s, a23)
+            s = at(scalars, 3 * row + k * step)
+            a30, a31 = fma(v0, s, a30), fma(v1, s, a31)
+            a32, a33 = fma(v2, s, a32), fma(v3, s, a33)
+        store(out, column, a00)
+        store(out, column + LANES, a01)
+        store(out, column + 2 * LANES, a02)
+        store(out, column + 3 * LANES, a03)
+        store(out, out_row + column, a10)
+        store(out, out_row + column + LANES, a11)
+        store(out, out_row + column + 2 * LANES, a12)
+        store(out, out_row + column + 3 * LANES, a13)
+        store(out, 2 * out_row + column, a20)
+        store(out, 2 * out_row + column + LANES, a21)
+        store(out, 2 * out_row + column + 2 * LANES, a22)
+        store(out, 2 * out_row + column + 3 * LANES, a23)
+        store(out, 3 * out_row + column, a30)
+        store(out, 3 * out_row + column + LANES, a31)
+        store(out, 3 * out_row + column + 2 * LANES, a32)
+        store(out, 3 * out_row + column + 3 * LANES, a33)
+    for column in range(columns // WIDE * WIDE, columns, LANES):
+        b0 = b1 = b2 = b3 = splat(0.0)
+        for k in range(count):
+            v = load(matrix, position)
+            position += LANES
+            b0 = fma(v, at(scalars, k * step), b0)
+            b1 = fma(v, at(scalars, row + k * step), b1)
+            b2 = fma(v, at(scalars, 2 * row + k * step), b2)
+            b3 = fma(v, at(scalars, 3 * row + k * step), b3)
+        store(out, column, b0)
+        store(out, out_row + column, b1)
+        store(out, 2 * out_row + column, b2)
+        store(out, 3 * out_row + column, b3)
 
 
 @njit(**JIT_OPTIONS)
 def regress(
-    mass_ratio: float,
-    chi_1: float,
-    chi_2: float,
-    lambda_1: float,
-    lambda_2: float,
-    contents: Integers,
-    exponents: Integers,
-    weights: Floats,
-    scratch: Floats,
-    out: Floats,
-) -> None:
-    """Outputs of the regressor for one binary, into ``out`` of shape ``(K,)``."""
-    coordinates = scratch[:5]
-    if contents[_PHYSICAL] != 0:
-        transform_physical(mass_ratio, chi_1, chi_2, lambda_1, lambda_2, coordinates)
-    else:
-        coordinates[0] = mass_ratio
-        coordinates[1] = chi_1
-        coordinates[2] = chi_2
-        coordinates[3] = lambda_1
-        coordinates[4] = lambda_2
-    scaling = weights[contents[_COORDINATES_AT] :]
-    for axis in range(5):
-        coordinates[axis] = (coordinates[axis] - scaling[axis]) * scaling[5 + axis]
-    for output in range(out.shape[0]):
-        out[output] = 0.0
+    parameters: Floats, rows: int, contents: Integers, exponents: Integers, weights: Floats, scratch: Floats
+) -> Floats:
+    """The regressor's outputs for up to eight rows.
+
+    Parameters
+    ----------
+    parameters:
+        ``(8 * 5,)``: mass ratio, spins and tidal deformabilities of each row.
+    rows:
+        How many of them are wanted.
+    contents, exponents, weights:
+        A :class:`KernelModel`'s.
+    scratch:
+        Working memory; what is returned is its beginning.
+
+    Returns
+    -------
+    ``(8, 8 + K)``, K in whole vectors: for every row seven places of no meaning, a one, and the outputs.
+    """
+    outputs = (contents[_OUTPUTS] + LANES - 1) // LANES * LANES
+    width = LANES + outputs
+    out, rest = scratch[: LANES * width], scratch[LANES * width :]
+    coordinates, rest = rest[: 5 * LANES], rest[5 * LANES :]
+    _coordinates(parameters, contents, weights[contents[_COORDINATES_AT] :], rest, coordinates)
+    for i in range(LANES * width):
+        out[i] = 0.0
+    for i in range(LANES):
+        out[i * width + LANES - 1] = 1.0
     if contents[_TERMS] > 0:
+        products = _products(coordinates, contents[_TERMS], contents[_DEGREE], exponents, rest)
         coefficients = weights[contents[_COEFFICIENTS_AT] :]
-        _add_polynomial(coordinates, contents[_TERMS], contents[_DEGREE], exponents, coefficients, scratch[5:], out)
+        for first in range(0, rows, TILE):
+            own = out[first * width + LANES :]
+            multiply(contents[_TERMS], products[first:], 1, LANES, coefficients, outputs, own, width)
     if contents[_LAYERS] > 0:
-        _add_network(coordinates, contents, weights[contents[_NETWORK_AT] :], scratch[5:], out)
+        _add_network(coordinates, rows, contents, weights[contents[_NETWORK_AT] :], rest, out[LANES:], width)
+    return out
 
 
 @njit(**JIT_OPTIONS)
-def _add_polynomial(
-    coordinates: Floats,
-    terms: int,
-    degree: int,
-    exponents: Integers,
-    coefficients: Floats,
-    chebyshev: Floats,
-    out: Floats,
-) -> None:
-    stride = degree + 1
+def _coordinates(parameters: Floats, contents: Integers, scaling: Floats, scratch: Floats, out: Floats) -> None:
+    """The five coordinates of eight rows, ``(5, 8)``."""
+    one = scratch[:5]
+    for lane in range(LANES):
+        row = parameters[5 * lane : 5 * lane + 5]
+        if contents[_PHYSICAL] != 0:
+            transform_physical(row[0], row[1], row[2], row[3], row[4], one)
+        else:
+            for axis in range(5):
+                one[axis] = row[axis]
+        for axis in range(5):
+            out[axis * LANES + lane] = (one[axis] - scaling[axis]) * scaling[5 + axis]
+
+
+@njit(**JIT_OPTIONS)
+def _products(coordinates: Floats, terms: int, degree: int, exponents: Integers, scratch: Floats) -> Floats:
+    """Products of Chebyshev polynomials, ``(terms, 8)``."""
+    stride = (degree + 1) * LANES
+    products = scratch[5 * stride :]
     for axis in range(5):
-        x = coordinates[axis]
-        row = chebyshev[axis * stride :]
-        row[0] = 1.0
-        if degree > 0:
-            row[1] = x
-        for power in range(2, stride):
-            row[power] = 2.0 * x * row[power - 1] - row[power - 2]
-    width = out.shape[0]
+        x = load(coordinates, axis * LANES)
+        row = scratch[axis * stride : (axis + 1) * stride]
+        before, current = splat(1.0), x
+        store(row, 0, before)
+        for power in range(1, degree + 1):
+            store(row, power * LANES, current)
+            before, current = current, fma(x + x, current, splat(0.0) - before)
     for term in range(terms):
-        value = chebyshev[exponents[5 * term]]
-        for axis in range(1, 5):
-            value *= chebyshev[axis * stride + exponents[5 * term + axis]]
-        row = coefficients[term * width : (term + 1) * width]
-        for output in range(width):
-            out[output] += value * row[output]
+        first = load(scratch, LANES * at(exponents, 5 * term))
+        second = load(scratch, stride + LANES * at(exponents, 5 * term + 1))
+        third = load(scratch, 2 * stride + LANES * at(exponents, 5 * term + 2))
+        fourth = load(scratch, 3 * stride + LANES * at(exponents, 5 * term + 3))
+        fifth = load(scratch, 4 * stride + LANES * at(exponents, 5 * term + 4))
+        store(products, LANES * term, first * second * (third * fourth) * fifth)
+    return products
 
 
 @njit(**JIT_OPTIONS)
-def _add_network(coordinates: Floats, contents: Integers, layers: Floats, scratch: Floats, out: Floats) -> None:
-    current = scratch[:MAX_WIDTH]
-    following = scratch[MAX_WIDTH : 2 * MAX_WIDTH]
-    for axis in range(5):
-        current[axis] = coordinates[axis]
-    at = 0
+def _add_network(
+    coordinates: Floats, rows: int, contents: Integers, layers: Floats, scratch: Floats, out: Floats, out_row: int
+) -> None:
+    """Add a network's outputs; its layers stand in memory as ``out`` does, each row after a leading one."""
+    row = LANES + (contents[_WIDEST] + LANES - 1) // LANES * LANES
+    current, following = scratch[: LANES * row], scratch[LANES * row : 2 * LANES * row]
+    for i in range(LANES):
+        current[i * row + LANES - 1] = following[i * row + LANES - 1] = 1.0
+        for axis in range(5):
+            current[i * row + LANES + axis] = coordinates[axis * LANES + i]
     last = contents[_LAYERS] - 1
+    position = 0
     for layer in range(last + 1):
-        inputs, outputs = contents[_LAYER_SIZES + layer], contents[_LAYER_SIZES + layer + 1]
-        biases = layers[at + inputs * outputs :]
-        for j in range(outputs):
-            following[j] = biases[j]
-        for i in range(inputs):
-            row = layers[at + i * outputs :]
-            x = current[i]
-            for j in range(outputs):
-                following[j] += x * row[j]
+        count = 1 + contents[_LAYER_SIZES + layer]
+        columns = (contents[_LAYER_SIZES + layer + 1] + LANES - 1) // LANES * LANES
+        for first in range(0, rows, TILE):
+            inputs, sums = current[first * row + LANES - 1 :], following[first * row + LANES :]
+            multiply(count, inputs, row, 1, layers[position:], columns, sums, row)
+        position += count * columns
         if layer < last:
-            for j in range(outputs):
-                following[j] = _activate(following[j], contents[_ACTIVATION])
-        at += (inputs + 1) * outputs
+            for i in range(rows):
+                for j in range(i * row + LANES, i * row + LANES + columns, LANES):
+                    store(following, j, _activate(load(following, j), contents[_ACTIVATION]))
         current, following = following, current
-    for output in range(out.shape[0]):
-        out[output] += current[output]
+    for i in range(rows):
+        for j in range(0, columns, LANES):
+            place = i * out_row + j
+            store(out, place, load(out, place) + load(current, i * row + LANES + j))
 
 
 @njit(**JIT_OPTIONS)
-def _activate(x: float, activation: int) -> float:
-    if activation == _TANH:
-        return np.tanh(x)
+def _activate(x, activation):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    magnitude = from_bits(bits_of(x) & _MAGNITUDE)
     if activation == _RELU:
-        return max(x, 0.0)
-    return 1.0 / (1.0 + np.exp(-x))
+        return (x + magnitude) * 0.5
+    # Beyond 350 both functions are constant to the last bit; the exponential knows no more than 700.
+    bounded = smaller(magnitude, 350.0)
+    if activation == _TANH:
+        decay = exponential(bounded * -2.0)
+        value = (splat(1.0) - decay) / (decay + 1.0)
+        return from_bits(bits_of(value) ^ (bits_of(x) ^ bits_of(magnitude)))
+    decay = exponential(splat(0.0) - bounded)
+    positive = splat(1.0) / (decay + 1.0)
+    # 1 - positive for negative arguments, without cancellation.
+    negative = decay / (decay + 1.0)
+    side = 0 - ((bits_of(x) >> 63) & 1)
+    return from_bits((bits_of(positive) & (side ^ -1)) ^ (bits_of(negative) & side))

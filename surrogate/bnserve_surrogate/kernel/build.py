@@ -19,47 +19,19 @@ from bnserve_surrogate.kernel._loader import ASSEMBLY, DIGEST_PREFIX, ENTRY_POIN
 
 
 def compile_kernel() -> str:
-    """The kernel as LLVM assembly, neither vectorised nor bound to a processor."""
+    """The kernel as LLVM assembly, bound to no processor."""
     configure_numba()
     from numba import carray, cfunc, types
 
-    from bnserve_surrogate.baseline import PHASE_LOG_POWERS, PHASE_POWERS
+    from bnserve_surrogate.kernel._arguments import Argument
     from bnserve_surrogate.kernel._math import JIT_OPTIONS
     from bnserve_surrogate.kernel._source import evaluate
 
-    doubles, integers, size = types.CPointer(types.float64), types.CPointer(types.int64), types.int64
-    grid_types = (doubles, doubles, doubles, size)
-    model_types = (integers, size, integers, size, doubles, size)
-    output_types = (
-        types.CPointer(types.complex128),
-        size,
-        types.CPointer(types.complex64),
-        size,
-        doubles,
-        doubles,
-        size,
-    )
-    arguments = (doubles, size, *grid_types, *model_types, size, doubles, size, doubles, *output_types, doubles, size)
+    count = int(Argument.COUNT)
 
-    @cfunc(types.void(*arguments), **{name: value for name, value in JIT_OPTIONS.items() if name != "nogil"})
-    def entry(  # type: ignore[no-untyped-def]  # noqa: ANN202
-        parameters, n_parameters, f, log_f, cbrt_f, points,  # noqa: ANN001
-        contents, n_contents, exponents, n_exponents, weights, n_weights, alignment,  # noqa: ANN001
-        scratch, n_scratch, series, wide, n_wide, narrow, n_narrow, amplitude, phase, n_polar,  # noqa: ANN001
-        estimates, n_estimates,  # noqa: ANN001
-    ):  # fmt: skip
-        evaluate(
-            carray(parameters, n_parameters),
-            (carray(f, points), carray(log_f, points), carray(cbrt_f, points)),
-            (carray(contents, n_contents), carray(exponents, n_exponents), carray(weights, n_weights)),
-            alignment,
-            carray(scratch, n_scratch),
-            carray(series, (PHASE_LOG_POWERS, PHASE_POWERS)),
-            carray(wide, n_wide),
-            carray(narrow, n_narrow),
-            (carray(amplitude, n_polar), carray(phase, n_polar)),
-            carray(estimates, n_estimates),
-        )
+    @cfunc(types.int64(types.CPointer(types.int64)), **{k: v for k, v in JIT_OPTIONS.items() if k != "nogil"})
+    def entry(arguments):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        return evaluate(carray(arguments, count))
 
     return detach(entry, ENTRY_POINT)
 
@@ -90,7 +62,8 @@ def detach(entry: Any, entry_point: str) -> str:
             flags=re.M | re.S,
         )
     assembly = re.sub(r"^target (triple|datalayout) = .*\n", "", assembly, flags=re.M)
-    module = llvm.parse_assembly(assembly.replace("define linkonce_odr", "define internal"))
+    assembly = re.sub(r"^define linkonce_odr ([^\n]*@\w+\([^\n]*\)) ([^\n]*){$", _internal, assembly, flags=re.M)
+    module = llvm.parse_assembly(assembly)
     module.verify()
     options = llvm.create_pipeline_tuning_options(speed_level=1)
     options.loop_vectorization = options.slp_vectorization = options.loop_unrolling = False
@@ -98,6 +71,20 @@ def detach(entry: Any, entry_point: str) -> str:
     passes = llvm.create_pass_builder(machine, options)
     passes.getModulePassManager().run(module, passes)
     return _shorten(str(module))
+
+
+_APART = r"bnserve_surrogate6kernel\d+_(points|source|regression|row|series|places|writing)\d"
+
+
+def _internal(definition: re.Match[str]) -> str:
+    """The kernel's functions stay apart: machine code for one large function takes much longer to make."""
+    head, rest = definition.groups()
+    apart = (
+        "noinline "
+        if re.search(r"bnserve_surrogate6kernel\d+_(points|source|regression|row|series|places|writing)\d", head)
+        else ""
+    )
+    return f"define internal {head} {rest}{apart}{{"
 
 
 def _shorten(assembly: str) -> str:

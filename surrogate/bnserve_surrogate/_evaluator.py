@@ -1,0 +1,177 @@
+"""From what a caller gives to what the kernel reads, and back."""
+
+from __future__ import annotations
+
+import ctypes
+import operator
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import (
+    PARAMETER_NAMES,
+    BatchLike,
+    DtypeName,
+    EvaluationOptions,
+    GridLike,
+    ParameterBatch,
+    ParameterDescription,
+    ParametersWithExtrinsic,
+    Polarizations,
+)
+from bnserve_surrogate._domain import refuse_rows
+from bnserve_surrogate._memory import RESULTS
+from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
+from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, address_of, evaluate
+
+_ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
+_KINDS = {"complex128": Output.POLARIZATIONS, "complex64": Output.POLARIZATIONS_SINGLE}
+_DTYPES = {
+    Output.STRAIN: "complex128",
+    Output.STRAIN_SINGLE: "complex64",
+    Output.POLARIZATIONS: "complex128",
+    Output.POLARIZATIONS_SINGLE: "complex64",
+    Output.AMPLITUDE_PHASE: "float64",
+}
+_TILE = 8
+"""Rows that the kernel takes together; so many complex numbers fill whole cache lines."""
+_WORTH_A_THREAD = 20_000
+"""Values below which a batch is not divided among threads."""
+_values_of = operator.attrgetter(*PARAMETER_NAMES)
+
+
+class Answer(NamedTuple):
+    """What the kernel wrote for N rows on M frequencies."""
+
+    first: NDArray[Any]
+    second: Any
+    plus: NDArray[np.float64]
+    cross: NDArray[np.complex128]
+    status: NDArray[np.uint8]
+    estimates: NDArray[np.float64] | None
+
+
+class _OneRow(threading.local):
+    """Room for the parameters of one binary and for what is not returned as an array."""
+
+    def __init__(self) -> None:
+        self.parameters = (ctypes.c_double * len(PARAMETER_NAMES))()
+        self.parameters_at = ctypes.addressof(self.parameters)
+        self.rest = (ctypes.c_double * 5)()
+        plus = ctypes.addressof(self.rest)
+        self.plus, self.cross, self.estimate, self.status = plus, plus + 8, plus + 24, plus + 32
+
+
+class Evaluator:
+    """One mode on prepared grids.
+
+    Parameters
+    ----------
+    mode:
+        Kernel arrays.
+    ranges:
+        Unit and trained range of every parameter.
+    threads:
+        Among how many threads a large batch is divided.
+    """
+
+    def __init__(self, mode: KernelModel, ranges: list[ParameterDescription], threads: int = 1) -> None:
+        self._mode = mode
+        self._ranges = ranges
+        self._grids = GridCache()
+        self._one_row = _OneRow()
+        self._threads = threads
+        self._pool = ThreadPoolExecutor(threads, "bnserve-evaluation") if threads > 1 else None
+
+    def one(
+        self,
+        frequencies: NDArray[Any],
+        parameters: ParametersWithExtrinsic,
+        options: EvaluationOptions,
+        dtype: DtypeName,
+    ) -> Polarizations | None:
+        """One waveform on a grid that is prepared already, the shortest way; None if anything about it is unusual."""
+        kind = _KINDS.get(dtype)
+        if (
+            kind is None
+            or frequencies.dtype != np.float64
+            or not frequencies.flags.c_contiguous
+            or frequencies.ndim != 1
+        ):
+            return None
+        grid = self._grids.candidate(frequencies)
+        if grid is None:
+            return None
+        room = self._one_row
+        try:
+            room.parameters[:] = list(_values_of(parameters))
+        except TypeError:
+            return None
+        points = len(frequencies)
+        both = RESULTS.empty((2, points + -points % _TILE), dtype)
+        first = address_of(both)
+        outputs = Outputs(
+            kind, first, first + both.strides[0], room.plus, room.cross, room.status,
+            room.estimate if self._mode.estimates_mismatch else 0,
+        )  # fmt: skip
+        policy = _policy(options) | Policy.STOP_AT_BAD_ROWS
+        given = address_of(frequencies)
+        alignment = _ALIGNMENTS[options.alignment]
+        if evaluate(self._mode, grid, 1, room.parameters_at, alignment, policy, outputs, given) != 0:
+            return None
+        estimates = np.array((room.rest[3],)) if self._mode.estimates_mismatch else None
+        return Polarizations(both[0, :points], both[1, :points], np.zeros(1, np.uint8), estimates)
+
+    def batch(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, kind: Output) -> Answer:
+        """N waveforms.
+
+        Raises
+        ------
+        InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
+        """
+        grid = self._grids.prepare(frequencies)
+        coerced = ParameterBatch.coerce(batch)
+        rows, points = len(coerced), len(grid.frequencies)
+        two = kind not in (Output.STRAIN, Output.STRAIN_SINGLE)
+        arrays = [RESULTS.empty((rows, points), _DTYPES[kind]) for _ in range(1 + two)]
+        plus, cross = np.empty(rows), np.empty(rows, np.complex128)
+        status = np.empty(rows, np.uint8)
+        estimates = np.empty(rows) if self._mode.estimates_mismatch else None
+        second = arrays[1] if two else None
+        at = [
+            0 if array is None else address_of(array) for array in (arrays[0], second, plus, cross, status, estimates)
+        ]
+        bad = self._run(grid, coerced, options, Outputs(kind, *at), points * arrays[0].itemsize)
+        if bad and options.out_of_domain == "error":
+            refuse_rows(coerced, grid.frequencies, self._ranges, self._mode.mf_band, options)
+        return Answer(arrays[0], second, plus, cross, status, estimates)
+
+    def _run(
+        self, grid: PreparedGrid, batch: ParameterBatch, options: EvaluationOptions, outputs: Outputs, row_bytes: int
+    ) -> int:
+        """Evaluate a batch, in pieces if there are threads for them; the number of rows that were not evaluated."""
+        policy = _policy(options)
+        if options.out_of_domain == "error":
+            policy |= Policy.STOP_AT_BAD_ROWS
+        alignment = _ALIGNMENTS[options.alignment]
+        rows, parameters = len(batch), address_of(batch.values)
+        row_parameters = batch.values.strides[0] if rows else 0
+
+        def piece(start: int, stop: int) -> int:
+            own = outputs.shifted(start, row_bytes)
+            at = parameters + start * row_parameters
+            return evaluate(self._mode, grid, stop - start, at, alignment, policy, own)
+
+        if self._pool is None or rows <= _TILE or rows * len(grid.frequencies) < _WORTH_A_THREAD:
+            return piece(0, rows)
+        size = -(-rows // (self._threads * _TILE)) * _TILE
+        starts = range(0, rows, size)
+        return sum(self._pool.map(piece, starts, [min(start + size, rows) for start in starts]))
+
+
+def _policy(options: EvaluationOptions) -> int:
+    below = Policy.BELOW_BAND_IS_ERROR if options.below_band == "error" else 0
+    return below | (Policy.ABOVE_BAND_IS_ERROR if options.above_band == "error" else 0)
