@@ -7,8 +7,6 @@ import hashlib
 from collections.abc import Iterable
 from typing import Literal, TypeAlias
 
-from crc32c import crc32c
-
 DigestName: TypeAlias = Literal["sha-256", "crc32c"]
 """Algorithms of ``Content-Digest``, by their names in the registry of RFC 9530."""
 
@@ -19,6 +17,8 @@ WANTED_DIGEST = "crc32c=10, sha-256=1"
 def content_digest(parts: Iterable[bytes | memoryview], algorithm: DigestName = "sha-256") -> str:
     """The ``Content-Digest`` of a body that is the concatenation of ``parts``, such as ``crc32c=:4waSgw==:``."""
     if algorithm == "crc32c":
+        from crc32c import crc32c  # where it is needed: it takes as long to import as everything else here
+
         checksum = 0
         for part in parts:
             checksum = crc32c(part, checksum)
