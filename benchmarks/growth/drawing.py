@@ -34,6 +34,7 @@ def _samples(axes: Axes, rows: list[dict[str, Any]], title: str, label: str) -> 
         axes.loglog(sizes, costs, "o-", color=colour, markersize=5, label=name)
     axes.set_title(title)
     axes.set(xlabel=label, ylabel="ns for each sample of h+ and hx")
+    axes.set_xticks([10**k for k in range(8) if sizes[0] <= 10**k < 2 * sizes[-1]][-6::2])
     number_axis(axes.xaxis)
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
     for turn, text, colour in (
