@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Ranges
+from bnserve_inference._calibrated_basis import CalibratedBasis, calibration_error, refuse_uncalibrated
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import FiducialBasis
 from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights, time_table
@@ -105,7 +106,8 @@ def roq_analysis(
     Raises
     ------
     AnalysisInvalid
-        As :func:`full_analysis`; also data of another duration, or a prior that the basis does not cover.
+        As :func:`full_analysis`; also data of another duration, a prior that the basis does not cover, or calibration
+        errors that it cannot stand: a calibrated waveform need not be in the span of a basis of waveforms.
     """
     band = Band(data, trigger_time, basis.f_min, basis.f_max)
     if abs(band.duration - basis.duration) > 1e-9 * basis.duration:
@@ -117,7 +119,13 @@ def roq_analysis(
     if model is not None:
         basis.check_model(model)
     reference = _middle(basis.prior)
-    return _reduced("roq", band, basis, model, basis.alignment, options, reference, basis.model_digest or None)
+    if options.calibration is not None and model is not None and reference is not None:
+        density = np.sum(band.densities, axis=0)
+        refuse_uncalibrated(*calibration_error(basis, model, reference, band.frequencies, density, options.calibration))
+    digest, alignment = basis.model_digest or None, basis.alignment
+    if options.calibration is not None and model is not None and reference is not None:
+        basis = CalibratedBasis.around(basis, reference, band.frequencies, model)
+    return _reduced("roq", band, basis, model, alignment, options, reference, digest)
 
 
 def relative_binning_analysis(

@@ -7,6 +7,7 @@ from bnserve_inference import LikelihoodOptions, likelihood, relative_binning_an
 from bnserve_inference._calibration import calibration_splines
 from bnserve_inference.roq import ReducedOrderQuadrature, TabulatedInterpolant
 from bnserve_protocol import (
+    AnalysisInvalid,
     Calibration,
     DistanceMarginalisation,
     EvaluationOptions,
@@ -61,6 +62,10 @@ def interpolant(term, rows, frequencies):
 
 @pytest.fixture(scope="module")
 def basis(model):
+    return made_basis(model, calibrated=True)
+
+
+def made_basis(model, calibrated):
     grid = UniformGrid(f_min=F_MIN, f_max=F_MAX, delta_f=1.0 / DURATION)
     batch = LikelihoodBatch.coerce(columns(160, seed=8, width=0.3)).waveform_batch(distance_mpc=100.0)
     strain = model.predict_factored(grid, batch, options=EvaluationOptions(alignment="merger")).h
@@ -68,7 +73,8 @@ def basis(model):
     # Calibration errors multiply the waveform: a basis that is to stand them has to have seen some.
     draw = np.random.default_rng(9).normal(0.0, 0.03, (2, len(strain), CALIBRATION.nodes))
     amplitude, phase = draw @ calibration_splines(CALIBRATION, frequencies)
-    strain = np.concatenate([strain, strain * (1.0 + amplitude) * np.exp(1j * phase)])
+    if calibrated:
+        strain = np.concatenate([strain, strain * (1.0 + amplitude) * np.exp(1j * phase)])
     return ReducedOrderQuadrature(
         linear=interpolant("linear", strain, frequencies),
         quadratic=interpolant("quadratic", np.abs(strain) ** 2, frequencies),
@@ -76,9 +82,40 @@ def basis(model):
         f_max=F_MAX,
         duration=DURATION,
         alignment="merger",
-        prior={"mass_ratio": (1.0, 2.0)},
+        prior={
+            "mass_ratio": (1.1, 1.5),
+            "total_mass": (2.70, 2.86),
+            "lambda_1": (300.0, 500.0),
+            "lambda_2": (500.0, 700.0),
+            "chi_1": (0.0, 0.04),
+            "chi_2": (-0.03, 0.01),
+        },
         model_digest=model.description.digest,
     )
+
+
+def test_calibration_errors_need_no_calibrated_waveforms_in_a_basis_that_stands_them(model, data):
+    basis = made_basis(model, calibrated=False)
+    options = LikelihoodOptions(prior=PRIOR, calibration=CALIBRATION)
+    batch = columns(6, width=0.3)
+    batch |= errors(batch)
+    analysis = roq_analysis(data, trigger_time=TRIGGER, basis=basis, model=model, options=options)
+    assert len(analysis.quadratic_nodes) > 4 * len(basis.quadratic_nodes)  # which are too few to sample the errors
+    expected = likelihood(model, full(data, calibration=CALIBRATION)).log_likelihood(batch)
+    np.testing.assert_allclose(likelihood(model, analysis).log_likelihood(batch), expected, atol=0.02)
+
+
+def test_a_basis_that_cannot_stand_calibration_errors_is_refused(model, data):
+    basis = made_basis(model, calibrated=False)
+    many = Calibration(nodes=60, f_min=F_MIN, f_max=F_MAX)  # wigglier than thirteen nodes can follow
+    with pytest.raises(AnalysisInvalid, match="cannot stand calibration errors"):
+        roq_analysis(
+            data,
+            trigger_time=TRIGGER,
+            basis=basis,
+            model=model,
+            options=LikelihoodOptions(prior=PRIOR, calibration=many),
+        )
 
 
 def errors(batch):
