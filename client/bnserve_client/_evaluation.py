@@ -9,7 +9,7 @@ from urllib.parse import quote
 
 from bnserve_client._answers import read_waveforms
 from bnserve_client._chunks import Assembly, in_users_rows
-from bnserve_client._grids import ExplicitGrid, ends_of
+from bnserve_client._grids import IN_FULL_ONCE, ExplicitGrid, ends_of
 from bnserve_client._messages import Conversation, Together
 from bnserve_client._patience import Patience
 from bnserve_client._progress import progress_bar
@@ -144,6 +144,7 @@ class Evaluator:
                 except (Forbidden, TooLarge):
                     grid.in_full = True
                     break
+        grid.in_full = grid.in_full or len(grid) <= IN_FULL_ONCE  # short enough not to try again each time
         return (yield from self._post(question, part, grid.frequencies, patience))
 
     def _post(self, question: Question, part: ParameterBatch, grid: Any, patience: Patience) -> Conversation[Arrays]:

@@ -25,7 +25,7 @@ _LONGEST_HEAD = 2**16
 _STATUS_LINE = re.compile(r"HTTP/1\.([01]) ([1-5][0-9][0-9])(?: [^\r\n\0]*)?")
 _NAME = r"[!#$%&'*+.^_`|~0-9A-Za-z-]+"
 _HEADERS = re.compile(rf"(?:{_NAME}:[^\r\n\0]*(?:\r\n|\Z))*")
-_HEADER = re.compile(rf"({_NAME}):[ \t]*([^\r\n\0]*?)[ \t]*(?:\r\n|\Z)")
+_HEADER = re.compile(rf"({_NAME}):[ \t]*([^\r\n\0]*)")
 _CHUNK_SIZE = re.compile(rb"([0-9a-fA-F]{1,8})[ \t]*(?:;[^\r\n]*)?")
 
 
@@ -62,7 +62,7 @@ def parse_head(head: bytes) -> Head:
     if _HEADERS.fullmatch(rest) is None:
         raise Malformed("it has a malformed header")
     found = _HEADER.findall(rest)
-    headers = {name.lower(): value for name, value in found}
+    headers = {name.lower(): value.rstrip(" \t") for name, value in found}
     if len(headers) < len(found):
         headers = _merged(found)
     options = headers.get("connection", "keep-alive" if matched[1] == "1" else "close").lower()
@@ -72,8 +72,8 @@ def parse_head(head: bytes) -> Head:
 def _merged(found: list[tuple[str, str]]) -> dict[str, str]:
     """Headers of which some occur more than once."""
     headers: dict[str, str] = {}
-    for mixed_case, value in found:
-        name = mixed_case.lower()
+    for mixed_case, padded in found:
+        name, value = mixed_case.lower(), padded.rstrip(" \t")
         if name == "content-length" and headers.get(name, value) != value:
             raise Malformed("it states two lengths")
         headers[name] = f"{headers[name]}, {value}" if name in headers and name != "content-length" else value
@@ -83,13 +83,13 @@ def _merged(found: list[tuple[str, str]]) -> dict[str, str]:
 class _Inbox:
     """Received bytes that nobody has read yet."""
 
-    def __init__(self) -> None:
-        self._scratch = bytearray(_SCRATCH_BYTES)
-        self.pending = bytearray()
+    def __init__(self, scratch: memoryview, received: int) -> None:
+        self._scratch = scratch
+        self.pending = bytearray(scratch[:received])
 
     def more(self) -> Generator[memoryview, int, bool]:
         """Receive something; false at the end of the stream."""
-        received = yield memoryview(self._scratch)
+        received = yield self._scratch
         self.pending += self._scratch[:received]
         return received > 0
 
@@ -140,19 +140,37 @@ def exchange(message: bytes, max_bytes: int) -> Exchange:
     ------
     Stale, Broken, Malformed
     """
-    inbox = _Inbox()
+    scratch = memory.empty((_SCRATCH_BYTES,), "u1").data
     with contextlib.suppress(OSError):  # the server may have refused a large body early; its answer says why
         yield message
     try:
-        started = yield from inbox.more()
+        received = yield scratch
     except ConnectionError as error:
         raise Stale from error
-    if not started:
+    if not received:
         raise Stale
+    whole = _whole(bytes(scratch[:received]), max_bytes)
+    if whole is not None:
+        return whole
+    inbox = _Inbox(scratch, received)
     head = yield from _read_head(inbox)
     body, framed = yield from _read_body(inbox, head, max_bytes)
     reusable = framed and head.persistent and not inbox.pending
     return HttpResponse(status=head.status, headers=head.headers, body=body), reusable
+
+
+def _whole(data: bytes, max_bytes: int) -> tuple[HttpResponse, bool] | None:
+    """The answer that came in one piece, which is what small answers do; None for what has to be read step by step."""
+    end = data.find(b"\r\n\r\n")
+    if end < 0 or not data.startswith(b"HTTP/1.1 200 "):
+        return None
+    head = parse_head(data[:end])
+    body = data[end + 4 :]
+    if head.headers.get("content-length") != str(len(body)) or "transfer-encoding" in head.headers:
+        return None
+    if len(body) > max_bytes:
+        return None
+    return HttpResponse(status=head.status, headers=head.headers, body=body), head.persistent
 
 
 def _read_head(inbox: _Inbox) -> Generator[memoryview, int, Head]:

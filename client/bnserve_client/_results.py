@@ -64,5 +64,8 @@ def multiply_out(arrays: Arrays) -> Arrays:
         return own({"plus": arrays["h_plus"], "cross": arrays["h_cross"], **of_a_row})
     h = arrays["h"]
     factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
-    plus, cross = factored.polarizations(plus=h if h.flags.writeable else None, cross=memory.empty(h.shape, h.dtype))
+    if h.flags.writeable:
+        plus, cross = factored.polarizations(plus=h, cross=memory.empty(h.shape, h.dtype))
+    else:
+        plus, cross = factored.polarizations()
     return {"plus": plus, "cross": cross, **own(of_a_row)}

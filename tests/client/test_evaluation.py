@@ -61,6 +61,27 @@ def test_a_long_grid_is_uploaded_once_and_then_named(server, model):
     assert [method for method, *_ in server.service.requests] == ["GET", "POST", "PUT", "POST", "POST", "POST"]
 
 
+def test_a_short_grid_is_uploaded_when_it_is_used_again(server, model):
+    for _ in range(4):
+        model.predict(FREQUENCIES, ONE)
+    assert [method for method, *_ in server.service.requests] == ["GET", "POST", "POST", "PUT", "POST", "POST", "POST"]
+    assert len(server.service.grids) == 1
+
+
+def test_a_tiny_grid_is_never_uploaded(server, model):
+    for _ in range(3):
+        model.predict(FREQUENCIES[:16], ONE)
+    assert [method for method, *_ in server.service.requests] == ["GET", "POST", "POST", "POST"]
+
+
+def test_a_short_grid_that_never_arrives_is_not_tried_again_each_time(server, model, local):
+    server.service.grids = Forgetful()
+    for _ in range(4):
+        assert same(model.predict(FREQUENCIES, ONE), local.predict(FREQUENCIES, ONE))
+    assert [method for method, *_ in server.service.requests][-2:] == ["POST", "POST"]
+    assert len([method for method, *_ in server.service.requests if method == "PUT"]) == 3
+
+
 def test_a_grid_that_the_service_forgot_is_uploaded_again(server, model, local):
     model.predict(LONG_GRID, ONE)
     server.service.grids.clear()
