@@ -35,6 +35,12 @@ class ResultMemory:
         self._kept: list[NDArray[np.uint8]] = []
         self._lock = threading.Lock()
 
+    @property
+    def kept(self) -> int:
+        """Bytes of the memory that may be used again."""
+        with self._lock:
+            return sum(memory.size for memory in self._kept)
+
     def empty(self, shape: tuple[int, ...], dtype: str) -> NDArray[Any]:
         """An array of unspecified content that shares memory with no other living one."""
         kind = np.dtype(dtype)

@@ -171,8 +171,8 @@ def by_columns(matrix: NDArray[Any]) -> Floats:
     whole = np.zeros((rows, padded(columns)))
     whole[:, :columns] = matrix
     blocks = whole.shape[1] // WIDE * WIDE
-    wide = whole[:, :blocks].reshape(rows, -1, WIDE).transpose(1, 0, 2)
-    narrow = whole[:, blocks:].reshape(rows, -1, LANES).transpose(1, 0, 2)
+    wide = whole[:, :blocks].reshape(rows, blocks // WIDE, WIDE).transpose(1, 0, 2)
+    narrow = whole[:, blocks:].reshape(rows, (whole.shape[1] - blocks) // LANES, LANES).transpose(1, 0, 2)
     return np.concatenate([wide.ravel(), narrow.ravel()])
 
 

@@ -1,4 +1,4 @@
-; sources: 6750c3fb0c2c5454584f536ad2283078332a93f417c78ea3d34b027fef1433d6
+; sources: 55589397518481978f93b9e0be52d8ec1590bbd8aa923f3a0371997563668056
 ; ModuleID = '<string>'
 source_filename = "<string>"
 
