@@ -4,9 +4,10 @@
     python -m benchmarks.client_round_trip --url http://host:8000
 
 Prints medians in microseconds, on the clock and of the client's own processor time, for one waveform on 277 points and
-other sizes: this client over plain sockets, over httpx, asynchronously; and below them the floor: ``http.client``
-posting the same bytes to the same server, and to a bare uvicorn that answers with as many preallocated bytes.
-Everything is measured in one run, in turns.
+other sizes: this client over plain sockets (in both precisions), over httpx, asynchronously; and below them the floor:
+``http.client`` posting the same bytes to the same server, and to a bare uvicorn that answers with as many preallocated
+bytes. Everything is measured in one run, in turns. The last line of each size is the processor time of the server for
+one answer to this client (where the server was started here).
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ from bnserve_protocol import MSGPACK, ParameterBatch, WaveformRequest, encode_re
 from tests.running_server import free_port, is_ready, running
 
 ONE = ParametersWithExtrinsic.gw170817()
-SIZES = ((1, 277), (1, 1000), (256, 277), (64, 10_000))
+SIZES = ((1, 277), (1, 1000), (256, 277), (64, 10_000), (1, 253_056))
 _ENVELOPE = 400
 
 BARE = """
@@ -87,6 +88,7 @@ def measure(url: str, bare_url: str | None, rows: int, points: int, repetitions:
         path = "/v1/models/default/waveforms"
         calls: dict[str, Callable[[], object]] = {
             "client": lambda: model.predict_batch(grid, batch),
+            "client, complex64": lambda: model.predict_batch(grid, batch, dtype="complex64"),
             "client, httpx": lambda: through_httpx.predict_batch(grid, batch),
             "client, asyncio": lambda: loop.run_until_complete(asynchronous.predict_batch(grid, batch)),
             "http.client, no checks": lambda: post(direct, path, body),
@@ -97,6 +99,24 @@ def measure(url: str, bare_url: str | None, rows: int, points: int, repetitions:
             calls["floor"] = lambda: post(bare, f"/{answer_bytes(rows, points)}", body)
         medians(calls, 5)
         return medians(calls, repetitions)
+
+
+def server_cost(process: int, url: str, rows: int, points: int, repetitions: int) -> float:
+    """Seconds of processor time that a server process spends on one answer to this client."""
+    grid, batch = np.geomspace(20.0, 2000.0, points), ParameterBatch.coerce([ONE] * rows)
+    with Model.connect(url) as model:
+        for _ in range(5):
+            model.predict_batch(grid, batch)
+        begun = processor_seconds(process)
+        for _ in range(repetitions):
+            model.predict_batch(grid, batch)
+        return (processor_seconds(process) - begun) / repetitions
+
+
+def processor_seconds(process: int) -> float:
+    """Of all threads of a process so far, as the kernel's scheduler counts them."""
+    threads = Path(f"/proc/{process}/task").iterdir()
+    return sum(int((thread / "schedstat").read_text().split()[0]) for thread in threads) / 1e9
 
 
 def answer_bytes(rows: int, points: int) -> int:
@@ -111,13 +131,13 @@ def main() -> None:
     parser.add_argument("--repetitions", type=int, default=1000)
     options = parser.parse_args()
     with ExitStack() as stack:
-        url = options.url
+        url, server = options.url, None
         if url is None:
             port = free_port()
             url = f"http://127.0.0.1:{port}"
             log = Path(stack.enter_context(TemporaryDirectory())) / "server.log"
             command = [sys.executable, "-m", "bnserve_service", "serve", "--port", str(port)]
-            stack.enter_context(running(command, log, lambda: is_ready(url)))
+            server = stack.enter_context(running(command, log, lambda: is_ready(url)))
         bare_port = free_port()
         sizes = [str(answer_bytes(rows, points)) for rows, points in SIZES]
         bare = subprocess.Popen([sys.executable, "-c", BARE, str(bare_port), *sizes])
@@ -132,6 +152,9 @@ def main() -> None:
                 times_floor = elapsed / found["floor"][0]
                 numbers = f"{1e6 * elapsed:>10.0f} {1e6 * worked:>10.0f} {times_floor:>10.1f}"
                 print(f"{rows:>4} x {points:<6} {name:<24} {numbers}")
+            if server is not None:
+                cost = server_cost(server.pid, url, rows, points, repetitions)
+                print(f"{rows:>4} x {points:<6} {'processor of the server':<24} {1e6 * cost:>10.0f}")
 
 
 if __name__ == "__main__":
