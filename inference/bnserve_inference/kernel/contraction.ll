@@ -1,4 +1,4 @@
-; sources: cc976eaca1ca9125cd3d9e1c8175b444ce5f1a79d09ea609ff58dffb6f649aea
+; sources: 96705932f3cbd6dcd4dc90777a61b11b0056491cbee99706acc200f17893272f
 ; ModuleID = '<string>'
 source_filename = "<string>"
 
@@ -201,7 +201,7 @@ B2054.i:                                          ; preds = %B2444.endif.endif.e
   br i1 %90, label %B2136.i, label %B2300.i
 
 B2136.i:                                          ; preds = %B2054.i
-  br i1 %162, label %B2136.else.if.i, label %B2136.else.endif.i, !prof !0
+  br i1 %159, label %B2136.else.if.i, label %B2136.else.endif.i, !prof !0
 
 B2300.i:                                          ; preds = %B2054.i
   %.48.i.i = load double, ptr %arg.knots, align 8, !noalias !4
@@ -906,11 +906,11 @@ B890.preheader.i:                                 ; preds = %B318.endif.endif.en
   %74 = shl i64 %.1497.i, 3
   %75 = shl i64 %arg.n_quadratic, 3
   %.128.i.i = getelementptr i8, ptr %arg.sidereal, i64 8
-  %.892618.not.i.i = icmp slt i64 %.1134.i, 3
+  %.706618.not.i.i = icmp slt i64 %.1134.i, 3
   %76 = icmp sgt i64 %..3029.i, 0
   %77 = icmp eq i64 %storemerge3204.i, 0
   %78 = icmp eq i64 %storemerge3206.i, 0
-  %.789.i.i = udiv i64 %.1143.i, 3
+  %.603.i.i = udiv i64 %.1143.i, 3
   %79 = icmp sgt i64 %.759.1.i, 0
   %80 = add i64 %73, 8
   %81 = add i64 %74, 8
@@ -952,210 +952,144 @@ B890.else.endif.endif.i:                          ; preds = %B890.else.endif.if.
   %.164.i.i = fadd contract double %.100.i.i, %.163.i.i
   %.194.i1.i = load double, ptr %.2950.i, align 8, !noalias !11
   %.195.i2.i = fsub contract double %.164.i.i, %.194.i1.i
-  %.197.i3.i = fmul contract double %.195.i2.i, 0x3FE45F306DC9C883
-  %.198.i4.i = fadd contract double %.197.i3.i, 0x4338000000000000
-  %.199.i5.i = fadd contract double %.198.i4.i, 0xC338000000000000
-  %.217.i6.i = fmul contract double %.199.i5.i, 0x3FF921FA00000000
-  %.218.i.i = fsub contract double %.195.i2.i, %.217.i6.i
-  %.236.i7.i = fmul contract double %.199.i5.i, 0x3EB5444200000000
-  %.237.i8.i = fsub contract double %.218.i.i, %.236.i7.i
-  %.255.i.i = fmul contract double %.199.i5.i, 0x3D6A308C00000000
-  %.256.i.i = fsub contract double %.237.i8.i, %.255.i.i
-  %.274.i.i = fmul contract double %.199.i5.i, 0x3C2313198A2E0370
-  %.275.i.i = fsub contract double %.256.i.i, %.274.i.i
-  %.276.i.i = fmul contract double %.275.i.i, %.275.i.i
-  %.277.i9.i = fmul contract double %.275.i.i, %.276.i.i
-  %.278.i10.i = fmul contract double %.276.i.i, 0x3D6AE7F3E733B81F
-  %95 = fsub contract double 0x3DE6124613A86D09, %.278.i10.i
-  %.280.i11.i = fmul contract double %.276.i.i, %95
-  %.281.i.i = fadd contract double %.280.i11.i, 0xBE5AE64567F544E4
-  %.282.i.i = fmul contract double %.276.i.i, %.281.i.i
-  %.283.i.i = fadd contract double %.282.i.i, 0x3EC71DE3A556C734
-  %.284.i12.i = fmul contract double %.276.i.i, %.283.i.i
-  %.285.i.i = fadd contract double %.284.i12.i, 0xBF2A01A01A01A01A
-  %.286.i13.i = fmul contract double %.276.i.i, %.285.i.i
-  %.287.i14.i = fadd contract double %.286.i13.i, 0x3F81111111111111
-  %.288.i15.i = fmul contract double %.276.i.i, %.287.i14.i
-  %.289.i16.i = fadd contract double %.288.i15.i, 0xBFC5555555555555
-  %.290.i.i = fmul contract double %.277.i9.i, %.289.i16.i
-  %.291.i17.i = fadd contract double %.275.i.i, %.290.i.i
-  %.292.i18.i = fmul contract double %.276.i.i, 0x3D2AE7F3E733B81F
-  %.293.i.i = fadd contract double %.292.i18.i, 0xBDA93974A8C07C9D
-  %.294.i.i = fmul contract double %.276.i.i, %.293.i.i
-  %.295.i.i = fadd contract double %.294.i.i, 0x3E21EED8EFF8D898
-  %.296.i.i = fmul contract double %.276.i.i, %.295.i.i
-  %.297.i.i = fadd contract double %.296.i.i, 0xBE927E4FB7789F5C
-  %.298.i.i = fmul contract double %.276.i.i, %.297.i.i
-  %.299.i.i = fadd contract double %.298.i.i, 0x3EFA01A01A01A01A
-  %.300.i.i = fmul contract double %.276.i.i, %.299.i.i
-  %.301.i.i = fadd contract double %.300.i.i, 0xBF56C16C16C16C17
-  %.302.i.i = fmul contract double %.276.i.i, %.301.i.i
-  %.303.i.i = fadd contract double %.302.i.i, 0x3FA5555555555555
-  %.304.i.i = fmul contract double %.276.i.i, %.303.i.i
-  %.305.i.i = fadd contract double %.304.i.i, -5.000000e-01
-  %.306.i.i = fmul contract double %.276.i.i, %.305.i.i
-  %.307.i.i = fadd contract double %.306.i.i, 1.000000e+00
-  %.308.i.i = bitcast double %.198.i4.i to i64
-  %.309.i.i = and i64 %.308.i.i, 1
-  %.311.i19.i = bitcast double %.291.i17.i to i64
-  %.312.i20.i = bitcast double %.307.i.i to i64
-  %.313.i.i = xor i64 %.312.i20.i, %.311.i19.i
-  %96 = icmp eq i64 %.309.i.i, 0
-  %.314.i21.i = select i1 %96, i64 0, i64 %.313.i.i
-  %.315.i.i = shl i64 %.308.i.i, 62
-  %.316.i.i = and i64 %.315.i.i, -9223372036854775808
-  %.318.i.i = add i64 %.315.i.i, 4611686018427387904
-  %.319.i22.i = and i64 %.318.i.i, -9223372036854775808
-  %97 = xor i64 %.316.i.i, %.311.i19.i
-  %.321.i.i = xor i64 %97, %.314.i21.i
-  %.322.i.i = bitcast i64 %.321.i.i to double
-  %98 = xor i64 %.319.i22.i, %.312.i20.i
-  %.324.i23.i = xor i64 %98, %.314.i21.i
-  %.325.i.i = bitcast i64 %.324.i23.i to double
-  %.375.i24.i = getelementptr i8, ptr %.2950.i, i64 8
-  %.376.i25.i = load double, ptr %.375.i24.i, align 8, !noalias !11
-  %.377.i26.i = fmul contract double %.376.i25.i, 0x3FE45F306DC9C883
-  %.378.i27.i = fadd contract double %.377.i26.i, 0x4338000000000000
-  %.379.i28.i = fadd contract double %.378.i27.i, 0xC338000000000000
-  %.397.i29.i = fmul contract double %.379.i28.i, 0x3FF921FA00000000
-  %.398.i30.i = fsub contract double %.376.i25.i, %.397.i29.i
-  %.416.i.i = fmul contract double %.379.i28.i, 0x3EB5444200000000
-  %.417.i31.i = fsub contract double %.398.i30.i, %.416.i.i
-  %.435.i.i = fmul contract double %.379.i28.i, 0x3D6A308C00000000
-  %.436.i.i = fsub contract double %.417.i31.i, %.435.i.i
-  %.454.i32.i = fmul contract double %.379.i28.i, 0x3C2313198A2E0370
-  %.455.i.i = fsub contract double %.436.i.i, %.454.i32.i
-  %.456.i.i = fmul contract double %.455.i.i, %.455.i.i
-  %.457.i.i = fmul contract double %.455.i.i, %.456.i.i
-  %.458.i.i = fmul contract double %.456.i.i, 0x3D6AE7F3E733B81F
-  %99 = fsub contract double 0x3DE6124613A86D09, %.458.i.i
-  %.460.i.i = fmul contract double %.456.i.i, %99
-  %.461.i.i = fadd contract double %.460.i.i, 0xBE5AE64567F544E4
-  %.462.i.i = fmul contract double %.456.i.i, %.461.i.i
-  %.463.i.i = fadd contract double %.462.i.i, 0x3EC71DE3A556C734
-  %.464.i.i = fmul contract double %.456.i.i, %.463.i.i
-  %.465.i.i = fadd contract double %.464.i.i, 0xBF2A01A01A01A01A
-  %.466.i.i = fmul contract double %.456.i.i, %.465.i.i
-  %.467.i.i = fadd contract double %.466.i.i, 0x3F81111111111111
-  %.468.i.i = fmul contract double %.456.i.i, %.467.i.i
-  %.469.i.i = fadd contract double %.468.i.i, 0xBFC5555555555555
-  %.470.i.i = fmul contract double %.457.i.i, %.469.i.i
-  %.471.i.i = fadd contract double %.455.i.i, %.470.i.i
-  %.472.i.i = fmul contract double %.456.i.i, 0x3D2AE7F3E733B81F
-  %.473.i.i = fadd contract double %.472.i.i, 0xBDA93974A8C07C9D
-  %.474.i.i = fmul contract double %.456.i.i, %.473.i.i
-  %.475.i.i = fadd contract double %.474.i.i, 0x3E21EED8EFF8D898
-  %.476.i.i = fmul contract double %.456.i.i, %.475.i.i
-  %.477.i.i = fadd contract double %.476.i.i, 0xBE927E4FB7789F5C
-  %.478.i.i = fmul contract double %.456.i.i, %.477.i.i
-  %.479.i.i = fadd contract double %.478.i.i, 0x3EFA01A01A01A01A
-  %.480.i33.i = fmul contract double %.456.i.i, %.479.i.i
-  %.481.i34.i = fadd contract double %.480.i33.i, 0xBF56C16C16C16C17
-  %.482.i35.i = fmul contract double %.456.i.i, %.481.i34.i
-  %.483.i.i = fadd contract double %.482.i35.i, 0x3FA5555555555555
-  %.484.i.i = fmul contract double %.456.i.i, %.483.i.i
-  %.485.i.i = fadd contract double %.484.i.i, -5.000000e-01
-  %.486.i.i = fmul contract double %.456.i.i, %.485.i.i
-  %.487.i36.i = fadd contract double %.486.i.i, 1.000000e+00
-  %.488.i.i = bitcast double %.378.i27.i to i64
-  %.489.i37.i = and i64 %.488.i.i, 1
-  %.491.i.i = bitcast double %.471.i.i to i64
-  %.492.i.i = bitcast double %.487.i36.i to i64
-  %.493.i.i = xor i64 %.492.i.i, %.491.i.i
-  %100 = icmp eq i64 %.489.i37.i, 0
-  %.494.i.i = select i1 %100, i64 0, i64 %.493.i.i
-  %.495.i.i = shl i64 %.488.i.i, 62
+  %.197.i3.i = tail call contract double @llvm.fma.f64(double %.195.i2.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.198.i4.i = fadd contract double %.197.i3.i, 0xC338000000000000
+  %.213.i5.i = tail call contract double @llvm.fma.f64(double %.198.i4.i, double 0xBFF921FB54442D18, double %.195.i2.i)
+  %.228.i.i = tail call contract double @llvm.fma.f64(double %.198.i4.i, double 0xBC91A62633145C07, double %.213.i5.i)
+  %.229.i6.i = fmul contract double %.228.i.i, %.228.i.i
+  %.230.i7.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.231.i8.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.230.i7.i, double 0xBE5AE64567F544E4)
+  %.232.i9.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.231.i8.i, double 0x3EC71DE3A556C734)
+  %.233.i10.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.232.i9.i, double 0xBF2A01A01A01A01A)
+  %.234.i11.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.233.i10.i, double 0x3F81111111111111)
+  %.235.i12.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.234.i11.i, double 0xBFC5555555555555)
+  %.236.i13.i = fmul contract double %.228.i.i, %.229.i6.i
+  %.237.i14.i = tail call contract double @llvm.fma.f64(double %.236.i13.i, double %.235.i12.i, double %.228.i.i)
+  %.238.i15.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.239.i16.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.238.i15.i, double 0x3E21EED8EFF8D898)
+  %.240.i.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.239.i16.i, double 0xBE927E4FB7789F5C)
+  %.241.i.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.240.i.i, double 0x3EFA01A01A01A01A)
+  %.242.i17.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.241.i.i, double 0xBF56C16C16C16C17)
+  %.243.i18.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.242.i17.i, double 0x3FA5555555555555)
+  %.244.i19.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.243.i18.i, double -5.000000e-01)
+  %.245.i20.i = tail call contract double @llvm.fma.f64(double %.229.i6.i, double %.244.i19.i, double 1.000000e+00)
+  %.246.i21.i = bitcast double %.197.i3.i to i64
+  %.247.i22.i = bitcast double %.237.i14.i to i64
+  %.248.i.i = bitcast double %.245.i20.i to i64
+  %.249.i.i = xor i64 %.248.i.i, %.247.i22.i
+  %.250.i.i = and i64 %.246.i21.i, 1
+  %95 = icmp eq i64 %.250.i.i, 0
+  %.252.i.i = select i1 %95, i64 0, i64 %.249.i.i
+  %.253.i.i = shl i64 %.246.i21.i, 62
+  %.254.i.i = and i64 %.253.i.i, -9223372036854775808
+  %.256.i.i = add i64 %.253.i.i, 4611686018427387904
+  %.257.i.i = and i64 %.256.i.i, -9223372036854775808
+  %96 = xor i64 %.254.i.i, %.247.i22.i
+  %.259.i.i = xor i64 %96, %.252.i.i
+  %.260.i.i = bitcast i64 %.259.i.i to double
+  %97 = xor i64 %.257.i.i, %.248.i.i
+  %.262.i.i = xor i64 %97, %.252.i.i
+  %.263.i.i = bitcast i64 %.262.i.i to double
+  %.313.i23.i = getelementptr i8, ptr %.2950.i, i64 8
+  %.314.i24.i = load double, ptr %.313.i23.i, align 8, !noalias !11
+  %.315.i25.i = tail call contract double @llvm.fma.f64(double %.314.i24.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.316.i26.i = fadd contract double %.315.i25.i, 0xC338000000000000
+  %.331.i27.i = tail call contract double @llvm.fma.f64(double %.316.i26.i, double 0xBFF921FB54442D18, double %.314.i24.i)
+  %.346.i.i = tail call contract double @llvm.fma.f64(double %.316.i26.i, double 0xBC91A62633145C07, double %.331.i27.i)
+  %.347.i28.i = fmul contract double %.346.i.i, %.346.i.i
+  %.348.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.349.i29.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.348.i.i, double 0xBE5AE64567F544E4)
+  %.350.i30.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.349.i29.i, double 0x3EC71DE3A556C734)
+  %.351.i31.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.350.i30.i, double 0xBF2A01A01A01A01A)
+  %.352.i32.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.351.i31.i, double 0x3F81111111111111)
+  %.353.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.352.i32.i, double 0xBFC5555555555555)
+  %.354.i.i = fmul contract double %.346.i.i, %.347.i28.i
+  %.355.i.i = tail call contract double @llvm.fma.f64(double %.354.i.i, double %.353.i.i, double %.346.i.i)
+  %.356.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.357.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.356.i.i, double 0x3E21EED8EFF8D898)
+  %.358.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.357.i.i, double 0xBE927E4FB7789F5C)
+  %.359.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.358.i.i, double 0x3EFA01A01A01A01A)
+  %.360.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.359.i.i, double 0xBF56C16C16C16C17)
+  %.361.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.360.i.i, double 0x3FA5555555555555)
+  %.362.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.361.i.i, double -5.000000e-01)
+  %.363.i.i = tail call contract double @llvm.fma.f64(double %.347.i28.i, double %.362.i.i, double 1.000000e+00)
+  %.364.i.i = bitcast double %.315.i25.i to i64
+  %.365.i.i = bitcast double %.355.i.i to i64
+  %.366.i.i = bitcast double %.363.i.i to i64
+  %.367.i.i = xor i64 %.366.i.i, %.365.i.i
+  %.368.i.i = and i64 %.364.i.i, 1
+  %98 = icmp eq i64 %.368.i.i, 0
+  %.370.i.i = select i1 %98, i64 0, i64 %.367.i.i
+  %.371.i.i = shl i64 %.364.i.i, 62
+  %.372.i.i = and i64 %.371.i.i, -9223372036854775808
+  %.374.i.i = add i64 %.371.i.i, 4611686018427387904
+  %.375.i.i = and i64 %.374.i.i, -9223372036854775808
+  %99 = xor i64 %.372.i.i, %.365.i.i
+  %.377.i.i = xor i64 %99, %.370.i.i
+  %.378.i.i = bitcast i64 %.377.i.i to double
+  %100 = xor i64 %.375.i.i, %.366.i.i
+  %.380.i.i = xor i64 %100, %.370.i.i
+  %.381.i.i = bitcast i64 %.380.i.i to double
+  %.434.i.i = getelementptr i8, ptr %.2950.i, i64 16
+  %.435.i.i = load double, ptr %.434.i.i, align 8, !noalias !11
+  %.436.i.i = tail call contract double @llvm.fma.f64(double %.435.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.437.i.i = fadd contract double %.436.i.i, 0xC338000000000000
+  %.452.i33.i = tail call contract double @llvm.fma.f64(double %.437.i.i, double 0xBFF921FB54442D18, double %.435.i.i)
+  %.467.i.i = tail call contract double @llvm.fma.f64(double %.437.i.i, double 0xBC91A62633145C07, double %.452.i33.i)
+  %.468.i.i = fmul contract double %.467.i.i, %.467.i.i
+  %.469.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.470.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.469.i.i, double 0xBE5AE64567F544E4)
+  %.471.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.470.i.i, double 0x3EC71DE3A556C734)
+  %.472.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.471.i.i, double 0xBF2A01A01A01A01A)
+  %.473.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.472.i.i, double 0x3F81111111111111)
+  %.474.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.473.i.i, double 0xBFC5555555555555)
+  %.475.i.i = fmul contract double %.467.i.i, %.468.i.i
+  %.476.i.i = tail call contract double @llvm.fma.f64(double %.475.i.i, double %.474.i.i, double %.467.i.i)
+  %.477.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.478.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.477.i.i, double 0x3E21EED8EFF8D898)
+  %.479.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.478.i.i, double 0xBE927E4FB7789F5C)
+  %.480.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.479.i.i, double 0x3EFA01A01A01A01A)
+  %.481.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.480.i.i, double 0xBF56C16C16C16C17)
+  %.482.i34.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.481.i.i, double 0x3FA5555555555555)
+  %.483.i35.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.482.i34.i, double -5.000000e-01)
+  %.484.i.i = tail call contract double @llvm.fma.f64(double %.468.i.i, double %.483.i35.i, double 1.000000e+00)
+  %.485.i.i = bitcast double %.436.i.i to i64
+  %.486.i.i = bitcast double %.476.i.i to i64
+  %.487.i36.i = bitcast double %.484.i.i to i64
+  %.488.i.i = xor i64 %.487.i36.i, %.486.i.i
+  %.489.i37.i = and i64 %.485.i.i, 1
+  %101 = icmp eq i64 %.489.i37.i, 0
+  %.491.i.i = select i1 %101, i64 0, i64 %.488.i.i
+  %.492.i.i = shl i64 %.485.i.i, 62
+  %.493.i.i = and i64 %.492.i.i, -9223372036854775808
+  %.495.i.i = add i64 %.492.i.i, 4611686018427387904
   %.496.i.i = and i64 %.495.i.i, -9223372036854775808
-  %.498.i38.i = add i64 %.495.i.i, 4611686018427387904
-  %.499.i.i = and i64 %.498.i38.i, -9223372036854775808
-  %101 = xor i64 %.496.i.i, %.491.i.i
-  %.501.i.i = xor i64 %101, %.494.i.i
+  %102 = xor i64 %.493.i.i, %.486.i.i
+  %.498.i38.i = xor i64 %102, %.491.i.i
+  %.499.i.i = bitcast i64 %.498.i38.i to double
+  %103 = xor i64 %.496.i.i, %.487.i36.i
+  %.501.i.i = xor i64 %103, %.491.i.i
   %.502.i.i = bitcast i64 %.501.i.i to double
-  %102 = xor i64 %.499.i.i, %.492.i.i
-  %.504.i.i = xor i64 %102, %.494.i.i
-  %.505.i.i = bitcast i64 %.504.i.i to double
-  %.558.i.i = getelementptr i8, ptr %.2950.i, i64 16
-  %.559.i.i = load double, ptr %.558.i.i, align 8, !noalias !11
-  %.560.i.i = fmul contract double %.559.i.i, 0x3FE45F306DC9C883
-  %.561.i.i = fadd contract double %.560.i.i, 0x4338000000000000
-  %.562.i.i = fadd contract double %.561.i.i, 0xC338000000000000
-  %.580.i.i = fmul contract double %.562.i.i, 0x3FF921FA00000000
-  %.581.i.i = fsub contract double %.559.i.i, %.580.i.i
-  %.599.i.i = fmul contract double %.562.i.i, 0x3EB5444200000000
-  %.600.i.i = fsub contract double %.581.i.i, %.599.i.i
-  %.618.i.i = fmul contract double %.562.i.i, 0x3D6A308C00000000
-  %.619.i.i = fsub contract double %.600.i.i, %.618.i.i
-  %.637.i.i = fmul contract double %.562.i.i, 0x3C2313198A2E0370
-  %.638.i.i = fsub contract double %.619.i.i, %.637.i.i
-  %.639.i.i = fmul contract double %.638.i.i, %.638.i.i
-  %.640.i.i = fmul contract double %.638.i.i, %.639.i.i
-  %.641.i.i = fmul contract double %.639.i.i, 0x3D6AE7F3E733B81F
-  %103 = fsub contract double 0x3DE6124613A86D09, %.641.i.i
-  %.643.i.i = fmul contract double %.639.i.i, %103
-  %.644.i.i = fadd contract double %.643.i.i, 0xBE5AE64567F544E4
-  %.645.i.i = fmul contract double %.639.i.i, %.644.i.i
-  %.646.i.i = fadd contract double %.645.i.i, 0x3EC71DE3A556C734
-  %.647.i.i = fmul contract double %.639.i.i, %.646.i.i
-  %.648.i.i = fadd contract double %.647.i.i, 0xBF2A01A01A01A01A
-  %.649.i.i = fmul contract double %.639.i.i, %.648.i.i
-  %.650.i.i = fadd contract double %.649.i.i, 0x3F81111111111111
-  %.651.i.i = fmul contract double %.639.i.i, %.650.i.i
-  %.652.i.i = fadd contract double %.651.i.i, 0xBFC5555555555555
-  %.653.i.i = fmul contract double %.640.i.i, %.652.i.i
-  %.654.i.i = fadd contract double %.638.i.i, %.653.i.i
-  %.655.i.i = fmul contract double %.639.i.i, 0x3D2AE7F3E733B81F
-  %.656.i.i = fadd contract double %.655.i.i, 0xBDA93974A8C07C9D
-  %.657.i.i = fmul contract double %.639.i.i, %.656.i.i
-  %.658.i.i = fadd contract double %.657.i.i, 0x3E21EED8EFF8D898
-  %.659.i.i = fmul contract double %.639.i.i, %.658.i.i
-  %.660.i.i = fadd contract double %.659.i.i, 0xBE927E4FB7789F5C
-  %.661.i.i = fmul contract double %.639.i.i, %.660.i.i
-  %.662.i.i = fadd contract double %.661.i.i, 0x3EFA01A01A01A01A
-  %.663.i.i = fmul contract double %.639.i.i, %.662.i.i
-  %.664.i.i = fadd contract double %.663.i.i, 0xBF56C16C16C16C17
-  %.665.i.i = fmul contract double %.639.i.i, %.664.i.i
-  %.666.i.i = fadd contract double %.665.i.i, 0x3FA5555555555555
-  %.667.i.i = fmul contract double %.639.i.i, %.666.i.i
-  %.668.i39.i = fadd contract double %.667.i.i, -5.000000e-01
-  %.669.i40.i = fmul contract double %.639.i.i, %.668.i39.i
-  %.670.i.i = fadd contract double %.669.i40.i, 1.000000e+00
-  %.671.i.i = bitcast double %.561.i.i to i64
-  %.672.i.i = and i64 %.671.i.i, 1
-  %.674.i.i = bitcast double %.654.i.i to i64
-  %.675.i.i = bitcast double %.670.i.i to i64
-  %.676.i.i = xor i64 %.675.i.i, %.674.i.i
-  %104 = icmp eq i64 %.672.i.i, 0
-  %.677.i.i = select i1 %104, i64 0, i64 %.676.i.i
-  %.678.i.i = shl i64 %.671.i.i, 62
-  %.679.i.i = and i64 %.678.i.i, -9223372036854775808
-  %.681.i.i = add i64 %.678.i.i, 4611686018427387904
-  %.682.i.i = and i64 %.681.i.i, -9223372036854775808
-  %105 = xor i64 %.679.i.i, %.674.i.i
-  %.684.i.i = xor i64 %105, %.677.i.i
-  %.685.i.i = bitcast i64 %.684.i.i to double
-  %106 = xor i64 %.682.i.i, %.675.i.i
-  %.687.i.i = xor i64 %106, %.677.i.i
-  %.688.i.i = bitcast i64 %.687.i.i to double
-  %.709.i.i = fneg contract double %.688.i.i
-  %.710.i.i = fmul contract double %.709.i.i, %.322.i.i
-  %.711.i.i = fmul contract double %.685.i.i, %.325.i.i
-  %.713.i.i = fmul contract double %.711.i.i, %.502.i.i
-  %.714.i.i = fsub contract double %.710.i.i, %.713.i.i
-  %.720.i.i = fmul contract double %.685.i.i, %.322.i.i
-  %.722.i.i = fmul contract double %.720.i.i, %.502.i.i
-  %107 = fmul contract double %.688.i.i, %.325.i.i
-  %.723.i.i = fsub contract double %.722.i.i, %107
-  %.727.i.i = fmul contract double %.505.i.i, %.685.i.i
-  %.734.i.i = fmul contract double %107, %.502.i.i
-  %.735.i.i = fsub contract double %.720.i.i, %.734.i.i
-  %.740.i.i = fmul contract double %.688.i.i, %.322.i.i
-  %.742.i.i = fmul contract double %.740.i.i, %.502.i.i
-  %.743.i.i = fadd contract double %.711.i.i, %.742.i.i
-  %.747.i.i = fmul contract double %.505.i.i, %.688.i.i
-  %.751.i.i = fmul contract double %.505.i.i, %.325.i.i
-  %.755.i.i = fneg contract double %.505.i.i
-  %.756.i.i = fmul contract double %.755.i.i, %.322.i.i
-  br i1 %.892618.not.i.i, label %_ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B462.if.preheader.i.i
+  %.523.i.i = fneg contract double %.502.i.i
+  %.524.i.i = fmul contract double %.523.i.i, %.260.i.i
+  %.525.i.i = fmul contract double %.499.i.i, %.263.i.i
+  %.527.i.i = fmul contract double %.525.i.i, %.378.i.i
+  %.528.i.i = fsub contract double %.524.i.i, %.527.i.i
+  %.534.i.i = fmul contract double %.499.i.i, %.260.i.i
+  %.536.i.i = fmul contract double %.534.i.i, %.378.i.i
+  %104 = fmul contract double %.502.i.i, %.263.i.i
+  %.537.i.i = fsub contract double %.536.i.i, %104
+  %.541.i.i = fmul contract double %.381.i.i, %.499.i.i
+  %.548.i.i = fmul contract double %104, %.378.i.i
+  %.549.i.i = fsub contract double %.534.i.i, %.548.i.i
+  %.554.i.i = fmul contract double %.502.i.i, %.260.i.i
+  %.556.i.i = fmul contract double %.554.i.i, %.378.i.i
+  %.557.i.i = fadd contract double %.525.i.i, %.556.i.i
+  %.561.i.i = fmul contract double %.381.i.i, %.502.i.i
+  %.565.i39.i = fmul contract double %.381.i.i, %.263.i.i
+  %.569.i.i = fneg contract double %.381.i.i
+  %.570.i.i = fmul contract double %.569.i.i, %.260.i.i
+  br i1 %.706618.not.i.i, label %_ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B462.if.preheader.i.i
 
 B462.if.preheader.i.i:                            ; preds = %B890.else.endif.endif.i
   %sunkaddr9.i.i = getelementptr i8, ptr %.2950.i, i64 32
@@ -1164,126 +1098,126 @@ B462.if.preheader.i.i:                            ; preds = %B890.else.endif.end
   br label %B462.if.i.i
 
 B462.if.i.i:                                      ; preds = %B466.endif.else.endif.endif.i.i, %B462.if.preheader.i.i
-  %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B466.endif.else.endif.endif.i.i ], [ %.789.i.i, %B462.if.preheader.i.i ]
+  %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B466.endif.else.endif.endif.i.i ], [ %.603.i.i, %B462.if.preheader.i.i ]
   %lsr.iv6.i.i = phi i64 [ %lsr.iv.next7.i.i, %B466.endif.else.endif.endif.i.i ], [ 0, %B462.if.preheader.i.i ]
-  %lsr.iv.i41.i = phi i64 [ %lsr.iv.next.i42.i, %B466.endif.else.endif.endif.i.i ], [ 0, %B462.if.preheader.i.i ]
-  %.979.not.i.i = icmp slt i64 %lsr.iv6.i.i, %arg.n_responses
-  br i1 %.979.not.i.i, label %B466.else.endif.endif.i.i, label %B466.else.endif.if.i.i, !prof !10
+  %lsr.iv.i40.i = phi i64 [ %lsr.iv.next.i41.i, %B466.endif.else.endif.endif.i.i ], [ 0, %B462.if.preheader.i.i ]
+  %.793.not.i.i = icmp slt i64 %lsr.iv6.i.i, %arg.n_responses
+  br i1 %.793.not.i.i, label %B466.else.endif.endif.i.i, label %B466.else.endif.if.i.i, !prof !10
 
 B466.else.endif.if.i.i:                           ; preds = %B462.if.i.i
   br label %B466.else.endif.endif.i.i
 
 B466.else.endif.endif.i.i:                        ; preds = %B466.else.endif.if.i.i, %B462.if.i.i
-  %.959.sroa.0.3.i.i = phi i64 [ %arg.n_responses, %B466.else.endif.if.i.i ], [ %lsr.iv6.i.i, %B462.if.i.i ]
-  %.1072.i.i = getelementptr double, ptr %arg.responses, i64 %.959.sroa.0.3.i.i
-  %.1132.i.i = load double, ptr %.1072.i.i, align 8, !noalias !11
-  %.1134.i.i = fmul contract double %.714.i.i, %.1132.i.i
-  %.1162.i.i = getelementptr i8, ptr %.1072.i.i, i64 8
-  %.1163.i.i = load double, ptr %.1162.i.i, align 8, !noalias !11
-  %.1165.i.i = fmul contract double %.723.i.i, %.1163.i.i
-  %.1166.i.i = fadd contract double %.1134.i.i, %.1165.i.i
-  %.1194.i.i = getelementptr i8, ptr %.1072.i.i, i64 16
-  %.1195.i.i = load double, ptr %.1194.i.i, align 8, !noalias !11
-  %.1197.i.i = fmul contract double %.727.i.i, %.1195.i.i
-  %.1198.i.i = fadd contract double %.1166.i.i, %.1197.i.i
-  %.1226.i.i = getelementptr i8, ptr %.1072.i.i, i64 24
-  %.1227.i.i = load double, ptr %.1226.i.i, align 8, !noalias !11
-  %.1229.i.i = fmul contract double %.714.i.i, %.1227.i.i
-  %.1257.i.i = getelementptr i8, ptr %.1072.i.i, i64 32
-  %.1258.i.i = load double, ptr %.1257.i.i, align 8, !noalias !11
-  %.1260.i.i = fmul contract double %.723.i.i, %.1258.i.i
-  %.1261.i.i = fadd contract double %.1229.i.i, %.1260.i.i
-  %.1289.i.i = getelementptr i8, ptr %.1072.i.i, i64 40
-  %.1290.i.i = load double, ptr %.1289.i.i, align 8, !noalias !11
-  %.1292.i.i = fmul contract double %.727.i.i, %.1290.i.i
-  %.1293.i.i = fadd contract double %.1261.i.i, %.1292.i.i
-  %.1321.i.i = getelementptr i8, ptr %.1072.i.i, i64 48
-  %.1322.i.i = load double, ptr %.1321.i.i, align 8, !noalias !11
-  %.1324.i.i = fmul contract double %.714.i.i, %.1322.i.i
-  %.1352.i.i = getelementptr i8, ptr %.1072.i.i, i64 56
-  %.1353.i.i = load double, ptr %.1352.i.i, align 8, !noalias !11
-  %.1355.i.i = fmul contract double %.723.i.i, %.1353.i.i
-  %.1356.i.i = fadd contract double %.1324.i.i, %.1355.i.i
-  %.1384.i.i = getelementptr i8, ptr %.1072.i.i, i64 64
-  %.1385.i.i = load double, ptr %.1384.i.i, align 8, !noalias !11
-  %.1387.i.i = fmul contract double %.727.i.i, %.1385.i.i
-  %.1388.i.i = fadd contract double %.1356.i.i, %.1387.i.i
-  %.1419.i.i = fmul contract double %.735.i.i, %.1132.i.i
-  %.1450.i.i = fmul contract double %.743.i.i, %.1163.i.i
-  %.1451.i.i = fadd contract double %.1419.i.i, %.1450.i.i
-  %.1482.i.i = fmul contract double %.747.i.i, %.1195.i.i
-  %.1483.i.i = fadd contract double %.1451.i.i, %.1482.i.i
-  %.1514.i.i = fmul contract double %.735.i.i, %.1227.i.i
-  %.1545.i.i = fmul contract double %.743.i.i, %.1258.i.i
-  %.1546.i.i = fadd contract double %.1514.i.i, %.1545.i.i
-  %.1577.i.i = fmul contract double %.747.i.i, %.1290.i.i
-  %.1578.i.i = fadd contract double %.1546.i.i, %.1577.i.i
-  %.1609.i.i = fmul contract double %.735.i.i, %.1322.i.i
-  %.1640.i.i = fmul contract double %.743.i.i, %.1353.i.i
-  %.1641.i.i = fadd contract double %.1609.i.i, %.1640.i.i
-  %.1675.i.i = fmul contract double %.747.i.i, %.1385.i.i
-  %.1676.i.i = fadd contract double %.1641.i.i, %.1675.i.i
-  %.1678.i.i = fmul contract double %.714.i.i, %.1198.i.i
-  %.1680.i.i = fmul contract double %.723.i.i, %.1293.i.i
-  %.1681.i.i = fadd contract double %.1678.i.i, %.1680.i.i
-  %.1683.i.i = fmul contract double %.727.i.i, %.1388.i.i
-  %.1684.i.i = fadd contract double %.1681.i.i, %.1683.i.i
-  %.1686.i.i = fmul contract double %.735.i.i, %.1483.i.i
-  %.1688.i.i = fmul contract double %.743.i.i, %.1578.i.i
-  %.1689.i.i = fadd contract double %.1686.i.i, %.1688.i.i
-  %.1691.i.i = fmul contract double %.747.i.i, %.1676.i.i
-  %.1692.i.i = fadd contract double %.1689.i.i, %.1691.i.i
-  %.1693.i.i = fsub contract double %.1684.i.i, %.1692.i.i
-  %.1695.i.i = fmul contract double %.714.i.i, %.1483.i.i
-  %.1697.i.i = fmul contract double %.723.i.i, %.1578.i.i
-  %.1698.i.i = fadd contract double %.1695.i.i, %.1697.i.i
-  %.1700.i.i = fmul contract double %.727.i.i, %.1676.i.i
-  %.1701.i.i = fadd contract double %.1698.i.i, %.1700.i.i
-  %.1703.i.i = fmul contract double %.735.i.i, %.1198.i.i
-  %.1705.i.i = fmul contract double %.743.i.i, %.1293.i.i
-  %.1706.i.i = fadd contract double %.1703.i.i, %.1705.i.i
-  %.1708.i.i = fmul contract double %.747.i.i, %.1388.i.i
-  %.1709.i.i = fadd contract double %.1706.i.i, %.1708.i.i
-  %.1710.i.i = fadd contract double %.1701.i.i, %.1709.i.i
-  %.1760.not.i.i = icmp slt i64 %lsr.iv.i41.i, %arg.n_locations
-  br i1 %.1760.not.i.i, label %B466.endif.else.endif.endif.i.i, label %B466.endif.else.endif.if.i.i, !prof !10
+  %.773.sroa.0.3.i.i = phi i64 [ %arg.n_responses, %B466.else.endif.if.i.i ], [ %lsr.iv6.i.i, %B462.if.i.i ]
+  %.886.i.i = getelementptr double, ptr %arg.responses, i64 %.773.sroa.0.3.i.i
+  %.946.i.i = load double, ptr %.886.i.i, align 8, !noalias !11
+  %.948.i.i = fmul contract double %.528.i.i, %.946.i.i
+  %.976.i.i = getelementptr i8, ptr %.886.i.i, i64 8
+  %.977.i.i = load double, ptr %.976.i.i, align 8, !noalias !11
+  %.979.i.i = fmul contract double %.537.i.i, %.977.i.i
+  %.980.i.i = fadd contract double %.948.i.i, %.979.i.i
+  %.1008.i.i = getelementptr i8, ptr %.886.i.i, i64 16
+  %.1009.i.i = load double, ptr %.1008.i.i, align 8, !noalias !11
+  %.1011.i.i = fmul contract double %.541.i.i, %.1009.i.i
+  %.1012.i.i = fadd contract double %.980.i.i, %.1011.i.i
+  %.1040.i.i = getelementptr i8, ptr %.886.i.i, i64 24
+  %.1041.i.i = load double, ptr %.1040.i.i, align 8, !noalias !11
+  %.1043.i.i = fmul contract double %.528.i.i, %.1041.i.i
+  %.1071.i.i = getelementptr i8, ptr %.886.i.i, i64 32
+  %.1072.i.i = load double, ptr %.1071.i.i, align 8, !noalias !11
+  %.1074.i.i = fmul contract double %.537.i.i, %.1072.i.i
+  %.1075.i.i = fadd contract double %.1043.i.i, %.1074.i.i
+  %.1103.i.i = getelementptr i8, ptr %.886.i.i, i64 40
+  %.1104.i.i = load double, ptr %.1103.i.i, align 8, !noalias !11
+  %.1106.i.i = fmul contract double %.541.i.i, %.1104.i.i
+  %.1107.i.i = fadd contract double %.1075.i.i, %.1106.i.i
+  %.1135.i.i = getelementptr i8, ptr %.886.i.i, i64 48
+  %.1136.i.i = load double, ptr %.1135.i.i, align 8, !noalias !11
+  %.1138.i.i = fmul contract double %.528.i.i, %.1136.i.i
+  %.1166.i.i = getelementptr i8, ptr %.886.i.i, i64 56
+  %.1167.i.i = load double, ptr %.1166.i.i, align 8, !noalias !11
+  %.1169.i.i = fmul contract double %.537.i.i, %.1167.i.i
+  %.1170.i.i = fadd contract double %.1138.i.i, %.1169.i.i
+  %.1198.i.i = getelementptr i8, ptr %.886.i.i, i64 64
+  %.1199.i.i = load double, ptr %.1198.i.i, align 8, !noalias !11
+  %.1201.i.i = fmul contract double %.541.i.i, %.1199.i.i
+  %.1202.i.i = fadd contract double %.1170.i.i, %.1201.i.i
+  %.1233.i.i = fmul contract double %.549.i.i, %.946.i.i
+  %.1264.i.i = fmul contract double %.557.i.i, %.977.i.i
+  %.1265.i.i = fadd contract double %.1233.i.i, %.1264.i.i
+  %.1296.i.i = fmul contract double %.561.i.i, %.1009.i.i
+  %.1297.i.i = fadd contract double %.1265.i.i, %.1296.i.i
+  %.1328.i.i = fmul contract double %.549.i.i, %.1041.i.i
+  %.1359.i.i = fmul contract double %.557.i.i, %.1072.i.i
+  %.1360.i.i = fadd contract double %.1328.i.i, %.1359.i.i
+  %.1391.i.i = fmul contract double %.561.i.i, %.1104.i.i
+  %.1392.i.i = fadd contract double %.1360.i.i, %.1391.i.i
+  %.1423.i.i = fmul contract double %.549.i.i, %.1136.i.i
+  %.1454.i.i = fmul contract double %.557.i.i, %.1167.i.i
+  %.1455.i.i = fadd contract double %.1423.i.i, %.1454.i.i
+  %.1489.i.i = fmul contract double %.561.i.i, %.1199.i.i
+  %.1490.i.i = fadd contract double %.1455.i.i, %.1489.i.i
+  %.1492.i.i = fmul contract double %.528.i.i, %.1012.i.i
+  %.1494.i.i = fmul contract double %.537.i.i, %.1107.i.i
+  %.1495.i.i = fadd contract double %.1492.i.i, %.1494.i.i
+  %.1497.i.i = fmul contract double %.541.i.i, %.1202.i.i
+  %.1498.i.i = fadd contract double %.1495.i.i, %.1497.i.i
+  %.1500.i.i = fmul contract double %.549.i.i, %.1297.i.i
+  %.1502.i.i = fmul contract double %.557.i.i, %.1392.i.i
+  %.1503.i.i = fadd contract double %.1500.i.i, %.1502.i.i
+  %.1505.i.i = fmul contract double %.561.i.i, %.1490.i.i
+  %.1506.i.i = fadd contract double %.1503.i.i, %.1505.i.i
+  %.1507.i.i = fsub contract double %.1498.i.i, %.1506.i.i
+  %.1509.i.i = fmul contract double %.528.i.i, %.1297.i.i
+  %.1511.i.i = fmul contract double %.537.i.i, %.1392.i.i
+  %.1512.i.i = fadd contract double %.1509.i.i, %.1511.i.i
+  %.1514.i.i = fmul contract double %.541.i.i, %.1490.i.i
+  %.1515.i.i = fadd contract double %.1512.i.i, %.1514.i.i
+  %.1517.i.i = fmul contract double %.549.i.i, %.1012.i.i
+  %.1519.i.i = fmul contract double %.557.i.i, %.1107.i.i
+  %.1520.i.i = fadd contract double %.1517.i.i, %.1519.i.i
+  %.1522.i.i = fmul contract double %.561.i.i, %.1202.i.i
+  %.1523.i.i = fadd contract double %.1520.i.i, %.1522.i.i
+  %.1524.i.i = fadd contract double %.1515.i.i, %.1523.i.i
+  %.1574.not.i.i = icmp slt i64 %lsr.iv.i40.i, %arg.n_locations
+  br i1 %.1574.not.i.i, label %B466.endif.else.endif.endif.i.i, label %B466.endif.else.endif.if.i.i, !prof !10
 
 B466.endif.else.endif.if.i.i:                     ; preds = %B466.else.endif.endif.i.i
   br label %B466.endif.else.endif.endif.i.i
 
 B466.endif.else.endif.endif.i.i:                  ; preds = %B466.endif.else.endif.if.i.i, %B466.else.endif.endif.i.i
-  %.1740.sroa.0.3.i.i = phi i64 [ %arg.n_locations, %B466.endif.else.endif.if.i.i ], [ %lsr.iv.i41.i, %B466.else.endif.endif.i.i ]
-  %.1853.i.i = getelementptr double, ptr %arg.locations, i64 %.1740.sroa.0.3.i.i
-  %.1914.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !11
-  %.1915.i.i = fmul contract double %.1693.i.i, %.1914.i.i
-  %.1945.i.i = load double, ptr %sunkaddr11.i.i, align 8, !noalias !11
-  %.1946.i.i = fmul contract double %.1710.i.i, %.1945.i.i
-  %.1947.i.i = fadd contract double %.1915.i.i, %.1946.i.i
-  %sunkaddr.i.i = shl i64 %lsr.iv.i41.i, 3
+  %.1554.sroa.0.3.i.i = phi i64 [ %arg.n_locations, %B466.endif.else.endif.if.i.i ], [ %lsr.iv.i40.i, %B466.else.endif.endif.i.i ]
+  %.1667.i.i = getelementptr double, ptr %arg.locations, i64 %.1554.sroa.0.3.i.i
+  %.1728.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !11
+  %.1729.i.i = fmul contract double %.1507.i.i, %.1728.i.i
+  %.1759.i.i = load double, ptr %sunkaddr11.i.i, align 8, !noalias !11
+  %.1760.i.i = fmul contract double %.1524.i.i, %.1759.i.i
+  %.1761.i.i = fadd contract double %.1729.i.i, %.1760.i.i
+  %sunkaddr.i.i = shl i64 %lsr.iv.i40.i, 3
   %sunkaddr12.i.i = getelementptr i8, ptr %.1159.i, i64 %sunkaddr.i.i
-  store double %.1947.i.i, ptr %sunkaddr12.i.i, align 8, !noalias !11
-  %.2008.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !11
-  %.2009.i.i = fmul contract double %.1710.i.i, %.2008.i.i
+  store double %.1761.i.i, ptr %sunkaddr12.i.i, align 8, !noalias !11
+  %.1822.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !11
+  %.1823.i.i = fmul contract double %.1524.i.i, %.1822.i.i
   %sunkaddr16.i.i = getelementptr i8, ptr %sunkaddr12.i.i, i64 8
-  store double %.2009.i.i, ptr %sunkaddr16.i.i, align 8, !noalias !11
-  %.2070.i.i = load double, ptr %.1853.i.i, align 8, !noalias !11
-  %.2072.i.i = fmul contract double %.751.i.i, %.2070.i.i
-  %.2100.i.i = getelementptr i8, ptr %.1853.i.i, i64 8
-  %.2101.i.i = load double, ptr %.2100.i.i, align 8, !noalias !11
-  %.2103.i.i = fmul contract double %.756.i.i, %.2101.i.i
-  %.2104.i.i = fadd contract double %.2072.i.i, %.2103.i.i
-  %.2132.i.i = getelementptr i8, ptr %.1853.i.i, i64 16
-  %.2133.i.i = load double, ptr %.2132.i.i, align 8, !noalias !11
-  %.2138.i.i = fmul contract double %.2133.i.i, %.502.i.i
-  %.2139.i.i = fadd contract double %.2104.i.i, %.2138.i.i
-  %.2144.i.i = fdiv contract double %.2139.i.i, 0xC1B1DE784A000000
+  store double %.1823.i.i, ptr %sunkaddr16.i.i, align 8, !noalias !11
+  %.1884.i.i = load double, ptr %.1667.i.i, align 8, !noalias !11
+  %.1886.i.i = fmul contract double %.565.i39.i, %.1884.i.i
+  %.1914.i.i = getelementptr i8, ptr %.1667.i.i, i64 8
+  %.1915.i.i = load double, ptr %.1914.i.i, align 8, !noalias !11
+  %.1917.i.i = fmul contract double %.570.i.i, %.1915.i.i
+  %.1918.i.i = fadd contract double %.1886.i.i, %.1917.i.i
+  %.1946.i.i = getelementptr i8, ptr %.1667.i.i, i64 16
+  %.1947.i.i = load double, ptr %.1946.i.i, align 8, !noalias !11
+  %.1952.i.i = fmul contract double %.1947.i.i, %.378.i.i
+  %.1953.i.i = fadd contract double %.1918.i.i, %.1952.i.i
+  %.1958.i.i = fdiv contract double %.1953.i.i, 0xC1B1DE784A000000
   %sunkaddr19.i.i = getelementptr i8, ptr %sunkaddr12.i.i, i64 16
-  store double %.2144.i.i, ptr %sunkaddr19.i.i, align 8, !noalias !11
-  %lsr.iv.next.i42.i = add nuw nsw i64 %lsr.iv.i41.i, 3
+  store double %.1958.i.i, ptr %sunkaddr19.i.i, align 8, !noalias !11
+  %lsr.iv.next.i41.i = add nuw nsw i64 %lsr.iv.i40.i, 3
   %lsr.iv.next7.i.i = add nuw i64 %lsr.iv6.i.i, 9
   %lsr.iv.next9.i.i = add nsw i64 %lsr.iv8.i.i, -1
-  %exitcond.not.i43.i = icmp eq i64 %lsr.iv.next9.i.i, 0
-  br i1 %exitcond.not.i43.i, label %_ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B462.if.i.i
+  %exitcond.not.i42.i = icmp eq i64 %lsr.iv.next9.i.i, 0
+  br i1 %exitcond.not.i42.i, label %_ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B462.if.i.i
 
 _ZN17bnserve_inference6kernel7_source9_geometryB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B466.endif.else.endif.endif.i.i, %B890.else.endif.endif.i
   %.3031.i = mul nsw i64 %.2755.sroa.0.091.i, %.3029.i
@@ -1377,60 +1311,60 @@ B1090.else.endif.endif.endif.endif.i:             ; preds = %B1090.else.endif.en
 B1306.if.i:                                       ; preds = %B1306.if.i, %B1306.if.preheader.i
   %.383132763278.i = phi i64 [ %.3838.i, %B1306.if.i ], [ 0, %B1306.if.preheader.i ]
   %.3838.i = add nuw nsw i64 %.383132763278.i, 1
-  %108 = add i64 %.383132763278.i, %.3625.sroa.0.068.i
-  %.3878.i = icmp slt i64 %108, 0
-  %109 = select i1 %.3878.i, i64 %72, i64 0
-  %scevgep385.i = getelementptr i8, ptr %scevgep384.i, i64 %109
-  %110 = shl nuw nsw i64 %.383132763278.i, 3
-  %scevgep22.i = getelementptr i8, ptr %scevgep385.i, i64 %110
+  %105 = add i64 %.383132763278.i, %.3625.sroa.0.068.i
+  %.3878.i = icmp slt i64 %105, 0
+  %106 = select i1 %.3878.i, i64 %72, i64 0
+  %scevgep385.i = getelementptr i8, ptr %scevgep384.i, i64 %106
+  %107 = shl nuw nsw i64 %.383132763278.i, 3
+  %scevgep22.i = getelementptr i8, ptr %scevgep385.i, i64 %107
   %.3894.i = load i64, ptr %scevgep22.i, align 8, !noalias !1
   %.3909.i = icmp slt i64 %.3894.i, 0
   %.3910.i = select i1 %.3909.i, i64 %.3500.i, i64 0
   %.idx.i = shl i64 %.3894.i, 4
-  %111 = getelementptr i8, ptr %.3516.i, i64 %.idx.i
-  %.3924.i = getelementptr double, ptr %111, i64 %.3910.i
+  %108 = getelementptr i8, ptr %.3516.i, i64 %.idx.i
+  %.3924.i = getelementptr double, ptr %108, i64 %.3910.i
   %.3925.i = load double, ptr %.3924.i, align 8, !noalias !1
-  %scevgep21.i = getelementptr i8, ptr %.1339.i, i64 %110
+  %scevgep21.i = getelementptr i8, ptr %.1339.i, i64 %107
   store double %.3925.i, ptr %scevgep21.i, align 8, !noalias !1
   %.3987.i = load i64, ptr %scevgep22.i, align 8, !noalias !1
   %.4003.i = icmp slt i64 %.3987.i, 0
   %.4004.i = select i1 %.4003.i, i64 %.3500.i, i64 0
   %.idx3218.i = shl i64 %.3987.i, 4
-  %112 = getelementptr i8, ptr %.3516.i, i64 %.idx3218.i
-  %113 = getelementptr i8, ptr %112, i64 8
-  %.4018.i = getelementptr double, ptr %113, i64 %.4004.i
+  %109 = getelementptr i8, ptr %.3516.i, i64 %.idx3218.i
+  %110 = getelementptr i8, ptr %109, i64 8
+  %.4018.i = getelementptr double, ptr %110, i64 %.4004.i
   %.4019.i = load double, ptr %.4018.i, align 8, !noalias !1
-  %scevgep20.i = getelementptr i8, ptr %.1513.i, i64 %110
+  %scevgep20.i = getelementptr i8, ptr %.1513.i, i64 %107
   store double %.4019.i, ptr %scevgep20.i, align 8, !noalias !1
   %exitcond3984.not.i = icmp eq i64 %.13.i98.i, %.3838.i
   br i1 %exitcond3984.not.i, label %B1410.i, label %B1306.if.i
 
 B1442.if.i:                                       ; preds = %B1442.if.i, %B1442.if.preheader381.i
   %lsr.iv.i = phi i64 [ %4, %B1442.if.preheader381.i ], [ %lsr.iv.next.i, %B1442.if.i ]
-  %.414232833285.i = phi i64 [ %.414232833285.unr.i, %B1442.if.preheader381.i ], [ %120, %B1442.if.i ]
+  %.414232833285.i = phi i64 [ %.414232833285.unr.i, %B1442.if.preheader381.i ], [ %117, %B1442.if.i ]
   %.4187.i = icmp slt i64 %.414232833285.i, 0
-  %114 = select i1 %.4187.i, i64 %73, i64 0
-  %scevgep389.i = getelementptr i8, ptr %.1339.i, i64 %114
-  %115 = shl i64 %.414232833285.i, 3
-  %scevgep390.i = getelementptr i8, ptr %scevgep389.i, i64 %115
+  %111 = select i1 %.4187.i, i64 %73, i64 0
+  %scevgep389.i = getelementptr i8, ptr %.1339.i, i64 %111
+  %112 = shl i64 %.414232833285.i, 3
+  %scevgep390.i = getelementptr i8, ptr %scevgep389.i, i64 %112
   store double 0.000000e+00, ptr %scevgep390.i, align 8, !noalias !1
-  %116 = select i1 %.4187.i, i64 %74, i64 0
-  %scevgep387.i = getelementptr i8, ptr %.1513.i, i64 %116
-  %scevgep388.i = getelementptr i8, ptr %scevgep387.i, i64 %115
+  %113 = select i1 %.4187.i, i64 %74, i64 0
+  %scevgep387.i = getelementptr i8, ptr %.1513.i, i64 %113
+  %scevgep388.i = getelementptr i8, ptr %scevgep387.i, i64 %112
   store double 0.000000e+00, ptr %scevgep388.i, align 8, !noalias !1
-  %117 = add i64 %.414232833285.i, 1
-  %.4187.1.i = icmp slt i64 %117, 0
-  %118 = select i1 %.4187.1.i, i64 %80, i64 8
-  %scevgep24.i = getelementptr i8, ptr %.1339.i, i64 %118
-  %scevgep25.i = getelementptr i8, ptr %scevgep24.i, i64 %115
+  %114 = add i64 %.414232833285.i, 1
+  %.4187.1.i = icmp slt i64 %114, 0
+  %115 = select i1 %.4187.1.i, i64 %80, i64 8
+  %scevgep24.i = getelementptr i8, ptr %.1339.i, i64 %115
+  %scevgep25.i = getelementptr i8, ptr %scevgep24.i, i64 %112
   store double 0.000000e+00, ptr %scevgep25.i, align 8, !noalias !1
-  %119 = select i1 %.4187.1.i, i64 %81, i64 8
-  %scevgep.i = getelementptr i8, ptr %.1513.i, i64 %119
-  %scevgep23.i = getelementptr i8, ptr %scevgep.i, i64 %115
+  %116 = select i1 %.4187.1.i, i64 %81, i64 8
+  %scevgep.i = getelementptr i8, ptr %.1513.i, i64 %116
+  %scevgep23.i = getelementptr i8, ptr %scevgep.i, i64 %112
   store double 0.000000e+00, ptr %scevgep23.i, align 8, !noalias !1
   %lsr.iv.next.i = add i64 %lsr.iv.i, -2
   %.4136.1.i = icmp sgt i64 %lsr.iv.next.i, 2
-  %120 = add i64 %.414232833285.i, 2
+  %117 = add i64 %.414232833285.i, 2
   br i1 %.4136.1.i, label %B1442.if.i, label %B1468.i
 
 B1516.else.if.i:                                  ; preds = %B1516.i
@@ -1495,8 +1429,8 @@ B1516.endif.else.endif.endif.endif.endif.i:       ; preds = %B1516.endif.else.en
   br i1 %.104.i.not.i, label %B76.i.i, label %B60.if.preheader.i.i
 
 B60.if.preheader.i.i:                             ; preds = %B1516.endif.else.endif.endif.endif.endif.i
-  %121 = shl nuw i64 %.4669.i, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.4685.i, i8 0, i64 %121, i1 false), !noalias !14
+  %118 = shl nuw i64 %.4669.i, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.4685.i, i8 0, i64 %118, i1 false), !noalias !14
   br label %B76.i.i
 
 B76.i.i:                                          ; preds = %B60.if.preheader.i.i, %B1516.endif.else.endif.endif.endif.endif.i
@@ -1504,30 +1438,30 @@ B76.i.i:                                          ; preds = %B60.if.preheader.i.
   br i1 %.311284.not.i.i, label %B1516.endif.endif.endif.i, label %B128.if.lr.ph.i.i
 
 B128.if.lr.ph.i.i:                                ; preds = %B76.i.i
-  %122 = add nsw i64 %.4669.i, -2
-  %123 = lshr i64 %122, 1
-  %124 = add nuw i64 %123, 1
-  %125 = shl i64 %.4572.sroa.0.3.i, 3
-  %scevgep398.i = getelementptr i8, ptr %scevgep397.i, i64 %125
-  %126 = lshr i64 %124, 1
-  %127 = mul nsw i64 %126, -2
-  %128 = icmp eq i64 %.4660.i, 1
-  %129 = icmp eq i64 %123, 0
-  %130 = and i64 %122, 2
-  %131 = icmp eq i64 %130, 0
-  %132 = and i64 %.4669.i, 1
-  %133 = icmp eq i64 %132, 0
+  %119 = add nsw i64 %.4669.i, -2
+  %120 = lshr i64 %119, 1
+  %121 = add nuw i64 %120, 1
+  %122 = shl i64 %.4572.sroa.0.3.i, 3
+  %scevgep398.i = getelementptr i8, ptr %scevgep397.i, i64 %122
+  %123 = lshr i64 %121, 1
+  %124 = mul nsw i64 %123, -2
+  %125 = icmp eq i64 %.4660.i, 1
+  %126 = icmp eq i64 %120, 0
+  %127 = and i64 %119, 2
+  %128 = icmp eq i64 %127, 0
+  %129 = and i64 %.4669.i, 1
+  %130 = icmp eq i64 %129, 0
   br label %B128.if.i.i
 
 B284.loopexit.unr-lcssa.i.unr-lcssa.i:            ; preds = %B228.if.i.i
-  br i1 %131, label %B228.if.i.epil.preheader.i, label %B284.loopexit.unr-lcssa.i.i
+  br i1 %128, label %B228.if.i.epil.preheader.i, label %B284.loopexit.unr-lcssa.i.i
 
 B228.if.i.epil.preheader.i:                       ; preds = %B228.if.preheader2.i.i, %B284.loopexit.unr-lcssa.i.unr-lcssa.i
   %.655272274.i.epil.init.i = phi i64 [ 0, %B228.if.preheader2.i.i ], [ %.662.1.i.1.i, %B284.loopexit.unr-lcssa.i.unr-lcssa.i ]
-  %134 = shl i64 %.655272274.i.epil.init.i, 3
-  %sunkaddr11.i.epil.i = getelementptr i8, ptr %.4685.i, i64 %134
+  %131 = shl i64 %.655272274.i.epil.init.i, 3
+  %sunkaddr11.i.epil.i = getelementptr i8, ptr %.4685.i, i64 %131
   %.716.i.epil.i = load double, ptr %sunkaddr11.i.epil.i, align 8, !noalias !14
-  %scevgep9.i.epil.i = getelementptr i8, ptr %scevgep7.i.i, i64 %134
+  %scevgep9.i.epil.i = getelementptr i8, ptr %scevgep7.i.i, i64 %131
   %scevgep10.i.epil.i = getelementptr i8, ptr %scevgep9.i.epil.i, i64 -8
   %.746.i.epil.i = load double, ptr %scevgep10.i.epil.i, align 8, !noalias !14
   %.748.i.epil.i = fmul contract double %.565.i.i, %.746.i.epil.i
@@ -1544,17 +1478,17 @@ B228.if.i.epil.preheader.i:                       ; preds = %B228.if.preheader2.
 
 B284.loopexit.unr-lcssa.i.i:                      ; preds = %B228.if.i.epil.preheader.i, %B284.loopexit.unr-lcssa.i.unr-lcssa.i
   %.662.1.i.lcssa.i = phi i64 [ %.662.1.i.epil.i, %B228.if.i.epil.preheader.i ], [ %.662.1.i.1.i, %B284.loopexit.unr-lcssa.i.unr-lcssa.i ]
-  br i1 %133, label %B284.i.i, label %B228.if.epil.preheader.i.i
+  br i1 %130, label %B284.i.i, label %B228.if.epil.preheader.i.i
 
 B228.if.epil.preheader.i.i:                       ; preds = %B228.if.preheader.i.i, %B284.loopexit.unr-lcssa.i.i
   %.655272274.epil.init.i.i = phi i64 [ 0, %B228.if.preheader.i.i ], [ %.662.1.i.lcssa.i, %B284.loopexit.unr-lcssa.i.i ]
-  %135 = getelementptr double, ptr %.4685.i, i64 %.655272274.epil.init.i.i
-  %.716.epil.i.i = load double, ptr %135, align 8, !noalias !14
-  %136 = getelementptr double, ptr %.498.i.i, i64 %.655272274.epil.init.i.i
-  %.746.epil.i.i = load double, ptr %136, align 8, !noalias !14
+  %132 = getelementptr double, ptr %.4685.i, i64 %.655272274.epil.init.i.i
+  %.716.epil.i.i = load double, ptr %132, align 8, !noalias !14
+  %133 = getelementptr double, ptr %.498.i.i, i64 %.655272274.epil.init.i.i
+  %.746.epil.i.i = load double, ptr %133, align 8, !noalias !14
   %.748.epil.i.i = fmul contract double %.565.i.i, %.746.epil.i.i
   %.749.epil.i.i = fadd contract double %.716.epil.i.i, %.748.epil.i.i
-  store double %.749.epil.i.i, ptr %135, align 8, !noalias !14
+  store double %.749.epil.i.i, ptr %132, align 8, !noalias !14
   br label %B284.i.i
 
 B284.i.i:                                         ; preds = %B130.else.endif.endif.endif.endif.i.i, %B228.if.epil.preheader.i.i, %B284.loopexit.unr-lcssa.i.i
@@ -1586,30 +1520,30 @@ B130.else.endif.if.i.i:                           ; preds = %B130.else.endif.i.i
 B130.else.endif.endif.endif.endif.i.i:            ; preds = %B130.else.endif.if.i.i, %B130.else.endif.i.i
   %.385.sroa.0.3.i.i = phi i64 [ %arg.n_ls, %B130.else.endif.if.i.i ], [ %.385.sroa.0.1.i.i, %B130.else.endif.i.i ]
   %.498.i.i = getelementptr double, ptr %arg.linear_spline, i64 %.385.sroa.0.3.i.i
-  %137 = getelementptr double, ptr %.4513.i, i64 %.317279285.i.i
-  %.565.i.i = load double, ptr %137, align 8, !noalias !14
+  %134 = getelementptr double, ptr %.4513.i, i64 %.317279285.i.i
+  %.565.i.i = load double, ptr %134, align 8, !noalias !14
   br i1 %.104.i.not.i, label %B284.i.i, label %B228.if.preheader.i.i
 
 B228.if.preheader.i.i:                            ; preds = %B130.else.endif.endif.endif.endif.i.i
-  br i1 %128, label %B228.if.epil.preheader.i.i, label %B228.if.preheader2.i.i
+  br i1 %125, label %B228.if.epil.preheader.i.i, label %B228.if.preheader2.i.i
 
 B228.if.preheader2.i.i:                           ; preds = %B228.if.preheader.i.i
-  %138 = shl i64 %.385.sroa.0.3.i.i, 3
-  %scevgep7.i.i = getelementptr i8, ptr %scevgep6.i.i, i64 %138
-  br i1 %129, label %B228.if.i.epil.preheader.i, label %B228.if.i.preheader.i
+  %135 = shl i64 %.385.sroa.0.3.i.i, 3
+  %scevgep7.i.i = getelementptr i8, ptr %scevgep6.i.i, i64 %135
+  br i1 %126, label %B228.if.i.epil.preheader.i, label %B228.if.i.preheader.i
 
 B228.if.i.preheader.i:                            ; preds = %B228.if.preheader2.i.i
-  %scevgep407.i = getelementptr i8, ptr %scevgep406.i, i64 %138
+  %scevgep407.i = getelementptr i8, ptr %scevgep406.i, i64 %135
   br label %B228.if.i.i
 
 B228.if.i.i:                                      ; preds = %B228.if.i.i, %B228.if.i.preheader.i
-  %lsr.iv26.i = phi i64 [ %lsr.iv.next27.i, %B228.if.i.i ], [ %127, %B228.if.i.preheader.i ]
+  %lsr.iv26.i = phi i64 [ %lsr.iv.next27.i, %B228.if.i.i ], [ %124, %B228.if.i.preheader.i ]
   %.655272274.i.i = phi i64 [ %.662.1.i.1.i, %B228.if.i.i ], [ 0, %B228.if.i.preheader.i ]
-  %139 = shl i64 %.655272274.i.i, 3
-  %scevgep404.i = getelementptr i8, ptr %scevgep398.i, i64 %139
+  %136 = shl i64 %.655272274.i.i, 3
+  %scevgep404.i = getelementptr i8, ptr %scevgep398.i, i64 %136
   %scevgep405.i = getelementptr i8, ptr %scevgep404.i, i64 -24
   %.716.i.i = load double, ptr %scevgep405.i, align 8, !noalias !14
-  %scevgep410.i = getelementptr i8, ptr %scevgep407.i, i64 %139
+  %scevgep410.i = getelementptr i8, ptr %scevgep407.i, i64 %136
   %scevgep411.i = getelementptr i8, ptr %scevgep410.i, i64 -16
   %scevgep31.i = getelementptr i8, ptr %scevgep410.i, i64 -24
   %.746.i.i = load double, ptr %scevgep31.i, align 8, !noalias !14
@@ -1706,8 +1640,8 @@ B1516.endif.endif.endif.e...endif.i:              ; preds = %B1516.endif.endif.e
   br i1 %.104.i99.not.i, label %B76.i100.i, label %B60.if.preheader.i151.i
 
 B60.if.preheader.i151.i:                          ; preds = %B1516.endif.endif.endif.e...endif.i
-  %140 = shl nuw i64 %.5054.i, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.5070.i, i8 0, i64 %140, i1 false), !noalias !17
+  %137 = shl nuw i64 %.5054.i, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.5070.i, i8 0, i64 %137, i1 false), !noalias !17
   br label %B76.i100.i
 
 B76.i100.i:                                       ; preds = %B60.if.preheader.i151.i, %B1516.endif.endif.endif.e...endif.i
@@ -1715,30 +1649,30 @@ B76.i100.i:                                       ; preds = %B60.if.preheader.i1
   br i1 %.311284.not.i101.i, label %B1516.endif.endif.endif.endif.endif.endif.i, label %B128.if.lr.ph.i102.i
 
 B128.if.lr.ph.i102.i:                             ; preds = %B76.i100.i
-  %141 = add nsw i64 %.5054.i, -2
-  %142 = lshr i64 %141, 1
-  %143 = add nuw i64 %142, 1
-  %144 = shl i64 %.4957.sroa.0.3.i, 3
-  %scevgep417.i = getelementptr i8, ptr %scevgep416.i, i64 %144
-  %145 = lshr i64 %143, 1
-  %146 = mul nsw i64 %145, -2
-  %147 = icmp eq i64 %.5045.i, 1
-  %148 = icmp eq i64 %142, 0
-  %149 = and i64 %141, 2
-  %150 = icmp eq i64 %149, 0
-  %151 = and i64 %.5054.i, 1
-  %152 = icmp eq i64 %151, 0
+  %138 = add nsw i64 %.5054.i, -2
+  %139 = lshr i64 %138, 1
+  %140 = add nuw i64 %139, 1
+  %141 = shl i64 %.4957.sroa.0.3.i, 3
+  %scevgep417.i = getelementptr i8, ptr %scevgep416.i, i64 %141
+  %142 = lshr i64 %140, 1
+  %143 = mul nsw i64 %142, -2
+  %144 = icmp eq i64 %.5045.i, 1
+  %145 = icmp eq i64 %139, 0
+  %146 = and i64 %138, 2
+  %147 = icmp eq i64 %146, 0
+  %148 = and i64 %.5054.i, 1
+  %149 = icmp eq i64 %148, 0
   br label %B128.if.i105.i
 
 B284.loopexit.unr-lcssa.i141.unr-lcssa.i:         ; preds = %B228.if.i125.i
-  br i1 %150, label %B228.if.i125.epil.preheader.i, label %B284.loopexit.unr-lcssa.i141.i
+  br i1 %147, label %B228.if.i125.epil.preheader.i, label %B284.loopexit.unr-lcssa.i141.i
 
 B228.if.i125.epil.preheader.i:                    ; preds = %B228.if.preheader2.i123.i, %B284.loopexit.unr-lcssa.i141.unr-lcssa.i
   %.655272274.i126.epil.init.i = phi i64 [ 0, %B228.if.preheader2.i123.i ], [ %.662.1.i134.1.i, %B284.loopexit.unr-lcssa.i141.unr-lcssa.i ]
-  %153 = shl i64 %.655272274.i126.epil.init.i, 3
-  %sunkaddr11.i127.epil.i = getelementptr i8, ptr %.5070.i, i64 %153
+  %150 = shl i64 %.655272274.i126.epil.init.i, 3
+  %sunkaddr11.i127.epil.i = getelementptr i8, ptr %.5070.i, i64 %150
   %.716.i128.epil.i = load double, ptr %sunkaddr11.i127.epil.i, align 8, !noalias !17
-  %scevgep9.i129.epil.i = getelementptr i8, ptr %scevgep7.i124.i, i64 %153
+  %scevgep9.i129.epil.i = getelementptr i8, ptr %scevgep7.i124.i, i64 %150
   %scevgep10.i130.epil.i = getelementptr i8, ptr %scevgep9.i129.epil.i, i64 -8
   %.746.i131.epil.i = load double, ptr %scevgep10.i130.epil.i, align 8, !noalias !17
   %.748.i132.epil.i = fmul contract double %.565.i121.i, %.746.i131.epil.i
@@ -1755,17 +1689,17 @@ B228.if.i125.epil.preheader.i:                    ; preds = %B228.if.preheader2.
 
 B284.loopexit.unr-lcssa.i141.i:                   ; preds = %B228.if.i125.epil.preheader.i, %B284.loopexit.unr-lcssa.i141.unr-lcssa.i
   %.662.1.i134.lcssa.i = phi i64 [ %.662.1.i134.epil.i, %B228.if.i125.epil.preheader.i ], [ %.662.1.i134.1.i, %B284.loopexit.unr-lcssa.i141.unr-lcssa.i ]
-  br i1 %152, label %B284.i148.i, label %B228.if.epil.preheader.i142.i
+  br i1 %149, label %B284.i148.i, label %B228.if.epil.preheader.i142.i
 
 B228.if.epil.preheader.i142.i:                    ; preds = %B228.if.preheader.i122.i, %B284.loopexit.unr-lcssa.i141.i
   %.655272274.epil.init.i143.i = phi i64 [ 0, %B228.if.preheader.i122.i ], [ %.662.1.i134.lcssa.i, %B284.loopexit.unr-lcssa.i141.i ]
-  %154 = getelementptr double, ptr %.5070.i, i64 %.655272274.epil.init.i143.i
-  %.716.epil.i144.i = load double, ptr %154, align 8, !noalias !17
-  %155 = getelementptr double, ptr %.498.i120.i, i64 %.655272274.epil.init.i143.i
-  %.746.epil.i145.i = load double, ptr %155, align 8, !noalias !17
+  %151 = getelementptr double, ptr %.5070.i, i64 %.655272274.epil.init.i143.i
+  %.716.epil.i144.i = load double, ptr %151, align 8, !noalias !17
+  %152 = getelementptr double, ptr %.498.i120.i, i64 %.655272274.epil.init.i143.i
+  %.746.epil.i145.i = load double, ptr %152, align 8, !noalias !17
   %.748.epil.i146.i = fmul contract double %.565.i121.i, %.746.epil.i145.i
   %.749.epil.i147.i = fadd contract double %.716.epil.i144.i, %.748.epil.i146.i
-  store double %.749.epil.i147.i, ptr %154, align 8, !noalias !17
+  store double %.749.epil.i147.i, ptr %151, align 8, !noalias !17
   br label %B284.i148.i
 
 B284.i148.i:                                      ; preds = %B130.else.endif.endif.endif.endif.i118.i, %B228.if.epil.preheader.i142.i, %B284.loopexit.unr-lcssa.i141.i
@@ -1797,30 +1731,30 @@ B130.else.endif.if.i117.i:                        ; preds = %B130.else.endif.i11
 B130.else.endif.endif.endif.endif.i118.i:         ; preds = %B130.else.endif.if.i117.i, %B130.else.endif.i114.i
   %.385.sroa.0.3.i119.i = phi i64 [ %arg.n_ls, %B130.else.endif.if.i117.i ], [ %.385.sroa.0.1.i115.i, %B130.else.endif.i114.i ]
   %.498.i120.i = getelementptr double, ptr %arg.linear_spline, i64 %.385.sroa.0.3.i119.i
-  %156 = getelementptr double, ptr %.4898.i, i64 %.317279285.i106.i
-  %.565.i121.i = load double, ptr %156, align 8, !noalias !17
+  %153 = getelementptr double, ptr %.4898.i, i64 %.317279285.i106.i
+  %.565.i121.i = load double, ptr %153, align 8, !noalias !17
   br i1 %.104.i99.not.i, label %B284.i148.i, label %B228.if.preheader.i122.i
 
 B228.if.preheader.i122.i:                         ; preds = %B130.else.endif.endif.endif.endif.i118.i
-  br i1 %147, label %B228.if.epil.preheader.i142.i, label %B228.if.preheader2.i123.i
+  br i1 %144, label %B228.if.epil.preheader.i142.i, label %B228.if.preheader2.i123.i
 
 B228.if.preheader2.i123.i:                        ; preds = %B228.if.preheader.i122.i
-  %157 = shl i64 %.385.sroa.0.3.i119.i, 3
-  %scevgep7.i124.i = getelementptr i8, ptr %scevgep6.i.i, i64 %157
-  br i1 %148, label %B228.if.i125.epil.preheader.i, label %B228.if.i125.preheader.i
+  %154 = shl i64 %.385.sroa.0.3.i119.i, 3
+  %scevgep7.i124.i = getelementptr i8, ptr %scevgep6.i.i, i64 %154
+  br i1 %145, label %B228.if.i125.epil.preheader.i, label %B228.if.i125.preheader.i
 
 B228.if.i125.preheader.i:                         ; preds = %B228.if.preheader2.i123.i
-  %scevgep426.i = getelementptr i8, ptr %scevgep406.i, i64 %157
+  %scevgep426.i = getelementptr i8, ptr %scevgep406.i, i64 %154
   br label %B228.if.i125.i
 
 B228.if.i125.i:                                   ; preds = %B228.if.i125.i, %B228.if.i125.preheader.i
-  %lsr.iv36.i = phi i64 [ %lsr.iv.next37.i, %B228.if.i125.i ], [ %146, %B228.if.i125.preheader.i ]
+  %lsr.iv36.i = phi i64 [ %lsr.iv.next37.i, %B228.if.i125.i ], [ %143, %B228.if.i125.preheader.i ]
   %.655272274.i126.i = phi i64 [ %.662.1.i134.1.i, %B228.if.i125.i ], [ 0, %B228.if.i125.preheader.i ]
-  %158 = shl i64 %.655272274.i126.i, 3
-  %scevgep423.i = getelementptr i8, ptr %scevgep417.i, i64 %158
+  %155 = shl i64 %.655272274.i126.i, 3
+  %scevgep423.i = getelementptr i8, ptr %scevgep417.i, i64 %155
   %scevgep424.i = getelementptr i8, ptr %scevgep423.i, i64 -24
   %.716.i128.i = load double, ptr %scevgep424.i, align 8, !noalias !17
-  %scevgep429.i = getelementptr i8, ptr %scevgep426.i, i64 %158
+  %scevgep429.i = getelementptr i8, ptr %scevgep426.i, i64 %155
   %scevgep430.i = getelementptr i8, ptr %scevgep429.i, i64 -16
   %scevgep41.i = getelementptr i8, ptr %scevgep429.i, i64 -24
   %.746.i131.i = load double, ptr %scevgep41.i, align 8, !noalias !17
@@ -1920,10 +1854,10 @@ B1516.endif.endif.endif.e...endif.10.endif.i:     ; preds = %B1516.endif.endif.e
 B56.if.i.i:                                       ; preds = %B1516.endif.endif.endif.e...endif.10.endif.i, %B56.if.i.i
   %.186192194.i.i = phi i64 [ %.193.i153.i, %B56.if.i.i ], [ 0, %B1516.endif.endif.endif.e...endif.10.endif.i ]
   %.193.i153.i = add nuw nsw i64 %.186192194.i.i, 1
-  %159 = shl i64 %.186192194.i.i, 3
-  %scevgep5.i.i = getelementptr i8, ptr %.5454.i, i64 %159
+  %156 = shl i64 %.186192194.i.i, 3
+  %scevgep5.i.i = getelementptr i8, ptr %.5454.i, i64 %156
   %.247.i154.i = load double, ptr %scevgep5.i.i, align 8, !noalias !20
-  %scevgep4.i.i = getelementptr i8, ptr %.5282.i, i64 %159
+  %scevgep4.i.i = getelementptr i8, ptr %.5282.i, i64 %156
   %.277.i.i = load double, ptr %scevgep4.i.i, align 8, !noalias !20
   %.278.i.i = fadd contract double %.277.i.i, 1.000000e+00
   %.279.i.i = fmul contract double %.247.i154.i, %.247.i154.i
@@ -1933,21 +1867,21 @@ B56.if.i.i:                                       ; preds = %B1516.endif.endif.e
   %.287.i.i = fmul contract double %.286.i.i, %.284.i.i
   %.288.i.i = fmul contract double %.247.i154.i, 4.000000e+00
   %.289.i.i = fmul contract double %.288.i.i, %.284.i.i
-  %scevgep49.i = getelementptr i8, ptr %.5626.i, i64 %159
+  %scevgep49.i = getelementptr i8, ptr %.5626.i, i64 %156
   %.319.i.i = load double, ptr %scevgep49.i, align 8, !noalias !20
   %.320.i.i = fmul contract double %.319.i.i, %.287.i.i
-  %scevgep48.i = getelementptr i8, ptr %.5798.i, i64 %159
+  %scevgep48.i = getelementptr i8, ptr %.5798.i, i64 %156
   %.350.i155.i = load double, ptr %scevgep48.i, align 8, !noalias !20
   %.351.i.i = fmul contract double %.350.i155.i, %.289.i.i
   %.352.i156.i = fsub contract double %.320.i.i, %.351.i.i
-  %scevgep47.i = getelementptr i8, ptr %.5970.i, i64 %159
+  %scevgep47.i = getelementptr i8, ptr %.5970.i, i64 %156
   store double %.352.i156.i, ptr %scevgep47.i, align 8, !noalias !20
   %.412.i.i = load double, ptr %scevgep49.i, align 8, !noalias !20
   %.413.i.i = fmul contract double %.289.i.i, %.412.i.i
   %.443.i.i = load double, ptr %scevgep48.i, align 8, !noalias !20
   %.444.i.i = fmul contract double %.287.i.i, %.443.i.i
   %.445.i.i = fadd contract double %.413.i.i, %.444.i.i
-  %scevgep46.i = getelementptr i8, ptr %.6142.i, i64 %159
+  %scevgep46.i = getelementptr i8, ptr %.6142.i, i64 %156
   store double %.445.i.i, ptr %scevgep46.i, align 8, !noalias !20
   %exitcond.not.i.i = icmp eq i64 %.5601.i, %.193.i153.i
   br i1 %exitcond.not.i.i, label %B1516.endif.endif.endif.e...endif.12.i, label %B56.if.i.i
@@ -2028,11 +1962,11 @@ B1908.else.endif.endif.endif.endif.i:             ; preds = %B1908.else.endif.en
   %.7181.i = icmp slt i64 %.4310.sroa.0.061.i, 0
   %.7182.i = select i1 %.7181.i, i64 %.1143.i, i64 0
   %.idx92.i = mul i64 %.4310.sroa.0.061.i, 24
-  %160 = getelementptr i8, ptr %.1159.i, i64 %.idx92.i
-  %.7196.i = getelementptr double, ptr %160, i64 %.7182.i
+  %157 = getelementptr i8, ptr %.1159.i, i64 %.idx92.i
+  %.7196.i = getelementptr double, ptr %157, i64 %.7182.i
   %.7197.i = load double, ptr %.7196.i, align 8, !noalias !1
-  %161 = getelementptr i8, ptr %160, i64 8
-  %.7229.i = getelementptr double, ptr %161, i64 %.7182.i
+  %158 = getelementptr i8, ptr %157, i64 8
+  %.7229.i = getelementptr double, ptr %158, i64 %.7182.i
   %.7230.i = load double, ptr %.7229.i, align 8, !noalias !1
   %.7475.i = select i1 %.8522.i, i64 %.7112.i, i64 0
   %.7476.i = add i64 %.7475.i, %.3625.sroa.0.068.i
@@ -2042,12 +1976,12 @@ B1908.else.endif.endif.endif.endif.i:             ; preds = %B1908.else.endif.en
 
 B2054.preheader.i:                                ; preds = %B1908.else.endif.endif.endif.endif.i
   %sunkaddr.i = shl i64 %.7182.i, 3
-  %sunkaddr100.i = getelementptr i8, ptr %160, i64 %sunkaddr.i
+  %sunkaddr100.i = getelementptr i8, ptr %157, i64 %sunkaddr.i
   %sunkaddr101.i = getelementptr i8, ptr %sunkaddr100.i, i64 16
-  %162 = icmp slt i64 %.7476.i, 0
-  %163 = icmp slt i64 %.7476.i, %.7112.i
-  %164 = icmp slt i64 %.7655.i, 0
-  %165 = icmp slt i64 %.7655.i, %.7112.i
+  %159 = icmp slt i64 %.7476.i, 0
+  %160 = icmp slt i64 %.7476.i, %.7112.i
+  %161 = icmp slt i64 %.7655.i, 0
+  %162 = icmp slt i64 %.7655.i, %.7112.i
   br label %B2054.i
 
 B2136.else.if.i:                                  ; preds = %B2136.i
@@ -2055,7 +1989,7 @@ B2136.else.if.i:                                  ; preds = %B2136.i
 
 B2136.else.endif.i:                               ; preds = %B2136.else.if.i, %B2136.i
   %.7464.sroa.0.1.i = phi i64 [ 0, %B2136.else.if.i ], [ %.7476.i, %B2136.i ]
-  br i1 %163, label %B2136.else.endif.endif.i, label %B2136.else.endif.if.i, !prof !10
+  br i1 %160, label %B2136.else.endif.endif.i, label %B2136.else.endif.if.i, !prof !10
 
 B2136.else.endif.if.i:                            ; preds = %B2136.else.endif.i
   br label %B2136.else.endif.endif.i
@@ -2063,14 +1997,14 @@ B2136.else.endif.if.i:                            ; preds = %B2136.else.endif.i
 B2136.else.endif.endif.i:                         ; preds = %B2136.else.endif.if.i, %B2136.else.endif.i
   %.7464.sroa.0.3.i = phi i64 [ %.7112.i, %B2136.else.endif.if.i ], [ %.7464.sroa.0.1.i, %B2136.else.endif.i ]
   %.7577.i = getelementptr double, ptr %.7128.i, i64 %.7464.sroa.0.3.i
-  br i1 %164, label %B2136.endif.else.if.i, label %B2136.endif.else.endif.i, !prof !0
+  br i1 %161, label %B2136.endif.else.if.i, label %B2136.endif.else.endif.i, !prof !0
 
 B2136.endif.else.if.i:                            ; preds = %B2136.else.endif.endif.i
   br label %B2136.endif.else.endif.i
 
 B2136.endif.else.endif.i:                         ; preds = %B2136.endif.else.if.i, %B2136.else.endif.endif.i
   %.7643.sroa.0.1.i = phi i64 [ 0, %B2136.endif.else.if.i ], [ %.7655.i, %B2136.else.endif.endif.i ]
-  br i1 %165, label %B2136.endif.else.endif.endif.i, label %B2136.endif.else.endif.if.i, !prof !10
+  br i1 %162, label %B2136.endif.else.endif.endif.i, label %B2136.endif.else.endif.if.i, !prof !10
 
 B2136.endif.else.endif.if.i:                      ; preds = %B2136.endif.else.endif.i
   br label %B2136.endif.else.endif.endif.i
@@ -2131,98 +2065,76 @@ B2136.endif.endif.endif.endif.else.endif.endif.i: ; preds = %B2136.endif.endif.e
 B78.if.i.i:                                       ; preds = %B2136.endif.endif.endif.endif.else.endif.endif.i, %B78.if.i.i
   %.206238240.i.i = phi i64 [ %.213.i158.i, %B78.if.i.i ], [ 0, %B2136.endif.endif.endif.endif.else.endif.endif.i ]
   %.213.i158.i = add nuw nsw i64 %.206238240.i.i, 1
-  %166 = shl i64 %.206238240.i.i, 3
-  %scevgep6.i159.i = getelementptr i8, ptr %.7938.i, i64 %166
+  %163 = shl i64 %.206238240.i.i, 3
+  %scevgep6.i159.i = getelementptr i8, ptr %.7938.i, i64 %163
   %.268.i.i = load double, ptr %scevgep6.i159.i, align 8, !noalias !23
   %.270.i.i = fmul contract double %.104.i157.i, %.268.i.i
-  %.271.i.i = fmul contract double %.270.i.i, 0x3FE45F306DC9C883
-  %.272.i.i = fadd contract double %.271.i.i, 0x4338000000000000
-  %.273.i.i = fadd contract double %.272.i.i, 0xC338000000000000
-  %.291.i.i = fmul contract double %.273.i.i, 0x3FF921FA00000000
-  %.292.i.i = fsub contract double %.270.i.i, %.291.i.i
-  %.310.i.i = fmul contract double %.273.i.i, 0x3EB5444200000000
-  %.311.i.i = fsub contract double %.292.i.i, %.310.i.i
-  %.329.i.i = fmul contract double %.273.i.i, 0x3D6A308C00000000
-  %.330.i.i = fsub contract double %.311.i.i, %.329.i.i
-  %.348.i.i = fmul contract double %.273.i.i, 0x3C2313198A2E0370
-  %.349.i.i = fsub contract double %.330.i.i, %.348.i.i
-  %.350.i160.i = fmul contract double %.349.i.i, %.349.i.i
-  %.351.i161.i = fmul contract double %.349.i.i, %.350.i160.i
-  %.352.i162.i = fmul contract double %.350.i160.i, 0x3D6AE7F3E733B81F
-  %167 = fsub contract double 0x3DE6124613A86D09, %.352.i162.i
-  %.354.i.i = fmul contract double %.350.i160.i, %167
-  %.355.i.i = fadd contract double %.354.i.i, 0xBE5AE64567F544E4
-  %.356.i.i = fmul contract double %.350.i160.i, %.355.i.i
-  %.357.i.i = fadd contract double %.356.i.i, 0x3EC71DE3A556C734
-  %.358.i.i = fmul contract double %.350.i160.i, %.357.i.i
-  %.359.i.i = fadd contract double %.358.i.i, 0xBF2A01A01A01A01A
-  %.360.i.i = fmul contract double %.350.i160.i, %.359.i.i
-  %.361.i.i = fadd contract double %.360.i.i, 0x3F81111111111111
-  %.362.i.i = fmul contract double %.350.i160.i, %.361.i.i
-  %.363.i.i = fadd contract double %.362.i.i, 0xBFC5555555555555
-  %.364.i.i = fmul contract double %.351.i161.i, %.363.i.i
-  %.365.i.i = fadd contract double %.349.i.i, %.364.i.i
-  %.366.i.i = fmul contract double %.350.i160.i, 0x3D2AE7F3E733B81F
-  %.367.i.i = fadd contract double %.366.i.i, 0xBDA93974A8C07C9D
-  %.368.i.i = fmul contract double %.350.i160.i, %.367.i.i
-  %.369.i.i = fadd contract double %.368.i.i, 0x3E21EED8EFF8D898
-  %.370.i.i = fmul contract double %.350.i160.i, %.369.i.i
-  %.371.i.i = fadd contract double %.370.i.i, 0xBE927E4FB7789F5C
-  %.372.i.i = fmul contract double %.350.i160.i, %.371.i.i
-  %.373.i.i = fadd contract double %.372.i.i, 0x3EFA01A01A01A01A
-  %.374.i.i = fmul contract double %.350.i160.i, %.373.i.i
-  %.375.i.i = fadd contract double %.374.i.i, 0xBF56C16C16C16C17
-  %.376.i.i = fmul contract double %.350.i160.i, %.375.i.i
-  %.377.i.i = fadd contract double %.376.i.i, 0x3FA5555555555555
-  %.378.i.i = fmul contract double %.350.i160.i, %.377.i.i
-  %.379.i.i = fadd contract double %.378.i.i, -5.000000e-01
-  %.380.i.i = fmul contract double %.350.i160.i, %.379.i.i
-  %.381.i.i = fadd contract double %.380.i.i, 1.000000e+00
-  %.382.i.i = bitcast double %.272.i.i to i64
-  %.383.i.i = and i64 %.382.i.i, 1
-  %.385.i.i = bitcast double %.365.i.i to i64
-  %.386.i.i = bitcast double %.381.i.i to i64
-  %.387.i.i = xor i64 %.386.i.i, %.385.i.i
-  %168 = icmp eq i64 %.383.i.i, 0
-  %.388.i.i = select i1 %168, i64 0, i64 %.387.i.i
-  %.389.i.i = shl i64 %.382.i.i, 62
-  %.390.i.i = and i64 %.389.i.i, -9223372036854775808
-  %.392.i.i = add i64 %.389.i.i, 4611686018427387904
-  %.393.i.i = and i64 %.392.i.i, -9223372036854775808
-  %169 = xor i64 %.390.i.i, %.385.i.i
-  %.395.i163.i = xor i64 %169, %.388.i.i
-  %.396.i164.i = bitcast i64 %.395.i163.i to double
-  %170 = xor i64 %.393.i.i, %.386.i.i
-  %.398.i.i = xor i64 %170, %.388.i.i
-  %.399.i.i = bitcast i64 %.398.i.i to double
-  %scevgep55.i = getelementptr i8, ptr %sr.2.sroa.36.3.i, i64 %166
-  %.449.i.i = load double, ptr %scevgep55.i, align 8, !noalias !23
-  %.450.i.i = fmul contract double %.449.i.i, %.399.i.i
-  %scevgep54.i = getelementptr i8, ptr %si.2.sroa.36.3.i, i64 %166
-  %.480.i.i = load double, ptr %scevgep54.i, align 8, !noalias !23
-  %.481.i.i = fmul contract double %.480.i.i, %.396.i164.i
-  %.482.i.i = fsub contract double %.450.i.i, %.481.i.i
-  %.513.i.i = fmul contract double %.449.i.i, %.396.i164.i
-  %.544.i.i = fmul contract double %.480.i.i, %.399.i.i
-  %.545.i.i = fadd contract double %.513.i.i, %.544.i.i
-  %scevgep53.i = getelementptr i8, ptr %.7577.i, i64 %166
-  %.575.i.i = load double, ptr %scevgep53.i, align 8, !noalias !23
-  %.576.i.i = fmul contract double %.575.i.i, %.482.i.i
-  %scevgep52.i = getelementptr i8, ptr %.7756.i, i64 %166
-  %.606.i.i = load double, ptr %scevgep52.i, align 8, !noalias !23
-  %.607.i.i = fmul contract double %.606.i.i, %.545.i.i
-  %.608.i.i = fsub contract double %.576.i.i, %.607.i.i
-  %scevgep51.i = getelementptr i8, ptr %.8110.i, i64 %166
-  store double %.608.i.i, ptr %scevgep51.i, align 8, !noalias !23
-  %.668.i.i = load double, ptr %scevgep53.i, align 8, !noalias !23
-  %.669.i.i = fmul contract double %.668.i.i, %.545.i.i
-  %.699.i.i = load double, ptr %scevgep52.i, align 8, !noalias !23
-  %.700.i.i = fmul contract double %.699.i.i, %.482.i.i
-  %.701.i.i = fadd contract double %.669.i.i, %.700.i.i
-  %scevgep50.i = getelementptr i8, ptr %.8282.i, i64 %166
-  store double %.701.i.i, ptr %scevgep50.i, align 8, !noalias !23
-  %exitcond.not.i171.i = icmp eq i64 %.7913.i, %.213.i158.i
-  br i1 %exitcond.not.i171.i, label %B2444.else.endif.i, label %B78.if.i.i
+  %.271.i.i = tail call contract double @llvm.fma.f64(double %.270.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.272.i.i = fadd contract double %.271.i.i, 0xC338000000000000
+  %.287.i160.i = tail call contract double @llvm.fma.f64(double %.272.i.i, double 0xBFF921FB54442D18, double %.270.i.i)
+  %.302.i.i = tail call contract double @llvm.fma.f64(double %.272.i.i, double 0xBC91A62633145C07, double %.287.i160.i)
+  %.303.i.i = fmul contract double %.302.i.i, %.302.i.i
+  %.304.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.305.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.304.i.i, double 0xBE5AE64567F544E4)
+  %.306.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.305.i.i, double 0x3EC71DE3A556C734)
+  %.307.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.306.i.i, double 0xBF2A01A01A01A01A)
+  %.308.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.307.i.i, double 0x3F81111111111111)
+  %.309.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.308.i.i, double 0xBFC5555555555555)
+  %.310.i.i = fmul contract double %.302.i.i, %.303.i.i
+  %.311.i.i = tail call contract double @llvm.fma.f64(double %.310.i.i, double %.309.i.i, double %.302.i.i)
+  %.312.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.313.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.312.i.i, double 0x3E21EED8EFF8D898)
+  %.314.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.313.i.i, double 0xBE927E4FB7789F5C)
+  %.315.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.314.i.i, double 0x3EFA01A01A01A01A)
+  %.316.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.315.i.i, double 0xBF56C16C16C16C17)
+  %.317.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.316.i.i, double 0x3FA5555555555555)
+  %.318.i.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.317.i.i, double -5.000000e-01)
+  %.319.i161.i = tail call contract double @llvm.fma.f64(double %.303.i.i, double %.318.i.i, double 1.000000e+00)
+  %.320.i162.i = bitcast double %.271.i.i to i64
+  %.321.i.i = bitcast double %.311.i.i to i64
+  %.322.i.i = bitcast double %.319.i161.i to i64
+  %.323.i.i = xor i64 %.322.i.i, %.321.i.i
+  %.324.i163.i = and i64 %.320.i162.i, 1
+  %164 = icmp eq i64 %.324.i163.i, 0
+  %.326.i.i = select i1 %164, i64 0, i64 %.323.i.i
+  %.327.i.i = shl i64 %.320.i162.i, 62
+  %.328.i.i = and i64 %.327.i.i, -9223372036854775808
+  %.330.i.i = add i64 %.327.i.i, 4611686018427387904
+  %.331.i.i = and i64 %.330.i.i, -9223372036854775808
+  %165 = xor i64 %.328.i.i, %.321.i.i
+  %.333.i.i = xor i64 %165, %.326.i.i
+  %.334.i.i = bitcast i64 %.333.i.i to double
+  %166 = xor i64 %.331.i.i, %.322.i.i
+  %.336.i.i = xor i64 %166, %.326.i.i
+  %.337.i.i = bitcast i64 %.336.i.i to double
+  %scevgep55.i = getelementptr i8, ptr %sr.2.sroa.36.3.i, i64 %163
+  %.387.i.i = load double, ptr %scevgep55.i, align 8, !noalias !23
+  %.388.i.i = fmul contract double %.387.i.i, %.337.i.i
+  %scevgep54.i = getelementptr i8, ptr %si.2.sroa.36.3.i, i64 %163
+  %.418.i.i = load double, ptr %scevgep54.i, align 8, !noalias !23
+  %.419.i.i = fmul contract double %.418.i.i, %.334.i.i
+  %.420.i.i = fsub contract double %.388.i.i, %.419.i.i
+  %.451.i.i = fmul contract double %.387.i.i, %.334.i.i
+  %.482.i.i = fmul contract double %.418.i.i, %.337.i.i
+  %.483.i.i = fadd contract double %.451.i.i, %.482.i.i
+  %scevgep53.i = getelementptr i8, ptr %.7577.i, i64 %163
+  %.513.i.i = load double, ptr %scevgep53.i, align 8, !noalias !23
+  %.514.i.i = fmul contract double %.513.i.i, %.420.i.i
+  %scevgep52.i = getelementptr i8, ptr %.7756.i, i64 %163
+  %.544.i.i = load double, ptr %scevgep52.i, align 8, !noalias !23
+  %.545.i.i = fmul contract double %.544.i.i, %.483.i.i
+  %.546.i.i = fsub contract double %.514.i.i, %.545.i.i
+  %scevgep51.i = getelementptr i8, ptr %.8110.i, i64 %163
+  store double %.546.i.i, ptr %scevgep51.i, align 8, !noalias !23
+  %.606.i.i = load double, ptr %scevgep53.i, align 8, !noalias !23
+  %.607.i.i = fmul contract double %.606.i.i, %.483.i.i
+  %.637.i.i = load double, ptr %scevgep52.i, align 8, !noalias !23
+  %.638.i.i = fmul contract double %.637.i.i, %.420.i.i
+  %.639.i.i = fadd contract double %.607.i.i, %.638.i.i
+  %scevgep50.i = getelementptr i8, ptr %.8282.i, i64 %163
+  store double %.639.i.i, ptr %scevgep50.i, align 8, !noalias !23
+  %exitcond.not.i170.i = icmp eq i64 %.7913.i, %.213.i158.i
+  br i1 %exitcond.not.i170.i, label %B2444.else.endif.i, label %B78.if.i.i
 
 B2300.endif.else.if.i:                            ; preds = %B2300.i
   br label %B2300.endif.else.endif.i
@@ -2270,16 +2182,16 @@ B2300.endif.endif.endif.else.endif.endif.i:       ; preds = %B2300.endif.endif.e
   %.8969.i = getelementptr double, ptr %.2249.i, i64 %.8856.sroa.0.3.i
   %.215.i.i = icmp slt i64 %.267.i.i, 0
   %.216.i.i = select i1 %.215.i.i, i64 %.7112.i, i64 0
-  %.217.i44.i = add i64 %.216.i.i, %.267.i.i
-  %.220.i45.i = icmp slt i64 %.217.i44.i, 0
-  br i1 %.220.i45.i, label %B0.else.if.i.i, label %B0.else.endif.i.i, !prof !0
+  %.217.i43.i = add i64 %.216.i.i, %.267.i.i
+  %.220.i44.i = icmp slt i64 %.217.i43.i, 0
+  br i1 %.220.i44.i, label %B0.else.if.i.i, label %B0.else.endif.i.i, !prof !0
 
 B0.else.if.i.i:                                   ; preds = %B2300.endif.endif.endif.else.endif.endif.i
   br label %B0.else.endif.i.i
 
 B0.else.endif.i.i:                                ; preds = %B0.else.if.i.i, %B2300.endif.endif.endif.else.endif.endif.i
-  %.205.sroa.0.1.i.i = phi i64 [ 0, %B0.else.if.i.i ], [ %.217.i44.i, %B2300.endif.endif.endif.else.endif.endif.i ]
-  %.225.not.i.i = icmp slt i64 %.217.i44.i, %.7112.i
+  %.205.sroa.0.1.i.i = phi i64 [ 0, %B0.else.if.i.i ], [ %.217.i43.i, %B2300.endif.endif.endif.else.endif.endif.i ]
+  %.225.not.i.i = icmp slt i64 %.217.i43.i, %.7112.i
   br i1 %.225.not.i.i, label %B0.else.endif.endif.endif.endif.i.i, label %B0.else.endif.if.i.i, !prof !10
 
 B0.else.endif.if.i.i:                             ; preds = %B0.else.endif.i.i
@@ -2287,20 +2199,20 @@ B0.else.endif.if.i.i:                             ; preds = %B0.else.endif.i.i
 
 B0.else.endif.endif.endif.endif.i.i:              ; preds = %B0.else.endif.if.i.i, %B0.else.endif.i.i
   %.205.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.else.endif.if.i.i ], [ %.205.sroa.0.1.i.i, %B0.else.endif.i.i ]
-  %.318.i46.i = getelementptr double, ptr %.7128.i, i64 %.205.sroa.0.3.i.i
-  %.350.i47.i = add nsw i64 %.267.i.i, %arg.n_f
-  %.388.i48.i = icmp slt i64 %.350.i47.i, 0
-  %.389.i49.i = select i1 %.388.i48.i, i64 %.7112.i, i64 0
-  %.390.i50.i = add i64 %.389.i49.i, %.350.i47.i
-  %.393.i51.i = icmp slt i64 %.390.i50.i, 0
-  br i1 %.393.i51.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !0
+  %.318.i45.i = getelementptr double, ptr %.7128.i, i64 %.205.sroa.0.3.i.i
+  %.350.i46.i = add nsw i64 %.267.i.i, %arg.n_f
+  %.388.i47.i = icmp slt i64 %.350.i46.i, 0
+  %.389.i.i = select i1 %.388.i47.i, i64 %.7112.i, i64 0
+  %.390.i.i = add i64 %.389.i.i, %.350.i46.i
+  %.393.i.i = icmp slt i64 %.390.i.i, 0
+  br i1 %.393.i.i, label %B0.endif.else.if.i.i, label %B0.endif.else.endif.i.i, !prof !0
 
 B0.endif.else.if.i.i:                             ; preds = %B0.else.endif.endif.endif.endif.i.i
   br label %B0.endif.else.endif.i.i
 
 B0.endif.else.endif.i.i:                          ; preds = %B0.endif.else.if.i.i, %B0.else.endif.endif.endif.endif.i.i
-  %.378.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.else.if.i.i ], [ %.390.i50.i, %B0.else.endif.endif.endif.endif.i.i ]
-  %.398.not.i.i = icmp slt i64 %.390.i50.i, %.7112.i
+  %.378.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.else.if.i.i ], [ %.390.i.i, %B0.else.endif.endif.endif.endif.i.i ]
+  %.398.not.i.i = icmp slt i64 %.390.i.i, %.7112.i
   br i1 %.398.not.i.i, label %B0.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.else.endif.if.i.i:                       ; preds = %B0.endif.else.endif.i.i
@@ -2308,20 +2220,20 @@ B0.endif.else.endif.if.i.i:                       ; preds = %B0.endif.else.endif
 
 B0.endif.else.endif.endif.endif.endif.i.i:        ; preds = %B0.endif.else.endif.if.i.i, %B0.endif.else.endif.i.i
   %.378.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.else.endif.if.i.i ], [ %.378.sroa.0.1.i.i, %B0.endif.else.endif.i.i ]
-  %.491.i52.i = getelementptr double, ptr %.7128.i, i64 %.378.sroa.0.3.i.i
-  %.541.i.i = add nsw i64 %.267.i.i, %.904.i
-  %.578.i.i = icmp slt i64 %.541.i.i, 0
+  %.491.i48.i = getelementptr double, ptr %.7128.i, i64 %.378.sroa.0.3.i.i
+  %.541.i49.i = add nsw i64 %.267.i.i, %.904.i
+  %.578.i.i = icmp slt i64 %.541.i49.i, 0
   %.579.i.i = select i1 %.578.i.i, i64 %.7112.i, i64 0
-  %.580.i53.i = add i64 %.579.i.i, %.541.i.i
-  %.583.i.i = icmp slt i64 %.580.i53.i, 0
+  %.580.i.i = add i64 %.579.i.i, %.541.i49.i
+  %.583.i.i = icmp slt i64 %.580.i.i, 0
   br i1 %.583.i.i, label %B0.endif.endif.else.if.i.i, label %B0.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.else.if.i.i:                       ; preds = %B0.endif.else.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.else.endif.i.i
 
 B0.endif.endif.else.endif.i.i:                    ; preds = %B0.endif.endif.else.if.i.i, %B0.endif.else.endif.endif.endif.endif.i.i
-  %.568.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.else.if.i.i ], [ %.580.i53.i, %B0.endif.else.endif.endif.endif.endif.i.i ]
-  %.588.not.i.i = icmp slt i64 %.580.i53.i, %.7112.i
+  %.568.sroa.0.1.i.i = phi i64 [ 0, %B0.endif.endif.else.if.i.i ], [ %.580.i.i, %B0.endif.else.endif.endif.endif.endif.i.i ]
+  %.588.not.i.i = icmp slt i64 %.580.i.i, %.7112.i
   br i1 %.588.not.i.i, label %B0.endif.endif.else.endif.endif.endif.endif.i.i, label %B0.endif.endif.else.endif.if.i.i, !prof !10
 
 B0.endif.endif.else.endif.if.i.i:                 ; preds = %B0.endif.endif.else.endif.i.i
@@ -2329,13 +2241,13 @@ B0.endif.endif.else.endif.if.i.i:                 ; preds = %B0.endif.endif.else
 
 B0.endif.endif.else.endif.endif.endif.endif.i.i:  ; preds = %B0.endif.endif.else.endif.if.i.i, %B0.endif.endif.else.endif.i.i
   %.568.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.else.endif.if.i.i ], [ %.568.sroa.0.1.i.i, %B0.endif.endif.else.endif.i.i ]
-  %.681.i54.i = getelementptr double, ptr %.7128.i, i64 %.568.sroa.0.3.i.i
-  %.713.i55.i = add nsw i64 %.541.i.i, %arg.n_f
-  %.751.i56.i = icmp slt i64 %.713.i55.i, 0
-  %.752.i.i = select i1 %.751.i56.i, i64 %.7112.i, i64 0
-  %.753.i.i = add i64 %.752.i.i, %.713.i55.i
-  %.756.i57.i = icmp slt i64 %.753.i.i, 0
-  br i1 %.756.i57.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.else.endif.i.i, !prof !0
+  %.681.i.i = getelementptr double, ptr %.7128.i, i64 %.568.sroa.0.3.i.i
+  %.713.i.i = add nsw i64 %.541.i49.i, %arg.n_f
+  %.751.i.i = icmp slt i64 %.713.i.i, 0
+  %.752.i.i = select i1 %.751.i.i, i64 %.7112.i, i64 0
+  %.753.i.i = add i64 %.752.i.i, %.713.i.i
+  %.756.i.i = icmp slt i64 %.753.i.i, 0
+  br i1 %.756.i.i, label %B0.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.else.if.i.i:                 ; preds = %B0.endif.endif.else.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.else.endif.i.i
@@ -2351,12 +2263,12 @@ B0.endif.endif.endif.else.endif.if.i.i:           ; preds = %B0.endif.endif.endi
 B0.endif.endif.endif.else.endif.endif.endif.endif.i.i: ; preds = %B0.endif.endif.endif.else.endif.if.i.i, %B0.endif.endif.endif.else.endif.i.i
   %.741.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.else.endif.if.i.i ], [ %.741.sroa.0.1.i.i, %B0.endif.endif.endif.else.endif.i.i ]
   %.854.i.i = getelementptr double, ptr %.7128.i, i64 %.741.sroa.0.3.i.i
-  %.904.i.i = add nsw i64 %.541.i.i, %.904.i
+  %.904.i.i = add nsw i64 %.541.i49.i, %.904.i
   %.941.i.i = icmp slt i64 %.904.i.i, 0
   %.942.i.i = select i1 %.941.i.i, i64 %.7112.i, i64 0
   %.943.i.i = add i64 %.942.i.i, %.904.i.i
-  %.946.i.i = icmp slt i64 %.943.i.i, 0
-  br i1 %.946.i.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !0
+  %.946.i50.i = icmp slt i64 %.943.i.i, 0
+  br i1 %.946.i50.i, label %B0.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.endif.else.if.i.i:           ; preds = %B0.endif.endif.endif.else.endif.endif.endif.endif.i.i
   br label %B0.endif.endif.endif.endif.else.endif.i.i
@@ -2418,8 +2330,8 @@ B0.endif.endif.endif.endi...endif.2.endif.i.i:    ; preds = %B0.endif.endif.endi
   %.1477.i.i = icmp slt i64 %.1439.i.i, 0
   %.1478.i.i = select i1 %.1477.i.i, i64 %.7112.i, i64 0
   %.1479.i.i = add i64 %.1478.i.i, %.1439.i.i
-  %.1482.i58.i = icmp slt i64 %.1479.i.i, 0
-  br i1 %.1482.i58.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
+  %.1482.i.i = icmp slt i64 %.1479.i.i, 0
+  br i1 %.1482.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i, label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i, !prof !0
 
 B0.endif.endif.endif.endif.endif.endif.endif.else.if.i.i: ; preds = %B0.endif.endif.endif.endi...endif.2.endif.i.i
   br label %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i
@@ -2436,8 +2348,8 @@ B0.endif.endif.endif.endi...endif.4.endif.endif.i.i: ; preds = %B0.endif.endif.e
   %.1467.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...if.4.i.i ], [ %.1467.sroa.0.1.i.i, %B0.endif.endif.endif.endif.endif.endif.endif.else.endif.i.i ]
   %.1580.i.i = getelementptr double, ptr %.7128.i, i64 %.1467.sroa.0.3.i.i
   %.1630.i.i = add nsw i64 %.1267.i.i, %.904.i
-  %.1667.i.i = icmp slt i64 %.1630.i.i, 0
-  %.1668.i.i = select i1 %.1667.i.i, i64 %.7112.i, i64 0
+  %.1667.i51.i = icmp slt i64 %.1630.i.i, 0
+  %.1668.i.i = select i1 %.1667.i51.i, i64 %.7112.i, i64 0
   %.1669.i.i = add i64 %.1668.i.i, %.1630.i.i
   %.1672.i.i = icmp slt i64 %.1669.i.i, 0
   br i1 %.1672.i.i, label %B0.endif.endif.endif.endi...if.6.i.i, label %B0.endif.endif.endif.endi...endif.6.i.i, !prof !0
@@ -2497,7 +2409,7 @@ B0.endif.endif.endif.endi...endif.8.else.endif.if.i.i: ; preds = %B0.endif.endif
 
 B0.endif.endif.endif.endi...endif.9.endif.i.i:    ; preds = %B0.endif.endif.endif.endi...endif.8.else.endif.if.i.i, %B0.endif.endif.endif.endi...endif.8.else.endif.i.i
   %.2020.sroa.0.3.i.i = phi i64 [ %.7112.i, %B0.endif.endif.endif.endi...endif.8.else.endif.if.i.i ], [ %.2020.sroa.0.1.i.i, %B0.endif.endif.endif.endi...endif.8.else.endif.i.i ]
-  %.2133.i59.i = getelementptr double, ptr %.7128.i, i64 %.2020.sroa.0.3.i.i
+  %.2133.i.i = getelementptr double, ptr %.7128.i, i64 %.2020.sroa.0.3.i.i
   %.2165.i.i = add nsw i64 %.1993.i.i, %arg.n_f
   %.2203.i.i = icmp slt i64 %.2165.i.i, 0
   %.2204.i.i = select i1 %.2203.i.i, i64 %.7112.i, i64 0
@@ -2526,138 +2438,116 @@ B0.endif.endif.endif.endi...endif.11.endif.endif.i.i: ; preds = %B0.endif.endif.
 B546.if.i.i:                                      ; preds = %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i, %B546.if.i.i
   %.2451885887.i.i = phi i64 [ %.2458.i.i, %B546.if.i.i ], [ 0, %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i ]
   %.2458.i.i = add nuw nsw i64 %.2451885887.i.i, 1
-  %171 = shl i64 %.2451885887.i.i, 3
-  %scevgep16.i.i = getelementptr i8, ptr %.8625.i, i64 %171
+  %167 = shl i64 %.2451885887.i.i, 3
+  %scevgep16.i.i = getelementptr i8, ptr %.8625.i, i64 %167
   %.2513.i.i = load double, ptr %scevgep16.i.i, align 8, !noalias !26
   %.2515.i.i = fmul contract double %.2360.i.i, %.2513.i.i
-  %.2516.i.i = fmul contract double %.2515.i.i, 0x3FE45F306DC9C883
-  %.2517.i.i = fadd contract double %.2516.i.i, 0x4338000000000000
-  %.2518.i.i = fadd contract double %.2517.i.i, 0xC338000000000000
-  %.2536.i.i = fmul contract double %.2518.i.i, 0x3FF921FA00000000
-  %.2537.i.i = fsub contract double %.2515.i.i, %.2536.i.i
-  %.2555.i.i = fmul contract double %.2518.i.i, 0x3EB5444200000000
-  %.2556.i.i = fsub contract double %.2537.i.i, %.2555.i.i
-  %.2574.i.i = fmul contract double %.2518.i.i, 0x3D6A308C00000000
-  %.2575.i.i = fsub contract double %.2556.i.i, %.2574.i.i
-  %.2593.i.i = fmul contract double %.2518.i.i, 0x3C2313198A2E0370
-  %.2594.i.i = fsub contract double %.2575.i.i, %.2593.i.i
-  %.2595.i.i = fmul contract double %.2594.i.i, %.2594.i.i
-  %.2596.i.i = fmul contract double %.2594.i.i, %.2595.i.i
-  %.2597.i.i = fmul contract double %.2595.i.i, 0x3D6AE7F3E733B81F
-  %172 = fsub contract double 0x3DE6124613A86D09, %.2597.i.i
-  %.2599.i.i = fmul contract double %.2595.i.i, %172
-  %.2600.i.i = fadd contract double %.2599.i.i, 0xBE5AE64567F544E4
-  %.2601.i.i = fmul contract double %.2595.i.i, %.2600.i.i
-  %.2602.i.i = fadd contract double %.2601.i.i, 0x3EC71DE3A556C734
-  %.2603.i.i = fmul contract double %.2595.i.i, %.2602.i.i
-  %.2604.i.i = fadd contract double %.2603.i.i, 0xBF2A01A01A01A01A
-  %.2605.i.i = fmul contract double %.2595.i.i, %.2604.i.i
-  %.2606.i.i = fadd contract double %.2605.i.i, 0x3F81111111111111
-  %.2607.i.i = fmul contract double %.2595.i.i, %.2606.i.i
-  %.2608.i.i = fadd contract double %.2607.i.i, 0xBFC5555555555555
-  %.2609.i.i = fmul contract double %.2596.i.i, %.2608.i.i
-  %.2610.i.i = fadd contract double %.2594.i.i, %.2609.i.i
-  %.2611.i.i = fmul contract double %.2595.i.i, 0x3D2AE7F3E733B81F
-  %.2612.i.i = fadd contract double %.2611.i.i, 0xBDA93974A8C07C9D
-  %.2613.i.i = fmul contract double %.2595.i.i, %.2612.i.i
-  %.2614.i.i = fadd contract double %.2613.i.i, 0x3E21EED8EFF8D898
-  %.2615.i.i = fmul contract double %.2595.i.i, %.2614.i.i
-  %.2616.i.i = fadd contract double %.2615.i.i, 0xBE927E4FB7789F5C
-  %.2617.i.i = fmul contract double %.2595.i.i, %.2616.i.i
-  %.2618.i.i = fadd contract double %.2617.i.i, 0x3EFA01A01A01A01A
-  %.2619.i.i = fmul contract double %.2595.i.i, %.2618.i.i
-  %.2620.i.i = fadd contract double %.2619.i.i, 0xBF56C16C16C16C17
-  %.2621.i.i = fmul contract double %.2595.i.i, %.2620.i.i
-  %.2622.i.i = fadd contract double %.2621.i.i, 0x3FA5555555555555
-  %.2623.i.i = fmul contract double %.2595.i.i, %.2622.i.i
-  %.2624.i.i = fadd contract double %.2623.i.i, -5.000000e-01
-  %.2625.i.i = fmul contract double %.2595.i.i, %.2624.i.i
-  %.2626.i.i = fadd contract double %.2625.i.i, 1.000000e+00
-  %.2627.i.i = bitcast double %.2517.i.i to i64
-  %.2628.i.i = and i64 %.2627.i.i, 1
-  %.2630.i.i = bitcast double %.2610.i.i to i64
-  %.2631.i.i = bitcast double %.2626.i.i to i64
-  %.2632.i.i = xor i64 %.2631.i.i, %.2630.i.i
-  %173 = icmp eq i64 %.2628.i.i, 0
-  %.2633.i.i = select i1 %173, i64 0, i64 %.2632.i.i
-  %.2634.i.i = shl i64 %.2627.i.i, 62
-  %.2635.i.i = and i64 %.2634.i.i, -9223372036854775808
-  %.2637.i.i = add i64 %.2634.i.i, 4611686018427387904
-  %.2638.i.i = and i64 %.2637.i.i, -9223372036854775808
-  %174 = xor i64 %.2635.i.i, %.2630.i.i
-  %.2640.i.i = xor i64 %174, %.2633.i.i
-  %.2641.i.i = bitcast i64 %.2640.i.i to double
-  %175 = xor i64 %.2638.i.i, %.2631.i.i
-  %.2643.i.i = xor i64 %175, %.2633.i.i
-  %.2644.i.i = bitcast i64 %.2643.i.i to double
-  %scevgep15.i.i = getelementptr i8, ptr %sr.2.sroa.36.3.i, i64 %171
-  %.2694.i.i = load double, ptr %scevgep15.i.i, align 8, !noalias !26
-  %.2695.i.i = fmul contract double %.2694.i.i, %.2644.i.i
-  %scevgep14.i.i = getelementptr i8, ptr %si.2.sroa.36.3.i, i64 %171
-  %.2725.i.i = load double, ptr %scevgep14.i.i, align 8, !noalias !26
-  %.2726.i.i = fmul contract double %.2725.i.i, %.2641.i.i
-  %.2727.i.i = fsub contract double %.2695.i.i, %.2726.i.i
-  %.2758.i.i = fmul contract double %.2694.i.i, %.2641.i.i
-  %.2789.i.i = fmul contract double %.2725.i.i, %.2644.i.i
-  %.2790.i.i = fadd contract double %.2758.i.i, %.2789.i.i
-  %scevgep13.i.i = getelementptr i8, ptr %.318.i46.i, i64 %171
-  %.2820.i.i = load double, ptr %scevgep13.i.i, align 8, !noalias !26
-  %.2822.i.i = fmul contract double %.191.i.i, %.2820.i.i
-  %scevgep12.i.i = getelementptr i8, ptr %.681.i54.i, i64 %171
-  %.2852.i.i = load double, ptr %scevgep12.i.i, align 8, !noalias !26
-  %.2854.i.i = fmul contract double %.205.i.i, %.2852.i.i
-  %.2855.i.i = fadd contract double %.2822.i.i, %.2854.i.i
-  %scevgep11.i.i = getelementptr i8, ptr %.1044.i.i, i64 %171
-  %.2885.i.i = load double, ptr %scevgep11.i.i, align 8, !noalias !26
-  %.2887.i.i = fmul contract double %.217.i.i, %.2885.i.i
-  %.2888.i.i = fadd contract double %.2855.i.i, %.2887.i.i
-  %scevgep10.i.i = getelementptr i8, ptr %.1407.i.i, i64 %171
-  %.2918.i.i = load double, ptr %scevgep10.i.i, align 8, !noalias !26
-  %.2920.i.i = fmul contract double %.229.i.i, %.2918.i.i
-  %.2921.i.i = fadd contract double %.2888.i.i, %.2920.i.i
-  %scevgep9.i.i = getelementptr i8, ptr %.1770.i.i, i64 %171
-  %.2951.i.i = load double, ptr %scevgep9.i.i, align 8, !noalias !26
-  %.2953.i.i = fmul contract double %.243.i.i, %.2951.i.i
-  %.2954.i.i = fadd contract double %.2921.i.i, %.2953.i.i
-  %scevgep8.i60.i = getelementptr i8, ptr %.2133.i59.i, i64 %171
-  %.2984.i.i = load double, ptr %scevgep8.i60.i, align 8, !noalias !26
-  %.2986.i.i = fmul contract double %.251.i.i, %.2984.i.i
-  %.2987.i.i = fadd contract double %.2954.i.i, %.2986.i.i
-  %scevgep7.i61.i = getelementptr i8, ptr %.491.i52.i, i64 %171
-  %.3017.i.i = load double, ptr %scevgep7.i61.i, align 8, !noalias !26
-  %.3019.i.i = fmul contract double %.191.i.i, %.3017.i.i
-  %scevgep6.i62.i = getelementptr i8, ptr %.854.i.i, i64 %171
-  %.3049.i.i = load double, ptr %scevgep6.i62.i, align 8, !noalias !26
-  %.3051.i.i = fmul contract double %.205.i.i, %.3049.i.i
-  %.3052.i.i = fadd contract double %.3019.i.i, %.3051.i.i
-  %scevgep5.i63.i = getelementptr i8, ptr %.1217.i.i, i64 %171
-  %.3082.i.i = load double, ptr %scevgep5.i63.i, align 8, !noalias !26
-  %.3084.i.i = fmul contract double %.217.i.i, %.3082.i.i
-  %.3085.i.i = fadd contract double %.3052.i.i, %.3084.i.i
-  %scevgep4.i64.i = getelementptr i8, ptr %.1580.i.i, i64 %171
-  %.3115.i.i = load double, ptr %scevgep4.i64.i, align 8, !noalias !26
-  %.3117.i.i = fmul contract double %.229.i.i, %.3115.i.i
-  %.3118.i.i = fadd contract double %.3085.i.i, %.3117.i.i
-  %scevgep3.i.i = getelementptr i8, ptr %.1943.i.i, i64 %171
-  %.3148.i.i = load double, ptr %scevgep3.i.i, align 8, !noalias !26
-  %.3150.i.i = fmul contract double %.243.i.i, %.3148.i.i
-  %.3151.i.i = fadd contract double %.3118.i.i, %.3150.i.i
-  %scevgep2.i.i = getelementptr i8, ptr %.2306.i.i, i64 %171
-  %.3181.i.i = load double, ptr %scevgep2.i.i, align 8, !noalias !26
-  %.3183.i.i = fmul contract double %.251.i.i, %.3181.i.i
-  %.3184.i.i = fadd contract double %.3151.i.i, %.3183.i.i
-  %.3185.i.i = fmul contract double %.2987.i.i, %.2727.i.i
-  %.3186.i.i = fmul contract double %.3184.i.i, %.2790.i.i
-  %.3187.i.i = fsub contract double %.3185.i.i, %.3186.i.i
-  %scevgep1.i.i = getelementptr i8, ptr %.8797.i, i64 %171
-  store double %.3187.i.i, ptr %scevgep1.i.i, align 8, !noalias !26
-  %.3218.i.i = fmul contract double %.2987.i.i, %.2790.i.i
-  %.3219.i.i = fmul contract double %.3184.i.i, %.2727.i.i
-  %.3220.i.i = fadd contract double %.3218.i.i, %.3219.i.i
-  %scevgep.i.i = getelementptr i8, ptr %.8969.i, i64 %171
-  store double %.3220.i.i, ptr %scevgep.i.i, align 8, !noalias !26
-  %exitcond.not.i65.i = icmp eq i64 %.8600.i, %.2458.i.i
-  br i1 %exitcond.not.i65.i, label %B2444.else.endif.i, label %B546.if.i.i
+  %.2516.i.i = tail call contract double @llvm.fma.f64(double %.2515.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.2517.i.i = fadd contract double %.2516.i.i, 0xC338000000000000
+  %.2532.i.i = tail call contract double @llvm.fma.f64(double %.2517.i.i, double 0xBFF921FB54442D18, double %.2515.i.i)
+  %.2547.i.i = tail call contract double @llvm.fma.f64(double %.2517.i.i, double 0xBC91A62633145C07, double %.2532.i.i)
+  %.2548.i.i = fmul contract double %.2547.i.i, %.2547.i.i
+  %.2549.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.2550.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2549.i.i, double 0xBE5AE64567F544E4)
+  %.2551.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2550.i.i, double 0x3EC71DE3A556C734)
+  %.2552.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2551.i.i, double 0xBF2A01A01A01A01A)
+  %.2553.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2552.i.i, double 0x3F81111111111111)
+  %.2554.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2553.i.i, double 0xBFC5555555555555)
+  %.2555.i.i = fmul contract double %.2547.i.i, %.2548.i.i
+  %.2556.i.i = tail call contract double @llvm.fma.f64(double %.2555.i.i, double %.2554.i.i, double %.2547.i.i)
+  %.2557.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.2558.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2557.i.i, double 0x3E21EED8EFF8D898)
+  %.2559.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2558.i.i, double 0xBE927E4FB7789F5C)
+  %.2560.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2559.i.i, double 0x3EFA01A01A01A01A)
+  %.2561.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2560.i.i, double 0xBF56C16C16C16C17)
+  %.2562.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2561.i.i, double 0x3FA5555555555555)
+  %.2563.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2562.i.i, double -5.000000e-01)
+  %.2564.i.i = tail call contract double @llvm.fma.f64(double %.2548.i.i, double %.2563.i.i, double 1.000000e+00)
+  %.2565.i.i = bitcast double %.2516.i.i to i64
+  %.2566.i.i = bitcast double %.2556.i.i to i64
+  %.2567.i.i = bitcast double %.2564.i.i to i64
+  %.2568.i.i = xor i64 %.2567.i.i, %.2566.i.i
+  %.2569.i.i = and i64 %.2565.i.i, 1
+  %168 = icmp eq i64 %.2569.i.i, 0
+  %.2571.i.i = select i1 %168, i64 0, i64 %.2568.i.i
+  %.2572.i.i = shl i64 %.2565.i.i, 62
+  %.2573.i.i = and i64 %.2572.i.i, -9223372036854775808
+  %.2575.i.i = add i64 %.2572.i.i, 4611686018427387904
+  %.2576.i.i = and i64 %.2575.i.i, -9223372036854775808
+  %169 = xor i64 %.2573.i.i, %.2566.i.i
+  %.2578.i.i = xor i64 %169, %.2571.i.i
+  %.2579.i.i = bitcast i64 %.2578.i.i to double
+  %170 = xor i64 %.2576.i.i, %.2567.i.i
+  %.2581.i.i = xor i64 %170, %.2571.i.i
+  %.2582.i.i = bitcast i64 %.2581.i.i to double
+  %scevgep15.i.i = getelementptr i8, ptr %sr.2.sroa.36.3.i, i64 %167
+  %.2632.i.i = load double, ptr %scevgep15.i.i, align 8, !noalias !26
+  %.2633.i.i = fmul contract double %.2632.i.i, %.2582.i.i
+  %scevgep14.i.i = getelementptr i8, ptr %si.2.sroa.36.3.i, i64 %167
+  %.2663.i.i = load double, ptr %scevgep14.i.i, align 8, !noalias !26
+  %.2664.i.i = fmul contract double %.2663.i.i, %.2579.i.i
+  %.2665.i.i = fsub contract double %.2633.i.i, %.2664.i.i
+  %.2696.i.i = fmul contract double %.2632.i.i, %.2579.i.i
+  %.2727.i.i = fmul contract double %.2663.i.i, %.2582.i.i
+  %.2728.i.i = fadd contract double %.2696.i.i, %.2727.i.i
+  %scevgep13.i.i = getelementptr i8, ptr %.318.i45.i, i64 %167
+  %.2758.i.i = load double, ptr %scevgep13.i.i, align 8, !noalias !26
+  %.2760.i.i = fmul contract double %.191.i.i, %.2758.i.i
+  %scevgep12.i.i = getelementptr i8, ptr %.681.i.i, i64 %167
+  %.2790.i.i = load double, ptr %scevgep12.i.i, align 8, !noalias !26
+  %.2792.i.i = fmul contract double %.205.i.i, %.2790.i.i
+  %.2793.i.i = fadd contract double %.2760.i.i, %.2792.i.i
+  %scevgep11.i.i = getelementptr i8, ptr %.1044.i.i, i64 %167
+  %.2823.i.i = load double, ptr %scevgep11.i.i, align 8, !noalias !26
+  %.2825.i.i = fmul contract double %.217.i.i, %.2823.i.i
+  %.2826.i.i = fadd contract double %.2793.i.i, %.2825.i.i
+  %scevgep10.i.i = getelementptr i8, ptr %.1407.i.i, i64 %167
+  %.2856.i.i = load double, ptr %scevgep10.i.i, align 8, !noalias !26
+  %.2858.i.i = fmul contract double %.229.i.i, %.2856.i.i
+  %.2859.i.i = fadd contract double %.2826.i.i, %.2858.i.i
+  %scevgep9.i.i = getelementptr i8, ptr %.1770.i.i, i64 %167
+  %.2889.i.i = load double, ptr %scevgep9.i.i, align 8, !noalias !26
+  %.2891.i.i = fmul contract double %.243.i.i, %.2889.i.i
+  %.2892.i.i = fadd contract double %.2859.i.i, %.2891.i.i
+  %scevgep8.i52.i = getelementptr i8, ptr %.2133.i.i, i64 %167
+  %.2922.i.i = load double, ptr %scevgep8.i52.i, align 8, !noalias !26
+  %.2924.i.i = fmul contract double %.251.i.i, %.2922.i.i
+  %.2925.i.i = fadd contract double %.2892.i.i, %.2924.i.i
+  %scevgep7.i53.i = getelementptr i8, ptr %.491.i48.i, i64 %167
+  %.2955.i.i = load double, ptr %scevgep7.i53.i, align 8, !noalias !26
+  %.2957.i.i = fmul contract double %.191.i.i, %.2955.i.i
+  %scevgep6.i54.i = getelementptr i8, ptr %.854.i.i, i64 %167
+  %.2987.i.i = load double, ptr %scevgep6.i54.i, align 8, !noalias !26
+  %.2989.i.i = fmul contract double %.205.i.i, %.2987.i.i
+  %.2990.i.i = fadd contract double %.2957.i.i, %.2989.i.i
+  %scevgep5.i55.i = getelementptr i8, ptr %.1217.i.i, i64 %167
+  %.3020.i.i = load double, ptr %scevgep5.i55.i, align 8, !noalias !26
+  %.3022.i.i = fmul contract double %.217.i.i, %.3020.i.i
+  %.3023.i.i = fadd contract double %.2990.i.i, %.3022.i.i
+  %scevgep4.i56.i = getelementptr i8, ptr %.1580.i.i, i64 %167
+  %.3053.i.i = load double, ptr %scevgep4.i56.i, align 8, !noalias !26
+  %.3055.i.i = fmul contract double %.229.i.i, %.3053.i.i
+  %.3056.i.i = fadd contract double %.3023.i.i, %.3055.i.i
+  %scevgep3.i.i = getelementptr i8, ptr %.1943.i.i, i64 %167
+  %.3086.i.i = load double, ptr %scevgep3.i.i, align 8, !noalias !26
+  %.3088.i.i = fmul contract double %.243.i.i, %.3086.i.i
+  %.3089.i.i = fadd contract double %.3056.i.i, %.3088.i.i
+  %scevgep2.i.i = getelementptr i8, ptr %.2306.i.i, i64 %167
+  %.3119.i.i = load double, ptr %scevgep2.i.i, align 8, !noalias !26
+  %.3121.i.i = fmul contract double %.251.i.i, %.3119.i.i
+  %.3122.i.i = fadd contract double %.3089.i.i, %.3121.i.i
+  %.3123.i.i = fmul contract double %.2925.i.i, %.2665.i.i
+  %.3124.i.i = fmul contract double %.3122.i.i, %.2728.i.i
+  %.3125.i.i = fsub contract double %.3123.i.i, %.3124.i.i
+  %scevgep1.i.i = getelementptr i8, ptr %.8797.i, i64 %167
+  store double %.3125.i.i, ptr %scevgep1.i.i, align 8, !noalias !26
+  %.3156.i.i = fmul contract double %.2925.i.i, %.2728.i.i
+  %.3157.i.i = fmul contract double %.3122.i.i, %.2665.i.i
+  %.3158.i.i = fadd contract double %.3156.i.i, %.3157.i.i
+  %scevgep.i.i = getelementptr i8, ptr %.8969.i, i64 %167
+  store double %.3158.i.i, ptr %scevgep.i.i, align 8, !noalias !26
+  %exitcond.not.i57.i = icmp eq i64 %.8600.i, %.2458.i.i
+  br i1 %exitcond.not.i57.i, label %B2444.else.endif.i, label %B546.if.i.i
 
 B2444.else.endif.i:                               ; preds = %B546.if.i.i, %B78.if.i.i, %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i, %B2136.endif.endif.endif.endif.else.endif.endif.i
   br i1 %91, label %B2444.else.endif.if.i, label %B2444.else.endif.endif.i, !prof !0
@@ -2689,48 +2579,48 @@ B2444.else.endif.endif.endif.endif.i:             ; preds = %B2444.else.endif.en
 
 B104.if.preheader.i.i:                            ; preds = %B2444.else.endif.endif.endif.endif.i
   %.9212.i = getelementptr double, ptr %.2074.i, i64 %.9099.sroa.0.3.i
-  %scevgep.i172.i = getelementptr i8, ptr %.9212.i, i64 56
+  %scevgep.i171.i = getelementptr i8, ptr %.9212.i, i64 56
   br label %B104.if.i.i
 
 B348.loopexit.i.i:                                ; preds = %B104.if.i.i
-  %176 = fadd contract double %.244.i.i, %.279.i176.i
-  %177 = fadd contract double %.314.i.i, %.349.i179.i
-  %178 = fadd contract double %176, %177
-  %179 = fadd contract double %.384.i.i, %.419.i.i
-  %180 = fadd contract double %.454.i.i, %.489.i.i
-  %181 = fadd contract double %179, %180
-  %182 = fadd contract double %178, %181
+  %171 = fadd contract double %.244.i.i, %.279.i175.i
+  %172 = fadd contract double %.314.i178.i, %.349.i.i
+  %173 = fadd contract double %171, %172
+  %174 = fadd contract double %.384.i.i, %.419.i182.i
+  %175 = fadd contract double %.454.i.i, %.489.i.i
+  %176 = fadd contract double %174, %175
+  %177 = fadd contract double %173, %176
   br label %B2444.endif.endif.i
 
 B104.if.i.i:                                      ; preds = %B104.if.i.i, %B104.if.preheader.i.i
   %lsr.iv9.i.i = phi i64 [ %.60.1.i.i, %B104.if.preheader.i.i ], [ %lsr.iv.next.i.i, %B104.if.i.i ]
-  %lsr.iv.i.i = phi ptr [ %scevgep.i172.i, %B104.if.preheader.i.i ], [ %scevgep1.i183.i, %B104.if.i.i ]
+  %lsr.iv.i.i = phi ptr [ %scevgep.i171.i, %B104.if.preheader.i.i ], [ %scevgep1.i183.i, %B104.if.i.i ]
   %s7.2.0168.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.489.i.i, %B104.if.i.i ]
   %s6.2.0167.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.454.i.i, %B104.if.i.i ]
-  %s5.2.0166.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.419.i.i, %B104.if.i.i ]
+  %s5.2.0166.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.419.i182.i, %B104.if.i.i ]
   %s4.2.0165.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.384.i.i, %B104.if.i.i ]
-  %s3.2.0164.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.349.i179.i, %B104.if.i.i ]
-  %s2.2.0163.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.314.i.i, %B104.if.i.i ]
-  %s1.2.0162.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.279.i176.i, %B104.if.i.i ]
+  %s3.2.0164.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.349.i.i, %B104.if.i.i ]
+  %s2.2.0163.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.314.i178.i, %B104.if.i.i ]
+  %s1.2.0162.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.279.i175.i, %B104.if.i.i ]
   %s0.2.0161.i.i = phi double [ 0.000000e+00, %B104.if.preheader.i.i ], [ %.244.i.i, %B104.if.i.i ]
-  %scevgep2.i173.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -56
-  %.242.i.i = load double, ptr %scevgep2.i173.i, align 8, !noalias !29
+  %scevgep2.i172.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -56
+  %.242.i.i = load double, ptr %scevgep2.i172.i, align 8, !noalias !29
   %.244.i.i = fadd contract double %s0.2.0161.i.i, %.242.i.i
-  %scevgep3.i174.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -48
-  %.277.i175.i = load double, ptr %scevgep3.i174.i, align 8, !noalias !29
-  %.279.i176.i = fadd contract double %s1.2.0162.i.i, %.277.i175.i
-  %scevgep4.i177.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -40
-  %.312.i.i = load double, ptr %scevgep4.i177.i, align 8, !noalias !29
-  %.314.i.i = fadd contract double %s2.2.0163.i.i, %.312.i.i
-  %scevgep5.i178.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -32
-  %.347.i.i = load double, ptr %scevgep5.i178.i, align 8, !noalias !29
-  %.349.i179.i = fadd contract double %s3.2.0164.i.i, %.347.i.i
+  %scevgep3.i173.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -48
+  %.277.i174.i = load double, ptr %scevgep3.i173.i, align 8, !noalias !29
+  %.279.i175.i = fadd contract double %s1.2.0162.i.i, %.277.i174.i
+  %scevgep4.i176.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -40
+  %.312.i177.i = load double, ptr %scevgep4.i176.i, align 8, !noalias !29
+  %.314.i178.i = fadd contract double %s2.2.0163.i.i, %.312.i177.i
+  %scevgep5.i179.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -32
+  %.347.i.i = load double, ptr %scevgep5.i179.i, align 8, !noalias !29
+  %.349.i.i = fadd contract double %s3.2.0164.i.i, %.347.i.i
   %scevgep6.i180.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -24
-  %.382.i181.i = load double, ptr %scevgep6.i180.i, align 8, !noalias !29
-  %.384.i.i = fadd contract double %s4.2.0165.i.i, %.382.i181.i
-  %scevgep7.i182.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -16
-  %.417.i.i = load double, ptr %scevgep7.i182.i, align 8, !noalias !29
-  %.419.i.i = fadd contract double %s5.2.0166.i.i, %.417.i.i
+  %.382.i.i = load double, ptr %scevgep6.i180.i, align 8, !noalias !29
+  %.384.i.i = fadd contract double %s4.2.0165.i.i, %.382.i.i
+  %scevgep7.i181.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -16
+  %.417.i.i = load double, ptr %scevgep7.i181.i, align 8, !noalias !29
+  %.419.i182.i = fadd contract double %s5.2.0166.i.i, %.417.i.i
   %scevgep8.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 -8
   %.452.i.i = load double, ptr %scevgep8.i.i, align 8, !noalias !29
   %.454.i.i = fadd contract double %s6.2.0167.i.i, %.452.i.i
@@ -2742,7 +2632,7 @@ B104.if.i.i:                                      ; preds = %B104.if.i.i, %B104.
   br i1 %exitcond.not.i184.i, label %B348.loopexit.i.i, label %B104.if.i.i
 
 B2444.endif.endif.i:                              ; preds = %B348.loopexit.i.i, %B2444.else.endif.endif.endif.endif.i
-  %s0.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B2444.else.endif.endif.endif.endif.i ], [ %182, %B348.loopexit.i.i ]
+  %s0.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B2444.else.endif.endif.endif.endif.i ], [ %177, %B348.loopexit.i.i ]
   br i1 %92, label %B2444.endif.endif.else.endif.if.i, label %B2444.endif.endif.else.endif.endif.i, !prof !0
 
 B2444.endif.endif.else.endif.if.i:                ; preds = %B2444.endif.endif.i
@@ -2776,13 +2666,13 @@ B104.if.preheader.i187.i:                         ; preds = %B2444.endif.endif.e
   br label %B104.if.i189.i
 
 B348.loopexit.i226.i:                             ; preds = %B104.if.i189.i
-  %183 = fadd contract double %.244.i202.i, %.279.i205.i
-  %184 = fadd contract double %.314.i208.i, %.349.i211.i
-  %185 = fadd contract double %183, %184
-  %186 = fadd contract double %.384.i214.i, %.419.i217.i
-  %187 = fadd contract double %.454.i220.i, %.489.i222.i
-  %188 = fadd contract double %186, %187
-  %189 = fadd contract double %185, %188
+  %178 = fadd contract double %.244.i202.i, %.279.i205.i
+  %179 = fadd contract double %.314.i208.i, %.349.i211.i
+  %180 = fadd contract double %178, %179
+  %181 = fadd contract double %.384.i214.i, %.419.i217.i
+  %182 = fadd contract double %.454.i220.i, %.489.i222.i
+  %183 = fadd contract double %181, %182
+  %184 = fadd contract double %180, %183
   br label %B2444.endif.endif.endif.endif.i
 
 B104.if.i189.i:                                   ; preds = %B104.if.i189.i, %B104.if.preheader.i187.i
@@ -2825,20 +2715,20 @@ B104.if.i189.i:                                   ; preds = %B104.if.i189.i, %B1
   br i1 %exitcond.not.i225.i, label %B348.loopexit.i226.i, label %B104.if.i189.i
 
 B2444.endif.endif.endif.endif.i:                  ; preds = %B348.loopexit.i226.i, %B2444.endif.endif.else.endif.endif.endif.endif.i
-  %s0.2.0.lcssa.i227.i = phi double [ 0.000000e+00, %B2444.endif.endif.else.endif.endif.endif.endif.i ], [ %189, %B348.loopexit.i226.i ]
+  %s0.2.0.lcssa.i227.i = phi double [ 0.000000e+00, %B2444.endif.endif.else.endif.endif.endif.endif.i ], [ %184, %B348.loopexit.i226.i ]
   %.9490.i = icmp slt i64 %.7308.sroa.0.054.i, 0
   %.9491.i = select i1 %.9490.i, i64 %.3160.i, i64 0
   %.idx93.i = shl i64 %.7308.sroa.0.054.i, 4
-  %190 = getelementptr i8, ptr %.3176.i, i64 %.idx93.i
-  %.9505.i = getelementptr double, ptr %190, i64 %.9491.i
+  %185 = getelementptr i8, ptr %.3176.i, i64 %.idx93.i
+  %.9505.i = getelementptr double, ptr %185, i64 %.9491.i
   %.9506.i = load double, ptr %.9505.i, align 8, !noalias !1
   %.9508.i = fmul contract double %.7197.i, %s0.2.0.lcssa.i.i
   %.9510.i = fmul contract double %.7230.i, %s0.2.0.lcssa.i227.i
   %.9511.i = fsub contract double %.9508.i, %.9510.i
   %.9512.i = fadd contract double %.9506.i, %.9511.i
   store double %.9512.i, ptr %.9505.i, align 8, !noalias !1
-  %191 = getelementptr i8, ptr %190, i64 8
-  %.9576.i = getelementptr double, ptr %191, i64 %.9491.i
+  %186 = getelementptr i8, ptr %185, i64 8
+  %.9576.i = getelementptr double, ptr %186, i64 %.9491.i
   %.9577.i = load double, ptr %.9576.i, align 8, !noalias !1
   %.9579.i = fmul contract double %.7197.i, %s0.2.0.lcssa.i227.i
   %.9581.i = fmul contract double %.7230.i, %s0.2.0.lcssa.i.i
@@ -2880,11 +2770,11 @@ B2848.if.i:                                       ; preds = %B2848.if.i, %B2848.
   %.10090.i = add nuw nsw i64 %.1008333113313.i, 1
   %scevgep449.i = getelementptr i8, ptr %lsr.iv447.i, i64 -8
   %.10145.i = load double, ptr %scevgep449.i, align 8, !noalias !1
-  %192 = shl i64 %.1008333113313.i, 3
-  %scevgep57.i = getelementptr i8, ptr %.2074.i, i64 %192
+  %187 = shl i64 %.1008333113313.i, 3
+  %scevgep57.i = getelementptr i8, ptr %.2074.i, i64 %187
   %.10175.i = load double, ptr %scevgep57.i, align 8, !noalias !1
   %.10177.i = fmul contract double %.7197.i, %.10175.i
-  %scevgep56.i = getelementptr i8, ptr %.2249.i, i64 %192
+  %scevgep56.i = getelementptr i8, ptr %.2249.i, i64 %187
   %.10207.i = load double, ptr %scevgep56.i, align 8, !noalias !1
   %.10209.i = fmul contract double %.7230.i, %.10207.i
   %.10210.i = fsub contract double %.10177.i, %.10209.i
@@ -2905,60 +2795,60 @@ B2848.if.i:                                       ; preds = %B2848.if.i, %B2848.
 B3198.if.i:                                       ; preds = %B3198.if.i, %B3198.if.preheader.i
   %.1069235473549.i = phi i64 [ %.10699.i, %B3198.if.i ], [ 0, %B3198.if.preheader.i ]
   %.10699.i = add nuw nsw i64 %.1069235473549.i, 1
-  %193 = add i64 %.1069235473549.i, %.10486.sroa.0.084.i
-  %.10739.i = icmp slt i64 %193, 0
-  %194 = select i1 %.10739.i, i64 %75, i64 0
-  %scevgep454.i = getelementptr i8, ptr %scevgep453.i, i64 %194
-  %195 = shl nuw nsw i64 %.1069235473549.i, 3
-  %scevgep59.i = getelementptr i8, ptr %scevgep454.i, i64 %195
+  %188 = add i64 %.1069235473549.i, %.10486.sroa.0.084.i
+  %.10739.i = icmp slt i64 %188, 0
+  %189 = select i1 %.10739.i, i64 %75, i64 0
+  %scevgep454.i = getelementptr i8, ptr %scevgep453.i, i64 %189
+  %190 = shl nuw nsw i64 %.1069235473549.i, 3
+  %scevgep59.i = getelementptr i8, ptr %scevgep454.i, i64 %190
   %.10755.i = load i64, ptr %scevgep59.i, align 8, !noalias !1
   %.10770.i = icmp slt i64 %.10755.i, 0
   %.10771.i = select i1 %.10770.i, i64 %.3500.i, i64 0
   %.idx95.i = shl i64 %.10755.i, 4
-  %196 = getelementptr i8, ptr %.3516.i, i64 %.idx95.i
-  %.10785.i = getelementptr double, ptr %196, i64 %.10771.i
+  %191 = getelementptr i8, ptr %.3516.i, i64 %.idx95.i
+  %.10785.i = getelementptr double, ptr %191, i64 %.10771.i
   %.10786.i = load double, ptr %.10785.i, align 8, !noalias !1
-  %197 = getelementptr i8, ptr %196, i64 8
-  %.10849.i = getelementptr double, ptr %197, i64 %.10771.i
+  %192 = getelementptr i8, ptr %191, i64 8
+  %.10849.i = getelementptr double, ptr %192, i64 %.10771.i
   %.10850.i = load double, ptr %.10849.i, align 8, !noalias !1
   %.10851.i = fmul contract double %.10786.i, %.10786.i
   %.10852.i = fmul contract double %.10850.i, %.10850.i
   %.10853.i = fadd contract double %.10851.i, %.10852.i
-  %scevgep58.i = getelementptr i8, ptr %.1339.i, i64 %195
+  %scevgep58.i = getelementptr i8, ptr %.1339.i, i64 %190
   store double %.10853.i, ptr %scevgep58.i, align 8, !noalias !1
   %exitcond3987.not.i = icmp eq i64 %.13.i229.i, %.10699.i
   br i1 %exitcond3987.not.i, label %B3318.i, label %B3198.if.i
 
 B3350.if.i:                                       ; preds = %B3350.if.i, %B3350.if.preheader380.i
   %lsr.iv460.i = phi i64 [ %35, %B3350.if.preheader380.i ], [ %lsr.iv.next461.i, %B3350.if.i ]
-  %.1097835543556.i = phi i64 [ %.1097835543556.unr.i, %B3350.if.preheader380.i ], [ %206, %B3350.if.i ]
+  %.1097835543556.i = phi i64 [ %.1097835543556.unr.i, %B3350.if.preheader380.i ], [ %201, %B3350.if.i ]
   %.11023.i = icmp slt i64 %.1097835543556.i, 0
-  %198 = select i1 %.11023.i, i64 %73, i64 0
-  %scevgep468.i = getelementptr i8, ptr %.1339.i, i64 %198
-  %199 = shl i64 %.1097835543556.i, 3
-  %scevgep469.i = getelementptr i8, ptr %scevgep468.i, i64 %199
+  %193 = select i1 %.11023.i, i64 %73, i64 0
+  %scevgep468.i = getelementptr i8, ptr %.1339.i, i64 %193
+  %194 = shl i64 %.1097835543556.i, 3
+  %scevgep469.i = getelementptr i8, ptr %scevgep468.i, i64 %194
   store double 0.000000e+00, ptr %scevgep469.i, align 8, !noalias !1
-  %200 = add i64 %.1097835543556.i, 1
-  %.11023.1.i = icmp slt i64 %200, 0
-  %201 = select i1 %.11023.1.i, i64 %80, i64 8
-  %scevgep66.i = getelementptr i8, ptr %.1339.i, i64 %201
-  %scevgep67.i = getelementptr i8, ptr %scevgep66.i, i64 %199
+  %195 = add i64 %.1097835543556.i, 1
+  %.11023.1.i = icmp slt i64 %195, 0
+  %196 = select i1 %.11023.1.i, i64 %80, i64 8
+  %scevgep66.i = getelementptr i8, ptr %.1339.i, i64 %196
+  %scevgep67.i = getelementptr i8, ptr %scevgep66.i, i64 %194
   store double 0.000000e+00, ptr %scevgep67.i, align 8, !noalias !1
-  %202 = add i64 %.1097835543556.i, 2
-  %.11023.2.i = icmp slt i64 %202, 0
-  %203 = select i1 %.11023.2.i, i64 %93, i64 16
-  %scevgep64.i = getelementptr i8, ptr %.1339.i, i64 %203
-  %scevgep65.i = getelementptr i8, ptr %scevgep64.i, i64 %199
+  %197 = add i64 %.1097835543556.i, 2
+  %.11023.2.i = icmp slt i64 %197, 0
+  %198 = select i1 %.11023.2.i, i64 %93, i64 16
+  %scevgep64.i = getelementptr i8, ptr %.1339.i, i64 %198
+  %scevgep65.i = getelementptr i8, ptr %scevgep64.i, i64 %194
   store double 0.000000e+00, ptr %scevgep65.i, align 8, !noalias !1
-  %204 = add i64 %.1097835543556.i, 3
-  %.11023.3.i = icmp slt i64 %204, 0
-  %205 = select i1 %.11023.3.i, i64 %94, i64 24
-  %scevgep62.i = getelementptr i8, ptr %.1339.i, i64 %205
-  %scevgep63.i = getelementptr i8, ptr %scevgep62.i, i64 %199
+  %199 = add i64 %.1097835543556.i, 3
+  %.11023.3.i = icmp slt i64 %199, 0
+  %200 = select i1 %.11023.3.i, i64 %94, i64 24
+  %scevgep62.i = getelementptr i8, ptr %.1339.i, i64 %200
+  %scevgep63.i = getelementptr i8, ptr %scevgep62.i, i64 %194
   store double 0.000000e+00, ptr %scevgep63.i, align 8, !noalias !1
   %lsr.iv.next461.i = add i64 %lsr.iv460.i, -4
   %.10972.3.i = icmp sgt i64 %lsr.iv.next461.i, 4
-  %206 = add i64 %.1097835543556.i, 4
+  %201 = add i64 %.1097835543556.i, 4
   br i1 %.10972.3.i, label %B3350.if.i, label %B3366.i
 
 B3398.else.if.i:                                  ; preds = %B3398.i
@@ -3039,8 +2929,8 @@ B3462.endif.else.endif.endif.endif.endif.i:       ; preds = %B3462.endif.else.en
   br i1 %.104.i230.not.i, label %B76.i231.i, label %B60.if.preheader.i282.i
 
 B60.if.preheader.i282.i:                          ; preds = %B3462.endif.else.endif.endif.endif.endif.i
-  %207 = shl nuw i64 %.11669.i, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.11685.i, i8 0, i64 %207, i1 false), !noalias !35
+  %202 = shl nuw i64 %.11669.i, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.11685.i, i8 0, i64 %202, i1 false), !noalias !35
   br label %B76.i231.i
 
 B76.i231.i:                                       ; preds = %B60.if.preheader.i282.i, %B3462.endif.else.endif.endif.endif.endif.i
@@ -3048,30 +2938,30 @@ B76.i231.i:                                       ; preds = %B60.if.preheader.i2
   br i1 %.311284.not.i232.i, label %B3462.endif.endif.endif.i, label %B128.if.lr.ph.i233.i
 
 B128.if.lr.ph.i233.i:                             ; preds = %B76.i231.i
-  %208 = add nsw i64 %.11669.i, -2
-  %209 = lshr i64 %208, 1
-  %210 = add nuw i64 %209, 1
-  %211 = shl i64 %.11572.sroa.0.3.i, 3
-  %scevgep507.i = getelementptr i8, ptr %scevgep397.i, i64 %211
-  %212 = lshr i64 %210, 1
-  %213 = mul nsw i64 %212, -2
-  %214 = icmp eq i64 %.11660.i, 1
-  %215 = icmp eq i64 %209, 0
-  %216 = and i64 %208, 2
-  %217 = icmp eq i64 %216, 0
-  %218 = and i64 %.11669.i, 1
-  %219 = icmp eq i64 %218, 0
+  %203 = add nsw i64 %.11669.i, -2
+  %204 = lshr i64 %203, 1
+  %205 = add nuw i64 %204, 1
+  %206 = shl i64 %.11572.sroa.0.3.i, 3
+  %scevgep507.i = getelementptr i8, ptr %scevgep397.i, i64 %206
+  %207 = lshr i64 %205, 1
+  %208 = mul nsw i64 %207, -2
+  %209 = icmp eq i64 %.11660.i, 1
+  %210 = icmp eq i64 %204, 0
+  %211 = and i64 %203, 2
+  %212 = icmp eq i64 %211, 0
+  %213 = and i64 %.11669.i, 1
+  %214 = icmp eq i64 %213, 0
   br label %B128.if.i236.i
 
 B284.loopexit.unr-lcssa.i272.unr-lcssa.i:         ; preds = %B228.if.i256.i
-  br i1 %217, label %B228.if.i256.epil.preheader.i, label %B284.loopexit.unr-lcssa.i272.i
+  br i1 %212, label %B228.if.i256.epil.preheader.i, label %B284.loopexit.unr-lcssa.i272.i
 
 B228.if.i256.epil.preheader.i:                    ; preds = %B228.if.preheader2.i254.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i
   %.655272274.i257.epil.init.i = phi i64 [ 0, %B228.if.preheader2.i254.i ], [ %.662.1.i265.1.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i ]
-  %220 = shl i64 %.655272274.i257.epil.init.i, 3
-  %sunkaddr11.i258.epil.i = getelementptr i8, ptr %.11685.i, i64 %220
+  %215 = shl i64 %.655272274.i257.epil.init.i, 3
+  %sunkaddr11.i258.epil.i = getelementptr i8, ptr %.11685.i, i64 %215
   %.716.i259.epil.i = load double, ptr %sunkaddr11.i258.epil.i, align 8, !noalias !35
-  %scevgep9.i260.epil.i = getelementptr i8, ptr %scevgep7.i255.i, i64 %220
+  %scevgep9.i260.epil.i = getelementptr i8, ptr %scevgep7.i255.i, i64 %215
   %scevgep10.i261.epil.i = getelementptr i8, ptr %scevgep9.i260.epil.i, i64 -8
   %.746.i262.epil.i = load double, ptr %scevgep10.i261.epil.i, align 8, !noalias !35
   %.748.i263.epil.i = fmul contract double %.565.i252.i, %.746.i262.epil.i
@@ -3088,17 +2978,17 @@ B228.if.i256.epil.preheader.i:                    ; preds = %B228.if.preheader2.
 
 B284.loopexit.unr-lcssa.i272.i:                   ; preds = %B228.if.i256.epil.preheader.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i
   %.662.1.i265.lcssa.i = phi i64 [ %.662.1.i265.epil.i, %B228.if.i256.epil.preheader.i ], [ %.662.1.i265.1.i, %B284.loopexit.unr-lcssa.i272.unr-lcssa.i ]
-  br i1 %219, label %B284.i279.i, label %B228.if.epil.preheader.i273.i
+  br i1 %214, label %B284.i279.i, label %B228.if.epil.preheader.i273.i
 
 B228.if.epil.preheader.i273.i:                    ; preds = %B228.if.preheader.i253.i, %B284.loopexit.unr-lcssa.i272.i
   %.655272274.epil.init.i274.i = phi i64 [ 0, %B228.if.preheader.i253.i ], [ %.662.1.i265.lcssa.i, %B284.loopexit.unr-lcssa.i272.i ]
-  %221 = getelementptr double, ptr %.11685.i, i64 %.655272274.epil.init.i274.i
-  %.716.epil.i275.i = load double, ptr %221, align 8, !noalias !35
-  %222 = getelementptr double, ptr %.498.i251.i, i64 %.655272274.epil.init.i274.i
-  %.746.epil.i276.i = load double, ptr %222, align 8, !noalias !35
+  %216 = getelementptr double, ptr %.11685.i, i64 %.655272274.epil.init.i274.i
+  %.716.epil.i275.i = load double, ptr %216, align 8, !noalias !35
+  %217 = getelementptr double, ptr %.498.i251.i, i64 %.655272274.epil.init.i274.i
+  %.746.epil.i276.i = load double, ptr %217, align 8, !noalias !35
   %.748.epil.i277.i = fmul contract double %.565.i252.i, %.746.epil.i276.i
   %.749.epil.i278.i = fadd contract double %.716.epil.i275.i, %.748.epil.i277.i
-  store double %.749.epil.i278.i, ptr %221, align 8, !noalias !35
+  store double %.749.epil.i278.i, ptr %216, align 8, !noalias !35
   br label %B284.i279.i
 
 B284.i279.i:                                      ; preds = %B130.else.endif.endif.endif.endif.i249.i, %B228.if.epil.preheader.i273.i, %B284.loopexit.unr-lcssa.i272.i
@@ -3130,30 +3020,30 @@ B130.else.endif.if.i248.i:                        ; preds = %B130.else.endif.i24
 B130.else.endif.endif.endif.endif.i249.i:         ; preds = %B130.else.endif.if.i248.i, %B130.else.endif.i245.i
   %.385.sroa.0.3.i250.i = phi i64 [ %arg.n_qs, %B130.else.endif.if.i248.i ], [ %.385.sroa.0.1.i246.i, %B130.else.endif.i245.i ]
   %.498.i251.i = getelementptr double, ptr %arg.quadratic_spline, i64 %.385.sroa.0.3.i250.i
-  %223 = getelementptr double, ptr %.11513.i, i64 %.317279285.i237.i
-  %.565.i252.i = load double, ptr %223, align 8, !noalias !35
+  %218 = getelementptr double, ptr %.11513.i, i64 %.317279285.i237.i
+  %.565.i252.i = load double, ptr %218, align 8, !noalias !35
   br i1 %.104.i230.not.i, label %B284.i279.i, label %B228.if.preheader.i253.i
 
 B228.if.preheader.i253.i:                         ; preds = %B130.else.endif.endif.endif.endif.i249.i
-  br i1 %214, label %B228.if.epil.preheader.i273.i, label %B228.if.preheader2.i254.i
+  br i1 %209, label %B228.if.epil.preheader.i273.i, label %B228.if.preheader2.i254.i
 
 B228.if.preheader2.i254.i:                        ; preds = %B228.if.preheader.i253.i
-  %224 = shl i64 %.385.sroa.0.3.i250.i, 3
-  %scevgep7.i255.i = getelementptr i8, ptr %scevgep6.i235.i, i64 %224
-  br i1 %215, label %B228.if.i256.epil.preheader.i, label %B228.if.i256.preheader.i
+  %219 = shl i64 %.385.sroa.0.3.i250.i, 3
+  %scevgep7.i255.i = getelementptr i8, ptr %scevgep6.i235.i, i64 %219
+  br i1 %210, label %B228.if.i256.epil.preheader.i, label %B228.if.i256.preheader.i
 
 B228.if.i256.preheader.i:                         ; preds = %B228.if.preheader2.i254.i
-  %scevgep516.i = getelementptr i8, ptr %scevgep515.i, i64 %224
+  %scevgep516.i = getelementptr i8, ptr %scevgep515.i, i64 %219
   br label %B228.if.i256.i
 
 B228.if.i256.i:                                   ; preds = %B228.if.i256.i, %B228.if.i256.preheader.i
-  %lsr.iv85.i = phi i64 [ %lsr.iv.next86.i, %B228.if.i256.i ], [ %213, %B228.if.i256.preheader.i ]
+  %lsr.iv85.i = phi i64 [ %lsr.iv.next86.i, %B228.if.i256.i ], [ %208, %B228.if.i256.preheader.i ]
   %.655272274.i257.i = phi i64 [ %.662.1.i265.1.i, %B228.if.i256.i ], [ 0, %B228.if.i256.preheader.i ]
-  %225 = shl i64 %.655272274.i257.i, 3
-  %scevgep513.i = getelementptr i8, ptr %scevgep507.i, i64 %225
+  %220 = shl i64 %.655272274.i257.i, 3
+  %scevgep513.i = getelementptr i8, ptr %scevgep507.i, i64 %220
   %scevgep514.i = getelementptr i8, ptr %scevgep513.i, i64 -24
   %.716.i259.i = load double, ptr %scevgep514.i, align 8, !noalias !35
-  %scevgep519.i = getelementptr i8, ptr %scevgep516.i, i64 %225
+  %scevgep519.i = getelementptr i8, ptr %scevgep516.i, i64 %220
   %scevgep520.i = getelementptr i8, ptr %scevgep519.i, i64 -16
   %scevgep90.i = getelementptr i8, ptr %scevgep519.i, i64 -24
   %.746.i262.i = load double, ptr %scevgep90.i, align 8, !noalias !35
@@ -3190,25 +3080,25 @@ B3590.if.preheader.i:                             ; preds = %B3462.endif.endif.e
   br i1 %43, label %B3590.if.epil.preheader.i, label %B3590.if.preheader378.i
 
 B3590.if.preheader378.i:                          ; preds = %B3590.if.preheader.i
-  %226 = shl i64 %.11210.sroa.0.3.i, 3
-  %scevgep530.i = getelementptr i8, ptr %scevgep529.i, i64 %226
+  %221 = shl i64 %.11210.sroa.0.3.i, 3
+  %scevgep530.i = getelementptr i8, ptr %scevgep529.i, i64 %221
   br label %B3590.if.i
 
 B3590.if.i:                                       ; preds = %B3590.if.i, %B3590.if.preheader378.i
   %.1184235683570.i = phi i64 [ %.11849.1.i, %B3590.if.i ], [ 0, %B3590.if.preheader378.i ]
-  %227 = shl i64 %.1184235683570.i, 3
-  %sunkaddr106.i = getelementptr i8, ptr %69, i64 %227
+  %222 = shl i64 %.1184235683570.i, 3
+  %sunkaddr106.i = getelementptr i8, ptr %69, i64 %222
   %.11903.i = load double, ptr %sunkaddr106.i, align 8, !noalias !1
-  %scevgep532.i = getelementptr i8, ptr %scevgep530.i, i64 %227
+  %scevgep532.i = getelementptr i8, ptr %scevgep530.i, i64 %222
   %scevgep533.i = getelementptr i8, ptr %scevgep532.i, i64 -8
   %.11933.i = load double, ptr %scevgep533.i, align 8, !noalias !1
   %.11934.i = fmul contract double %.11903.i, %.11933.i
-  %sunkaddr108.i = getelementptr i8, ptr %65, i64 %227
+  %sunkaddr108.i = getelementptr i8, ptr %65, i64 %222
   %.11964.i = load double, ptr %sunkaddr108.i, align 8, !noalias !1
   %.11965.i = fadd contract double %.11964.i, 1.000000e+00
   %.11997.i = fmul contract double %.11965.i, %.11965.i
   %.11998.i = fmul contract double %.11934.i, %.11997.i
-  %sunkaddr110.i = getelementptr i8, ptr %71, i64 %227
+  %sunkaddr110.i = getelementptr i8, ptr %71, i64 %222
   store double %.11998.i, ptr %sunkaddr110.i, align 8, !noalias !1
   %.11849.1.i = add nuw i64 %.1184235683570.i, 2
   %sunkaddr113.i = getelementptr i8, ptr %sunkaddr106.i, i64 8
@@ -3227,15 +3117,15 @@ B3590.if.i:                                       ; preds = %B3590.if.i, %B3590.
 
 B3716.if.i:                                       ; preds = %B3716.if.i, %B3716.if.preheader379.i
   %.1212635613563.i = phi i64 [ %.12133.3.i, %B3716.if.i ], [ 0, %B3716.if.preheader379.i ]
-  %228 = shl i64 %.1212635613563.i, 3
-  %scevgep479.i = getelementptr i8, ptr %scevgep473.i, i64 %228
+  %223 = shl i64 %.1212635613563.i, 3
+  %scevgep479.i = getelementptr i8, ptr %scevgep473.i, i64 %223
   %scevgep480.i = getelementptr i8, ptr %scevgep479.i, i64 -24
   %.12187.i = load double, ptr %scevgep480.i, align 8, !noalias !1
-  %scevgep488.i = getelementptr i8, ptr %scevgep482.i, i64 %228
+  %scevgep488.i = getelementptr i8, ptr %scevgep482.i, i64 %223
   %scevgep489.i = getelementptr i8, ptr %scevgep488.i, i64 -24
   %.12217.i = load double, ptr %scevgep489.i, align 8, !noalias !1
   %.12218.i = fmul contract double %.12187.i, %.12217.i
-  %scevgep68.i = getelementptr i8, ptr %scevgep490.i, i64 %228
+  %scevgep68.i = getelementptr i8, ptr %scevgep490.i, i64 %223
   %scevgep73.i = getelementptr i8, ptr %scevgep68.i, i64 -24
   store double %.12218.i, ptr %scevgep73.i, align 8, !noalias !1
   %scevgep81.i = getelementptr i8, ptr %scevgep479.i, i64 -16
@@ -3291,13 +3181,13 @@ B104.if.preheader.i286.i:                         ; preds = %B3762.else.endif.en
   br label %B104.if.i288.i
 
 B348.loopexit.i325.i:                             ; preds = %B104.if.i288.i
-  %229 = fadd contract double %.244.i301.i, %.279.i304.i
-  %230 = fadd contract double %.314.i307.i, %.349.i310.i
-  %231 = fadd contract double %229, %230
-  %232 = fadd contract double %.384.i313.i, %.419.i316.i
-  %233 = fadd contract double %.454.i319.i, %.489.i321.i
-  %234 = fadd contract double %232, %233
-  %235 = fadd contract double %231, %234
+  %224 = fadd contract double %.244.i301.i, %.279.i304.i
+  %225 = fadd contract double %.314.i307.i, %.349.i310.i
+  %226 = fadd contract double %224, %225
+  %227 = fadd contract double %.384.i313.i, %.419.i316.i
+  %228 = fadd contract double %.454.i319.i, %.489.i321.i
+  %229 = fadd contract double %227, %228
+  %230 = fadd contract double %226, %229
   br label %B3762.endif.endif.i
 
 B104.if.i288.i:                                   ; preds = %B104.if.i288.i, %B104.if.preheader.i286.i
@@ -3340,7 +3230,7 @@ B104.if.i288.i:                                   ; preds = %B104.if.i288.i, %B1
   br i1 %exitcond.not.i324.i, label %B348.loopexit.i325.i, label %B104.if.i288.i
 
 B3762.endif.endif.i:                              ; preds = %B348.loopexit.i325.i, %B3762.else.endif.endif.endif.endif.i
-  %s0.2.0.lcssa.i326.i = phi double [ 0.000000e+00, %B3762.else.endif.endif.endif.endif.i ], [ %235, %B348.loopexit.i325.i ]
+  %s0.2.0.lcssa.i326.i = phi double [ 0.000000e+00, %B3762.else.endif.endif.endif.endif.i ], [ %230, %B348.loopexit.i325.i ]
   %.12531.i = fmul contract double %.12328.i, %s0.2.0.lcssa.i326.i
   %.12533.i = fadd contract double %norm.2.273.i, %.12531.i
   %.11131.i = icmp sgt i64 %.11130357475.i, 0
@@ -3367,6 +3257,9 @@ declare i64 @llvm.smax.i64(i64, i64) #2
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare double @llvm.floor.f64(double) #2
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.fma.f64(double, double, double) #2
 
 attributes #0 = { nofree norecurse nosync nounwind memory(argmem: readwrite) }
 attributes #1 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
