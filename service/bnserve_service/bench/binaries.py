@@ -11,7 +11,14 @@ from bnserve_protocol import ModelDescription, ParameterBatch, ParametersWithExt
 
 SEEDS = 20
 """Parameter draws, as in the paper's appendix."""
-_OTHERS = {"distance_mpc": (20.0, 200.0), "inclination": (0.0, np.pi), "reference_phase": (-3.0, 3.0)}
+_OTHERS = {
+    "chi_1": (0.0, 0.0),
+    "chi_2": (0.0, 0.0),
+    "distance_mpc": (20.0, 200.0),
+    "inclination": (0.0, np.pi),
+    "reference_phase": (-3.0, 3.0),
+}
+"""Where a model states no range."""
 
 
 class Questions:
