@@ -49,6 +49,7 @@ def main() -> None:
         log_level="error",
         access_log=False,
         lifespan="off",
+        timeout_keep_alive=3600,  # between two of its turns in a shuffled run there may be minutes
     )
 
 
