@@ -5,10 +5,19 @@ from __future__ import annotations
 import urllib.request
 
 from benchmarks.speed.remote import grid_of
-from bnserve_protocol import MSGPACK, GridDigest, ParameterBatch, WaveformRequest, encode_request, grid_digest
+from bnserve_protocol import (
+    MSGPACK,
+    WANTED_DIGEST,
+    GridDigest,
+    ParameterBatch,
+    WaveformRequest,
+    encode_request,
+    grid_digest,
+)
 from bnserve_service.bench.load import Target
 
 PATH = "/v1/models/default/waveforms"
+_AS_OUR_CLIENT = {"Content-Type": MSGPACK, "Accept": MSGPACK, "Want-Content-Digest": WANTED_DIGEST}
 
 
 def upload_grid(url: str, points: int) -> GridDigest:
@@ -24,4 +33,4 @@ def upload_grid(url: str, points: int) -> GridDigest:
 def encoded_body(grid: GridDigest, batch: ParameterBatch) -> bytes:
     """The bytes of one question over HTTP, as our client asks it."""
     body = encode_request(WaveformRequest(batch=batch, grid=grid))
-    return Target(("127.0.0.1", 0)).request(PATH, body, {"Content-Type": MSGPACK, "Accept": MSGPACK})
+    return Target(("127.0.0.1", 0)).request(PATH, body, _AS_OUR_CLIENT)

@@ -42,10 +42,8 @@ def _beside(bar: Bar, figure: dict[str, Any]) -> str:
     parts += [f"{name} {_number(value, unit)}" for name, value in figure.get("peers", {}).items()]
     parts += [f"{name} {value:.2f}x" for name, value in figure.get("others", {}).items()]
     if bar.unit in ("us", "ns", "s"):
-        parts = [
-            f"{part} ({value / figure['value']:.1f}x)"
-            for part, value in zip(parts, figure["peers"].values(), strict=False)
-        ]
+        peers = figure.get("peers", {}).values()
+        parts = [f"{part} ({value / figure['value']:.1f}x)" for part, value in zip(parts, peers, strict=True)]
     return ", ".join(parts)
 
 

@@ -11,6 +11,7 @@ from typing import Any
 
 from bnserve_protocol import (
     MSGPACK,
+    WANTED_DIGEST,
     GridDigest,
     ParameterBatch,
     WaveformModel,
@@ -24,6 +25,7 @@ from bnserve_service.bench.timing import shuffled, timed
 
 _TIMING = re.compile(rb"\r\nserver-timing:([^\r]*)", re.IGNORECASE)
 _DURATION = re.compile(rb"(\w+);dur=([0-9.]+)")
+_AS_OUR_CLIENT = {"Content-Type": MSGPACK, "Accept": MSGPACK, "Want-Content-Digest": WANTED_DIGEST}
 PARTS = {
     "queue": "waiting in the server's queue",
     "eval": "evaluation",
@@ -55,7 +57,7 @@ class RawClient:
         with self._target.connect() as connection:
             exchange(connection, self._target.request(f"/v1/grids/{digest}", grid.tobytes(), octets, "PUT"))
         body = encode_request(WaveformRequest(batch=batch, grid=GridDigest(sha256=digest)))
-        return self._target.request(self._path, body, {"Content-Type": MSGPACK, "Accept": MSGPACK})
+        return self._target.request(self._path, body, _AS_OUR_CLIENT)
 
     def timed_exchanges(self, request: bytes, calls: int) -> list[dict[str, float]]:
         """Seconds of each of some answers: ``total``, and what the server says of itself."""
