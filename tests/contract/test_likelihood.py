@@ -70,11 +70,17 @@ def analysis(request, local):
 class _Waiting:
     """An asynchronous likelihood whose calls are waited for."""
 
-    def __init__(self, address, analysis, invalid_rows):
+    def __init__(self, address):
         self._loop = asyncio.new_event_loop()
         self._model = self._loop.run_until_complete(AsyncModel.connect(address))
+
+    def bound_to(self, analysis, invalid_rows):
         self._likelihood = self._loop.run_until_complete(self._model.likelihood(analysis, invalid_rows=invalid_rows))
-        self.analysis = analysis
+        return self
+
+    @property
+    def analysis(self):
+        return self._likelihood.analysis
 
     @property
     def counts(self):
@@ -101,8 +107,8 @@ def reach(request, local):
             return likelihood(local, analysis, invalid_rows=invalid_rows)
         address = request.getfixturevalue("address")
         if request.param == "asynchronous":
-            opened.append(_Waiting(address, analysis, invalid_rows))
-            return opened[-1]
+            opened.append(_Waiting(address))
+            return opened[-1].bound_to(analysis, invalid_rows)
         opened.append(RemoteModel.connect(address))
         return likelihood(opened[-1], analysis, invalid_rows=invalid_rows)
 
