@@ -94,3 +94,4 @@ def test_a_published_copy_has_the_digest_of_its_original(tmp_path):
     original, copy = (ModelStore([root]).manifest("default") for root in (shipped, tmp_path))
     assert copy.digest == original.digest
     assert copy.digest in done.stdout
+    assert copy.digest in (tmp_path / "default" / copy.version / "report.html").read_text()  # the training's, beside it
