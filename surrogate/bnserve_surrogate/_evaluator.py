@@ -38,6 +38,8 @@ _DTYPES = {
 }
 _TILE = 8
 """Rows that the kernel takes together; so many complex numbers fill whole cache lines."""
+_FEW = 4096
+"""Frequencies up to which one waveform is copied from where the kernel writes it."""
 _WORTH_A_THREAD = 20_000
 """Values below which a batch is not divided among threads."""
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
@@ -55,7 +57,7 @@ class Answer(NamedTuple):
 
 
 class _OneRow(threading.local):
-    """Room for the parameters of one binary and for what is not returned as an array."""
+    """Room at known addresses for one waveform, since finding out an array's address takes longer than a copy."""
 
     def __init__(self) -> None:
         self.parameters = (ctypes.c_double * len(PARAMETER_NAMES))()
@@ -63,6 +65,14 @@ class _OneRow(threading.local):
         self.rest = (ctypes.c_double * 5)()
         plus = ctypes.addressof(self.rest)
         self.plus, self.cross, self.estimate, self.status = plus, plus + 8, plus + 24, plus + 32
+        self.frequencies = np.empty(_FEW)
+        self.frequencies_at = address_of(self.frequencies)
+        wide = np.empty((2, _FEW), np.complex128)
+        self.results: dict[str, NDArray[Any]] = {
+            "complex128": wide,
+            "complex64": wide.view(np.complex64).reshape(4, _FEW)[:2],
+        }
+        self.results_at = address_of(wide)
 
 
 class Evaluator:
@@ -95,35 +105,28 @@ class Evaluator:
     ) -> Polarizations | None:
         """One waveform on a grid that is prepared already, the shortest way; None if anything about it is unusual."""
         kind = _KINDS.get(dtype)
-        if (
-            kind is None
-            or frequencies.dtype != np.float64
-            or not frequencies.flags.c_contiguous
-            or frequencies.ndim != 1
-        ):
+        if kind is None or frequencies.dtype != np.float64 or frequencies.ndim != 1:
             return None
+        points = len(frequencies)
         grid = self._grids.candidate(frequencies)
-        if grid is None:
+        if grid is None or points > _FEW:
             return None
         room = self._one_row
         try:
             room.parameters[:] = list(_values_of(parameters))
         except TypeError:
             return None
-        points = len(frequencies)
-        both = RESULTS.empty((2, points + -points % _TILE), dtype)
-        first = address_of(both)
-        outputs = Outputs(
-            kind, first, first + both.strides[0], room.plus, room.cross, room.status,
-            room.estimate if self._mode.estimates_mismatch else 0,
-        )  # fmt: skip
+        room.frequencies[:points] = frequencies
+        results, first = room.results[dtype], room.results_at
+        estimate = room.estimate if self._mode.estimates_mismatch else 0
+        outputs = Outputs(kind, first, first + results.strides[0], room.plus, room.cross, room.status, estimate)
         policy = _policy(options) | Policy.STOP_AT_BAD_ROWS
-        given = address_of(frequencies)
         alignment = _ALIGNMENTS[options.alignment]
-        if evaluate(self._mode, grid, 1, room.parameters_at, alignment, policy, outputs, given) != 0:
+        if evaluate(self._mode, grid, 1, room.parameters_at, alignment, policy, outputs, room.frequencies_at) != 0:
             return None
-        estimates = np.array((room.rest[3],)) if self._mode.estimates_mismatch else None
-        return Polarizations(both[0, :points], both[1, :points], np.zeros(1, np.uint8), estimates)
+        plus, cross = results[:, :points].copy()
+        estimates = np.array((room.rest[3],)) if estimate else None
+        return Polarizations(plus, cross, np.zeros(1, np.uint8), estimates)
 
     def batch(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, kind: Output) -> Answer:
         """N waveforms.

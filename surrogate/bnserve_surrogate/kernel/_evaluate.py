@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import threading
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,8 +35,7 @@ class _Workspace(threading.local):
 _workspace = _Workspace()
 
 
-@dataclass(frozen=True, slots=True)
-class Outputs:
+class Outputs(NamedTuple):
     """Addresses of what a call writes, see :class:`~bnserve_surrogate.kernel._arguments.Argument`; 0 for nothing."""
 
     kind: int
