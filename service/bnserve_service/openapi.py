@@ -229,6 +229,7 @@ _EXAMPLE = {
 _HEADERS_IN = {
     "X-Request-ID": ("string", "Echoed; names the request in logs"),
     "X-Request-Deadline-Ms": ("number", "Milliseconds after which the answer is of no use"),
+    "Want-Content-Digest": ("string", "RFC 9530; waveforms carry crc32c where it is preferred, all else sha-256"),
 }
 
 
