@@ -37,7 +37,7 @@ def running(
     environment: dict[str, str] | None = None,
     patience: float = PATIENCE,
 ) -> Iterator[int]:
-    """Start a server in a session of its own, wait until it answers, yield its process number, and stop all of it.
+    """Start a server in a process group of its own, wait until it answers, yield its process number, and stop all of it.
 
     Raises
     ------
@@ -51,7 +51,7 @@ def running(
             stderr=subprocess.STDOUT,
             cwd=ROOT,
             env=os.environ | ONE_THREAD | (environment or {}),
-            start_new_session=True,
+            process_group=0,
         )
         if cpus is not None:
             os.sched_setaffinity(process.pid, cpus)
@@ -69,7 +69,7 @@ def running(
 
 
 def _stop(process: subprocess.Popen[bytes]) -> None:
-    """End a process in good order, and then whatever else is left of its session."""
+    """End a process in good order, and then whatever else is left of its group."""
     process.terminate()
     with suppress(subprocess.TimeoutExpired):
         process.wait(40.0)

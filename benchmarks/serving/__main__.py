@@ -23,7 +23,7 @@ from benchmarks.workers import ROOT
 def main(arguments: list[str] | None = None) -> int:
     """Measure and print; returns the exit status: 0, or 1 when a server could not be measured."""
     options = _parser().parse_args(arguments)
-    chosen = [each for each in CONTESTANTS if not options.names or each.key in options.names]
+    chosen = [each for each in CONTESTANTS if "all" in options.names or each.key in options.names]
     if options.serving is None:
         print("Name a folder for the servers' environments with --serving DIR or $SERVING.", file=sys.stderr)
         return 2
@@ -71,7 +71,9 @@ def table(rows: list[dict[str, Any]]) -> list[str]:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.serving", description=__doc__.splitlines()[0])
     names = [each.key for each in CONTESTANTS]
-    parser.add_argument("names", nargs="*", choices=names, metavar="NAME", help=f"of {', '.join(names)} (all)")
+    parser.add_argument(
+        "names", nargs="*", choices=["all", *names], default="all", metavar="NAME", help=f"of {', '.join(names)} (all)"
+    )
     parser.add_argument("--serving", type=Path, default=folder_from_environment("SERVING"), metavar="DIR",
                         help="the servers' environments ($SERVING)")  # fmt: skip
     parser.add_argument("--install", action="store_true", help="make the environments, and end")
