@@ -87,7 +87,8 @@ def _mismatches(workspace: Workspace, recipe: TrainingConfiguration) -> NDArray[
 
 
 def _trained(workspace: Workspace, recipe: TrainingConfiguration) -> Arrays:
-    print(f"training {recipe.name} on {recipe.dataset.count} waveforms", file=sys.stderr)
+    waveforms = recipe.dataset.count + recipe.dataset.edge_count
+    print(f"training {recipe.name} on {waveforms} waveforms", file=sys.stderr)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ConvergenceWarning)  # the paper's number of epochs is the paper's
         trained = train(recipe, workspace.directory, n_jobs=workspace.jobs, say=lambda line: None)
