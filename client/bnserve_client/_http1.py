@@ -15,8 +15,8 @@ from typing import TypeAlias
 
 from bnserve_client._addresses import Address
 from bnserve_client._failures import Broken, Malformed, Stale
-from bnserve_client._memory import memory
 from bnserve_client._messages import HttpRequest, HttpResponse
+from bnserve_protocol import result_memory
 
 Exchange: TypeAlias = Generator[bytes | memoryview, int, tuple[HttpResponse, bool]]
 
@@ -110,7 +110,7 @@ class _Inbox:
             found = bytes(self.pending[:length])
             del self.pending[:length]
             return found
-        body = memory.empty((length,), "u1").data
+        body = result_memory.empty((length,), "u1").data
         filled = len(self.pending)
         body[:filled] = self.pending
         self.pending.clear()
@@ -140,7 +140,7 @@ def exchange(message: bytes, max_bytes: int) -> Exchange:
     ------
     Stale, Broken, Malformed
     """
-    scratch = memory.empty((_SCRATCH_BYTES,), "u1").data
+    scratch = result_memory.empty((_SCRATCH_BYTES,), "u1").data
     with contextlib.suppress(OSError):  # the server may have refused a large body early; its answer says why
         yield message
     try:

@@ -11,8 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_client._memory import memory
-from bnserve_protocol import AnswerCorrupted, DtypeName, Factored, OutputName
+from bnserve_protocol import AnswerCorrupted, DtypeName, Factored, OutputName, result_memory
 
 Arrays: TypeAlias = Mapping[str, NDArray[Any]]
 
@@ -65,7 +64,7 @@ def multiply_out(arrays: Arrays) -> Arrays:
     h = arrays["h"]
     factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
     if h.flags.writeable:
-        plus, cross = factored.polarizations(plus=h, cross=memory.empty(h.shape, h.dtype))
+        plus, cross = factored.polarizations(plus=h, cross=result_memory.empty(h.shape, h.dtype))
     else:
         plus, cross = factored.polarizations()
     return {"plus": plus, "cross": cross, **own(of_a_row)}

@@ -83,6 +83,7 @@ from bnserve_protocol._likelihood_parameters import (
 )
 from bnserve_protocol._likelihood_rows import refuse_rows
 from bnserve_protocol._limits import Limits
+from bnserve_protocol._memory import ResultMemory, result_memory
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
     DEFAULT_OPTIONS,
@@ -193,6 +194,7 @@ __all__ = [
     "PathUnknown",
     "Polarizations",
     "Problem",
+    "ResultMemory",
     "RowStatus",
     "SchemaUnknown",
     "ShareExceeded",
@@ -234,5 +236,6 @@ __all__ = [
     "likelihood_samples",
     "refuse_rows",
     "request_digest",
+    "result_memory",
     "time_until_merger",
 ]

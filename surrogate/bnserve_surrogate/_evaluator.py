@@ -21,9 +21,9 @@ from bnserve_protocol import (
     ParameterDescription,
     ParametersWithExtrinsic,
     Polarizations,
+    result_memory,
 )
 from bnserve_surrogate._domain import refuse_rows
-from bnserve_surrogate._memory import RESULTS
 from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
 from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, address_of, evaluate
 
@@ -139,7 +139,7 @@ class Evaluator:
         coerced = ParameterBatch.coerce(batch)
         rows, points = len(coerced), len(grid.frequencies)
         two = kind not in (Output.STRAIN, Output.STRAIN_SINGLE)
-        arrays = [RESULTS.empty((rows, points), _DTYPES[kind]) for _ in range(1 + two)]
+        arrays = [result_memory.empty((rows, points), _DTYPES[kind]) for _ in range(1 + two)]
         plus, cross = np.empty(rows), np.empty(rows, np.complex128)
         status = np.empty(rows, np.uint8)
         estimates = np.empty(rows) if self._mode.estimates_mismatch else None

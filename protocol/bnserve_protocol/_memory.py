@@ -1,8 +1,8 @@
-"""Memory for large answers, used again once nobody looks at the arrays in it.
+"""Memory for large results, used again once nobody looks at the arrays in it.
 
 The first touch of fresh memory (a page fault for every 4 KiB) can cost more than all else that happens to a large
-answer, and allocators give large blocks back to the system at once. A sampler that drops one result as it asks for the
-next finds the memory of the result before that one here.
+result, computed or received, and allocators give large blocks back to the system at once. A sampler that drops one
+result as it asks for the next finds the memory of the result before that one here.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 _ALIGNMENT = 64
 _SMALL = 2**16
 """The allocator keeps smaller blocks by itself."""
-_MOST_KEPT = 2**26
+_MOST_KEPT = 2**27
 """Bytes that are kept for later, in all."""
 _LARGEST_WASTE = 1.25
 """A block is used again for something up to this much smaller."""
@@ -35,8 +35,8 @@ class _Lease:
         self._give_back(self._block)
 
 
-class Memory:
-    """Blocks of bytes. Takes no lock, as nothing in the client does: operations of ``dict`` are atomic in CPython."""
+class ResultMemory:
+    """Blocks of bytes. Takes no lock, so that forks are safe: operations of ``dict`` are atomic in CPython."""
 
     def __init__(self) -> None:
         self._free: dict[int, NDArray[np.uint8]] = {}
@@ -67,5 +67,5 @@ class Memory:
             self._free[id(block)] = block
 
 
-memory = Memory()
+result_memory = ResultMemory()
 """That of this process: like the allocator's, it belongs to nobody in particular."""
