@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.environments import folder_from_environment, install
+from benchmarks.page import fill
 from benchmarks.serving.contestants import CONTESTANTS
 from benchmarks.serving.measuring import measure
 from benchmarks.speed.setup import one_cpu, processor_name
@@ -42,7 +43,12 @@ def main(arguments: list[str] | None = None) -> int:
     text = json.dumps(record, indent=1)
     if options.output:
         options.output.write_text(text + "\n", encoding="utf-8")
-    print(text if options.json else "\n".join(table(rows)))
+    lines = table(rows)
+    print(text if options.json else "\n".join(lines))
+    if options.page:
+        mark = "serving, not pinned" if options.unpinned else "serving"
+        command = "$ python -m benchmarks.serving" + (" --unpinned" if options.unpinned else "")
+        fill(options.page, mark, ["```text", command + (" --short" if options.short else ""), *lines, "```"])
     return 1 if any("error" in row for row in rows) else 0
 
 
@@ -82,6 +88,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--unpinned", action="store_true", help="let everything run where the system puts it")
     parser.add_argument("--json", action="store_true", help="print one JSON object instead of a table")
     parser.add_argument("--output", type=Path, metavar="FILE.json", help="also save it")
+    parser.add_argument("--page", type=Path, metavar="FILE.md", help="put the table into this page, too")
     return parser
 
 

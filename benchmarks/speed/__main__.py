@@ -16,6 +16,7 @@ from statistics import median
 from typing import Any
 
 from benchmarks.environments import folder_from_environment
+from benchmarks.page import fill
 from benchmarks.speed.bars import BARS
 from benchmarks.speed.fresh import first_waveform, worker_memory
 from benchmarks.speed.local import local_cases, local_figures, local_workers, two_cores
@@ -46,14 +47,23 @@ def main(arguments: list[str] | None = None) -> int:
         print(error.detail, file=sys.stderr)
         return 2
     verdicts = {bar.key: verdict(bar, figures.get(bar.key, {}).get("value")) for bar in BARS}
-    if options.json:
-        print(json.dumps({"setup": setup.about(), "figures": figures, "reached": verdicts, "notes": setup.notes}))
-    else:
-        about = setup.about()
-        pinned = f"all on processor {about['pinned_to'][0]}" if about["pinned_to"] else "not pinned"
-        print(f"{about['processor']}, Python {about['python']}, {pinned}, medians of {setup.epochs} epochs\n")
-        print("\n".join([*lines_of(BARS, figures), *(f"\nnot measured: {note}" for note in setup.notes)]))
+    record = {"setup": setup.about(), "figures": figures, "reached": verdicts, "notes": setup.notes}
+    lines = _lines(setup, figures)
+    print(json.dumps(record) if options.json else "\n".join(lines))
+    if options.output:
+        options.output.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+    if options.page:
+        command = "$ python -m benchmarks.speed" + (" --short" if options.short else "")
+        fill(options.page, "speed", ["```text", command, *lines, "```"])
     return 1 if "MISSED" in verdicts.values() else 3 if "not measured" in verdicts.values() else 0
+
+
+def _lines(setup: Setup, figures: dict[str, dict[str, Any]]) -> list[str]:
+    about = setup.about()
+    pinned = f"all on processor {about['pinned_to'][0]}" if about["pinned_to"] else "not pinned"
+    head = f"{about['processor']}, Python {about['python']}, {pinned}, medians of {setup.epochs} epochs"
+    notes = [f"not measured: {note}" for note in setup.notes]
+    return [head, "", *lines_of(BARS, figures), *(["", *notes] if notes else [])]
 
 
 def measure(setup: Setup) -> dict[str, dict[str, Any]]:
@@ -95,6 +105,8 @@ def _parser() -> argparse.ArgumentParser:
         "--serving", type=Path, default=folder_from_environment("SERVING"), metavar="DIR",
         help="environments of the model servers, made by python -m benchmarks.serving --install ($SERVING)",
     )  # fmt: skip
+    parser.add_argument("--output", type=Path, metavar="FILE.json", help="also save the figures")
+    parser.add_argument("--page", type=Path, metavar="FILE.md", help="put the table into this page, too")
     return parser
 
 

@@ -1,0 +1,112 @@
+"""What is done with posterior samples: distances, other likelihoods at the same places, uncertain calibration."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from benchmarks.gw170817.priors import DISTANCES
+from benchmarks.gw170817.setting import DETECTORS, DataMissing
+from bnserve_inference import calibration_nodes
+from bnserve_protocol import LIKELIHOOD_NAMES, Calibration, Likelihood, LikelihoodBatch
+
+Floats = NDArray[np.float64]
+_DISTANCES = 128
+_PIECE = 64
+
+
+def distances(likelihood: Likelihood, batch: LikelihoodBatch, seed: int = 7) -> Floats:
+    """Draws in Mpc from the posterior of the distance given all else, ``(N,)``: what was integrated over, given back.
+
+    Parameters
+    ----------
+    likelihood:
+        Of an analysis that does not integrate over the distance.
+    """
+    grid = np.linspace(*DISTANCES, _DISTANCES)
+    draws = np.random.default_rng(seed).random(len(batch))
+    result = np.empty(len(batch))
+    for start in range(0, len(batch), _PIECE):
+        part = batch.values[start : start + _PIECE]
+        rows = np.repeat(part, _DISTANCES, axis=0)
+        rows[:, LIKELIHOOD_NAMES.index("distance_mpc")] = np.tile(grid, len(part))
+        values = likelihood.log_likelihood(LikelihoodBatch(rows)).reshape(len(part), _DISTANCES)
+        density = np.exp(values - values.max(axis=1, keepdims=True)) * grid**2
+        for row, u in zip(range(start, start + len(part)), draws[start : start + _PIECE], strict=True):
+            steps = density[row - start][1:] + density[row - start][:-1]
+            cumulative = np.concatenate([[0.0], np.cumsum(steps)])
+            result[row] = np.interp(u * cumulative[-1], cumulative, grid)
+    return result
+
+
+def reweighted(exact: Floats, sampled: Floats) -> tuple[Floats, float, float]:
+    """Posterior draws of one likelihood turned into those of another by weights.
+
+    Returns
+    -------
+    weights:
+        ``(N,)``, summing to one.
+    shift:
+        ln of the ratio of the evidences.
+    efficiency:
+        Effective sample size over N.
+    """
+    ratio = exact - sampled
+    weights = np.exp(ratio - ratio.max())
+    shift = float(ratio.max() + np.log(weights.mean()))
+    weights /= weights.sum()
+    return weights, shift, float(1.0 / np.sum(weights**2) / len(weights))
+
+
+class CalibrationPrior:
+    """The event's calibration envelopes at the nodes of an analysis: independent normal errors at each.
+
+    Raises
+    ------
+    DataMissing
+        No ``gw170817/{detector}_CalEnv.txt`` in the folder.
+    """
+
+    def __init__(self, folder: Path, calibration: Calibration) -> None:
+        nodes = np.log(calibration_nodes(calibration))
+        self._amplitude: dict[str, tuple[Floats, Floats]] = {}
+        self._phase: dict[str, tuple[Floats, Floats]] = {}
+        for name in DETECTORS:
+            path = folder / "gw170817" / f"{name}_CalEnv.txt"
+            if not path.exists():
+                raise DataMissing(f"There is no gw170817/{path.name} under {folder.name}: name the folder with --data.")
+            f, amplitude, phase, amplitude_low, phase_low, amplitude_high, phase_high = np.loadtxt(path).T
+            at = [np.interp(nodes, np.log(f), column) for column in (
+                amplitude - 1.0, 0.5 * (amplitude_high - amplitude_low), phase, 0.5 * (phase_high - phase_low),
+            )]  # fmt: skip
+            self._amplitude[name], self._phase[name] = (at[0], at[1]), (at[2], at[3])
+
+    def draw(self, count: int, random: np.random.Generator) -> tuple[Mapping[str, Floats], Mapping[str, Floats]]:
+        """Amplitude and phase errors by detector, ``(count, nodes)``."""
+        amplitude, phase = (
+            {name: mean + width * random.standard_normal((count, len(mean))) for name, (mean, width) in part.items()}
+            for part in (self._amplitude, self._phase)
+        )
+        return amplitude, phase
+
+
+def calibrated(
+    likelihood: Likelihood, batch: LikelihoodBatch, prior: CalibrationPrior, draws: int, seed: int = 11
+) -> Floats:
+    """ln of the likelihood averaged over that many draws of calibration errors, ``(N,)``; each row has its own draws.
+
+    The integral over the 60 errors at fixed parameters of the binary, by sampling the envelopes (Payne et al. 2020).
+    """
+    random = np.random.default_rng(seed)
+    result = np.empty(len(batch))
+    for start in range(0, len(batch), _PIECE):
+        part = batch.values[start : start + _PIECE]
+        amplitude, phase = prior.draw(len(part) * draws, random)
+        rows = LikelihoodBatch(np.repeat(part, draws, axis=0), amplitude, phase, batch.absent)
+        values = likelihood.log_likelihood(rows).reshape(len(part), draws)
+        top = values.max(axis=1)
+        result[start : start + len(part)] = top + np.log(np.mean(np.exp(values - top[:, None]), axis=1))
+    return result

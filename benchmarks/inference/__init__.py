@@ -1,0 +1,1 @@
+"""The figures of inference, from one command: ``python -m benchmarks.inference``."""
