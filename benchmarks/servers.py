@@ -37,7 +37,7 @@ def running(
     environment: dict[str, str] | None = None,
     patience: float = PATIENCE,
 ) -> Iterator[int]:
-    """Start a server in a process group of its own, wait until it answers, yield its process number, and stop all of it.
+    """Start a server in a process group of its own, wait until it answers, yield its number, and stop all of it.
 
     Raises
     ------

@@ -100,20 +100,25 @@ class Ratio:
         Functions without arguments.
     calls:
         Of the work in one timing, and of the unit.
+    less:
+        What the work includes and is not meant, as often as the work; None for nothing.
     """
 
-    def __init__(self, work, unit, calls):
-        self._sides = [(work, calls[0]), (unit, calls[1])]
-        self._least = [np.inf, np.inf]
+    def __init__(self, work, unit, calls, less=None):
+        self.work, self.unit, self.less, self.calls = work, unit, less, calls
+        self._least = {"work": np.inf, "unit": np.inf, "less": 0.0 if less is None else np.inf}
 
     def measure(self):
         """One more round; the ratio of single calls so far."""
-        for side, (call, calls) in enumerate(self._sides):
+        for side, calls in (("work", self.calls[0]), ("less", self.calls[0]), ("unit", self.calls[1])):
+            call = getattr(self, side)
+            if call is None:
+                continue
             started = time.thread_time_ns()
             for _ in range(calls):
                 call()
             self._least[side] = min(self._least[side], (time.thread_time_ns() - started) / calls)
-        return self._least[0] / self._least[1]
+        return (self._least["work"] - self._least["less"]) / self._least["unit"]
 
 
 def settles_below(ratio, bound, rounds=400, at_least=20):

@@ -1,7 +1,8 @@
 """What a waveform costs, in units of work whose speed follows the machine's: a guard against regressions.
 
-The bounds are one and a half times what was measured when they were set; ``python -m benchmarks.speed`` says in
-microseconds what they stand for.
+Least values of many rounds were 2.5 to 2.8, 100 to 160 and 5.8 to 7.2 on a busy machine when the bounds were set, so
+there is room for other processors and for neighbours, and none for twice the cost. ``python -m benchmarks.speed`` says
+in microseconds what they stand for.
 """
 
 import numpy as np
@@ -10,14 +11,15 @@ import pytest
 from bnserve_surrogate import Model, ParameterBatch, ParametersWithExtrinsic
 from tests.surrogate.calibration import COUNT, Ratio, polynomials, python_calls, settles_below
 
-ONE_WAVEFORM = 9.0
+ONE_WAVEFORM = 4.5
 """predict on 277 points, in units of :func:`python_calls`."""
-BATCH = 900.0
-"""predict_batch of 256 x 277, in units of :func:`polynomials`."""
-PER_POINT = 4.0
-"""A point of a large grid, in polynomials."""
+BATCH = 200.0
+"""predict_batch of 64 x 277, in units of :func:`polynomials`."""
+PER_POINT = 12.0
+"""A point more on a dense grid, in polynomials."""
 
-LARGE = 4096
+ROWS = 64
+"""So that everything stays in the caches of one core, whatever its neighbours do."""
 BINARY = ParametersWithExtrinsic.gw170817()
 
 
@@ -34,20 +36,21 @@ def one_waveform(model):
 
 
 def batch(model):
-    grid, binaries = np.linspace(20.0, 2048.0, 277), ParameterBatch.coerce([BINARY] * 256)
-    return Ratio(lambda: model.predict_batch(grid, binaries), polynomials(), calls=(1, 100))
+    grid, binaries = np.linspace(20.0, 2048.0, 277), ParameterBatch.coerce([BINARY] * ROWS)
+    return Ratio(lambda: model.predict_batch(grid, binaries), polynomials(), calls=(3, 100))
 
 
-def large_grid(model):
-    """Points of a large grid against as many polynomials; what a call costs besides is a few hundredths of it."""
-    grid = np.linspace(20.0, 2048.0, LARGE)
-    return Ratio(lambda: model.predict(grid, BINARY), polynomials(), calls=(10, 40 * LARGE // COUNT))
+def dense_grid(model):
+    """A grid of as many points as a unit has polynomials, less a few points: what is left grows with the points."""
+    grid, few = np.linspace(20.0, 2048.0, COUNT), np.linspace(20.0, 2048.0, 16)
+    work, less = (lambda grid=grid: model.predict(grid, BINARY) for grid in (grid, few))
+    return Ratio(work, polynomials(), calls=(10, 40), less=less)
 
 
 GUARDED = {
     "one waveform": (one_waveform, ONE_WAVEFORM),
     "batch": (batch, BATCH),
-    "per point": (large_grid, PER_POINT * LARGE / COUNT),
+    "per point": (dense_grid, PER_POINT),
 }
 
 
@@ -62,7 +65,7 @@ def test_the_cost_stays_within_its_bound(model, name):
 def test_four_times_the_work_is_found_out(model, name):
     make, bound = GUARDED[name]
     guarded = make(model)
-    (work, calls), unit = guarded._sides
-    guarded._sides = [(lambda: [work() for _ in range(4)], calls), unit]
+    work = guarded.work
+    guarded.work = lambda: [work() for _ in range(4)]
     within, _ = settles_below(guarded, bound, rounds=60)
     assert not within
