@@ -15,7 +15,7 @@ from typing import Any
 
 from benchmarks.environments import folder_from_environment, install
 from benchmarks.page import fill
-from benchmarks.peers.measuring import QUOTED, measure, save
+from benchmarks.peers.measuring import QUOTED, Effort, measure, save
 from benchmarks.peers.roster import roster
 from benchmarks.speed.setup import one_cpu, processor_name
 from benchmarks.workers import ROOT
@@ -32,9 +32,10 @@ def main(arguments: list[str] | None = None) -> int:
     everywhere = os.sched_getaffinity(0)
     cpus = everywhere if options.unpinned else {options.cpu} if options.cpu is not None else one_cpu()
     setup = {"processor": processor_name(), "pinned_to": None if options.unpinned else sorted(cpus)}
+    effort = Effort(8, 3, 2) if options.short else Effort(options.grids, options.draws, options.epochs)
     try:
         for f_min in starts:
-            found = _saved(f_min, options) if options.redraw else measure(f_min, options.peers, cpus, options.short)
+            found = _saved(f_min, options) if options.redraw else measure(f_min, options.peers, cpus, effort)
             if not options.redraw:
                 save(found, options.results, setup)
             _publish(found, setup, options)
@@ -52,7 +53,8 @@ def _publish(found: dict[str, Any], setup: dict[str, Any], options: argparse.Nam
 
         draw(found, options.images / f"speed_from_{found['f_min']:g}_hz.png")
     if options.page:
-        command = f"$ python -m benchmarks.peers --f-min {found['f_min']:g}"
+        effort = Effort(found["grids"], found["draws"], found["epochs"])
+        command = f"$ python -m benchmarks.peers --f-min {found['f_min']:g}{effort.options}"
         fill(options.page, f"peers from {found['f_min']:g} Hz", ["```text", command, *lines, "```"])
 
 
@@ -98,6 +100,10 @@ def _parser() -> argparse.ArgumentParser:
     add("--peers", type=Path, default=folder_from_environment("PEERS"), metavar="DIR", help="environments ($PEERS)")
     add("--install", action="store_true", help="make the environments, and end")
     add("--short", action="store_true", help="a minute or two: 8 grids, 3 draws, 2 epochs")
+    usual = Effort()
+    add("--grids", type=int, default=usual.grids, metavar="N", help=f"sizes ({usual.grids}, as in the paper)")
+    add("--draws", type=int, default=usual.draws, metavar="N", help=f"binaries ({usual.draws}, as in the paper)")
+    add("--epochs", type=int, default=usual.epochs, metavar="N", help=f"({usual.epochs}, as in the paper)")
     add("--redraw", action="store_true", help="draw and print what an earlier run saved")
     add("--cpu", type=int, metavar="N", help="the processor to run on (the last one)")
     add("--unpinned", action="store_true", help="let everything run where the system puts it")

@@ -8,7 +8,7 @@ from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
 from statistics import median
-from typing import Any
+from typing import Any, NamedTuple
 
 from benchmarks.environments import find_python
 from benchmarks.peers.roster import Entry, roster
@@ -20,7 +20,21 @@ QUOTED = (277, 1_000, 10_000, 253_056)
 """Points whose times the tables quote."""
 
 
-def measure(f_min: float, folder: Path | None, cpus: set[int], short: bool) -> dict[str, Any]:
+class Effort(NamedTuple):
+    """Sizes of grids, parameter draws, and epochs."""
+
+    grids: int = 50
+    draws: int = 20
+    epochs: int = 10
+
+    @property
+    def options(self) -> str:
+        """What to type for it; nothing for the paper's."""
+        names = zip(self._fields, self, self._field_defaults.values(), strict=True)
+        return "".join(f" --{name} {value}" for name, value, usual in names if value != usual)
+
+
+def measure(f_min: float, folder: Path | None, cpus: set[int], effort: Effort) -> dict[str, Any]:
     """Time all peers that are installed on uniform grids from ``f_min`` to 2048 Hz.
 
     Parameters
@@ -31,15 +45,15 @@ def measure(f_min: float, folder: Path | None, cpus: set[int], short: bool) -> d
         Of the peers' environments.
     cpus:
         Where all of them run.
-    short:
-        8 grids, 3 draws and 2 epochs for the paper's 50, 20 and 10.
+    effort:
+        How many grids, draws and epochs.
 
     Returns
     -------
     ``peers``: of each its versions, points, median seconds, fit and batches; ``missing``: of each of the others, why.
     """
-    sizes = sorted({*grid_sizes(8 if short else 50), *QUOTED})
-    draws, epochs = (3, 2) if short else (20, 10)
+    sizes = sorted({*grid_sizes(effort.grids), *QUOTED})
+    draws, epochs = effort.draws, effort.epochs
     with ExitStack() as stack:
         workers, missing = _workers(stack, roster(f_min), folder, cpus)
         cases = {}
@@ -53,6 +67,8 @@ def measure(f_min: float, folder: Path | None, cpus: set[int], short: bool) -> d
     seconds = {case: median(values) for case, values in found.items()}
     return {
         "f_min": f_min,
+        "grids": effort.grids,
+        "draws": draws,
         "epochs": epochs,
         "peers": [_row(entry, about, sizes, seconds) for entry, (_, about) in workers.items()],
         "missing": missing,
@@ -108,7 +124,7 @@ def _progress(f_min: float, epochs: int, epoch: int) -> None:
 def save(found: dict[str, Any], folder: Path, setup: dict[str, Any]) -> None:
     """One JSON file for each peer, and one that says who is missing and why."""
     folder.mkdir(parents=True, exist_ok=True)
-    where = {"f_min": found["f_min"], "epochs": found["epochs"], "setup": setup}
+    where = {key: found[key] for key in ("f_min", "grids", "draws", "epochs")} | {"setup": setup}
     for row in found["peers"]:
         name = row["name"].lower().replace(" ", "-")
         text = json.dumps(where | row, indent=1)
