@@ -19,6 +19,10 @@ Floats = NDArray[np.float64]
 
 BATCH = 1000
 """Samples in a call: enough that a round trip costs nothing next to them."""
+SMALLEST_ELLIPSOID = 300
+"""Live points in an ellipsoid that is not split further: the network tells inside from outside, and splitting is dear."""
+NETWORK = {"hidden_layer_sizes": (50, 20)}
+"""Half of nautilus' own: training it is most of the cost of a bound, and the likelihood is cheap."""
 PERIODIC = (NAMES.index("azimuth"), NAMES.index("polarization_angle"))
 
 
@@ -33,9 +37,9 @@ class SamplerMissing(BnserveError):
 class SamplerSettings:
     """Of nautilus: live points, networks per bound, effective sample size at which it stops, and the seed."""
 
-    live: int = 1000
+    live: int = 500
     networks: int = 1
-    effective: int = 5000
+    effective: int = 3000
     seed: int = 1
 
 
@@ -118,7 +122,7 @@ def sample(
         warnings.simplefilter("ignore")  # networks that stop before they converge: nautilus allows for it
         sampler = Sampler(
             lambda u: u, timed, n_dim=len(NAMES), n_live=settings.live, n_networks=settings.networks,
-            n_batch=BATCH, vectorized=True, pass_dict=False, periodic=np.array(PERIODIC), seed=settings.seed,
+            n_points_min=min(SMALLEST_ELLIPSOID, settings.live // 2), neural_network_kwargs=NETWORK, n_batch=BATCH, vectorized=True, pass_dict=False, periodic=np.array(PERIODIC), seed=settings.seed,
             filepath=folder / "nautilus.hdf5",
         )  # fmt: skip
         finished = sampler.run(n_eff=settings.effective, discard_exploration=False, timeout=timeout)

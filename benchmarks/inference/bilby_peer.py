@@ -1,7 +1,8 @@
 """The peer: bilby's relative binning with IMRPhenomD_NRTidalv2, in its own process, on the same kind of data.
 
 bilby evaluates one sample at a time; so does this. It is a worker (see :mod:`benchmarks.workers`): a line on its stdin
-asks for one round, and the answer is a line of JSON with the microseconds of one three-detector log-likelihood.
+asks for one round, ``{"do": "measure"}``, and the answer is a line of JSON with the microseconds of one three-detector
+log-likelihood.
 """
 
 from __future__ import annotations
@@ -86,9 +87,12 @@ def main() -> None:
         | {"lambda_1": random.uniform(5.0, 1000.0), "ra": random.uniform(3.3, 3.6), "chi_1": random.uniform(0, 0.1)}
         for _ in range(CALLS)
     ]
-    print(json.dumps({"bins": int(likelihood.number_of_bins), "bilby": bilby.__version__}), flush=True)
-    for _ in sys.stdin:
-        print(json.dumps({"microseconds": microseconds(likelihood, samples)}), flush=True)
+    for line in sys.stdin:
+        if json.loads(line)["do"] == "measure":
+            answer = {"microseconds": microseconds(likelihood, samples)}
+        else:
+            answer = {"bins": int(likelihood.number_of_bins), "bilby": bilby.__version__}
+        print(json.dumps(answer), flush=True)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ def _bessel_series() -> Floats:
         values[i] = (integrand.sum() - 0.5 * (integrand[0] + integrand[-1])) * (v[1] - v[0]) / np.pi
     coefficients = (2.0 / count) * np.cos(np.arange(count)[:, None] * angles) @ values
     coefficients[0] *= 0.5
-    return coefficients[:28]
+    return coefficients[:18]  # beyond them is rounding
 
 
 _SERIES = _bessel_series()
@@ -38,10 +38,13 @@ _SERIES = _bessel_series()
 
 def log_bessel_i0(x: Floats) -> Floats:
     """ln I0(x) for x >= 0, to a few units in the last place of max(1, x)."""
-    small = np.minimum(x, 8.0)
     large = np.maximum(x, 8.0)
     scaled = np.polynomial.chebyshev.chebval(16.0 / large - 1.0, _SERIES)
-    return np.where(x <= 8.0, np.log(np.i0(small)), large + np.log(scaled) - 0.5 * np.log(large))
+    result = large + np.log(scaled) - 0.5 * np.log(large)
+    small = x <= 8.0
+    if small.any():
+        result[small] = np.log(np.i0(x[small]))
+    return np.asarray(result)
 
 
 class DistanceIntegral:

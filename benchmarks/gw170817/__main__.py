@@ -1,0 +1,101 @@
+"""GW170817 as the paper analysed it, with the likelihood evaluated by a service on this machine.
+
+    pip install '.[train,roq,detectors]' nautilus-sampler corner
+    python -m benchmarks.gw170817 --data ../shared/data                       # injection in noise of the event's ASDs
+    python -m benchmarks.gw170817 --data ../shared/data --strain H1=H.hdf5 --strain L1=L.hdf5 --strain V1=V.hdf5
+
+``--data`` names the folder with ``gw170817/asd.npz`` and the calibration envelopes. Without ``--strain`` the data is a
+TEOBResumSPA signal with the event's parameters in seeded Gaussian noise; with the GWOSC strain files (HDF5, 4096 Hz) it
+is the event. Everything finished is kept in ``--work``: the same command goes on where it was stopped.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from contextlib import ExitStack
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from benchmarks.generator_model import GeneratorModel
+from benchmarks.gw170817 import results, setting
+from benchmarks.gw170817.analyses import kept
+from benchmarks.gw170817.priors import UnitCube
+from benchmarks.gw170817.sampling import SamplerSettings, sample
+from benchmarks.servers import bnserve_server
+from bnserve_client import Model
+from bnserve_inference import likelihood
+from bnserve_protocol import BnserveError
+from bnserve_surrogate import Model as LocalModel
+from bnserve_surrogate.training.generators import TEOBResumSPA
+
+UNFINISHED = 3
+"""Exit status of a run that ``--stop-after`` ended."""
+
+
+def arguments() -> argparse.Namespace:
+    """The command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--data", type=Path, required=True, help="folder with gw170817/asd.npz")
+    parser.add_argument("--strain", action="append", default=[], metavar="DETECTOR=FILE", help="GWOSC HDF5 strain")
+    parser.add_argument("--work", type=Path, default=Path("runs/gw170817"), help="checkpoints and results")
+    parser.add_argument("--kind", choices=("roq", "relative_binning"), default="roq", help="the likelihood to sample")
+    parser.add_argument("--live", type=int, default=SamplerSettings.live)
+    parser.add_argument("--networks", type=int, default=SamplerSettings.networks)
+    parser.add_argument("--effective", type=int, default=SamplerSettings.effective)
+    parser.add_argument("--seed", type=int, default=SamplerSettings.seed, help="of the sampler")
+    parser.add_argument("--snr", type=float, default=setting.SNR, help="of the injection")
+    parser.add_argument("--stop-after", type=float, default=float("inf"), metavar="SECONDS", help="leave off sampling")
+    parser.add_argument("--url", help="a running service; without it one is started")
+    parser.add_argument("--checks", type=int, default=1000, help="posterior samples for the other likelihoods")
+    parser.add_argument("--generator-checks", type=int, default=200, help="of these, for TEOBResumSPA itself")
+    parser.add_argument("--calibration-draws", type=int, default=100, help="per posterior sample; 0 leaves it out")
+    parser.add_argument("--sample-only", action="store_true", help="no checks, no page")
+    parser.add_argument("--page", type=Path, help="write the page here, its images beside it")
+    return parser.parse_args()
+
+
+def main() -> int:
+    """Sample, check, report; the last line is a JSON object."""
+    options = arguments()
+    try:
+        return run(options)
+    except BnserveError as error:
+        print(f"{error.title}: {error}", file=sys.stderr)
+        return 1
+
+
+def run(options: argparse.Namespace) -> int:
+    """As :func:`main`; raises ``BnserveError``."""
+    asds = setting.read_asds(options.data)
+    files = dict(text.partition("=")[::2] for text in options.strain)
+    if files:
+        event = setting.read_event(asds, {name: Path(path) for name, path in files.items()})
+    else:
+        event = setting.inject(asds, GeneratorModel(TEOBResumSPA()), options.snr)
+    local, cube = LocalModel.default(), UnitCube()
+    settings = SamplerSettings(options.live, options.networks, options.effective, options.seed)
+    with ExitStack() as stack:
+        url = options.url or stack.enter_context(bnserve_server())[0]
+        model = stack.enter_context(Model.connect(url))
+        analysis = kept(options.kind, event, local, options.work)
+        folder = options.work / options.kind
+        posterior = sample(likelihood(model, analysis), cube, folder, settings, options.stop_after)
+        if posterior is None:
+            print(json.dumps({"finished": False, "work": options.work.name}))
+            return UNFINISHED
+        np.savez(folder / "posterior.npz", **{k: v for k, v in posterior._asdict().items() if k != "cost"})
+        found = {"kind": options.kind, "snr": options.snr, "injected": not files, "sampler": asdict(settings)}
+        found |= results.summary(posterior)
+        if not options.sample_only:
+            found |= results.check(posterior, event, local, model, cube, options)
+    (folder / "result.json").write_text(json.dumps(found, indent=1))
+    print(json.dumps(found))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
