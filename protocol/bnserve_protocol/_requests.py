@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import ModuleType
-from typing import Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
 import numpy as np
@@ -43,6 +43,10 @@ class WaveformRequest(msgspec.Struct, frozen=True, kw_only=True):
     options: EvaluationOptions = EvaluationOptions()
 
 
+_MOST_NAMES = 64
+"""More names than a request has parameters, so that the answer can still say which of them is unknown."""
+
+
 class _WireGrid(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     f_min: float | None = None
     f_max: float | None = None
@@ -54,7 +58,7 @@ class _WireGrid(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
 class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
     parameters: msgspec.Raw
     grid: _WireGrid
-    names: list[str] | None = None
+    names: Annotated[list[str], msgspec.Meta(max_length=_MOST_NAMES)] | None = None
     output: OutputName = "polarizations"
     dtype: DtypeName = "complex128"
     out_of_domain: Literal["error", "flag"] = "error"
@@ -63,15 +67,22 @@ class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=Tru
     alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
 
 
+_MOST_NUMBERS = 2**21
+"""Numbers in one list: as objects they take thirty times the bytes in which they travel. Arrays have no such bound."""
+_Vector: TypeAlias = Annotated[list[float], msgspec.Meta(max_length=_MOST_NUMBERS)]
+_Row: TypeAlias = Annotated[list[float], msgspec.Meta(max_length=_MOST_NAMES)]
+_Rows: TypeAlias = Annotated[list[_Row], msgspec.Meta(max_length=_MOST_NUMBERS // 10)]
+
+
 class _Reader:
     """The decoders of one media type."""
 
     def __init__(self, module: ModuleType, arrays: bool) -> None:
         self.request = module.Decoder(_WireRequest)
-        self.columns = module.Decoder(dict[str, msgspec.Raw])
-        self.column = module.Decoder(float | list[float])
-        self.rows = module.Decoder(list[list[float]])
-        self.vector = module.Decoder(list[float])
+        self.columns = module.Decoder(Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)])
+        self.column = module.Decoder(float | _Vector)
+        self.rows = module.Decoder(_Rows)
+        self.vector = module.Decoder(_Vector)
         self.arrays = arrays
 
 

@@ -209,6 +209,9 @@ def test_an_array_map_means_nothing_in_json():
         decode(GOOD | {"grid": {"frequencies": array}}, JSON)
 
 
+GRID = b"\xa4grid" + msgpack.packb({"f_min": 20.0, "f_max": 30.0, "delta_f": 1.0})
+NAMES = b"\x83\xa5names" + msgpack.packb(list(TYPICAL)) + b"\xaaparameters"
+ONE_COLUMN = b"\x82\xaaparameters" + msgpack.packb(TYPICAL)[:-9]
 HOSTILE = {
     "empty": b"",
     "text": b"hello",
@@ -224,6 +227,9 @@ HOSTILE = {
     "not UTF-8": (b"\x82\xaaparameters\x81\xa1\xff\x01\xa4grid\x80", b'{"parameters":{"\xff":1},"grid":{}}'),
     "number out of range": b'{"parameters":{},"grid":{"f_min":1e999}}',
     "NaN in JSON": b'{"parameters":{},"grid":{"f_min":NaN}}',
+    "very many parameters": b"\x82\xaaparameters\xdf" + (2**20).to_bytes(4, "big") + b"\xa1a\x90" * 2**20 + GRID,
+    "very many rows": NAMES + b"\xdd" + (2**22).to_bytes(4, "big") + b"\x90" * 2**22 + GRID,
+    "very many numbers": ONE_COLUMN + b"\xdd" + (2**22).to_bytes(4, "big") + b"\x01" * 2**22 + GRID,
     "trailing bytes": (msgpack.packb(GOOD) + b"\xc0", json.dumps(GOOD).encode() + b"{}"),
 }
 

@@ -72,12 +72,38 @@ def raw_connection(address: str) -> socket.socket:
     return socket.create_connection((parts.hostname, parts.port), timeout=60)
 
 
+class _Shared:
+    """A buffered reader that several responses read from: none of them may close it, nor keep what is another's."""
+
+    def __init__(self, connection: socket.socket) -> None:
+        self._file = connection.makefile("rb")
+
+    def makefile(self, mode: str) -> "_Shared":
+        return self
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._file, name)
+
+    def close(self) -> None:
+        """Left to the connection."""
+
+
+def read_responses(connection: socket.socket, count: int) -> list[Answer]:
+    """The next responses on a raw connection, where they may come in one piece."""
+    shared = _Shared(connection)
+    answers = []
+    for _ in range(count):
+        response = http.client.HTTPResponse(shared)
+        response.begin()
+        content = response.read()
+        answers.append(Answer(response.status, {k.lower(): value for k, value in response.getheaders()}, content))
+    shared._file.close()
+    return answers
+
+
 def read_response(connection: socket.socket) -> Answer:
     """The next response on a raw connection."""
-    response = http.client.HTTPResponse(connection)
-    response.begin()
-    content = response.read()
-    return Answer(response.status, {name.lower(): value for name, value in response.getheaders()}, content)
+    return read_responses(connection, 1)[0]
 
 
 def question(parameters=None, grid=None, **rest) -> dict:

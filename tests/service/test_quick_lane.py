@@ -1,5 +1,6 @@
 """Small questions to a quick model: answered on the event loop, and as every other request."""
 
+import itertools
 import socket
 import time
 from concurrent.futures import ThreadPoolExecutor
@@ -19,6 +20,7 @@ from tests.service.asking import (
     raw_connection,
     read_msgpack,
     read_response,
+    read_responses,
 )
 from tests.service.chirp import QuickChirpModel, until
 
@@ -82,12 +84,16 @@ def test_small_questions_are_evaluated_on_the_event_loop_and_large_ones_in_threa
     assert all(name.startswith("bnserve-worker") for name in model.threads)
 
 
-def test_pipelined_questions_are_answered_in_order(start):
+@pytest.mark.parametrize("cuts", [[], [242, 1015], [19, 444, 781, 865, 1109], [342, 684, 1026], [200], [1366]])
+def test_pipelined_questions_are_answered_in_order(start, cuts):
     server = start(QuickChirpModel())
     masses = [2.5, 2.6, 2.7, 2.8]
+    asked = b"".join(b"".join(message(GW170817 | {"total_mass": mass})) for mass in masses)
     with raw_connection(server.address) as connection:
-        connection.sendall(b"".join(b"".join(message(GW170817 | {"total_mass": mass})) for mass in masses))
-        answers = [read_response(connection) for _ in masses]
+        for start_at, end in itertools.pairwise([0, *cuts, len(asked)]):
+            connection.sendall(asked[start_at:end])
+            time.sleep(0.01)
+        answers = read_responses(connection, len(masses))
     for mass, answer in zip(masses, answers, strict=True):
         assert answer.body == in_one_piece(server, GW170817 | {"total_mass": mass}).body
 
