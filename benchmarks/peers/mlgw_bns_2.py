@@ -89,5 +89,7 @@ class MlgwBns2(Peer):
 if __name__ == "__main__":
     if sys.argv[1] == "--train":
         train(Path(sys.argv[2]), int(sys.argv[3]) if len(sys.argv) > 3 else WAVEFORMS)
+    elif not any(MODEL.parent.glob(f"{MODEL.name}_*")):
+        sys.exit("mlgw_bns 2.0.1 has no trained model in its environment: run this script with --train, as it says.")
     else:
         serve(MlgwBns2())
