@@ -1,0 +1,88 @@
+"""A pool for samplers that ask for one likelihood at a time: threads whose questions travel together.
+
+dynesty (and bilby with it) hands a whole queue of proposals to ``pool.map``. Here every proposal is worked on by a
+thread of its own. A likelihood that a thread asks for waits until all others have asked as well, or are done; then all of them
+are one request. Values have the same bits in any batch, and each proposal has its own random numbers, so that a seeded
+run does not depend on which thread was first.
+"""
+
+from collections.abc import Callable, Iterable
+from concurrent.futures import Future, ThreadPoolExecutor
+from threading import Lock
+from typing import Any
+
+import numpy as np
+
+
+class Together:
+    """Threads that share requests; what a sampler takes for ``pool``.
+
+    Parameters
+    ----------
+    evaluate:
+        Takes a list of questions and returns as many log-likelihoods.
+    size:
+        Threads, which is the most questions in a request.
+    """
+
+    def __init__(self, evaluate: Callable[[list[Any]], np.ndarray], size: int) -> None:
+        self.size = size
+        self._evaluate = evaluate
+        self._threads = ThreadPoolExecutor(size)
+        self._lock = Lock()
+        self._at_work = 0
+        self._waiting: list[tuple[Any, Future]] = []
+
+    def log_likelihood(self, question: Any) -> float:
+        """The answer to one question, asked together with those of the other threads."""
+        answer: Future = Future()
+        with self._lock:
+            self._waiting.append((question, answer))
+            ready = self._all_that_wait()
+        self._ask(ready)
+        return answer.result()
+
+    def map(self, function: Callable[[Any], Any], items: Iterable[Any]) -> list[Any]:
+        """``function`` of each item, in their order; :attr:`size` at a time."""
+        todo, done = list(items), []
+        for first in range(0, len(todo), self.size):
+            group = todo[first : first + self.size]
+            self._at_work = len(group)
+            done += self._threads.map(lambda item: self._work(function, item), group)
+        return done
+
+    def close(self) -> None:
+        """Take no more items; with :meth:`join`, as samplers end a pool of processes."""
+        self._threads.shutdown(wait=False)
+
+    def join(self) -> None:
+        """Wait until the threads have ended."""
+        self._threads.shutdown()
+
+    def _work(self, function: Callable[[Any], Any], item: Any) -> Any:
+        try:
+            return function(item)
+        finally:
+            with self._lock:
+                self._at_work -= 1
+                ready = self._all_that_wait()
+            self._ask(ready)
+
+    def _all_that_wait(self) -> list[tuple[Any, Future]]:
+        """All questions, once nobody is left who could ask another one before they are answered."""
+        if len(self._waiting) < self._at_work:
+            return []
+        ready, self._waiting = self._waiting, []
+        return ready
+
+    def _ask(self, ready: list[tuple[Any, Future]]) -> None:
+        if not ready:
+            return
+        try:
+            values = self._evaluate([question for question, _ in ready])
+        except BaseException as error:
+            for _, answer in ready:
+                answer.set_exception(error)
+            return
+        for (_, answer), value in zip(ready, values, strict=True):
+            answer.set_result(float(value))
