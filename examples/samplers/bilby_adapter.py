@@ -70,9 +70,19 @@ def source_model(model: Model, f_min: float, f_max: float) -> Callable[..., dict
     in the service.
     """
 
-    def binary_neutron_star(  # noqa: ANN202 - bilby reads the names of the arguments, nothing else
-        frequency_array, mass_1, mass_2, luminosity_distance, chi_1, chi_2, theta_jn, phase, lambda_1, lambda_2, **_
-    ):
+    def binary_neutron_star(
+        frequency_array: np.ndarray,
+        mass_1: float,
+        mass_2: float,
+        luminosity_distance: float,
+        chi_1: float,
+        chi_2: float,
+        theta_jn: float,
+        phase: float,
+        lambda_1: float,
+        lambda_2: float,
+        **_: Any,
+    ) -> dict[str, np.ndarray]:  # fmt: skip - bilby reads the names of the arguments
         band = (frequency_array >= f_min) & (frequency_array <= f_max)
         parameters = {
             "mass_ratio": mass_1 / mass_2, "total_mass": mass_1 + mass_2, "lambda_1": lambda_1, "lambda_2": lambda_2,

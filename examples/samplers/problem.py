@@ -47,7 +47,7 @@ TRUTH = np.array([SIGNAL[name] for name in SAMPLED])
 
 
 def columns(points: Floats) -> dict[str, Floats | float]:
-    """Points of the sampled parameters, ``(N, 4)`` or ``(4,)``, as what a likelihood takes; that knows the total mass."""
+    """Points of the sampled parameters, ``(N, 4)`` or ``(4,)``, as what a likelihood takes."""
     named = dict(zip(SAMPLED, points.T, strict=True))
     chirp_mass, q = named.pop("chirp_mass"), named["mass_ratio"]
     return FIXED | named | {"total_mass": chirp_mass * ((1.0 + q) ** 2 / q) ** 0.6}

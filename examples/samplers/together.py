@@ -1,9 +1,9 @@
 """A pool for samplers that ask for one likelihood at a time: threads whose questions travel together.
 
 dynesty (and bilby with it) hands a whole queue of proposals to ``pool.map``. Here every proposal is worked on by a
-thread of its own. A likelihood that a thread asks for waits until all others have asked as well, or are done; then all of them
-are one request. Values have the same bits in any batch, and each proposal has its own random numbers, so that a seeded
-run does not depend on which thread was first.
+thread of its own. A likelihood that a thread asks for waits until all others have asked as well, or are done; then all
+of them are one request. Values have the same bits in any batch, and each proposal has its own random numbers, so that
+a seeded run does not depend on which thread was first.
 """
 
 from collections.abc import Callable, Iterable
