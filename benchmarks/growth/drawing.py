@@ -43,7 +43,7 @@ def _samples(axes: Axes, rows: list[dict[str, Any]], title: str, label: str) -> 
     ):
         if turn is not None:
             axes.axvline(turn, color=colour, linewidth=1.4, linestyle=(0, (5, 3)), label=f"{text} ({turn:,})")
-    axes.legend(fontsize=11)
+    axes.legend(fontsize=11, frameon=True, framealpha=0.95, edgecolor="none")
 
 
 def _clients(axes: Axes, rows: list[dict[str, Any]]) -> None:
@@ -52,7 +52,8 @@ def _clients(axes: Axes, rows: list[dict[str, Any]]) -> None:
     axes.set_xscale("log", base=2)
     axes.set_xticks(sizes)
     number_axis(axes.xaxis)
-    axes.axvline(saturates(rows), color=style.ORANGE, linewidth=1.4, linestyle=(0, (5, 3)))
+    axes.axvline(saturates(rows), color=style.ORANGE, linewidth=1.4, linestyle=(0, (5, 3)), label="nine tenths of most")
+    axes.legend(fontsize=11, loc="lower right", frameon=True, framealpha=0.95, edgecolor="none")
     axes.set_title("Clients with single requests")
     axes.set(xlabel="clients at the same time", ylabel="waveforms per second (dots)", ylim=(0, None))
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:,.0f}")
