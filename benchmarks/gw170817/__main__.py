@@ -23,8 +23,9 @@ import numpy as np
 from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import results, setting
 from benchmarks.gw170817.analyses import kept
+from benchmarks.gw170817.annealing import Annealing
 from benchmarks.gw170817.priors import UnitCube
-from benchmarks.gw170817.sampling import SamplerSettings, sample
+from benchmarks.gw170817.sampling import SamplerSettings, sample_annealed, sample_nautilus
 from benchmarks.servers import bnserve_server
 from bnserve_client import Model
 from bnserve_inference import likelihood
@@ -43,12 +44,14 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--strain", action="append", default=[], metavar="DETECTOR=FILE", help="GWOSC HDF5 strain")
     parser.add_argument("--work", type=Path, default=Path("runs/gw170817"), help="checkpoints and results")
     parser.add_argument("--kind", choices=("roq", "relative_binning"), default="roq", help="the likelihood to sample")
-    parser.add_argument("--live", type=int, default=SamplerSettings.live)
+    parser.add_argument("--sampler", choices=("annealing", "nautilus"), default="annealing")
+    parser.add_argument("--particles", type=int, default=Annealing.particles, help="of the annealed population")
+    parser.add_argument("--live", type=int, default=SamplerSettings.live, help="points of nautilus")
     parser.add_argument("--networks", type=int, default=SamplerSettings.networks)
     parser.add_argument("--effective", type=int, default=SamplerSettings.effective)
     parser.add_argument("--seed", type=int, default=SamplerSettings.seed, help="of the sampler")
     parser.add_argument("--snr", type=float, default=setting.SNR, help="of the injection")
-    parser.add_argument("--stop-after", type=float, default=float("inf"), metavar="SECONDS", help="leave off sampling")
+    parser.add_argument("--stop-after", type=float, default=float("inf"), metavar="SECONDS", help="nautilus leaves off")
     parser.add_argument("--url", help="a running service; without it one is started")
     parser.add_argument("--checks", type=int, default=1000, help="posterior samples for the other likelihoods")
     parser.add_argument("--generator-checks", type=int, default=200, help="of these, for TEOBResumSPA itself")
@@ -77,18 +80,31 @@ def run(options: argparse.Namespace) -> int:
     else:
         event = setting.inject(asds, GeneratorModel(TEOBResumSPA()), options.snr)
     local, cube = LocalModel.default(), UnitCube()
-    settings = SamplerSettings(options.live, options.networks, options.effective, options.seed)
+    settings = (
+        Annealing(particles=options.particles, seed=options.seed)
+        if options.sampler == "annealing"
+        else SamplerSettings(options.live, options.networks, options.effective, options.seed)
+    )
     with ExitStack() as stack:
         url = options.url or stack.enter_context(bnserve_server())[0]
         model = stack.enter_context(Model.connect(url))
         analysis = kept(options.kind, event, local, options.work)
         folder = options.work / options.kind
-        posterior = sample(likelihood(model, analysis), cube, folder, settings, options.stop_after)
+        bound = likelihood(model, analysis)
+        if options.sampler == "annealing":
+            posterior = sample_annealed(bound, cube, folder, settings)
+        else:
+            posterior = sample_nautilus(bound, cube, folder, settings, options.stop_after)
         if posterior is None:
             print(json.dumps({"finished": False, "work": options.work.name}))
             return UNFINISHED
         np.savez(folder / "posterior.npz", **{k: v for k, v in posterior._asdict().items() if k != "cost"})
-        found = {"kind": options.kind, "snr": options.snr, "injected": not files, "sampler": asdict(settings)}
+        found = {
+            "kind": options.kind,
+            "snr": options.snr,
+            "injected": not files,
+            "sampler": {"name": options.sampler} | asdict(settings),
+        }
         found |= results.summary(posterior)
         if not options.sample_only:
             found |= results.check(posterior, event, local, model, cube, options)

@@ -1,9 +1,9 @@
 """The paper's priors, as maps from the unit cube to what the likelihood takes.
 
-Eleven parameters are sampled; the phase is integrated over by the likelihood, and so is the distance. Where the prior is
-the same in other coordinates, those are used in which the posterior is simple: the place in the sky as angles to the line
-between the two LIGO detectors, the time as that of the arrival at Hanford, and the polarisation angle over a quarter of a
-turn, because another quarter turns the sign of a signal, which is a phase.
+Eleven parameters are sampled; the phase is integrated over by the likelihood, and so is the distance. Where the prior
+is the same in other coordinates, those are used in which the posterior is simple: the place in the sky as angles to the
+line between the two LIGO detectors, the time as that of the arrival at Hanford, and the polarisation angle over a quarter
+of a turn, because another quarter turns the sign of a signal, which is a phase.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class Sky:
         self._sidereal = sidereal_time(setting.TRIGGER)[0]
 
     def place(self, cosine: Floats, azimuth: Floats) -> tuple[Floats, Floats, Floats]:
-        """Right ascension and declination, and by how much (s) the signal arrives at Hanford after the Earth's centre."""
+        """Right ascension, declination, and how much later (s) than at the Earth's centre the signal is at Hanford."""
         sine = np.sqrt(np.maximum(0.0, 1.0 - cosine**2))
         local = np.stack([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine], axis=-1)
         direction = local @ self._axes

@@ -1,4 +1,4 @@
-"""Nautilus with the likelihood of a service, and what it says about the posterior."""
+"""Samplers with the likelihood of a service: an annealed population, or nautilus."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.gw170817.annealing import Annealing, anneal
 from benchmarks.gw170817.priors import NAMES, UnitCube
 from bnserve_protocol import BnserveError, Likelihood
 
@@ -20,7 +21,7 @@ Floats = NDArray[np.float64]
 BATCH = 1000
 """Samples in a call: enough that a round trip costs nothing next to them."""
 SMALLEST_ELLIPSOID = 300
-"""Live points in an ellipsoid that is not split further: the network tells inside from outside, and splitting is dear."""
+"""Live points in an ellipsoid that is not split: the network tells inside from outside, and splitting is dear."""
 NETWORK = {"hidden_layer_sizes": (50, 20)}
 """Half of nautilus' own: training it is most of the cost of a bound, and the likelihood is cheap."""
 PERIODIC = (NAMES.index("azimuth"), NAMES.index("polarization_angle"))
@@ -91,10 +92,8 @@ class _Timed:
         self._kept.write_text(json.dumps(asdict(self.cost)))
 
 
-def sample(
-    likelihood: Likelihood, cube: UnitCube, folder: Path, settings: SamplerSettings, timeout: float = float("inf")
-) -> Posterior | None:
-    """Sample, going on where an earlier run in the same folder was stopped; None if ``timeout`` seconds were too few.
+def sample_annealed(likelihood: Likelihood, cube: UnitCube, folder: Path, settings: Annealing) -> Posterior:
+    """Sample with :func:`~benchmarks.gw170817.annealing.anneal`, going on where an earlier run was stopped.
 
     Parameters
     ----------
@@ -104,6 +103,27 @@ def sample(
         The prior.
     folder:
         For the checkpoint and the cost; made if need be.
+    settings:
+        Of the sampler.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    timed = _Timed(likelihood, cube, folder / "cost.json")
+    found = anneal(timed, len(NAMES), settings, folder / "annealing.npz")
+    timed.keep()
+    count = len(found.values)
+    weights = np.full(count, 1.0 / count)
+    return Posterior(found.points, weights, found.values, found.log_evidence, float(count), timed.cost)
+
+
+def sample_nautilus(
+    likelihood: Likelihood, cube: UnitCube, folder: Path, settings: SamplerSettings, timeout: float = float("inf")
+) -> Posterior | None:
+    """Sample with nautilus, going on where it was stopped; None if ``timeout`` seconds were too few.
+
+    Parameters
+    ----------
+    likelihood, cube, folder:
+        As for :func:`sample_annealed`.
     settings, timeout:
         Of the sampler, and after how many seconds to leave off.
 
@@ -122,7 +142,8 @@ def sample(
         warnings.simplefilter("ignore")  # networks that stop before they converge: nautilus allows for it
         sampler = Sampler(
             lambda u: u, timed, n_dim=len(NAMES), n_live=settings.live, n_networks=settings.networks,
-            n_points_min=min(SMALLEST_ELLIPSOID, settings.live // 2), neural_network_kwargs=NETWORK, n_batch=BATCH, vectorized=True, pass_dict=False, periodic=np.array(PERIODIC), seed=settings.seed,
+            n_points_min=min(SMALLEST_ELLIPSOID, settings.live // 2), neural_network_kwargs=NETWORK, n_batch=BATCH,
+            vectorized=True, pass_dict=False, periodic=np.array(PERIODIC), seed=settings.seed,
             filepath=folder / "nautilus.hdf5",
         )  # fmt: skip
         finished = sampler.run(n_eff=settings.effective, discard_exploration=False, timeout=timeout)

@@ -73,7 +73,7 @@ def fiducial() -> ParameterBatch:
 
 
 def read_asds(folder: Path) -> list[NDArray[np.float64]]:
-    """The event's amplitude spectral densities from ``folder/gw170817/asd.npz`` on the analysis' grid, ``(POINTS,)`` each.
+    """The event's noise curves, ``(POINTS,)`` each, from ``folder/gw170817/asd.npz``.
 
     Raises
     ------

@@ -5,7 +5,8 @@
     python -m benchmarks.inference --json
 
 ``--data`` (../shared/data) names the folder with ``gw170817/asd.npz``. The analyses are those of
-:mod:`benchmarks.gw170817`: three detectors, 128 s, 23 to 2000 Hz, TEOBResumSPA with SNR 32 in noise of the event's ASDs.
+:mod:`benchmarks.gw170817`: three detectors, 128 s, 23 to 2000 Hz, TEOBResumSPA with SNR 32 in noise of the event's
+ASDs.
 
 - ``roq_us``, ``relative_binning_us``: microseconds per three-detector log-likelihood through HTTP, 4096 samples a call,
   the phase integrated over; medians of rounds that take turns with the peer's. ``*_best_us`` are the fastest rounds.

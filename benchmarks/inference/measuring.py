@@ -44,14 +44,14 @@ def prior_samples(rows: int, seed: int = 3) -> LikelihoodBatch:
 
 
 def posterior_points(count: int) -> LikelihoodBatch:
-    """Draws from the posterior of the injection, which ``python -m benchmarks.gw170817 --keep-points`` wrote, (N, 13)."""
+    """Draws from the posterior of the injection, at most 1000, as ``benchmarks.gw170817`` leaves in ``draws.npz``."""
     with np.load(Path(__file__).with_name("posterior_points.npz"), allow_pickle=False) as file:
         values = file["values"]
     return LikelihoodBatch(values[:count])
 
 
 def in_turns(calls: Mapping[str, Callable[[], float]], rounds: int) -> dict[str, list[float]]:
-    """Every call's own measurements, taken in turns so that what disturbs one disturbs all; the first round is not kept."""
+    """Every call's own measurements, in turns, so that what disturbs one disturbs all; the first round is not kept."""
     found: dict[str, list[float]] = {name: [] for name in calls}
     for turn in range(rounds + 1):
         for name, call in calls.items():

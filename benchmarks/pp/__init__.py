@@ -1,0 +1,1 @@
+"""Percentile-percentile test of the likelihoods and the sampler: ``python -m benchmarks.pp``."""
