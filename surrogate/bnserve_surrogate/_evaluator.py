@@ -109,22 +109,27 @@ class Evaluator:
             return None
         points = len(frequencies)
         grid = self._grids.candidate(frequencies)
-        if grid is None or points > _FEW:
+        if grid is None or not frequencies.flags.c_contiguous:
             return None
         room = self._one_row
         try:
             room.parameters[:] = list(_values_of(parameters))
         except TypeError:
             return None
-        room.frequencies[:points] = frequencies
-        results, first = room.results[dtype], room.results_at
+        few = points <= _FEW
+        if few:
+            room.frequencies[:points] = frequencies
+            given, results, first = room.frequencies_at, room.results[dtype], room.results_at
+        else:
+            given, results = address_of(frequencies), result_memory.empty((2, points + -points % _TILE), dtype)
+            first = address_of(results)
         estimate = room.estimate if self._mode.estimates_mismatch else 0
         outputs = Outputs(kind, first, first + results.strides[0], room.plus, room.cross, room.status, estimate)
         policy = _policy(options) | Policy.STOP_AT_BAD_ROWS
         alignment = _ALIGNMENTS[options.alignment]
-        if evaluate(self._mode, grid, 1, room.parameters_at, alignment, policy, outputs, room.frequencies_at) != 0:
+        if evaluate(self._mode, grid, 1, room.parameters_at, alignment, policy, outputs, given) != 0:
             return None
-        plus, cross = results[:, :points].copy()
+        plus, cross = results[:, :points].copy() if few else results[:, :points]
         estimates = np.array((room.rest[3],)) if estimate else None
         return Polarizations(plus, cross, np.zeros(1, np.uint8), estimates)
 

@@ -63,8 +63,9 @@ def test_a_result_written_past_the_caches_has_the_bits_of_its_rows_alone(shipped
         assert together.cross[i].tobytes() == alone.cross[0].tobytes()
 
 
-def test_one_waveform_has_the_bits_of_a_batch_of_one(shipped):
-    f = np.geomspace(5.0, 2048.0, 300)
+@pytest.mark.parametrize("points", [1, 300, 4097, 300_001])
+def test_one_waveform_has_the_bits_of_a_batch_of_one(shipped, points):
+    f = np.geomspace(5.0, 2048.0, points)
     batch = typical(1)
     first = shipped.predict(f, batch.row(0))
     again = shipped.predict(f, batch.row(0))  # the grid is prepared now: the short way
