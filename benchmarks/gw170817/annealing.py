@@ -27,10 +27,10 @@ _JUMP = 0.1
 class Annealing:
     """Particles, sweeps of moves after each step, sweeps at the end, of which every so many are kept, and the seed."""
 
-    particles: int = 1000
-    sweeps: int = 12
+    particles: int = 2000
+    sweeps: int = 25
     final_sweeps: int = 100
-    keep_every: int = 20
+    keep_every: int = 25
     seed: int = 1
 
 

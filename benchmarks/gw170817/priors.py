@@ -2,8 +2,8 @@
 
 Eleven parameters are sampled; the phase is integrated over by the likelihood, and so is the distance. Where the prior
 is the same in other coordinates, those are used in which the posterior is simple: the place in the sky as angles to the
-line between the two LIGO detectors, the time as that of the arrival at Hanford, and the polarisation angle over a quarter
-of a turn, because another quarter turns the sign of a signal, which is a phase.
+line between the two LIGO detectors, the time as that of the arrival at Hanford, and the polarisation angle over a
+quarter of a turn, because another quarter turns the sign of a signal, which is a phase.
 """
 
 from __future__ import annotations

@@ -130,7 +130,7 @@ def posterior(data: Path, work: Path) -> dict[str, Any]:
     done = subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     found = json.loads(done.stdout.splitlines()[-1])
     return {
-        name: found[name] for name in ("posterior_minutes", "likelihood_calls", "log_evidence", "effective_samples")
+        name: found[name] for name in ("posterior_minutes", "likelihood_calls", "log_evidence", "samples")
     }
 
 

@@ -6,7 +6,8 @@
 Seeded binaries of the prior in seeded noise of the event's ASDs (three detectors, 32 s, 40 to 1024 Hz), the place in
 the sky fixed, phase and distance integrated over, relative binning around one fiducial waveform, sampled through a
 service. The model that makes the signals is the one that analyses them. Every finished injection is a line of a file in
-``--work``; the same command goes on after the last. Prints one JSON object on its last line: the p-values of the Kolmogorov-Smirnov tests.
+``--work``; the same command goes on after the last. Prints one JSON object on its last line: the p-values of the
+Kolmogorov-Smirnov tests.
 """
 
 from __future__ import annotations
