@@ -35,7 +35,7 @@ def sample(
 def in_processes(problem: Problem, live: int) -> tuple[dynesty.results.Results, str]:
     """Each process has its own connection; the likelihood is pickled with the server's address and the analysis."""
     with dynesty.pool.Pool(PROCESSES, problem.log_likelihood_of_one, from_unit_cube) as pool:
-        found = sample(pool.loglike, pool.prior_transform, pool, nlive=live)
+        found = sample(pool.loglike, pool.prior_transform, pool, nlive=live, bootstrap=0)
     return found, f"dynesty: {np.sum(found.ncall)} likelihoods one by one from {PROCESSES} processes"
 
 
@@ -54,7 +54,7 @@ def main() -> None:
     batches = "--batches" in sys.argv
     sys.argv = [word for word in sys.argv if word != "--batches"]
     chosen = arguments(__doc__)
-    live = 60 if chosen.short else 1000
+    live = 50 if chosen.short else 1000
     with Model.connect(chosen.address) as model:
         problem = Problem.pose(model, chosen.asd)
         started = time.perf_counter()
