@@ -24,6 +24,7 @@ from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import results, setting
 from benchmarks.gw170817.analyses import kept
 from benchmarks.gw170817.annealing import Annealing
+from benchmarks.gw170817.drawing import draw_corner
 from benchmarks.gw170817.priors import UnitCube
 from benchmarks.gw170817.sampling import SamplerSettings, sample_annealed, sample_nautilus
 from benchmarks.servers import bnserve_server
@@ -56,8 +57,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--checks", type=int, default=1000, help="posterior samples for the other likelihoods")
     parser.add_argument("--generator-checks", type=int, default=200, help="of these, for TEOBResumSPA itself")
     parser.add_argument("--calibration-draws", type=int, default=100, help="per posterior sample; 0 leaves it out")
-    parser.add_argument("--sample-only", action="store_true", help="no checks, no page")
-    parser.add_argument("--page", type=Path, help="write the page here, its images beside it")
+    parser.add_argument("--sample-only", action="store_true", help="no checks")
+    parser.add_argument("--figure", type=Path, help="write the corner plot here")
     return parser.parse_args()
 
 
@@ -108,6 +109,8 @@ def run(options: argparse.Namespace) -> int:
         found |= results.summary(posterior)
         if not options.sample_only:
             found |= results.check(posterior, event, local, model, cube, options)
+    if options.figure:
+        draw_corner(posterior, cube, event.truth, options.figure)
     (folder / "result.json").write_text(json.dumps(found, indent=1))
     print(json.dumps(found))
     return 0

@@ -29,7 +29,12 @@ def plain_analyses(event: setting.Event, model: WaveformModel) -> dict[str, Anal
     return {
         "roq": roq_analysis(event.data, trigger_time=setting.TRIGGER, basis=basis, model=model, options=options),
         "relative_binning": relative_binning_analysis(
-            event.data, **band, fiducial=setting.fiducial(), model=model, options=options
+            event.data,
+            **band,
+            fiducial=setting.fiducial(),
+            model=model,
+            phase_tolerance=analyses.PHASE_TOLERANCE,
+            options=options,
         ),
         "full": full_analysis(event.data, **band, options=options),
     }

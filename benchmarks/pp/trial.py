@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.gw170817.analyses import PHASE_TOLERANCE
 from benchmarks.gw170817.annealing import Annealing, anneal
 from benchmarks.gw170817.priors import aligned_spins, chirp_masses, mass_ratios
 from benchmarks.gw170817.setting import CHIRP_MASS, DETECTORS, TRIGGER, total_mass
@@ -97,7 +98,14 @@ def run(seed: int, asds: list[Floats], local: WaveformModel, model: Any) -> dict
         distance_marginalisation=DistanceMarginalisation(minimum=DISTANCES[0], maximum=DISTANCES[1], power=2.0),
     )
     analysis = relative_binning_analysis(
-        data, trigger_time=TRIGGER, f_min=F_MIN, f_max=F_MAX, fiducial=_fiducial(), model=local, options=options
+        data,
+        trigger_time=TRIGGER,
+        f_min=F_MIN,
+        f_max=F_MAX,
+        fiducial=_fiducial(),
+        model=local,
+        phase_tolerance=PHASE_TOLERANCE,
+        options=options,
     )
     likelihood, calls = bound_likelihood(model, analysis), 0
 
