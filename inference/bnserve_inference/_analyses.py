@@ -136,7 +136,7 @@ def relative_binning_analysis(
     f_max: float,
     fiducial: BatchLike,
     model: WaveformModel,
-    phase_tolerance: float = 0.5,
+    phase_tolerance: float = 0.2,
     alignment: Alignment = "merger",
     options: LikelihoodOptions,
 ) -> Analysis:
