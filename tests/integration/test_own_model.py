@@ -22,12 +22,11 @@ CHANGES = {
     "frequency_band = [5.0,": "frequency_band = [20.0,",
     "count = 160\n": "count = 60\n",
     "count = 16384": "count = 150",
-    "edge_count = 2048": "edge_count = 30",
+    "edge_count = 1024 #": "edge_count = 30 #",
     "components = 27": "components = 10",
     "degree = 9": "degree = 3",
     "terms = 640": "terms = 60",
-    "\ncount = 1024": "\ncount = 8",
-    "edge_count = 1024": "edge_count = 4",
+    "\ncount = 1024\nedge_count = 1024": "\ncount = 8\nedge_count = 4",
 }
 """What is changed in the copy; the guide changes the first two, the number of waveforms, and of those to measure on."""
 FREQUENCIES = np.geomspace(20.0, 1500.0, 60)
