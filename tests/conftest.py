@@ -1,8 +1,13 @@
 """Settings for every test."""
 
+import os
 import signal
 
 from hypothesis import settings
+
+# As the commands do: with several, sums have other last bits from run to run. numpy reads it when it is imported.
+for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
+    os.environ.setdefault(name, "1")
 
 # In a background shell interrupts are ignored, and every process started here would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
