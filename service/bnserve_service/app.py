@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -62,6 +63,8 @@ class Parts:
     health: Health
     maintenance: Maintenance
     metrics: Metrics
+    shared: Path | None = None
+    """What all worker processes of one server share, as :func:`create_app` says."""
 
 
 class Application(FastAPI):
@@ -150,6 +153,7 @@ def create_app(
     factory: ModelFactory | None = None,
     bind: LikelihoodFactory | None = None,
     wait_for_models: bool = True,
+    shared: Path | None = None,
 ) -> Application:
     """Build the service.
 
@@ -166,6 +170,9 @@ def create_app(
         Makes the likelihood of an analysis with a model; by default ``bnserve_inference.likelihood``.
     wait_for_models:
         Whether start-up (the ASGI lifespan) waits until the models are loaded.
+    shared:
+        A folder, in memory where there is such a thing, that all worker processes of one server share and that outlives
+        each of them; None for a server of one process.
     """
     settings = settings or Settings()
     metrics, registry, lifecycle = Metrics(), Registry(), Lifecycle()
@@ -194,7 +201,18 @@ def create_app(
     metrics.watch("bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes)
     metrics.watch("bnserve_uploads_bytes", "Memory of analyses on their way", lambda: likelihoods.uploads.taken)
     parts = Parts(
-        settings, registry, grids, analyses, queue, waveforms, likelihoods, lifecycle, health, maintenance, metrics
+        settings,
+        registry,
+        grids,
+        analyses,
+        queue,
+        waveforms,
+        likelihoods,
+        lifecycle,
+        health,
+        maintenance,
+        metrics,
+        shared,
     )
     return Application(parts, wait_for_models)
 

@@ -61,7 +61,9 @@ class Settings(BaseModel):
     metrics_port: int | None = Field(default=None, ge=0, le=65535)
     """Serve ``/metrics`` there and not beside the waveforms."""
     threads: int | None = Field(default=None, ge=1, le=1024)
-    """Worker threads; None takes the CPU quota."""
+    """Worker threads of each process; None takes its part of the CPU quota."""
+    workers: int = Field(default=1, ge=1, le=256)
+    """Worker processes; with more than one, a supervisor replaces those that die or hang."""
     tokens: tuple[Token, ...] = ()
     """Empty: no authentication."""
     access_log: bool = False
