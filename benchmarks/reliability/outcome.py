@@ -1,0 +1,96 @@
+"""What a measurement gives, and what a module of this package looks like."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Protocol, TypeAlias, cast
+
+from bnserve_protocol import BnserveError
+
+Figures: TypeAlias = dict[str, float | int | str]
+Log: TypeAlias = Callable[[str], None]
+
+NAMES = (
+    "kill",
+    "overload",
+    "vanishing",
+    "drain",
+    "reload",
+    "artifacts",
+    "hung",
+    "fork",
+    "digests",
+    "same_bits",
+    "decode",
+    "body_cap",
+    "slow_clients",
+    "no_code",
+    "tokens",
+    "soak",
+    "outage",
+    "faults",
+    "history",
+    "shares",
+    "cpu_types",
+)
+"""The promises, in the order of the tables."""
+
+
+class PromiseUnknown(BnserveError):
+    """There is no promise, or no fault, of that name."""
+
+    code = "promise-unknown"
+    title = "Unknown promise or fault"
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """One measurement."""
+
+    figures: Figures
+    passed: bool
+    """Whether the bar is reached."""
+    summary: str
+    """The figures that count, in half a line."""
+
+
+class Promise(Protocol):
+    """What a module of this package has."""
+
+    __doc__: str | None
+    MECHANISM: str
+    BAR: str
+    PLANTS: dict[str, str]
+
+    def run(self, short: bool, log: Log, plant: str | None = None) -> Outcome:
+        """Measure. ``short`` takes seconds; ``plant`` takes the mechanism away first, as ``PLANTS`` says."""
+
+
+def names() -> list[str]:
+    """The promises that have a measurement."""
+    here = Path(__file__).parent
+    return [name for name in NAMES if (here / f"{name}.py").exists()]
+
+
+def find(name: str, plant: str | None = None) -> Promise:
+    """The module of a promise.
+
+    Raises
+    ------
+    PromiseUnknown
+        No such promise, or it knows no such fault.
+    """
+    if name not in names():
+        raise PromiseUnknown(f"There is no promise '{name}'; there are: {', '.join(names())}.")
+    promise = cast(Promise, importlib.import_module(f"benchmarks.reliability.{name}"))
+    if plant is not None and plant not in promise.PLANTS:
+        raise PromiseUnknown(f"'{name}' knows no fault '{plant}'; it knows: {', '.join(promise.PLANTS)}.")
+    return promise
+
+
+def promise_of(promise: Promise) -> str:
+    """The first line of a module's docstring, without its full stop."""
+    return (promise.__doc__ or "").strip().splitlines()[0].rstrip(".")

@@ -1,0 +1,65 @@
+"""The page of promises and the README's table, from the results that are kept."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+from typing import Any
+
+from benchmarks.page import fill
+from benchmarks.reliability.outcome import Promise, find, names, promise_of
+from benchmarks.reliability.record import read
+from benchmarks.workers import ROOT
+
+PAGE = ROOT / "docs" / "explanations" / "reliability.md"
+README = ROOT / "README.md"
+
+
+def write_pages(results: Path, page: Path, readme: Path) -> None:
+    """Fill the marked places of the page (``promises``) and of the README (``reliability``)."""
+    found = [(name, find(name), read(results / f"{name}.json")) for name in names()]
+    fill(page, "promises", [line for each in found for line in _section(*each)])
+    fill(readme, "reliability", ["| Promise | Figure | Command |", "|---|---|---|", *(_row(*each) for each in found)])
+
+
+def _section(name: str, promise: Promise, record: dict[str, Any] | None) -> list[str]:
+    return [
+        "",
+        f"## {promise_of(promise)}",
+        "",
+        *textwrap.wrap(promise.MECHANISM, 120),
+        "",
+        f"- bar: {promise.BAR}",
+        *_measured(name, record),
+        *_seen_to_fail(promise, record),
+    ]
+
+
+def _measured(name: str, record: dict[str, Any] | None) -> list[str]:
+    if record is None or "summary" not in record:
+        return [f"- not measured yet: `python -m benchmarks.reliability {name}`"]
+    verdict = "" if record["passed"] else " (**the bar is missed**)"
+    return [
+        f"- measured: **{record['summary']}**{verdict}",
+        f"- command: `{record['command']}`, {record['date']}, {record['machine']}",
+    ]
+
+
+def _seen_to_fail(promise: Promise, record: dict[str, Any] | None) -> list[str]:
+    seen: dict[str, dict[str, Any]] = record["plants"] if record else {}
+    lines = []
+    for plant, effect in promise.PLANTS.items():
+        run = seen.get(plant)
+        if run is None:
+            lines.append(f"- with `--plant {plant}` ({effect}): not run yet")
+        else:
+            verdict = "NOT seen to fail" if run["passed"] else "seen to fail"
+            lines.append(f"- {verdict} with `{run['command']}` ({effect}): {run['summary']}")
+    return lines
+
+
+def _row(name: str, promise: Promise, record: dict[str, Any] | None) -> str:
+    figure = "not measured yet"
+    if record is not None and "summary" in record:
+        figure = record["summary"] if record["passed"] else f"{record['summary']} (bar missed: {promise.BAR})"
+    return f"| {promise_of(promise)} | {figure} | `python -m benchmarks.reliability {name}` |"

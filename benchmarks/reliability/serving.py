@@ -1,0 +1,131 @@
+"""Servers of this checkout as processes, as their operators start them, sound or with a fault planted."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from benchmarks.workers import ONE_THREAD, ROOT
+from tests.running_server import is_ready, running
+
+_PAGE = resource.getpagesize()
+_TICKS = os.sysconf("SC_CLK_TCK")
+
+
+@dataclass(frozen=True, slots=True)
+class Server:
+    """A running ``bnserve serve``."""
+
+    url: str
+    process: subprocess.Popen[bytes]
+    log: Path
+    """What it prints."""
+
+    @property
+    def address(self) -> tuple[str, int]:
+        """Host and port."""
+        host, _, port = self.url.removeprefix("http://").rpartition(":")
+        return host, int(port)
+
+    @property
+    def pid(self) -> int:
+        """Its process number."""
+        return self.process.pid
+
+    def rss(self) -> int:
+        """Resident memory, bytes."""
+        return resident(self.pid)
+
+    def fds(self) -> int:
+        """Open files and connections."""
+        return len(list(Path(f"/proc/{self.pid}/fd").iterdir()))
+
+    def cpu_seconds(self) -> float:
+        """Processor time that it has used."""
+        fields = Path(f"/proc/{self.pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / _TICKS
+
+    def stop(self, patience: float = 60.0) -> int:
+        """Send SIGTERM and wait; the exit status."""
+        self.process.send_signal(signal.SIGTERM)
+        return self.process.wait(patience)
+
+
+def resident(pid: int) -> int:
+    """Resident memory of a process, bytes."""
+    return int(Path(f"/proc/{pid}/statm").read_text().split()[1]) * _PAGE
+
+
+@contextmanager
+def serving(
+    *arguments: str,
+    plant: str | None = None,
+    cpus: set[int] | None = None,
+    environment: dict[str, str] | None = None,
+    port: int = 0,
+    **settings: Any,
+) -> Iterator[Server]:
+    """Start ``bnserve serve``, wait until it is ready, and end it afterwards if it still runs.
+
+    Parameters
+    ----------
+    *arguments:
+        Of the command line.
+    plant:
+        A fault of :mod:`benchmarks.reliability.planted` that the server has.
+    cpus:
+        The processors that it may use; None for those of this process.
+    environment:
+        Variables besides this process' own.
+    port:
+        0 takes a free one.
+    **settings:
+        Of :class:`bnserve_service.Settings`.
+    """
+    program = ["bnserve_service"] if plant is None else ["benchmarks.reliability.planted", plant]
+    with tempfile.TemporaryDirectory() as folder:
+        config, log = Path(folder) / "settings.toml", Path(folder) / "server.log"
+        config.write_text("".join(f"{key} = {_toml(value)}\n" for key, value in settings.items()))
+        command = [sys.executable, "-m", *program, "serve", "--port", str(port), "--config", str(config), *arguments]
+
+        def ready() -> bool:
+            found = _url(log)
+            return found is not None and is_ready(found)
+
+        environ = os.environ | ONE_THREAD | {"PYTHONUNBUFFERED": "1"} | (environment or {})
+        with running(command, log, ready, env=environ, cwd=ROOT) as process:
+            if cpus is not None:
+                _pin(process.pid, cpus)
+            url = _url(log)
+            assert url is not None, "a server that is ready has said where it listens"
+            yield Server(url, process, log)
+
+
+def _pin(pid: int, cpus: set[int]) -> None:
+    for thread in Path(f"/proc/{pid}/task").iterdir():
+        os.sched_setaffinity(int(thread.name), cpus)
+
+
+def _url(log: Path) -> str | None:
+    found = re.search(r"^bnserve listens on (http://\S+)$", log.read_text(), re.MULTILINE)
+    return found.group(1) if found else None
+
+
+def _toml(value: Any) -> str:
+    """A value in TOML: JSON but for tables."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{key} = {_toml(each)}" for key, each in value.items()) + "}"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_toml(each) for each in value) + "]"
+    return json.dumps(str(value) if isinstance(value, Path) else value)
