@@ -5,29 +5,40 @@ Measurements run against such a server to show that they can fail.
 
 from __future__ import annotations
 
+import itertools
+import os
 import sys
 from collections.abc import Callable
 from typing import Any
 
 
 def leak() -> None:
-    """Every answer stays in memory."""
-    from bnserve_service import evaluation
+    """A quarter of every answer stays in memory."""
+    _after_each_group(lambda outcomes: [bytearray(getattr(each, "length", 0) // 4) for each in outcomes])
+
+
+def open_files() -> None:
+    """Every 20th request leaves a file open."""
+    counted = itertools.count()
+    _after_each_group(lambda outcomes: [os.open(os.devnull, os.O_RDONLY) for _ in outcomes if next(counted) % 20 == 0])
+
+
+def _after_each_group(what: Callable[[Any], Any]) -> None:
+    """Keep what is made of the outcomes of each group for ever."""
     from bnserve_service.evaluation import Evaluator
 
     kept: list[Any] = []
     evaluate = Evaluator.__call__
 
-    def keep(self: Evaluator, questions: Any) -> Any:
+    def evaluate_and_keep(self: Evaluator, questions: Any) -> Any:
         outcomes = evaluate(self, questions)
-        kept.append([bytearray(getattr(outcome, "length", 0)) for outcome in outcomes])
+        kept.append(what(outcomes))
         return outcomes
 
-    assert evaluation.Evaluator is Evaluator
-    Evaluator.__call__ = keep  # type: ignore[method-assign]
+    Evaluator.__call__ = evaluate_and_keep  # type: ignore[method-assign]
 
 
-FAULTS: dict[str, Callable[[], None]] = {"leak": leak}
+FAULTS: dict[str, Callable[[], None]] = {"leak": leak, "open-files": open_files}
 
 
 def main() -> int:
