@@ -62,8 +62,8 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     with tempfile.TemporaryDirectory() as folder:
         versions = Versions(Path(folder) / "store")
         versions.publish("1.0.0")
-        settings = {"stores": [versions.folder], "max_grids": 16, "poll_seconds": 1.0}
-        with serving(plant=plant, **settings) as server, load_process() as load:
+        server_of = serving(plant=plant, stores=[versions.folder], max_grids=16, poll_seconds=1.0)
+        with server_of as server, load_process() as load:
             churn = Churn(server, versions, random.Random(1), size.pace)
             readings, counts = _soak(server, load, churn, size, log)
             status = server.stop()
@@ -74,7 +74,7 @@ def _soak(server: Server, load: Load, churn: Churn, size: Size, log: Log) -> tup
     readings: list[Reading] = []
     counts = {"requests": 0, "5xx": 0, "failed": 0}
     for turn in range(size.turns):
-        under_way = load.begin(server.address, _streams(server, size.pace), size.seconds, seed=turn)
+        under_way = load.begin(server.address, _streams(server, size.pace), size.seconds, timeout=120.0, seed=turn)
         churn.until(under_way)
         for came in under_way.result().values():
             counts["requests"] += came.sent
