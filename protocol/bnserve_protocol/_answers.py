@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol._arrays import decode_array, encode_array, encode_small_array
+from bnserve_protocol._arrays import array_header, decode_array, encode_array
 from bnserve_protocol._errors import UndecodableBody
+from bnserve_protocol._small_answers import Forms, address_of
 
 ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
 """The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
@@ -44,6 +46,7 @@ class WaveformAnswer(msgspec.Struct, frozen=True):
 
 _raw_map = msgspec.msgpack.Decoder(dict[str, msgspec.Raw])
 _identity = msgspec.msgpack.Decoder(ModelIdentity)
+_forms = Forms()
 
 
 def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> list[bytes | memoryview]:
@@ -52,13 +55,15 @@ def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> l
     The data of a large array begins at a multiple of 64 bytes, behind a field of zeros named ``pad_`` and its name: a
     reader who puts the body into aligned memory can use the array where it is.
     """
+    if sum(array.nbytes for array in arrays.values()) < LARGE:
+        return [_encode_small(arrays, model)]
     large = [name for name, array in arrays.items() if array.nbytes >= LARGE]
     start = b"%c" % (0x80 + 1 + len(arrays) + len(large)) + _MODEL + _encode(model)
     parts: list[bytes | memoryview] = []
     position = 0
     for name, array in arrays.items():
         if name not in large:
-            start += _encode(name) + encode_small_array(array)
+            start += _encode(name) + b"".join(encode_array(array))
             continue
         header, data = encode_array(array)
         start += _padded(name, header, position + len(start))
@@ -66,6 +71,29 @@ def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> l
         position += len(start) + len(data)
         start = b""
     return [*parts, start] if start else parts
+
+
+def _encode_small(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> bytes:
+    """An answer in one piece."""
+    heads = _heads(model, *[(name, array.dtype, array.shape) for name, array in arrays.items()])
+    pieces: list[bytes] = []
+    for (head, dtype), array in zip(heads, arrays.values(), strict=True):
+        pieces += (head, array.astype(dtype, copy=False).tobytes())
+    return b"".join(pieces)
+
+
+@lru_cache(maxsize=256)
+def _heads(
+    model: ModelIdentity, *fields: tuple[str, np.dtype[Any], tuple[int, ...]]
+) -> list[tuple[bytes, np.dtype[Any]]]:
+    """What comes before the numbers of each array of an answer, and their type on the wire."""
+    heads = []
+    start = b"%c" % (0x80 + 1 + len(fields)) + _MODEL + _encode(model)
+    for name, dtype, shape in fields:
+        header, travelling = array_header(dtype, shape)
+        heads.append((start + _encode(name) + header, travelling))
+        start = b""
+    return heads
 
 
 def _padded(name: str, header: bytes | memoryview, position: int) -> bytes:
@@ -97,6 +125,17 @@ def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
     UndecodableBody
         Not such a message.
     """
+    small = body if isinstance(body, bytes) and len(body) <= LARGE else None
+    known = None if small is None else _forms.read(small)
+    if known is not None:
+        return WaveformAnswer(arrays=known[0], model=known[1])
+    answer = _decode_whole(body)
+    if small is not None:
+        _forms.learn(small, answer.arrays, answer.model)
+    return answer
+
+
+def _decode_whole(body: bytes | memoryview) -> WaveformAnswer:
     try:
         fields = _raw_map.decode(body)
         model = _identity.decode(fields["model"])
@@ -112,8 +151,8 @@ def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
 
 def _same_in(body: memoryview, array: NDArray[Any]) -> NDArray[Any]:
     """An array over the same bytes, which are a part of ``body``, that can be written to as ``body`` can."""
-    start = np.frombuffer(body, np.uint8).__array_interface__["data"][0]
-    return np.ndarray(array.shape, array.dtype, body, array.__array_interface__["data"][0] - start)
+    start = address_of(np.frombuffer(body, np.uint8))
+    return np.ndarray(array.shape, array.dtype, body, address_of(array) - start)
 
 
 def _fit_together(arrays: Mapping[str, NDArray[Any]]) -> bool:

@@ -126,23 +126,18 @@ def encode_array(array: NDArray[Any]) -> list[bytes | memoryview]:
 
     The array must be C-contiguous and of an allowed dtype; joining the parts gives the message.
     """
-    header, contiguous = _header_of(array)
+    header, dtype = array_header(array.dtype, array.shape)
+    contiguous = np.ascontiguousarray(array, dtype)
     return [header, contiguous.reshape(-1).view(np.uint8).data]
 
 
-def encode_small_array(array: NDArray[Any]) -> bytes:
-    """As :func:`encode_array`, in one piece: for a few kilobytes, copying is cheaper than more pieces."""
-    header, contiguous = _header_of(array)
-    return header + contiguous.tobytes()
-
-
-def _header_of(array: NDArray[Any]) -> tuple[bytes, NDArray[Any]]:
-    found = _HEADS.get(array.dtype)
+def array_header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> tuple[bytes, np.dtype[Any]]:
+    """The message of an array up to its numbers, and the dtype in which they travel."""
+    found = _HEADS.get(dtype)
     if found is None:
-        raise ValueError(f"dtype {array.dtype} does not travel; allowed: {', '.join(ARRAY_DTYPES)}")
-    head, dtype = found
-    header = head + _encode(array.shape) + _DATA + _binary_header(array.nbytes)
-    return header, np.ascontiguousarray(array, dtype)
+        raise ValueError(f"dtype {dtype} does not travel; allowed: {', '.join(ARRAY_DTYPES)}")
+    head, travelling = found
+    return head + _encode(shape) + _DATA + _binary_header(math.prod(shape) * travelling.itemsize), travelling
 
 
 def _binary_header(length: int) -> bytes:

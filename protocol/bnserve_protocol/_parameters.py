@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
+import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
@@ -66,6 +67,8 @@ class ParametersWithExtrinsic:
 
 PARAMETER_NAMES: tuple[str, ...] = tuple(field.name for field in dataclasses.fields(ParametersWithExtrinsic))
 """The parameters in the order of the columns of :attr:`ParameterBatch.values`."""
+
+_values_of = operator.attrgetter(*PARAMETER_NAMES)
 
 PARAMETER_DEFAULTS: dict[str, float] = {
     field.name: float(field.default)
@@ -139,6 +142,13 @@ class ParameterBatch:
         )
 
     @classmethod
+    def of_one(cls, values: NDArray[np.float64]) -> ParameterBatch:
+        """The batch of one binary whose ten values are already an array of their own: nothing is checked."""
+        batch = cls.__new__(cls)
+        batch.values = values.reshape(1, len(PARAMETER_NAMES))
+        return batch
+
+    @classmethod
     def one(cls, parameters: BatchLike) -> ParameterBatch:
         """As :meth:`coerce`, for exactly one binary.
 
@@ -147,6 +157,8 @@ class ParameterBatch:
         InvalidParameters
             Also for any other number of rows.
         """
+        if type(parameters) is ParametersWithExtrinsic:
+            return cls.of_one(_as_floats("parameters", _values_of(parameters)))
         batch = cls.coerce(parameters)
         if len(batch) != 1:
             raise InvalidParameters(f"predict takes one binary; got {len(batch)}. Use predict_batch for them.")
@@ -182,7 +194,7 @@ BatchLike: TypeAlias = (
 """What ``predict_batch`` accepts."""
 
 
-def _as_floats(name: str, value: ArrayLike | list[list[float]]) -> NDArray[np.float64]:
+def _as_floats(name: str, value: ArrayLike | list[list[float]] | tuple[float, ...]) -> NDArray[np.float64]:
     try:
         return np.asarray(value, dtype=np.float64)
     except (TypeError, ValueError) as error:
@@ -204,10 +216,11 @@ def check_names(names: Iterable[str]) -> None:
     sentences: list[str] = []
     for name in dict.fromkeys(given):
         if name not in PARAMETER_NAMES:
-            near = difflib.get_close_matches(str(name), PARAMETER_NAMES, n=1, cutoff=0.5)
+            shown = str(name)[:80]  # comparing takes seconds and gigabytes where a name has megabytes
+            near = difflib.get_close_matches(shown, PARAMETER_NAMES, n=1, cutoff=0.5)
             hint = f" Did you mean '{near[0]}'?" if near else f" Known names: {', '.join(PARAMETER_NAMES)}."
-            sentences.append(f"Unknown parameter '{str(name)[:80]}'.{hint}")
-            problems.append(FieldError(reason=("unknown." + hint).strip(), parameter=str(name)[:80]))
+            sentences.append(f"Unknown parameter '{shown}'.{hint}")
+            problems.append(FieldError(reason=("unknown." + hint).strip(), parameter=shown))
         elif given.count(name) > 1:
             sentences.append(f"Parameter '{name}' is given more than once.")
             problems.append(FieldError(reason="given more than once", parameter=name))
