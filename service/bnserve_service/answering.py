@@ -23,6 +23,7 @@ from bnserve_service.batching import Job, WorkQueue
 from bnserve_service.digests import sha256_hex
 from bnserve_service.evaluation import Packed, Question, grid_key
 from bnserve_service.grids import GridCache
+from bnserve_service.holdings import Holdings
 from bnserve_service.lifecycle import Lifecycle
 from bnserve_service.registry import LoadedModel, Registry
 from bnserve_service.settings import Settings
@@ -53,14 +54,12 @@ class WaveformService:
         lifecycle: Lifecycle,
     ) -> None:
         self._limits = settings.limits()
-        self._max_answer_bytes = settings.max_answer_bytes
         self._registry = registry
         self._grids = grids
         self._queue = queue
         self._lifecycle = lifecycle
         self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-decode")
-        self.answer_bytes = 0
-        """Memory promised to answers that are being computed or sent."""
+        self._promised = Holdings(settings.max_answer_bytes)
 
     async def large_or_small(self, size: int, function: Any, *arguments: Any) -> Any:
         """Call ``function`` at once for small bodies and in a helper thread for large ones."""
@@ -136,8 +135,13 @@ class WaveformService:
             )
         return request, grid_key(grid, grid_digest)
 
+    @property
+    def answer_bytes(self) -> int:
+        """Memory promised to answers that are being computed or sent."""
+        return self._promised.total
+
     @contextmanager
-    def reserve(self, question: Question) -> Iterator[None]:
+    def reserve(self, question: Question, owner: str = "") -> Iterator[None]:
         """Hold memory for an answer until it has been sent.
 
         Raises
@@ -146,33 +150,38 @@ class WaveformService:
             Too many answers are waiting to be taken by their clients.
         """
         size = question.answer_bytes
-        if self.answer_bytes and self.answer_bytes + size > self._max_answer_bytes:
+        if self._promised.total and not (self._promised.fits(size) or self._promised.may_displace(owner, size)):
             raise Overloaded("Too many large answers are under way; try again shortly.", retry_after=1.0)
-        self.answer_bytes += size
+        self._promised.add(owner, size)
         try:
             yield
         finally:
-            self.answer_bytes -= size
+            self._promised.remove(owner, size)
 
-    def submit(self, question: Question, deadline: float | None) -> Job[Question, Packed]:
+    def submit(self, question: Question, deadline: float | None, owner: str = "") -> Job[Question, Packed]:
         """Queue a question.
 
         Raises
         ------
-        Overloaded, DeadlineExceeded
+        Overloaded, ShareExceeded, DeadlineExceeded
         """
-        return self._queue.submit(question.key, question.cost, question, deadline, quick=question.quick)
+        return self._queue.submit(question.key, question.cost, question, deadline, quick=question.quick, owner=owner)
 
     def submit_quick(
-        self, question: Question, deadline: float | None, deliver: Callable[[Packed | BaseException], None]
+        self,
+        question: Question,
+        deadline: float | None,
+        deliver: Callable[[Packed | BaseException], None],
+        owner: str = "",
     ) -> None:
-        """Queue a quick question; ``deliver`` is called at the end of this turn of the event loop.
+        """Queue a quick question; ``deliver`` is called at the end of this turn of the event loop, or of one of the
+        next when others ask, too.
 
         Raises
         ------
-        Overloaded, DeadlineExceeded
+        Overloaded, ShareExceeded, DeadlineExceeded
         """
-        job = self._queue.submit(question.key, question.cost, question, deadline, quick=True)
+        job = self._queue.submit(question.key, question.cost, question, deadline, quick=True, owner=owner)
         job.deliver = deliver
 
     def withdraw(self, job: Job[Question, Packed]) -> None:

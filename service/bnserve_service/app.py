@@ -42,6 +42,9 @@ from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
 from bnserve_service.routes.waveforms import PATHS, FastLane, WaveformEndpoint, waveform_routes
 from bnserve_service.settings import Settings
+from bnserve_service.shared_files import Shelf
+from bnserve_service.shared_metrics import SharedMetrics
+from bnserve_service.shares import shares_of
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import plain_response
 from bnserve_service.transport.context import RequestContextMiddleware
@@ -76,9 +79,11 @@ class Application(FastAPI):
         What it serves with.
     wait_for_models:
         Whether start-up waits for the models; a server listens at once and says ``model-loading`` meanwhile.
+    follow:
+        Whether it looks at the stores at all.
     """
 
-    def __init__(self, parts: Parts, wait_for_models: bool) -> None:
+    def __init__(self, parts: Parts, wait_for_models: bool, follow: bool = True) -> None:
         super().__init__(
             title="bnserve",
             docs_url=None,  # ours works offline
@@ -90,12 +95,14 @@ class Application(FastAPI):
         )
         self.parts = parts
         self.wait_for_models = wait_for_models
+        self.follow = follow
         endpoint = WaveformEndpoint(parts.waveforms, parts.settings)
         likelihoods = LikelihoodEndpoint(parts.likelihoods, parts.settings)
         self._include_routers(endpoint, likelihoods)
         self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
         inner: ASGIApp = FastLane(LikelihoodLane(self._serve_by_router, likelihoods), endpoint)
-        access = AccessMiddleware(inner, parts.settings.tokens) if parts.settings.tokens else None
+        tokens = parts.settings.tokens
+        access = AccessMiddleware(inner, tokens, shares_of(tokens, parts.shared)) if tokens else None
         self._front = RequestContextMiddleware(
             access or inner, parts.metrics, parts.lifecycle, parts.settings.access_log
         )
@@ -134,7 +141,8 @@ class Application(FastAPI):
 async def _lifespan(app: Any) -> AsyncIterator[None]:
     parts: Parts = app.parts
     parts.queue.start()
-    parts.maintenance.start()
+    if app.follow:
+        parts.maintenance.start()
     if app.wait_for_models:
         await parts.maintenance.first_look()
     try:
@@ -154,6 +162,9 @@ def create_app(
     bind: LikelihoodFactory | None = None,
     wait_for_models: bool = True,
     shared: Path | None = None,
+    worker: int = 0,
+    registry: Registry | None = None,
+    follow: bool = True,
 ) -> Application:
     """Build the service.
 
@@ -173,11 +184,18 @@ def create_app(
     shared:
         A folder, in memory where there is such a thing, that all worker processes of one server share and that outlives
         each of them; None for a server of one process.
+    worker:
+        Which of those processes this is; it goes on counting where the one with the same number before it ended.
+    registry:
+        Models that are there already.
+    follow:
+        Whether the stores are looked at; otherwise there are no models but those of ``registry``.
     """
     settings = settings or Settings()
-    metrics, registry, lifecycle = Metrics(), Registry(), Lifecycle()
-    grids = GridCache(settings.max_grids, settings.max_grid_bytes, settings.max_frequencies)
-    analyses = AnalysisStore(settings, decode_analysis)
+    registry, lifecycle = registry or Registry(), Lifecycle()
+    metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
+    grids = GridCache(settings.max_grids, settings.max_grid_bytes, settings.max_frequencies, grid_shelf(settings, shared))
+    analyses = AnalysisStore(settings, decode_analysis, analysis_shelf(settings, shared))
     workers = settings.threads or available_cpus()
     queue: WorkQueue[Any, Any] = WorkQueue(
         evaluating_both(Evaluator(metrics), LikelihoodEvaluator(metrics, bind or _likelihood)),
@@ -186,20 +204,23 @@ def create_app(
         group_cost=settings.group_samples,
         metrics=metrics,
     )
-    loader = Loader(registry, source or _stores(settings), factory or _surrogate, Selection(settings.models))
-    health = Health(registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds)
+    loader = loader_of(settings, registry, source, factory)
+    health = Health(
+        registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds, settings.stuck_seconds
+    )
     maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
     waveforms = WaveformService(settings, registry, grids, queue, lifecycle)
     likelihoods = LikelihoodService(settings, registry, analyses, queue, lifecycle, workers)
-    metrics.watch("bnserve_ready", "1 when the ready path answers 200", lambda: float(health.reason_unready() is None))
-    metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
-    metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.waiting)
-    metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: settings.queue_samples)
+    _watch(metrics, settings, queue, health)
     metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: waveforms.answer_bytes)
-    metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: grids.stored_bytes)
-    metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses))
-    metrics.watch("bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes)
+    metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: grids.stored_bytes, is_common=True)
+    metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses), is_common=True)
+    metrics.watch(
+        "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
+    )
     metrics.watch("bnserve_uploads_bytes", "Memory of analyses on their way", lambda: likelihoods.uploads.taken)
+    if shared is None:
+        metrics.watch("bnserve_workers", "Worker processes", lambda: 1.0)
     parts = Parts(
         settings,
         registry,
@@ -214,7 +235,38 @@ def create_app(
         metrics,
         shared,
     )
-    return Application(parts, wait_for_models)
+    return Application(parts, wait_for_models, follow)
+
+
+def loader_of(
+    settings: Settings, registry: Registry, source: ModelSource | None = None, factory: ModelFactory | None = None
+) -> Loader:
+    """What loads the models of the settings into a registry; ``source`` and ``factory`` as for :func:`create_app`."""
+    return Loader(registry, source or _stores(settings), factory or _surrogate, Selection(settings.models))
+
+
+def grid_shelf(settings: Settings, shared: Path | None) -> Shelf | None:
+    """Where the workers of one server keep the grids that were uploaded to any of them."""
+    if shared is None:
+        return None
+    return Shelf(shared / "grids", settings.max_grids, settings.max_grid_bytes, settings.max_grid_bytes)
+
+
+def analysis_shelf(settings: Settings, shared: Path | None) -> Shelf | None:
+    """Where they keep the analyses."""
+    if shared is None:
+        return None
+    own, together = settings.max_owner_analyses_bytes, settings.max_analyses_bytes
+    return Shelf(shared / "analyses", settings.max_analyses, own, together)
+
+
+def _watch(metrics: Metrics, settings: Settings, queue: WorkQueue[Any, Any], health: Health) -> None:
+    """Show what operators look at first."""
+    ready = "1 when the ready path answers 200"
+    metrics.watch("bnserve_ready", ready, lambda: float(health.reason_unready() is None), is_common=True)
+    metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
+    metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.waiting)
+    metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: settings.queue_samples)
 
 
 def _stores(settings: Settings) -> ModelSource:

@@ -1,9 +1,11 @@
 """Batching without a timer: idle workers take a request at once, busy workers find several waiting and take them
 together.
 
-The queue knows neither physics nor HTTP. A job is a payload with a key and a cost; jobs of one key may be evaluated in
-one call. Everything but the evaluation itself happens on the event loop or under one short lock; jobs whose evaluation
-takes less time than the hand-over to a worker are evaluated there too, all that came in one turn of the loop together.
+The queue knows neither physics nor HTTP. A job is a payload with a key, a cost and an owner; jobs of one key may be
+evaluated in one call. Owners are served in fair order, and one alone may fill the queue, until others come: then what
+he has beyond his fair part is refused, the newest first. Everything but the evaluation itself happens on the event loop
+or under one short lock; jobs whose evaluation takes less time than the hand-over to a worker are evaluated there too,
+all that came in one turn of the loop together.
 """
 
 from __future__ import annotations
@@ -12,13 +14,16 @@ import asyncio
 import logging
 import threading
 import time
-from collections import OrderedDict, deque
+from collections import deque
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
-from bnserve_protocol import DeadlineExceeded, Draining, Overloaded
+from bnserve_protocol import DeadlineExceeded, Draining, Overloaded, ShareExceeded
+from bnserve_service.fair_line import FairLine
+from bnserve_service.holdings import Holdings
 from bnserve_service.metrics import Metrics
+from bnserve_service.quick_turns import QuickTurns
 
 P = TypeVar("P")
 R = TypeVar("R")
@@ -42,6 +47,8 @@ class Job(Generic[P, R]):
     submitted: float = field(default_factory=time.monotonic)
     quick: bool = False
     """Whether it is evaluated on the event loop."""
+    owner: str = ""
+    """Whose share it counts towards."""
     timer: asyncio.TimerHandle | None = None
     deliver: Callable[[R | BaseException], None] | None = None
     """Called with the outcome, in place of resolving ``result``."""
@@ -80,12 +87,11 @@ class WorkQueue(Generic[P, R]):
         metrics: Metrics,
     ) -> None:
         self._evaluate = evaluate
-        self._capacity = capacity
         self._group_cost = group_cost
         self._metrics = metrics
-        self._groups: OrderedDict[Hashable, deque[Job[P, R]]] = OrderedDict()
-        self._quick: list[Job[P, R]] = []
-        self._cost = 0
+        self._line: FairLine[Job[P, R]] = FairLine()
+        self._quick: QuickTurns[Job[P, R]] = QuickTurns()
+        self._holdings = Holdings(capacity)
         self._rate = _ASSUMED_RATE * workers
         self._changed = threading.Condition()
         self._stopping = False
@@ -98,13 +104,13 @@ class WorkQueue(Generic[P, R]):
     @property
     def cost(self) -> int:
         """Work waiting or running, in samples."""
-        return self._cost
+        return self._holdings.total
 
     @property
     def waiting(self) -> int:
         """Jobs that no worker has taken yet."""
         with self._changed:
-            return sum(len(group) for group in self._groups.values())
+            return len(self._line)
 
     def longest_evaluation(self) -> float:
         """Seconds that the slowest worker has been in its present evaluation; 0 when all are idle."""
@@ -121,8 +127,7 @@ class WorkQueue(Generic[P, R]):
         """Refuse what waits, and wait for what runs."""
         with self._changed:
             self._stopping = True
-            waiting = [job for group in self._groups.values() for job in group]
-            self._groups.clear()
+            waiting = self._line.clear()
             self._changed.notify_all()
         for job in waiting:
             self._release(job)
@@ -132,7 +137,14 @@ class WorkQueue(Generic[P, R]):
                 worker.thread.join(timeout=10.0)
 
     def submit(
-        self, key: Hashable, cost: int, payload: P, deadline: float | None = None, *, quick: bool = False
+        self,
+        key: Hashable,
+        cost: int,
+        payload: P,
+        deadline: float | None = None,
+        *,
+        quick: bool = False,
+        owner: str = "",
     ) -> Job[P, R]:
         """Queue a job.
 
@@ -149,11 +161,15 @@ class WorkQueue(Generic[P, R]):
         quick:
             Its evaluation takes less time than handing it to a worker: it is done on the event loop, together with
             the others that this turn of the loop brought in.
+        owner:
+            Who asks; every owner gets a fair part of the workers and of the queue.
 
         Raises
         ------
         Overloaded
             The queue is full; ``retry_after`` says when it may have room, from the measured speed.
+        ShareExceeded
+            The queue is full, others have work in it, and this owner has his fair part of it.
         DeadlineExceeded
             It has passed already.
         """
@@ -161,40 +177,66 @@ class WorkQueue(Generic[P, R]):
         now = time.monotonic()
         if deadline is not None and deadline <= now:
             raise _too_late()
-        if self._cost + cost > self._capacity:
-            raise Overloaded(
-                "The queue of this server is full; try again shortly, or another replica.",
-                retry_after=min(30.0, max(1.0, self._cost / self._rate)),
-            )
-        job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick)
-        self._cost += cost
+        if not self._holdings.fits(cost):
+            self._make_room(owner, cost)
+        job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick, owner)
+        self._holdings.add(owner, cost)
         if quick:
-            if not self._quick:
+            if self._quick.add(job):
                 self._loop.call_soon(self._evaluate_quick)  # after all that this turn of the loop has brought in
-            self._quick.append(job)
             return job
         if deadline is not None:
             job.timer = self._loop.call_later(deadline - now, self._expire, job)
         with self._changed:
-            self._groups.setdefault(key, deque()).append(job)
+            self._line.add(job)
             self._changed.notify()
         return job
+
+    def _make_room(self, owner: str, cost: int) -> None:
+        """Refuse what others have beyond their fair part, or else the job that does not fit."""
+        holdings = self._holdings
+        if not holdings.may_displace(owner, cost):
+            raise self._full(owner)
+        while not holdings.fits(cost):
+            victim = self._newest_beyond_fair_part(owner)
+            if victim is None or not self.withdraw(victim, "share"):
+                raise self._full(owner)
+            _resolve(victim, self._full(victim.owner))
+
+    def _newest_beyond_fair_part(self, newcomer: str) -> Job[P, R] | None:
+        with self._changed:
+            for owner in self._holdings.beyond_fair_part(newcomer):
+                job = self._line.newest(owner)
+                if job is not None:
+                    return job
+        return None
+
+    def _full(self, owner: str) -> Overloaded | ShareExceeded:
+        seconds = min(30.0, self._holdings.backlog(owner) / self._rate)
+        if self._holdings.is_shared_by_others(owner):
+            return ShareExceeded(
+                "This server is busy with the requests of several callers, and you have your fair part of its queue; "
+                "try again when some of yours are answered.",
+                retry_after=max(0.01, seconds),
+            )
+        return Overloaded(
+            "The queue of this server is full; try again shortly, or another replica.", retry_after=max(1.0, seconds)
+        )
 
     def withdraw(self, job: Job[P, R], reason: str) -> bool:
         """Remove a job that nobody waits for; False when a worker has it already. Call it on the event loop."""
         with self._changed:
-            group = self._groups.get(job.key)
-            if group is None or job not in group:
+            if not self._line.remove(job):
                 return False
-            group.remove(job)
-            if not group:
-                del self._groups[job.key]
         self._release(job)
         self._metrics.withdrawn.labels(reason).inc()
         return True
 
     def _evaluate_quick(self) -> None:
-        jobs, self._quick = self._quick, []
+        jobs, later = self._quick.take()
+        if later:
+            assert self._loop is not None, "it has called this"
+            self._loop.call_soon(self._evaluate_quick)
         groups: dict[Hashable, deque[Job[P, R]]] = {}
         for job in jobs:
             if job.result.done():  # its caller went away
@@ -213,7 +255,7 @@ class WorkQueue(Generic[P, R]):
             _resolve(job, _too_late())
 
     def _release(self, job: Job[P, R]) -> None:
-        self._cost -= job.cost
+        self._holdings.remove(job.owner, job.cost)
         if job.timer is not None:
             job.timer.cancel()
 
@@ -232,15 +274,11 @@ class WorkQueue(Generic[P, R]):
 
     def _take(self) -> list[Job[P, R]] | None:
         with self._changed:
-            while not self._groups:
+            while not self._line:
                 if self._stopping:
                     return None
                 self._changed.wait()
-            key, group = self._groups.popitem(last=False)
-            jobs = self._next_of(group)
-            if group:
-                self._groups[key] = group  # at the end: every key gets its turn
-            return jobs
+            return self._line.take(self._group_cost)
 
     def _next_of(self, group: deque[Job[P, R]]) -> list[Job[P, R]]:
         """What is evaluated together next: the first job of a group, and those after it while they fit."""

@@ -111,17 +111,17 @@ class LikelihoodService:
         question.check(self._limits)
         return question
 
-    def submit(self, question: LikelihoodQuestion, deadline: float | None) -> list[Job[Any, Any]]:
+    def submit(self, question: LikelihoodQuestion, deadline: float | None, owner: str = "") -> list[Job[Any, Any]]:
         """Queue a question, in as many pieces as can be evaluated at once; all of them or none.
 
         Raises
         ------
-        Overloaded, DeadlineExceeded
+        Overloaded, ShareExceeded, DeadlineExceeded
         """
         jobs: list[Job[Any, Any]] = []
         try:
             for piece in question.pieces(self._workers, self._piece_cost):
-                jobs.append(self._queue.submit(piece.key, piece.cost, piece, deadline))
+                jobs.append(self._queue.submit(piece.key, piece.cost, piece, deadline, owner=owner))
         except BaseException:
             for job in jobs:
                 self.withdraw(job)

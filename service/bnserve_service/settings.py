@@ -13,8 +13,9 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_valida
 
 from bnserve_protocol import InvalidRequest, Limits
 
-Scope: TypeAlias = Literal["evaluate", "upload"]
-ALL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")
+Scope: TypeAlias = Literal["evaluate", "upload", "admin"]
+USUAL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")
+"""What a sampler needs. ``admin`` is for operators: metrics, and looking at the stores now."""
 
 ROW_COST = 1_000
 """Work of one row beside its samples, in samples: about 5 us against 5 ns per sample."""
@@ -36,12 +37,46 @@ class Token(BaseModel):
 
     name: str = "token"
     sha256: str = Field(pattern=r"^[0-9a-f]{64}$")
-    scopes: tuple[Scope, ...] = ALL_SCOPES
+    scopes: tuple[Scope, ...] = USUAL_SCOPES
+    rows_per_second: float | None = Field(default=None, gt=0.0, allow_inf_nan=False)
+    """Rows evaluated per second in the long run; None for no limit."""
+    burst_rows: float | None = Field(default=None, ge=1.0, allow_inf_nan=False)
+    """Rows that may be saved up for a burst; None for those of one second."""
+    max_concurrent: int | None = Field(default=None, ge=1)
+    """Requests under way at the same time."""
+    max_stored_bytes: int | None = Field(default=None, ge=1024)
+    """Uploaded grids and analyses together."""
+
+    @model_validator(mode="after")
+    def _burst_has_a_rate(self) -> Token:
+        if self.burst_rows is not None and self.rows_per_second is None:
+            raise ValueError("burst_rows says how many rows may be saved up; rows_per_second must say how fast")
+        return self
+
+    @property
+    def burst(self) -> float:
+        """Rows that may be saved up; at least one, or nothing could ever be let through."""
+        return self.burst_rows if self.burst_rows is not None else max(1.0, self.rows_per_second or 1.0)
+
+    @property
+    def is_limited(self) -> bool:
+        """Whether its requests have to be counted."""
+        return self.rows_per_second is not None or self.max_concurrent is not None
 
     @classmethod
-    def of(cls, text: str, name: str = "token", scopes: tuple[Scope, ...] = ALL_SCOPES) -> Token:
-        """The token whose text is ``text``; the text itself is not kept."""
-        return cls(name=name, sha256=hashlib.sha256(text.encode()).hexdigest(), scopes=scopes)
+    def of(cls, text: str, name: str = "token", scopes: tuple[Scope, ...] = USUAL_SCOPES, **limits: Any) -> Token:
+        """The token whose text is ``text``; the text itself is not kept.
+
+        Raises
+        ------
+        SettingsInvalid
+            No client could send it.
+        """
+        if not (text.isascii() and text.isprintable() and text.strip() == text != ""):
+            raise SettingsInvalid(
+                "A token is printable ASCII without blanks at its ends; `bnserve tokens new` makes one."
+            )
+        return cls(name=name, sha256=hashlib.sha256(text.encode()).hexdigest(), scopes=scopes, **limits)
 
 
 class Settings(BaseModel):
@@ -105,10 +140,23 @@ class Settings(BaseModel):
     """After SIGTERM, requests are still served for this long, so that load balancers see the ready path first."""
     drain_timeout: float = Field(default=25.0, gt=0)
     """Then requests in flight may take this long: together below the 30 s of container platforms."""
+    hung_seconds: float = Field(default=4.0, ge=1.0)
+    """A worker process without a sign of life for this long is replaced; it gives two each second."""
+    stuck_seconds: float = Field(default=30.0, gt=0)
+    """An evaluation that takes longer will not come back: the largest takes a second or two. The server is unready then,
+    and a worker process is replaced."""
     poll_seconds: float = Field(default=2.0, gt=0)
     """How often the stores are looked at for new versions and labels."""
     self_check_seconds: float = Field(default=10.0, gt=0)
     """How often a tiny evaluation is compared with its stored answer."""
+
+    @model_validator(mode="after")
+    def _tokens_differ(self) -> Settings:
+        digests = [token.sha256 for token in self.tokens]
+        twice = [token.name for token in self.tokens if digests.count(token.sha256) > 1]
+        if twice:
+            raise ValueError(f"the tokens {', '.join(twice)} have the same sha256; keep one of them")
+        return self
 
     @model_validator(mode="after")
     def _one_analysis_fits(self) -> Settings:

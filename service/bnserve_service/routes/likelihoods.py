@@ -48,8 +48,9 @@ class LikelihoodEndpoint:
         model, sha256 = (path["name"], path.get("version")), path["sha256"].lower()
         question = await self._service.ask(context.owner, model, sha256, body, media_type)
         del body
-        jobs = self._service.submit(question, deadline)
-        pieces = await wait_for(jobs, receive, self._service.withdraw)
+        with context.paying(len(question.batch)):
+            jobs = self._service.submit(question, deadline, context.owner)
+            pieces = await wait_for(jobs, receive, self._service.withdraw)
         packed = pack(question, pieces, answer_type)
         await send_answer(send, 200, answer_headers(packed, answer_type, jobs[0].submitted), packed.parts)
 

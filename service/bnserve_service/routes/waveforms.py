@@ -52,8 +52,8 @@ class WaveformEndpoint:
             parameters["name"], parameters.get("version"), body, media_type, answer_type, digest
         )
         del body
-        with self._service.reserve(question):
-            job = self._service.submit(question, deadline)
+        with context.paying(len(question.batch)), self._service.reserve(question, context.owner):
+            job = self._service.submit(question, deadline, context.owner)
             packed = await self._wait(job, receive)
             headers = answer_headers(packed, answer_type, job.submitted)
             await send_answer(send, 200, headers, packed.parts)

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 import hashlib
 import hmac
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Forbidden, Unauthorized
+from bnserve_service.settings import Scope as TokenScope
 from bnserve_service.settings import Token
+from bnserve_service.shares import Share
+from bnserve_service.transport.answers import Header
 from bnserve_service.transport.context import RequestContext, context_of
 
 PUBLIC_PATHS = frozenset({"/", "/docs", "/openapi.json"})
 """Pages without data of their own; what they show, they ask for with the visitor's token."""
+ADMIN_PATHS = frozenset({"/metrics", "/v1/reload"})
+"""What concerns everybody who uses this server."""
+_SCOPES: dict[str, TokenScope] = {"POST": "evaluate", "PUT": "upload", "DELETE": "upload"}
+"""By method; what only reads needs a token, whatever its scopes."""
 
 
 class AccessMiddleware:
-    """Let only callers with a known token through; probes of health need none.
+    """Let only callers with a known token through, within their shares; probes of health need none.
 
     Parameters
     ----------
@@ -25,33 +32,54 @@ class AccessMiddleware:
         The rest of the service.
     tokens:
         The tokens that are let in.
+    shares:
+        By digest: the shares of those tokens that have limits.
     """
 
-    def __init__(self, app: ASGIApp, tokens: Sequence[Token]) -> None:
+    def __init__(self, app: ASGIApp, tokens: Sequence[Token], shares: Mapping[str, Share] | None = None) -> None:
         self._app = app
         self._tokens = tuple(tokens)
+        self._shares = dict(shares or {})
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
-        if not is_public(scope["path"]):
-            self.check(context_of(scope), scope["method"])
-        await self._app(scope, receive, send)
+        if is_public(scope["path"]):
+            await self._app(scope, receive, send)
+            return
+        context = context_of(scope)
+        self.check(context, scope["headers"], scope["method"], scope["path"])
+        if context.share is None:
+            await self._app(scope, receive, send)
+            return
+        context.share.begin()
+        try:
+            await self._app(scope, receive, send)
+        finally:
+            context.share.end()
 
-    def check(self, context: RequestContext, method: str) -> None:
-        """Find out who asks, and whether he may.
+    def check(self, context: RequestContext, headers: Sequence[Header], method: str, path: str) -> None:
+        """Find out who asks, and whether he may, now.
 
         Raises
         ------
-        Unauthorized, Forbidden
+        Unauthorized, Forbidden, ShareExceeded
         """
-        token = self._find(context.headers.get(b"authorization", b""))
+        token = self._find(headers)
         context.caller, context.owner = token.name, token.sha256
-        _require_scope(token, method)
+        needed = "admin" if path in ADMIN_PATHS else _SCOPES.get(method)
+        if needed is not None and needed not in token.scopes:
+            raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")
+        context.share = self._shares.get(token.sha256)
+        if context.share is not None and needed == "evaluate":
+            context.share.check()  # before the body is read
 
-    def _find(self, authorization: bytes) -> Token:
-        kind, _, text = authorization.partition(b" ")
+    def _find(self, headers: Sequence[Header]) -> Token:
+        given = [value for name, value in headers if name == b"authorization"]
+        kind, _, text = (given[0] if len(given) == 1 else b"").partition(b" ")
         digest = hashlib.sha256(text.strip()).hexdigest()
         found = [token for token in self._tokens if hmac.compare_digest(token.sha256, digest)]
+        if len(given) > 1:
+            raise Unauthorized("This request has several Authorization headers; send one.")
         if kind.lower() != b"bearer" or not found:
             raise Unauthorized("This service needs a token: send 'Authorization: Bearer <token>' with a valid one.")
         return found[0]
@@ -60,9 +88,3 @@ class AccessMiddleware:
 def is_public(path: str) -> bool:
     """Whether a path is answered without a token."""
     return path in PUBLIC_PATHS or path.startswith("/v2/")
-
-
-def _require_scope(token: Token, method: str) -> None:
-    needed = {"POST": "evaluate", "PUT": "upload", "DELETE": "upload"}.get(method)
-    if needed is not None and needed not in token.scopes:
-        raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")

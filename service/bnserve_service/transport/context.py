@@ -7,6 +7,7 @@ import os
 import re
 import time
 from collections.abc import Iterable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 
 from fastapi.exceptions import RequestValidationError
@@ -23,6 +24,7 @@ from bnserve_service.errors import (
 )
 from bnserve_service.lifecycle import Lifecycle
 from bnserve_service.metrics import Metrics
+from bnserve_service.shares import Share
 from bnserve_service.transport.answers import Header, body_headers, send_answer
 
 logger = logging.getLogger("bnserve.service")
@@ -31,6 +33,7 @@ access_logger = logging.getLogger("bnserve.access")
 _REQUEST_ID = re.compile(rb"[\x21-\x7e]{1,128}")
 _KEY = "bnserve.request"
 NO_ROUTE = "none"
+_FREE = nullcontext()
 
 
 @dataclass(slots=True)
@@ -46,6 +49,8 @@ class RequestContext:
     caller: str = "anonymous"
     owner: str = ""
     """To whom belongs what this request uploads: the digest of the token; without tokens, everybody is one."""
+    share: Share | None = None
+    """What the token may still do, if that is limited."""
     request_digest: str | None = None
     """SHA-256 of the request body, in hexadecimal, once it was read."""
     status: int = 0
@@ -70,6 +75,15 @@ class RequestContext:
         if not 0.0 <= milliseconds < 1e12:
             raise InvalidRequest("X-Request-Deadline-Ms must be a number of milliseconds from now.")
         return self.arrived + milliseconds / 1e3
+
+    def paying(self, rows: int) -> AbstractContextManager[None]:
+        """Charge rows to the caller's share, if there is one; given back when they cannot be evaluated now.
+
+        Raises
+        ------
+        ShareExceeded
+        """
+        return _FREE if self.share is None else self.share.paying(rows)
 
 
 def context_of(scope: Scope) -> RequestContext:

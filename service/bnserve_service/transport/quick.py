@@ -7,11 +7,12 @@ does not take goes the way of every other request.
 
 from __future__ import annotations
 
+import asyncio
 import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from bnserve_protocol import MSGPACK
+from bnserve_protocol import MSGPACK, ShareExceeded
 from bnserve_service.answering import WaveformService
 from bnserve_service.evaluation import Packed, Question
 from bnserve_service.lifecycle import Lifecycle
@@ -68,27 +69,47 @@ class QuickLane:
         """
         context = new_context(headers)
         try:
-            question = self._ask(context, url, body)
+            question = self._ask(context, url, headers, body)
             if not question.quick:
                 return False
-            self._service.submit_quick(
-                question, context.deadline, lambda outcome: self._finish(context, outcome, finish)
-            )
+            self._submit(context, question, finish)
+        except ShareExceeded as error:
+            asyncio.get_running_loop().call_soon(self._finish, context, error, finish)
         except Exception:  # the other way finds it again, and says what is wrong
             return False
         return True
 
-    def _ask(self, context: RequestContext, url: bytes, body: bytes) -> Question:
+    def _ask(self, context: RequestContext, url: bytes, headers: list[Header], body: bytes) -> Question:
         found = _URL.fullmatch(url)
         assert found is not None, "only what was offered"
         name, version = found[1].decode(), found[2].decode() if found[2] else None
         context.route = PATHS[0] if version is None else PATHS[1]
         if self._access is not None:
-            self._access.check(context, "POST")
+            self._access.check(context, headers, "POST", url.decode())
         media_type = request_media_type(context.headers)
         answer_type = answer_media_type(context.headers, preferred=media_type)
         context.request_digest = self._service.digest_now(body)
         return self._service.ask_now(name, version, body, media_type, answer_type, answer_digest(context.headers))
+
+    def _submit(self, context: RequestContext, question: Question, finish: Finish) -> None:
+        share = context.share
+        if share is None:
+            self._service.submit_quick(
+                question, context.deadline, lambda outcome: self._finish(context, outcome, finish), context.owner
+            )
+            return
+
+        def deliver(outcome: Packed | BaseException) -> None:
+            share.end()
+            self._finish(context, outcome, finish)
+
+        share.begin()
+        try:
+            with share.paying(len(question.batch)):
+                self._service.submit_quick(question, context.deadline, deliver, context.owner)
+        except BaseException:
+            share.end()
+            raise
 
     def _finish(self, context: RequestContext, outcome: Packed | BaseException, finish: Finish) -> None:
         if isinstance(outcome, BaseException):

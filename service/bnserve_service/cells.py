@@ -1,0 +1,110 @@
+"""A row of numbers that the processes of one server change together: in memory, or in a file that all of them map."""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import hashlib
+import mmap
+import os
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+_PATIENCE = 1e-3
+"""Seconds to wait for another process. One that was stopped while it held the lock must not stop the others: they go on
+without it, and at worst a request is counted wrongly."""
+_MOST_PROCESSES = 256
+
+
+class Cells:
+    """``count`` float64, all 0 at first, and as many again that belong to this process and vanish with it.
+
+    Parameters
+    ----------
+    count:
+        How many.
+    shared:
+        A folder that the processes of one server share, and that outlives each of them; None for one process.
+    name:
+        What the numbers are for: processes that give the same name and count share them.
+    """
+
+    def __init__(self, count: int, shared: Path | None = None, name: str = "") -> None:
+        self._count = count
+        self._file: int | None = None
+        self._slot = 0
+        slots = 1
+        if shared is None:
+            memory: bytearray | mmap.mmap = bytearray(8 * 2 * count)
+        else:
+            slots = _MOST_PROCESSES
+            self._file = _open(shared, name, 8 * (1 + slots) * count)
+            memory = mmap.mmap(self._file, 8 * (1 + slots) * count)
+            self._slot = _claim_slot(self._file)
+        self._cells = memoryview(memory).cast("d")
+        self._slots = slots
+        for index in range(count):
+            self.set_own(index, 0.0)  # what a process left behind that had this slot and is dead
+
+    def __getitem__(self, index: int) -> float:
+        return self._cells[index]
+
+    def __setitem__(self, index: int, value: float) -> None:
+        self._cells[index] = value
+
+    def own(self, index: int) -> float:
+        """A number of this process alone."""
+        return self._cells[(1 + self._slot) * self._count + index]
+
+    def set_own(self, index: int, value: float) -> None:
+        """Change a number of this process alone."""
+        self._cells[(1 + self._slot) * self._count + index] = value
+
+    def over_processes(self, index: int) -> float:
+        """The sum of what all processes have as their own there."""
+        return sum(self._cells[self._count + index :: self._count][: self._slots])
+
+    @contextlib.contextmanager
+    def alone(self) -> Iterator[None]:
+        """Keep the other processes out for a moment. (Within this process, only the event loop changes anything.)"""
+        if self._file is None:
+            yield
+            return
+        held = _lock(self._file)
+        try:
+            yield
+        finally:
+            if held:
+                fcntl.lockf(self._file, fcntl.LOCK_UN, 1, 0)
+
+
+def name_of(parts: Sequence[str]) -> str:
+    """A file name that is the same for the same parts."""
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+
+
+def _open(shared: Path, name: str, size: int) -> int:
+    number = os.open(shared / f"cells-{name}", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    os.ftruncate(number, size)  # zeros, or what is there already
+    return number
+
+
+def _claim_slot(number: int) -> int:
+    """A slot that no living process has: the kernel gives locks back when a process dies, however it does."""
+    for slot in range(_MOST_PROCESSES):
+        with contextlib.suppress(OSError):
+            fcntl.lockf(number, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, 1 + slot)
+            return slot
+    return _MOST_PROCESSES - 1
+
+
+def _lock(number: int) -> bool:
+    until = time.monotonic() + _PATIENCE
+    while True:
+        with contextlib.suppress(OSError):
+            fcntl.lockf(number, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, 0)
+            return True
+        if time.monotonic() >= until:
+            return False
+        time.sleep(0)

@@ -1,0 +1,141 @@
+"""What each token may still do now: rows per second and requests at the same time, over all processes of a server."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from bnserve_protocol import ShareExceeded, Unavailable
+from bnserve_service.cells import Cells, name_of
+from bnserve_service.settings import Token
+
+_BALANCE, _CHANGED, _UNDER_WAY = range(3)
+_PER_TOKEN = 3
+_MOMENT = 0.05
+"""Seconds after which a request may have ended: what is said to a token that has as many under way as it may."""
+
+
+class Share:
+    """The share of one token.
+
+    Rows are paid from an account that fills at ``rows_per_second`` up to ``burst_rows``. A request is let through when
+    there is a row in it, however many it has itself: what it takes beyond leaves a debt, which is paid off before the
+    next. So nobody is let through more than his rate in the long run, and no request is too large to be let through.
+    """
+
+    def __init__(self, token: Token, cells: Cells, place: int) -> None:
+        self._name = token.name
+        self._rate = token.rows_per_second
+        self._burst = token.burst
+        self._most_under_way = token.max_concurrent
+        self._cells = cells
+        self._place = place
+        if self._rate is not None and cells[place + _CHANGED] == 0.0:
+            self._settle(self._burst)
+
+    def check(self) -> None:
+        """Refuse early what :meth:`take` would refuse.
+
+        Raises
+        ------
+        ShareExceeded
+        """
+        if self._rate is not None:
+            self._refuse_in_debt(self._balance())
+
+    def take(self, rows: int) -> None:
+        """Pay for some rows.
+
+        Raises
+        ------
+        ShareExceeded
+            There is no row in the account; ``retry_after`` says when there will be one.
+        """
+        if self._rate is None:
+            return
+        with self._cells.alone():
+            balance = self._balance()
+            self._refuse_in_debt(balance)
+            self._settle(balance - rows)
+
+    def give_back(self, rows: int) -> None:
+        """Pay back rows that were not evaluated."""
+        if self._rate is not None:
+            with self._cells.alone():
+                self._settle(min(self._burst, self._balance() + rows))
+
+    @contextmanager
+    def paying(self, rows: int) -> Iterator[None]:
+        """Pay for rows, and get them back if they are not evaluated because the server cannot now."""
+        self.take(rows)
+        try:
+            yield
+        except Unavailable:
+            self.give_back(rows)
+            raise
+
+    def begin(self) -> None:
+        """A request begins.
+
+        Raises
+        ------
+        ShareExceeded
+            As many as allowed are under way.
+        """
+        if self._most_under_way is None:
+            return
+        under_way = self._place + _UNDER_WAY
+        with self._cells.alone():
+            if self._cells.over_processes(under_way) >= self._most_under_way:
+                raise ShareExceeded(
+                    f"This token may have {self._most_under_way} requests under way at the same time, and has as many; "
+                    "send the next when one is answered.",
+                    retry_after=_MOMENT,
+                )
+            self._cells.set_own(under_way, self._cells.own(under_way) + 1.0)
+
+    def end(self) -> None:
+        """A request that began is over."""
+        if self._most_under_way is not None:
+            under_way = self._place + _UNDER_WAY
+            self._cells.set_own(under_way, self._cells.own(under_way) - 1.0)
+
+    def _balance(self) -> float:
+        """Rows in the account now; negative while there is a debt."""
+        assert self._rate is not None, "only such shares have an account"
+        passed = time.monotonic() - self._cells[self._place + _CHANGED]
+        if passed < 0.0:  # the machine was started anew since
+            return self._burst
+        return min(self._burst, self._cells[self._place + _BALANCE] + passed * self._rate)
+
+    def _settle(self, balance: float) -> None:
+        self._cells[self._place + _BALANCE] = balance
+        self._cells[self._place + _CHANGED] = time.monotonic()
+
+    def _refuse_in_debt(self, balance: float) -> None:
+        if balance < 1.0:
+            assert self._rate is not None, "only such shares have an account"
+            raise ShareExceeded(
+                f"This token may have {self._rate:g} rows per second evaluated, and is over it; wait, or ask the "
+                "operators for a larger share.",
+                retry_after=(1.0 - balance) / self._rate,
+            )
+
+
+def shares_of(tokens: Sequence[Token], shared: Path | None = None) -> dict[str, Share]:
+    """The shares of those tokens that have limits, by the token's digest.
+
+    Parameters
+    ----------
+    tokens:
+        The tokens of the settings.
+    shared:
+        A folder that the processes of one server share; None for one process.
+    """
+    limited = [token for token in tokens if token.is_limited]
+    if not limited:
+        return {}
+    cells = Cells(_PER_TOKEN * len(limited), shared, name_of([token.model_dump_json() for token in limited]))
+    return {token.sha256: Share(token, cells, _PER_TOKEN * number) for number, token in enumerate(limited)}
