@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol, TypeAlias, cast
 
 from bnserve_protocol import BnserveError
 
-Figures: TypeAlias = dict[str, float | int | str]
+Figures: TypeAlias = Mapping[str, float | int | str]
 Log: TypeAlias = Callable[[str], None]
 
 NAMES = (

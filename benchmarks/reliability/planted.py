@@ -38,7 +38,73 @@ def _after_each_group(what: Callable[[Any], Any]) -> None:
     Evaluator.__call__ = evaluate_and_keep  # type: ignore[method-assign]
 
 
-FAULTS: dict[str, Callable[[], None]] = {"leak": leak, "open-files": open_files}
+def no_watch() -> None:
+    """Nobody looks whether the caller is still there."""
+    from bnserve_service.routes import waiting
+
+    async def forget_never(*_: Any) -> None:
+        """Let the work of those who went away be done."""
+
+    waiting._forget_when_gone = forget_never  # type: ignore[assignment]
+
+
+def no_cap() -> None:
+    """Bodies are read to their end, whatever their size."""
+    from bnserve_service.routes import analyses, grids, likelihoods, waveforms
+    from bnserve_service.transport import body
+
+    async def read_all(_headers: Any, receive: Any, _limit: int, _timeout: float) -> bytes:
+        return await body._collect(receive, 2**62)
+
+    for module in (analyses, grids, likelihoods, waveforms):
+        module.read_body = read_all  # type: ignore[attr-defined]
+
+
+def prefix_compare() -> None:
+    """A token is compared up to the length of what was sent."""
+    from bnserve_protocol import Unauthorized
+    from bnserve_service.transport.access import AccessMiddleware
+
+    find: Any = AccessMiddleware._find
+    known: list[bytes] = []
+
+    def find_by_prefix(self: AccessMiddleware, given: Any) -> Any:
+        sent = given if isinstance(given, bytes) else dict(given).get(b"authorization", b"")
+        try:
+            token = find(self, given)
+        except Unauthorized:
+            for right in known:
+                if len(sent) > len(b"Bearer ") and right.startswith(sent):
+                    return find(self, right if isinstance(given, bytes) else [(b"authorization", right)])
+            raise
+        known.append(sent)
+        return token
+
+    AccessMiddleware._find = find_by_prefix  # type: ignore[assignment,method-assign]
+
+
+def log_tokens() -> None:
+    """The access log shows who asked with what."""
+    from bnserve_service.transport import context
+
+    new = context.new_context
+
+    def new_and_told(headers: Any) -> context.RequestContext:
+        made = new(headers)
+        context.access_logger.info("asked with %r", made.headers.get(b"authorization"))
+        return made
+
+    context.new_context = new_and_told  # type: ignore[assignment]
+
+
+FAULTS: dict[str, Callable[[], None]] = {
+    "leak": leak,
+    "log-tokens": log_tokens,
+    "no-cap": no_cap,
+    "no-watch": no_watch,
+    "open-files": open_files,
+    "prefix-compare": prefix_compare,
+}
 
 
 def main() -> int:
