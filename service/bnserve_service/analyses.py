@@ -8,9 +8,18 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from bnserve_protocol import Analysis, AnalysisInvalid, AnalysisUnknown, Likelihood, TooLarge, WaveformModel
+from bnserve_protocol import (
+    Analysis,
+    AnalysisInvalid,
+    AnalysisUnknown,
+    BnserveError,
+    Likelihood,
+    TooLarge,
+    WaveformModel,
+)
 from bnserve_service.registry import LoadedModel
 from bnserve_service.settings import Settings
+from bnserve_service.shared_files import Shelf, no_room
 
 LikelihoodFactory: TypeAlias = Callable[[WaveformModel, Analysis], Likelihood]
 """Makes the likelihood of an analysis with a model; ``bnserve_inference.likelihood`` is one."""
@@ -78,9 +87,14 @@ class AnalysisStore:
         The limits.
     decode:
         Turns a body into an analysis, or refuses it.
+    shelf:
+        Where all workers of one server keep them; None for a server of one process.
     """
 
-    def __init__(self, settings: Settings, decode: Callable[[bytes], Analysis]) -> None:
+    def __init__(
+        self, settings: Settings, decode: Callable[[bytes | memoryview], Analysis], shelf: Shelf | None = None
+    ) -> None:
+        self._shelf = shelf
         self._settings = settings
         self._decode = decode
         self._owners: dict[str, _Belongings] = {}
@@ -89,12 +103,12 @@ class AnalysisStore:
         self._lock = threading.Lock()
 
     def __len__(self) -> int:
-        return len(self._holders)
+        return len(self._holders) if self._shelf is None else self._shelf.usage()[0]
 
     @property
     def stored_bytes(self) -> int:
         """Memory of the analyses held now."""
-        return self._bytes
+        return self._bytes if self._shelf is None else self._shelf.usage()[1]
 
     def get(self, owner: str, sha256: str) -> StoredAnalysis:
         """An analysis of this owner.
@@ -104,11 +118,20 @@ class AnalysisStore:
         AnalysisUnknown
             Never uploaded by this owner, or dropped since.
         """
+        if self._shelf is not None and not self._shelf.use(owner, sha256):
+            self._let_go(owner, sha256)
         with self._lock:
             found = self._find(owner, sha256)
-            if found is None:
-                raise AnalysisUnknown(UNKNOWN)
-            return found
+        found = found or self._from_shelf(owner, sha256)
+        if found is None:
+            raise AnalysisUnknown(UNKNOWN)
+        return found
+
+    def bytes_to_read(self, owner: str, sha256: str) -> int:
+        """How much :meth:`get` has to read and check: what another worker received, when it is first used here."""
+        if self._shelf is None or sha256 in self._holders:
+            return 0
+        return self._shelf.size(owner, sha256) or 0
 
     def put(self, owner: str, sha256: str, body: bytes) -> tuple[StoredAnalysis, bool]:
         """Keep an uploaded analysis, after checking that it is one and that its digest is ``sha256``.
@@ -129,8 +152,13 @@ class AnalysisStore:
                 f"The analysis in the body has the digest {analysis.digest}, not the one in the path; if it arrived as "
                 "you meant it, PUT it under that one."
             )
-        with self._lock:
-            return self._keep(owner, StoredAnalysis(analysis, len(body)))
+        if self._shelf is None:
+            with self._lock:
+                return self._keep(owner, StoredAnalysis(analysis, len(body)))
+        is_new = not self._shelf.use(owner, sha256)
+        if is_new and not self._shelf.put(owner, sha256, body):
+            raise no_room()
+        return self.get(owner, sha256), is_new
 
     def drop(self, owner: str, sha256: str) -> None:
         """Forget an analysis of this owner.
@@ -139,10 +167,38 @@ class AnalysisStore:
         ------
         AnalysisUnknown
         """
+        was_here = self._let_go(owner, sha256)
+        if not (was_here if self._shelf is None else self._shelf.drop(owner, sha256)):
+            raise AnalysisUnknown(UNKNOWN)
+
+    def tidy(self) -> None:
+        """Give back the memory of analyses that another worker has dropped."""
+        if self._shelf is not None:
+            for owner, sha256 in [(owner, name) for owner, has in list(self._owners.items()) for name in has.analyses]:
+                if not self._shelf.has(owner, sha256):
+                    self._let_go(owner, sha256)
+
+    def _from_shelf(self, owner: str, sha256: str) -> StoredAnalysis | None:
+        """What another worker received, checked as if it had just arrived."""
+        content = self._shelf.read(owner, sha256) if self._shelf is not None else None
+        if content is None or self._shelf is None:
+            return None
+        try:
+            analysis = self._decode(content)
+        except BnserveError:
+            analysis = None
+        if analysis is None or analysis.digest != f"sha256:{sha256}":
+            self._shelf.drop(owner, sha256)
+            return None
         with self._lock:
-            if self._find(owner, sha256) is None:
-                raise AnalysisUnknown(UNKNOWN)
-            self._forget(owner, sha256)
+            return self._keep(owner, StoredAnalysis(analysis, len(content)))[0]
+
+    def _let_go(self, owner: str, sha256: str) -> bool:
+        with self._lock:
+            was_here = self._find(owner, sha256) is not None
+            if was_here:
+                self._forget(owner, sha256)
+            return was_here
 
     def _find(self, owner: str, sha256: str) -> StoredAnalysis | None:
         belongings = self._owners.get(owner)

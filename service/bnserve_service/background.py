@@ -8,6 +8,7 @@ from typing import Any, Self
 
 from bnserve_service.app import create_app
 from bnserve_service.listening import address_of
+from bnserve_service.metrics_port import open_metrics_listener
 from bnserve_service.server import BnserveServer, open_listener
 from bnserve_service.settings import Settings
 
@@ -55,6 +56,11 @@ class BackgroundServer:
 
     def __enter__(self) -> Self:
         self._listener = open_listener(self.settings)
+        try:
+            self._metrics_listener = open_metrics_listener(self.settings)
+        except BaseException:
+            self._listener.close()
+            raise
         self.address = address_of(self._listener)
         self._thread.start()
         self._server.ready.wait()
@@ -70,7 +76,7 @@ class BackgroundServer:
     def _run(self) -> None:
         try:
             with self._listener:
-                self._server.run(self._listener, with_signals=False)
+                self._server.run(self._listener, with_signals=False, metrics_listener=self._metrics_listener)
         except Exception as error:
             self._failure = error
         finally:

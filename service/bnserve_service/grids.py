@@ -1,4 +1,4 @@
-"""Uploaded frequency grids, by digest, least recently used dropped first."""
+"""Uploaded frequency grids, by digest, least recently used dropped first; one process's, or known to all workers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,19 @@ from collections import OrderedDict
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import GridUnknown, InvalidFrequencies, TooLarge, UndecodableBody, as_frequencies, grid_digest
+from bnserve_protocol import (
+    BnserveError,
+    GridUnknown,
+    InvalidFrequencies,
+    TooLarge,
+    UndecodableBody,
+    as_frequencies,
+    grid_digest,
+)
+from bnserve_service.shared_files import Shelf, no_room
+
+_EVERYBODY = ""
+"""Grids belong to nobody: whoever knows the digest knows the grid."""
 
 
 class GridCache:
@@ -22,9 +34,12 @@ class GridCache:
         Memory of all of them together.
     max_frequencies:
         Points of one grid.
+    shelf:
+        Where all workers of one server keep them; None for a server of one process.
     """
 
-    def __init__(self, max_grids: int, max_bytes: int, max_frequencies: int) -> None:
+    def __init__(self, max_grids: int, max_bytes: int, max_frequencies: int, shelf: Shelf | None = None) -> None:
+        self._shelf = shelf
         self._max_grids = max_grids
         self._max_bytes = max_bytes
         self._max_frequencies = max_frequencies
@@ -33,12 +48,12 @@ class GridCache:
         self._lock = threading.Lock()
 
     def __len__(self) -> int:
-        return len(self._grids)
+        return len(self._grids) if self._shelf is None else self._shelf.usage()[0]
 
     @property
     def stored_bytes(self) -> int:
         """Memory of the grids held now."""
-        return self._bytes
+        return self._bytes if self._shelf is None else self._shelf.usage()[1]
 
     def get(self, sha256: str) -> NDArray[np.float64]:
         """The frequencies in Hz, read-only ``(M,)``.
@@ -48,14 +63,20 @@ class GridCache:
         GridUnknown
             Never uploaded, or dropped since.
         """
+        if self._shelf is not None and not self._shelf.use(_EVERYBODY, sha256):
+            self._forget(sha256)
         with self._lock:
-            try:
+            found = self._grids.get(sha256)
+            if found is not None:
                 self._grids.move_to_end(sha256)
-                return self._grids[sha256]
-            except KeyError:
-                raise GridUnknown(
-                    "No uploaded grid has that digest; upload it with PUT /v1/grids/{sha256} and repeat the request."
-                ) from None
+                return found
+        found = self._from_shelf(sha256)
+        if found is None:
+            raise GridUnknown(
+                "No uploaded grid has that digest; upload it with PUT /v1/grids/{sha256} and repeat the request."
+            )
+        self._keep(sha256, found)
+        return found
 
     def put(self, sha256: str, body: bytes) -> tuple[int, bool]:
         """Keep an uploaded grid, after checking that it is one and that its digest is ``sha256``.
@@ -73,6 +94,21 @@ class GridCache:
         if actual != sha256:
             raise InvalidFrequencies(f"The SHA-256 of the body is {actual}, not the digest in the path; send it again.")
         as_frequencies(frequencies)
+        if self._shelf is None:
+            return len(frequencies), self._keep(sha256, frequencies)
+        is_new = not self._shelf.use(_EVERYBODY, sha256)
+        if is_new and not self._shelf.put(_EVERYBODY, sha256, body):
+            raise no_room()
+        return len(frequencies), is_new
+
+    def tidy(self) -> None:
+        """Give back the memory of grids that another worker has dropped."""
+        if self._shelf is not None:
+            for sha256 in list(self._grids):
+                if not self._shelf.has(_EVERYBODY, sha256):
+                    self._forget(sha256)
+
+    def _keep(self, sha256: str, frequencies: NDArray[np.float64]) -> bool:
         with self._lock:
             is_new = sha256 not in self._grids
             if is_new:
@@ -81,9 +117,28 @@ class GridCache:
                 self._shrink()
             else:
                 self._grids.move_to_end(sha256)
-        return len(frequencies), is_new
+        return is_new
 
-    def _decode(self, body: bytes) -> NDArray[np.float64]:
+    def _forget(self, sha256: str) -> None:
+        with self._lock:
+            dropped = self._grids.pop(sha256, None)
+            self._bytes -= dropped.nbytes if dropped is not None else 0
+
+    def _from_shelf(self, sha256: str) -> NDArray[np.float64] | None:
+        """What a worker uploaded, checked as if it had just arrived."""
+        content = self._shelf.read(_EVERYBODY, sha256) if self._shelf is not None else None
+        if content is None or self._shelf is None:
+            return None
+        try:
+            frequencies = self._decode(content)
+            if grid_digest(frequencies) == sha256:
+                return frequencies
+        except BnserveError:
+            pass
+        self._shelf.drop(_EVERYBODY, sha256)
+        return None
+
+    def _decode(self, body: bytes | memoryview) -> NDArray[np.float64]:
         if len(body) % 8:
             raise UndecodableBody(
                 f"A grid travels as raw little-endian float64, 8 bytes each; {len(body)} bytes do not divide by 8."

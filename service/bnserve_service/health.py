@@ -12,8 +12,6 @@ from bnserve_service.registry import LoadedModel, Registry
 
 logger = logging.getLogger("bnserve.health")
 
-STUCK_SECONDS = 60.0
-"""The largest request takes a second or two; a worker that is busy for a minute will not come back."""
 STALE_CHECKS = 6.0
 """Missed self checks after which the last good one counts no more."""
 
@@ -29,6 +27,8 @@ class Health:
         Seconds that the slowest worker has been busy.
     check_interval:
         Seconds between two calls of :meth:`check_models`.
+    stuck_seconds:
+        An evaluation that takes longer will not come back.
     """
 
     def __init__(
@@ -37,10 +37,12 @@ class Health:
         lifecycle: Lifecycle,
         longest_evaluation: Callable[[], float],
         check_interval: float,
+        stuck_seconds: float,
     ) -> None:
         self._registry = registry
         self._lifecycle = lifecycle
         self._longest_evaluation = longest_evaluation
+        self._stuck_seconds = stuck_seconds
         self._stale_after = STALE_CHECKS * check_interval
         self._wrong: dict[LoadedModel, str] = {}
         self._checked = time.monotonic()
@@ -68,7 +70,7 @@ class Health:
             return ModelLoading("No model could be loaded; the log and `bnserve models verify` say why.")
         if time.monotonic() - self._checked > self._stale_after:
             return Unavailable("The self check of the models has not run for too long.")
-        if self._longest_evaluation() > STUCK_SECONDS:
+        if self._longest_evaluation() > self._stuck_seconds:
             return Overloaded("A worker does not come back from its evaluation.")
         for loaded, reason in self._wrong.items():
             return Unavailable(f"Model '{loaded.identity.name}' {reason}.")

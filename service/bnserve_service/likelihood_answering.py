@@ -103,7 +103,8 @@ class LikelihoodService:
         """
         self._lifecycle.check_accepting()
         loaded = self._registry.find(*model)
-        stored = self._analyses.get(owner, sha256)
+        to_read = self._analyses.bytes_to_read(owner, sha256)
+        stored: StoredAnalysis = await self.large_or_small(to_read, self._analyses.get, owner, sha256)
         request: LikelihoodRequest = await self.large_or_small(len(body), decode_likelihood_request, body, media_type)
         if request.analysis not in (None, stored.analysis.digest):
             raise InvalidRequest("The body names another analysis than the path; they must be the same.")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import logging
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
 import numpy as np
@@ -13,12 +14,15 @@ from prometheus_client import (
     Counter,
     Gauge,
     Info,
+    Metric,
     ProcessCollector,
     generate_latest,
 )
+from prometheus_client.registry import Collector
 
 from bnserve_protocol import ModelIdentity, RowStatus, __version__
 from bnserve_service.distribution import Distribution
+from bnserve_service.shared_metrics import SharedMetrics
 
 _METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"})
 _SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
@@ -26,11 +30,21 @@ _GROUP_SIZES = (1, 2, 4, 8, 16, 32, 64, 128, 256)
 
 CONTENT_TYPE = CONTENT_TYPE_LATEST
 
+logger = logging.getLogger("bnserve.metrics")
+
 
 class Metrics:
-    """The instruments of one server, in a registry of their own."""
+    """The instruments of one server, in a registry of their own.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    shared:
+        What the other workers of this server have counted; None for a server of one process.
+    """
+
+    def __init__(self, shared: SharedMetrics | None = None) -> None:
+        self._shared = shared
+        self._largest: set[str] = {"bnserve_build", "bnserve_model_info"}
         registry = self.registry = CollectorRegistry()
         ProcessCollector(registry=registry)
         Info("bnserve_build", "The running program", registry=registry).info({"version": __version__})
@@ -62,8 +76,14 @@ class Metrics:
         self._rows_child = cache(self._rows.labels)
         self._samples_child = cache(self._samples.labels)
 
-    def watch(self, name: str, description: str, value: Callable[[], float]) -> None:
-        """A gauge that is read when it is scraped."""
+    def watch(self, name: str, description: str, value: Callable[[], float], *, is_common: bool = False) -> None:
+        """A gauge that is read when it is scraped.
+
+        Of several workers the values are added, unless each of them says something about the whole server
+        (``is_common``): then the largest counts.
+        """
+        if is_common:
+            self._largest.add(name)
         Gauge(name, description, registry=self.registry).set_function(value)
 
     def observe_request(self, route: str, method: str, status: int, seconds: float) -> None:
@@ -92,6 +112,30 @@ class Metrics:
         for identity in models.values():
             self._models.labels(identity.name, identity.version, identity.digest).set(1)
 
+    def publish(self) -> None:
+        """Write down what was counted, where it outlives this process."""
+        if self._shared is not None:
+            try:
+                self._shared.publish(self.registry.collect())
+            except OSError as error:
+                logger.warning("the metrics could not be written down: %s", error.strerror or error)
+
     def exposition(self) -> bytes:
-        """The text that Prometheus reads."""
-        return generate_latest(self.registry)
+        """The text that Prometheus reads: of all workers together."""
+        if self._shared is None:
+            return generate_latest(self.registry)
+        self.publish()  # or a number read here could be larger than the one that another worker tells next
+        together = CollectorRegistry()
+        together.register(_Merged(self._shared.merged(self._largest)))
+        return generate_latest(together)
+
+
+class _Merged(Collector):
+    """Metrics that were collected already."""
+
+    def __init__(self, metrics: list[Metric]) -> None:
+        self._metrics = metrics
+
+    def collect(self) -> Iterator[Metric]:
+        """What Prometheus reads."""
+        yield from self._metrics

@@ -9,17 +9,17 @@ import signal
 import socket
 import threading
 import time
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Coroutine, Generator
 from typing import Any
 
 import uvicorn
-from prometheus_client import start_http_server
 
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
-from bnserve_service.listening import BACKLOG, CannotListen, address_of, listen_tcp, listen_unix
+from bnserve_service.listening import BACKLOG, address_of, listen_tcp, listen_unix
 from bnserve_service.loading import RefreshReport
-from bnserve_service.settings import Settings
+from bnserve_service.metrics_port import open_metrics_listener, serving_metrics
+from bnserve_service.settings import Settings, SettingsInvalid
 from bnserve_service.transport.protocol import bounded_protocol
 
 logger = logging.getLogger("bnserve.server")
@@ -44,10 +44,18 @@ class BnserveServer:
         What to serve.
     announce:
         Called with one line when the server listens, and with another when its models are ready.
+    beside:
+        What else runs on its event loop, from before it listens until it has drained.
     """
 
-    def __init__(self, app: Application, announce: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        app: Application,
+        announce: Callable[[str], None],
+        beside: Callable[[], Coroutine[Any, Any, None]] | None = None,
+    ) -> None:
         self._app = app
+        self._beside = beside
         self._announce = announce
         self._settings = app.parts.settings
         self._failed: RefreshReport | None = None
@@ -73,8 +81,24 @@ class BnserveServer:
             )
         )
 
-    def run(self, listener: socket.socket, with_signals: bool = True) -> None:
+    @property
+    def accepts(self) -> bool:
+        """Whether connections are taken."""
+        return self._uvicorn.started
+
+    def run(
+        self, listener: socket.socket, with_signals: bool = True, metrics_listener: socket.socket | None = None
+    ) -> None:
         """Serve until told to stop: by SIGTERM or SIGINT; SIGHUP looks at the stores. Or by :meth:`stop` alone.
+
+        Parameters
+        ----------
+        listener:
+            Where callers connect to.
+        with_signals:
+            Whether signals are listened to; only possible in the main thread.
+        metrics_listener:
+            Where the metrics are, when they have a port of their own.
 
         Raises
         ------
@@ -82,15 +106,13 @@ class BnserveServer:
             Not one model could be loaded at start.
         """
         factory = self._uvicorn.config.get_loop_factory()
-        with _metrics_server(self._app) as self.metrics_address, asyncio.Runner(loop_factory=factory) as runner:
+        with (
+            serving_metrics(metrics_listener, self._app.parts.metrics.exposition) as self.metrics_address,
+            asyncio.Runner(loop_factory=factory) as runner,
+        ):
             runner.run(self._serve(listener, with_signals))
         if self._failed is not None:
-            reasons = " ".join(f"{what}: {reason}" for what, reason in self._failed.failures.items())
-            raise ModelLoading(
-                "No model could be loaded, so there is nothing to serve. "
-                + (reasons or "The stores hold no models; publish one with `bnserve models publish` or name another "
-                   "store with --store.")
-            )  # fmt: skip
+            raise models_missing(self._failed)
 
     async def _serve(self, listener: socket.socket, with_signals: bool) -> None:
         loop = self._loop = asyncio.get_running_loop()
@@ -101,11 +123,14 @@ class BnserveServer:
         self._announce(f"bnserve listens on {address_of(listener)}")
         if self.metrics_address is not None:
             self._announce(f"bnserve metrics on {self.metrics_address}")
-        watch = loop.create_task(self._watch_loading())
+        others = [loop.create_task(self._watch_loading())]
+        if self._beside is not None:
+            others.append(loop.create_task(self._beside()))
         try:
             await self._uvicorn.serve(sockets=[listener])
         finally:
-            watch.cancel()
+            for task in others:
+                task.cancel()
 
     async def _watch_loading(self) -> None:
         report = await self._app.parts.maintenance.first_look()
@@ -120,24 +145,45 @@ class BnserveServer:
     def stop(self) -> None:
         """Drain and stop; called a second time, stop at once."""
         if self._drain is None:
-            logger.info("draining")
-            self._drain = asyncio.get_running_loop().create_task(self._drain_and_exit())
+            self.drain()
         else:
-            self._uvicorn.force_exit = self._uvicorn.should_exit = True
+            self.stop_now()
+
+    def drain(self, grace: float | None = None) -> None:
+        """Drain and stop, however often it is called; ``grace`` in place of the setting ``drain_grace``."""
+        if self._drain is None:
+            logger.info("draining")
+            seconds = self._settings.drain_grace if grace is None else grace
+            self._drain = asyncio.get_running_loop().create_task(self._drain_and_exit(seconds))
+
+    def stop_now(self) -> None:
+        """Stop without waiting for what is in flight."""
+        self._app.parts.lifecycle.refuse()
+        self._uvicorn.force_exit = self._uvicorn.should_exit = True
 
     def stop_from_thread(self) -> None:
         """:meth:`stop`, called from another thread."""
         if self._loop is not None and not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self.stop)
 
-    async def _drain_and_exit(self) -> None:
+    async def _drain_and_exit(self, grace: float) -> None:
         lifecycle = self._app.parts.lifecycle
         lifecycle.begin_grace()
-        until = time.monotonic() + self._settings.drain_grace
+        until = time.monotonic() + grace
         while time.monotonic() < until and self._uvicorn.server_state.connections:
             await asyncio.sleep(_TICK)
         lifecycle.refuse()
         self._uvicorn.should_exit = True
+
+
+def models_missing(report: RefreshReport) -> ModelLoading:
+    """The error of a look at the stores that found nothing to serve."""
+    reasons = " ".join(f"{what}: {reason}" for what, reason in report.failures.items())
+    return ModelLoading(
+        "No model could be loaded, so there is nothing to serve. "
+        + (reasons or "The stores hold no models; publish one with `bnserve models publish` or name another "
+           "store with --store.")
+    )  # fmt: skip
 
 
 def open_listener(settings: Settings) -> socket.socket:
@@ -166,39 +212,24 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     ------
     CannotListen
         The port is in use, or similar.
+    SettingsInvalid
+        It should have several processes: for those, there is the command ``bnserve serve``.
     StoreUnknown
         A store that is not there.
     ModelLoading
         Not one model could be loaded.
     """
-    listener = open_listener(settings)
-    with listener:
+    if settings.workers > 1:
+        raise SettingsInvalid(
+            f"serve() runs in this process alone, and workers is {settings.workers}: use the command `bnserve serve`."
+        )
+    with contextlib.ExitStack() as stack:
+        listener = stack.enter_context(open_listener(settings))
+        if settings.uds is not None:
+            stack.callback(settings.uds.unlink, missing_ok=True)
+        metrics_listener = open_metrics_listener(settings)
+        if metrics_listener is not None:
+            stack.enter_context(metrics_listener)
         app = create_app(settings, wait_for_models=False, **parts)
         app.parts.maintenance.source_is_there()
-        try:
-            BnserveServer(app, announce).run(listener)
-        finally:
-            if settings.uds is not None:
-                settings.uds.unlink(missing_ok=True)
-
-
-@contextlib.contextmanager
-def _metrics_server(app: Application) -> Generator[str | None, None, None]:
-    """Serve the metrics on a port of their own, if the settings ask for one; yields its address."""
-    settings = app.parts.settings
-    if settings.metrics_port is None:
-        yield None
-        return
-    try:
-        server, thread = start_http_server(settings.metrics_port, settings.host, app.parts.metrics.registry)
-    except OSError as error:
-        raise CannotListen(
-            f"The metrics port {settings.metrics_port} cannot be used: {error.strerror or error}; choose another with "
-            "--metrics-port."
-        ) from error
-    try:
-        yield f"http://{settings.host}:{server.server_port}/metrics"
-    finally:
-        server.shutdown()
-        server.server_close()
-        thread.join()
+        BnserveServer(app, announce).run(listener, metrics_listener=metrics_listener)

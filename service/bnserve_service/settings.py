@@ -143,8 +143,8 @@ class Settings(BaseModel):
     hung_seconds: float = Field(default=4.0, ge=1.0)
     """A worker process without a sign of life for this long is replaced; it gives two each second."""
     stuck_seconds: float = Field(default=30.0, gt=0)
-    """An evaluation that takes longer will not come back: the largest takes a second or two. The server is unready then,
-    and a worker process is replaced."""
+    """An evaluation that takes longer will not come back: the largest takes a second or two. The server is unready
+    then, and a worker process is replaced."""
     poll_seconds: float = Field(default=2.0, gt=0)
     """How often the stores are looked at for new versions and labels."""
     self_check_seconds: float = Field(default=10.0, gt=0)

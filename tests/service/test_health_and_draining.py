@@ -36,10 +36,9 @@ def test_a_model_that_becomes_wrong_makes_the_server_unready_until_it_is_right_a
     until(lambda: ask(server.address, "GET", READY).status == 200, "ready again")
 
 
-def test_a_worker_that_does_not_come_back_makes_the_server_unready(start, monkeypatch):
-    monkeypatch.setattr("bnserve_service.health.STUCK_SECONDS", 0.05)
+def test_a_worker_that_does_not_come_back_makes_the_server_unready(start):
     model = GatedModel()
-    server = start(model, threads=1)
+    server = start(model, threads=1, stuck_seconds=0.05)
     model.gate.clear()
     with ThreadPoolExecutor(1) as caller:
         call = caller.submit(evaluate, server.address, question())

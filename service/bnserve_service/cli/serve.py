@@ -24,7 +24,8 @@ def add_parser(subparsers: Any) -> None:
     add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
     add("--model", action="append", metavar="NAME[@VERSION]", help="serve only this model (repeatable)")
     add("--metrics-port", type=int, metavar="PORT", help="serve /metrics on a port of its own")
-    add("--workers-threads", type=int, metavar="N", help="worker threads (the processors this process may use)")
+    add("--workers", type=int, metavar="N", help="worker processes (1); with more, one that dies or hangs is replaced")
+    add("--workers-threads", type=int, metavar="N", help="threads of each worker (its part of the processors)")
     add("--token", action="append", metavar="TOKEN", help="require this bearer token (repeatable); visible in the "
         "process list: on shared machines prefer --token-file or hashed tokens in the settings")  # fmt: skip
     add("--token-file", type=Path, metavar="FILE", help="require one of the bearer tokens in this file, one per line")
@@ -42,9 +43,14 @@ def run(options: argparse.Namespace) -> int:
 
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
     logging.getLogger("uvicorn").setLevel(logging.WARNING)
+    settings = load_settings(options.config, _overrides(options))
+    if settings.workers > 1:
+        from bnserve_service.supervisor_start import become_supervisor
+
+        become_supervisor(settings, announce=_announce)
     keep_freed_memory()
     forget_what_is_imported()
-    serve(load_settings(options.config, _overrides(options)), announce=_announce)
+    serve(settings, announce=_announce)
     return 0
 
 
@@ -56,6 +62,7 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "stores": options.store,
         "models": options.model,
         "metrics_port": options.metrics_port,
+        "workers": options.workers,
         "threads": options.workers_threads,
         "tokens": _tokens(options) or None,
         "access_log": options.access_log,

@@ -1,0 +1,94 @@
+"""The folder that the processes of one server share: in memory where there is such a file system, gone when they are.
+
+Imported by the supervisor, so it imports nothing heavy.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import fcntl
+import os
+import shutil
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Self
+
+_IN_MEMORY = Path("/dev/shm")
+_PREFIX = "bnserve-"
+_LOCK = "alive"
+
+
+class SharedFolder:
+    """A folder for one user alone; every process of the server that opens it keeps it from being taken for a ruin.
+
+    Parameters
+    ----------
+    path:
+        A folder that :meth:`create` made.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._lock = os.open(path / _LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+        fcntl.flock(self._lock, fcntl.LOCK_SH)
+
+    @classmethod
+    def create(cls, needed: int, places: Sequence[Path] | None = None) -> Self:
+        """Make a folder, after removing those of servers that did not live to do so.
+
+        Parameters
+        ----------
+        needed:
+            Bytes that should fit: the first place that has them free is taken, or else the one that has most.
+        places:
+            Where it may be; by default in memory, else where temporary files are.
+        """
+        where = [place for place in places or (_IN_MEMORY, Path(tempfile.gettempdir())) if os.access(place, os.W_OK)]
+        for place in where:
+            _remove_ruins(place)
+        roomy = [place for place in where if _free_bytes(place) >= needed] or sorted(where, key=_free_bytes)[-1:]
+        base = str(roomy[0]) if roomy else None
+        while True:
+            folder = cls(Path(tempfile.mkdtemp(prefix=_PREFIX, dir=base)))  # mkdtemp lets nobody else in
+            if (folder.path / _LOCK).exists():
+                return folder
+            folder.close()  # another server that starts now took it for a ruin before it was locked
+
+    def remove_if_last(self) -> bool:
+        """Remove the folder unless another process has it open."""
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return False
+        self.remove()
+        return True
+
+    def remove(self) -> None:
+        """Remove the folder, whoever has it open."""
+        shutil.rmtree(self.path, ignore_errors=True)
+
+    def close(self) -> None:
+        """Say that this process does not use it any more."""
+        os.close(self._lock)
+
+
+def _free_bytes(place: Path) -> int:
+    try:
+        room = os.statvfs(place)
+    except OSError:
+        return 0
+    return room.f_bavail * room.f_frsize
+
+
+def _remove_ruins(place: Path) -> None:
+    """Remove folders of this user that no process has open."""
+    for path in place.glob(f"{_PREFIX}*/{_LOCK}"):
+        with contextlib.suppress(OSError):  # somebody else's, or gone meanwhile
+            if path.parent.stat().st_uid != os.getuid() or path.parent.is_symlink():
+                continue
+            ruin = SharedFolder(path.parent)
+            try:
+                ruin.remove_if_last()
+            finally:
+                ruin.close()

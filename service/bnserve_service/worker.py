@@ -1,0 +1,180 @@
+"""One worker: a server like any other, which reports to the supervisor and does what it says."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import signal
+import socket
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Self
+
+from bnserve_protocol import BnserveError
+from bnserve_service.app import Application, create_app, loader_of
+from bnserve_service.cpu import available_cpus
+from bnserve_service.loading import Loader, RefreshReport
+from bnserve_service.registry import Registry
+from bnserve_service.server import BnserveServer, models_missing
+from bnserve_service.settings import Settings
+from bnserve_service.shared import SharedFolder
+from bnserve_service.worker_channel import Channel, Closed, Message
+
+logger = logging.getLogger("bnserve.worker")
+
+BEAT_SECONDS = 0.5
+"""Between two signs of life; several may be late before the supervisor takes a worker for hung."""
+_BEATS_PER_PUBLICATION = 2
+"""The metrics are written down every second: as much is lost of them when a worker is killed."""
+_BEATS_PER_TIDYING = 10
+
+
+@dataclass(frozen=True, slots=True)
+class Belongings:
+    """What every worker of one server has in common."""
+
+    settings: Settings
+    """With the threads of one worker."""
+    listener: socket.socket
+    metrics_listener: socket.socket | None
+    shared: Path
+
+    @classmethod
+    def inherited(cls, listener: int, metrics_listener: int, settings_file: int, shared: Path) -> Self:
+        """From the descriptors that the supervisor left open."""
+        text = os.pread(settings_file, os.fstat(settings_file).st_size, 0)
+        settings = Settings.model_validate_json(text)
+        threads = settings.threads or max(1, available_cpus() // settings.workers)
+        return cls(
+            settings.model_copy(update={"threads": threads}),
+            socket.socket(fileno=listener),
+            socket.socket(fileno=metrics_listener) if metrics_listener >= 0 else None,
+            shared,
+        )
+
+
+class Models:
+    """The models that workers begin with, loaded without any thread.
+
+    Parameters
+    ----------
+    settings:
+        Which.
+    """
+
+    def __init__(self, settings: Settings) -> None:
+        self.registry = Registry()
+        self._loader: Loader = loader_of(settings, self.registry)
+
+    def load(self) -> None:
+        """Load them, and all that evaluating them needs.
+
+        Raises
+        ------
+        StoreUnknown, ModelUnknown, ModelLoading
+            There is nothing to serve.
+        """
+        import bnserve_inference  # noqa: F401  # so that workers share it
+
+        self._loader.list_source()
+        report = self._loader.refresh()
+        if not self.registry.catalogue.models:
+            raise models_missing(report)
+
+    def look_at_stores(self) -> RefreshReport:
+        """Follow the stores; what cannot be loaded leaves what there is as it is."""
+        return self._loader.refresh(force=True)
+
+
+def work(channel: Channel, slot: int, belongings: Belongings, registry: Registry | None) -> int:
+    """Serve as a worker; returns the exit status of its process.
+
+    Parameters
+    ----------
+    channel:
+        To the supervisor.
+    slot:
+        Its place among the workers; it goes on counting where the one before it ended.
+    belongings:
+        What it works with.
+    registry:
+        Models that are loaded already; None for one that only says that they are being loaded.
+    """
+    shared = SharedFolder(belongings.shared)
+    greets = registry is None
+    settings = belongings.settings.model_copy(update={"drain_grace": 0.0} if greets else {})
+    app = create_app(
+        settings, wait_for_models=not greets, shared=shared.path, worker=slot, registry=registry, follow=not greets
+    )
+    steward = _Steward(channel, app)
+    server = BnserveServer(app, announce=lambda line: None, beside=steward.run)
+    steward.server = server
+    try:
+        server.run(belongings.listener, metrics_listener=belongings.metrics_listener)
+    except BnserveError as error:
+        channel.send({"failed": error.detail})
+        return 2
+    finally:
+        app.parts.metrics.publish()
+        if steward.orphaned:
+            shared.remove_if_last()
+    return 0
+
+
+class _Steward:
+    """Speaks with the supervisor from the event loop of a worker."""
+
+    server: BnserveServer
+
+    def __init__(self, channel: Channel, app: Application) -> None:
+        self._channel = channel
+        self._parts = app.parts
+        self.orphaned = False
+
+    async def run(self) -> None:
+        """Give signs of life for as long as the event loop lives."""
+        loop = asyncio.get_running_loop()
+        loop.add_signal_handler(signal.SIGTERM, self.server.drain)
+        loop.add_signal_handler(signal.SIGINT, lambda: None)  # a terminal tells all of us; the supervisor decides
+        loop.add_signal_handler(signal.SIGHUP, self._parts.maintenance.poke)
+        loop.add_reader(self._channel.fileno(), self._listen)
+        beats = 0
+        while True:
+            self._channel.send({"beat": self._report()})
+            if beats % _BEATS_PER_PUBLICATION == 0:
+                self._parts.metrics.publish()
+            if beats % _BEATS_PER_TIDYING == 0:
+                self._parts.grids.tidy()
+                self._parts.analyses.tidy()
+            beats += 1
+            await asyncio.sleep(BEAT_SECONDS)
+
+    def _report(self) -> dict[str, object]:
+        parts = self._parts
+        return {
+            "ready": self.server.accepts and parts.health.reason_unready() is None,
+            "draining": parts.lifecycle.draining,
+            "longest_evaluation": parts.queue.longest_evaluation(),
+            "models": ", ".join(f"{name} {version}" for name, version in parts.registry.catalogue.models),
+        }
+
+    def _listen(self) -> None:
+        try:
+            while True:
+                self._obey(self._channel.receive()[0])
+        except BlockingIOError:
+            return
+        except Closed:
+            asyncio.get_running_loop().remove_reader(self._channel.fileno())
+            logger.warning("the supervisor is gone; this worker finishes what it has begun, and ends")
+            self.orphaned = True
+            self.server.drain(grace=0.0)  # a new server may want the address
+
+    def _obey(self, message: Message) -> None:
+        if "refresh" in message:
+            self._parts.maintenance.poke()
+        elif message.get("stop") == "now":
+            self.server.stop_now()
+        else:
+            self.server.drain()
