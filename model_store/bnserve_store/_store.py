@@ -219,7 +219,7 @@ class ModelStore:
 
     def _unknown(self, name: str) -> ModelUnknown:
         names = self.names()
-        near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
+        near = difflib.get_close_matches(name[:80], names, n=1, cutoff=0.5)
         hint = f"Did you mean '{near[0]}'?" if near else f"Known models: {', '.join(names) or 'none'}."
         return ModelUnknown(f"There is no model '{name[:80]}' in this store. {hint}")
 

@@ -203,7 +203,7 @@ def check_likelihood_names(names: Iterable[str]) -> None:
     for name in dict.fromkeys(given):
         shown = str(name)[:80]
         if name not in LIKELIHOOD_NAMES:
-            near = difflib.get_close_matches(str(name), LIKELIHOOD_NAMES, n=1, cutoff=0.5)
+            near = difflib.get_close_matches(shown, LIKELIHOOD_NAMES, n=1, cutoff=0.5)  # never of megabytes
             hint = f"did you mean '{near[0]}'?" if near else f"known names: {', '.join(LIKELIHOOD_NAMES)}"
             problems.append(FieldError(reason=f"unknown; {hint}", parameter=shown))
         elif given.count(name) > 1:

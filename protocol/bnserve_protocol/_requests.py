@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._arrays import decode_array, encode_array, is_array
-from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, UndecodableBody
+from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge, UndecodableBody
 from bnserve_protocol._grids import UniformGrid, as_frequencies
 from bnserve_protocol._model import DtypeName, EvaluationOptions
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
@@ -68,7 +68,7 @@ class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=Tru
     alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
 
 
-_MOST_NUMBERS = 2**21
+_MOST_NUMBERS = 2**20
 """Numbers in one list: as objects they take thirty times the bytes in which they travel. Arrays have no such bound."""
 _Vector: TypeAlias = Annotated[list[float], msgspec.Meta(max_length=_MOST_NUMBERS)]
 _Row: TypeAlias = Annotated[list[float], msgspec.Meta(max_length=_MOST_NAMES)]
@@ -99,7 +99,7 @@ _known: dict[tuple[bytes, bytes], WaveformRequest] = {}
 _READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
 
 
-def decode_request(body: bytes | memoryview, media_type: str = MSGPACK) -> WaveformRequest:
+def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows: int = 2**16) -> WaveformRequest:
     """Read a request.
 
     Parameters
@@ -108,6 +108,8 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK) -> Wavef
         The bytes of the body.
     media_type:
         :data:`MSGPACK` or :data:`JSON`.
+    max_rows:
+        Larger batches are refused before they take memory: one column of them would become ten.
 
     Raises
     ------
@@ -115,13 +117,14 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK) -> Wavef
         Not that media type, fields that are unknown, missing or of a wrong type.
     InvalidParameters, InvalidFrequencies
         Names, shapes and frequencies that no model could accept.
+    TooLarge
     """
     if media_type != MSGPACK or len(body) > _TAIL_AT + _LONGEST_TAIL or body[1:_NUMBERS_AT] != _ONE_ROW:
-        return _decode_whole(body, media_type)
+        return _decode_whole(body, media_type, max_rows)
     around = bytes(body[:1]), bytes(body[_TAIL_AT:])
     known = _known.get(around)
     if known is None:
-        request = _decode_whole(body, media_type)
+        request = _decode_whole(body, media_type, max_rows)
         if not isinstance(request.grid, np.ndarray):
             if len(_known) >= _MOST_TAILS:
                 _known.clear()
@@ -132,11 +135,11 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK) -> Wavef
     return WaveformRequest(batch=batch, grid=known.grid, output=known.output, dtype=known.dtype, options=known.options)
 
 
-def _decode_whole(body: bytes | memoryview, media_type: str) -> WaveformRequest:
+def _decode_whole(body: bytes | memoryview, media_type: str, max_rows: int) -> WaveformRequest:
     reader = _READERS[media_type]
     try:
         wire: _WireRequest = reader.request.decode(body)
-        batch = _batch(reader, wire)
+        batch = _batch(reader, wire, max_rows)
         grid = _grid(reader, wire.grid)
     except msgspec.ValidationError as error:
         raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
@@ -151,21 +154,37 @@ def _decode_whole(body: bytes | memoryview, media_type: str) -> WaveformRequest:
     return WaveformRequest(batch=batch, grid=grid, output=wire.output, dtype=wire.dtype, options=options)
 
 
-def _batch(reader: _Reader, wire: _WireRequest) -> ParameterBatch:
+def _batch(reader: _Reader, wire: _WireRequest, max_rows: int) -> ParameterBatch:
     if wire.names is not None:
-        return _batch_from_rows(reader, wire.parameters, wire.names)
+        return _batch_from_rows(reader, wire.parameters, wire.names, max_rows)
     columns = reader.columns.decode(wire.parameters)
     check_names(columns)
-    return ParameterBatch.coerce({name: _column(reader, raw) for name, raw in columns.items()})
+    return ParameterBatch.coerce({name: _column(reader, raw, max_rows) for name, raw in columns.items()})
 
 
-def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> ParameterBatch:
+_NUMBER_BYTES = 32
+"""No number takes more, as text with what separates it from the next."""
+
+
+def _check_rows(rows: int, max_rows: int) -> None:
+    if rows > max_rows:
+        raise TooLarge(f"A batch has at most {max_rows} rows here; this one has {rows}: split it.")
+
+
+def _check_plain(raw: msgspec.Raw, numbers: int, max_rows: int) -> None:
+    """Refuse lists with more bytes than ``max_rows`` rows of that many numbers can have."""
+    if memoryview(raw).nbytes > _NUMBER_BYTES * (max_rows * (numbers + 1) + 1):
+        raise TooLarge(f"A batch has at most {max_rows} rows here; this one is larger: split it.")
+
+
+def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str], max_rows: int) -> ParameterBatch:
     ours = tuple(names) == PARAMETER_NAMES
     if not ours:
         check_names(names)
     if reader.arrays and is_array(raw):
         rows = _real(decode_array(raw))
     else:
+        _check_plain(raw, len(names), max_rows)
         decoded = reader.rows.decode(raw)
         if len({len(row) for row in decoded}) > 1:
             raise InvalidParameters("All rows of 'parameters' must have one value for each of 'names'.")
@@ -174,15 +193,21 @@ def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> Par
         raise InvalidParameters(
             f"With 'names' given, 'parameters' is an array [N, {len(names)}]; got shape {list(rows.shape)}."
         )
+    _check_rows(len(rows), max_rows)
     if ours:  # what our client sends
         return ParameterBatch(rows.copy())  # a copy, because the body it views is read-only
     return ParameterBatch.coerce({name: rows[:, column] for column, name in enumerate(names)})
 
 
-def _column(reader: _Reader, raw: msgspec.Raw) -> float | list[float] | NDArray[np.float64]:
+def _column(reader: _Reader, raw: msgspec.Raw, max_rows: int) -> float | list[float] | NDArray[np.float64]:
     if reader.arrays and is_array(raw):
-        return _real(decode_array(raw))
+        array = _real(decode_array(raw))
+        _check_rows(len(array), max_rows)
+        return array
+    _check_plain(raw, 1, max_rows)
     column: float | list[float] = reader.column.decode(raw)
+    if isinstance(column, list):
+        _check_rows(len(column), max_rows)
     return column
 
 

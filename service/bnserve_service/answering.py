@@ -124,7 +124,7 @@ class WaveformService:
         return question
 
     def _decode(self, body: bytes, media_type: str) -> tuple[WaveformRequest, Any]:
-        request = decode_request(body, media_type)
+        request = decode_request(body, media_type, self._limits.max_rows)
         grid: GridLike | GridDigest = request.grid
         if isinstance(grid, GridDigest):
             return _with_grid(request, self._grids.get(grid.sha256)), grid.sha256

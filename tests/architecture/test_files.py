@@ -25,7 +25,7 @@ def texts() -> list[tuple[str, str]]:
     for path in tracked_files():
         content = (ROOT / path).read_bytes()
         if b"\0" not in content:
-            found.append((str(path), content.decode()))
+            found.append((str(path), content.decode(errors="replace")))
     return found
 
 
