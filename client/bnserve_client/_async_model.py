@@ -26,6 +26,7 @@ from bnserve_protocol import (
     ModelDescription,
     ParametersWithExtrinsic,
     Polarizations,
+    RunManifest,
 )
 
 if TYPE_CHECKING:
@@ -61,6 +62,7 @@ class AsyncModel:
         name: str = "default",
         *,
         version: str = "stable",
+        digest: str | None = None,
         token: str | None = None,
         timeout: float = 300.0,
         silence: float = 30.0,
@@ -78,7 +80,7 @@ class AsyncModel:
         source = None if transport is None else Source(transport)
         connections = AsyncConnections(source)
         try:
-            pinned = await run_async(connecting(settings, name, version), connections.send)
+            pinned = await run_async(connecting(settings, name, version, digest), connections.send)
         except BaseException:
             await connections.close()
             raise
@@ -90,6 +92,10 @@ class AsyncModel:
     def description(self) -> ModelDescription:
         """Name, version, digest, ranges, band, accuracy."""
         return self._remote.pinned.description
+
+    async def manifest(self) -> RunManifest:
+        """What the appendix of a paper needs; see :meth:`.Model.manifest`."""
+        return await self._run(self._remote.manifest())
 
     async def predict(
         self,

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
-from urllib.parse import quote
 
 from bnserve_client._answers import read_waveforms
 from bnserve_client._chunks import Assembly, in_users_rows
@@ -55,8 +54,7 @@ class Evaluator:
         self._session = session
         self._identity = pinned.identity
         self._limits = pinned.limits
-        name, version = quote(self._identity.name, safe=""), quote(self._identity.version, safe="")
-        self._path = f"/v1/models/{name}/versions/{version}/waveforms"
+        self._path = f"{pinned.path}/waveforms"
 
     def evaluate(self, question: Question, finish: Callable[[Arrays], Arrays]) -> Conversation[Arrays]:
         """The arrays of all rows.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from urllib.parse import quote
 
 import msgspec
 
@@ -59,9 +58,8 @@ class RemoteLikelihood:
         self._identity = pinned.identity
         self._limits = pinned.limits
         self._samples = likelihood_samples(analysis)
-        name, version = quote(self._identity.name, safe=""), quote(self._identity.version, safe="")
         sha256 = analysis.digest.removeprefix("sha256:")
-        self._path = f"/v1/models/{name}/versions/{version}/likelihoods/{sha256}"
+        self._path = f"{pinned.path}/likelihoods/{sha256}"
         self._analysis_path = f"/v1/analyses/{sha256}"
 
     def introduce(self) -> Conversation[None]:

@@ -26,6 +26,7 @@ from bnserve_protocol import (
     ModelDescription,
     ParametersWithExtrinsic,
     Polarizations,
+    RunManifest,
 )
 
 if TYPE_CHECKING:
@@ -61,6 +62,7 @@ class Model:
         name: str = "default",
         *,
         version: str = "stable",
+        digest: str | None = None,
         token: str | None = None,
         timeout: float = 300.0,
         silence: float = 30.0,
@@ -79,6 +81,10 @@ class Model:
             or separated by commas: requests take turns, and one that fails is tried on another.
         name, version:
             Which model; a label is resolved now, once.
+        digest:
+            ``"sha256:..."``, as ``description.digest`` of an earlier run says it: every request names this digest, so
+            that the answers come from this very artifact or not at all, whatever the label stands for by then.
+            A ``version`` that is not a label must be the one with this digest.
         token:
             Sent as ``Authorization: Bearer``.
         timeout:
@@ -101,7 +107,7 @@ class Model:
 
         Raises
         ------
-        ConnectionFailed, NotBnserve, ModelUnknown, Unauthorized, InvalidRequest
+        ConnectionFailed, NotBnserve, ModelUnknown, DigestUnknown, Unauthorized, InvalidRequest
         """
         settings = settings_from(
             address, progress, token=token, timeout=timeout, silence=silence, retries=retries, parallel=parallel,
@@ -110,7 +116,7 @@ class Model:
         source = None if transport is None else Source(transport)
         connections = Connections(source)
         try:
-            pinned = run(connecting(settings, name, version), connections.send)
+            pinned = run(connecting(settings, name, version, digest), connections.send)
         except BaseException:
             connections.close()
             raise
@@ -122,6 +128,15 @@ class Model:
     def description(self) -> ModelDescription:
         """Name, version, digest, ranges, band, accuracy."""
         return self._remote.pinned.description
+
+    def manifest(self) -> RunManifest:
+        """What the appendix of a paper needs: the models, programs, processor and limits of the service that answers.
+
+        Raises
+        ------
+        Unavailable, AccessDenied, UntrustedAnswer
+        """
+        return self._run(self._remote.manifest())
 
     def predict(
         self,

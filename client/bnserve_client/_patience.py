@@ -12,6 +12,8 @@ from bnserve_protocol import (
     BnserveError,
     ConnectionFailed,
     DeadlineExceeded,
+    DigestUnknown,
+    ModelUnknown,
     ShareExceeded,
     UntrustedAnswer,
 )
@@ -65,7 +67,7 @@ class Patience:
         BnserveError
             ``error`` itself where asking again cannot help, or the retries or the time are used up.
         """
-        untrusted = isinstance(error, UntrustedAnswer)
+        untrusted = isinstance(error, UntrustedAnswer) or self._another_may_have_it(error)
         if not (error.retryable or untrusted):
             raise error
         self._failures += 1
@@ -77,9 +79,17 @@ class Patience:
             raise self._out_of_time(error) from error
         return pause
 
+    def _another_may_have_it(self, error: BnserveError) -> bool:
+        """Whether a replica lacks a model that others may have: while they are replaced one by one, some do."""
+        return isinstance(error, DigestUnknown) or (
+            isinstance(error, ModelUnknown) and len(self._replicas.addresses) > 1
+        )
+
     def _pause(self, error: BnserveError) -> float:
-        waits_for_all = isinstance(error, ShareExceeded)
-        if not waits_for_all:
+        if isinstance(error, ShareExceeded):
+            if error.retry_after:  # exact: a share is a sum, not a guess
+                return error.retry_after * _chance.uniform(1.0, 1.25)
+        else:
             self._replicas.rest(self.address, max(_REST_SECONDS, error.retry_after or 0.0))
             self._address = self._replicas.choose()
             if self._replicas.any_awake():

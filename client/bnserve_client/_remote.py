@@ -27,6 +27,7 @@ from bnserve_protocol import (
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
+    RunManifest,
     check_dtype,
 )
 
@@ -46,10 +47,10 @@ def settings_from(address: str | Sequence[str], progress: bool, **chosen: Any) -
     return Settings(addresses=parse_addresses(address), progress=progress, **chosen)
 
 
-def connecting(settings: Settings, name: str, version: str) -> Conversation[Pinned]:
+def connecting(settings: Settings, name: str, version: str, digest: str | None) -> Conversation[Pinned]:
     """The first contact: see :meth:`.Session.connect`."""
     retries = _CONNECT_RETRIES if settings.retries is None else settings.retries
-    return Session(settings.with_retries(retries)).connect(name, version)
+    return Session(settings.with_retries(retries)).connect(name, version, digest)
 
 
 class RemoteModel:
@@ -62,6 +63,10 @@ class RemoteModel:
         self._session = Session(settings)
         self._evaluator = Evaluator(self._session, pinned)
         self._strain: OutputName = "factored" if len(pinned.description.modes) == 1 else "polarizations"
+
+    def manifest(self) -> Conversation[RunManifest]:
+        """The manifest of the replica that answers."""
+        return self._session.get("/v1/manifest", RunManifest, self._session.patience())
 
     def predict(
         self, frequencies: GridLike, parameters: ParametersWithExtrinsic, options: EvaluationOptions, dtype: DtypeName

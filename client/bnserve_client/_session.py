@@ -21,11 +21,13 @@ from bnserve_protocol import (
     PROBLEM_JSON,
     WANTED_DIGEST,
     BnserveError,
+    DigestUnknown,
     Limits,
     ModelDescription,
     ModelIdentity,
     ModelUnknown,
     __version__,
+    check_model_digest,
     request_digest,
 )
 
@@ -41,6 +43,14 @@ class Pinned(msgspec.Struct, frozen=True):
 
     description: ModelDescription
     limits: Limits
+    by_digest: bool = False
+    """Whether every request names the digest, because the user did; the version otherwise."""
+
+    @property
+    def path(self) -> str:
+        """Of the one artifact that answers."""
+        named = self.description.digest if self.by_digest else self.description.version
+        return model_path(self.description.name, named)
 
     @property
     def identity(self) -> ModelIdentity:
@@ -48,6 +58,11 @@ class Pinned(msgspec.Struct, frozen=True):
         return ModelIdentity(
             name=self.description.name, version=self.description.version, digest=self.description.digest
         )
+
+
+def model_path(name: str, version: str) -> str:
+    """The path of a version, label or digest of a model."""
+    return f"/v1/models/{quote(name, safe='')}/versions/{quote(version, safe=':')}"
 
 
 class _ModelDocument(ModelDescription, frozen=True, kw_only=True):
@@ -76,22 +91,26 @@ class Session:
         """A fresh deadline."""
         return Patience(self.settings, self._replicas)
 
-    def connect(self, name: str, version: str) -> Conversation[Pinned]:
+    def connect(self, name: str, version: str, digest: str | None = None) -> Conversation[Pinned]:
         """Find a model, turn a label into the version it stands for now, and learn the limits.
 
         Raises
         ------
-        ModelUnknown, NotBnserve, ConnectionFailed, Unauthorized
+        ModelUnknown, DigestUnknown, NotBnserve, ConnectionFailed, Unauthorized, InvalidRequest
         """
         if not name or not version:
             raise ModelUnknown("A model has a name and a version or label, such as 'default' and 'stable'.")
+        if digest is not None:
+            check_model_digest(digest)
         patience = self.patience()
-        path = f"/v1/models/{quote(name, safe='')}/versions/{quote(version, safe='')}"
-        found = yield from self.get(path, _ModelDocument, patience)
-        if found.name != name or found.version != found.labels.get(version, version):
+        found = yield from self.get(model_path(name, digest or version), _ModelDocument, patience)
+        if digest is not None and found.digest == digest and version not in (found.version, *found.labels):
+            raise DigestUnknown(f"The digest {digest} is that of '{name}' {found.version}, not of {version}.")
+        right = found.version == found.labels.get(version, version) if digest is None else found.digest == digest
+        if found.name != name or not right:
             raise not_bnserve(patience.address.text, f"asked for the model '{name}' {version}, it describes another")
         fields = {field: getattr(found, field) for field in ModelDescription.__struct_fields__}
-        return Pinned(description=ModelDescription(**fields), limits=found.limits)
+        return Pinned(description=ModelDescription(**fields), limits=found.limits, by_digest=digest is not None)
 
     def get(self, path: str, message: type[_T], patience: Patience) -> Conversation[_T]:
         """Ask for a structured answer."""

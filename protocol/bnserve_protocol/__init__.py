@@ -22,7 +22,13 @@ from bnserve_protocol._answers import (
 )
 from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
-from bnserve_protocol._digests import WANTED_DIGEST, DigestName, content_digest, request_digest
+from bnserve_protocol._digests import (
+    WANTED_DIGEST,
+    DigestName,
+    check_model_digest,
+    content_digest,
+    request_digest,
+)
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,
     AccessDenied,
@@ -35,6 +41,7 @@ from bnserve_protocol._errors import (
     BnserveError,
     ConnectionFailed,
     DeadlineExceeded,
+    DigestUnknown,
     Draining,
     FieldError,
     Forbidden,
@@ -83,6 +90,7 @@ from bnserve_protocol._likelihood_parameters import (
 )
 from bnserve_protocol._likelihood_rows import refuse_rows
 from bnserve_protocol._limits import Limits
+from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
 from bnserve_protocol._memory import ResultMemory, result_memory
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
@@ -153,6 +161,7 @@ __all__ = [
     "ConnectionFailed",
     "DeadlineExceeded",
     "DigestName",
+    "DigestUnknown",
     "DistanceMarginalisation",
     "Draining",
     "DtypeName",
@@ -176,6 +185,7 @@ __all__ = [
     "LikelihoodParameters",
     "LikelihoodRequest",
     "Limits",
+    "ManifestModel",
     "MergerStencil",
     "ModelDescription",
     "ModelIdentity",
@@ -194,8 +204,10 @@ __all__ = [
     "PathUnknown",
     "Polarizations",
     "Problem",
+    "ProcessorDescription",
     "ResultMemory",
     "RowStatus",
+    "RunManifest",
     "SchemaUnknown",
     "ShareExceeded",
     "StoreUnknown",
@@ -215,6 +227,7 @@ __all__ = [
     "__version__",
     "as_frequencies",
     "check_dtype",
+    "check_model_digest",
     "check_model_of",
     "content_digest",
     "decode_analysis",

@@ -15,6 +15,7 @@
     │   └── TooLarge                over a stated limit
     ├── NotFound (LookupError)
     │   ├── ModelUnknown
+    │   │   └── DigestUnknown       the model is here, but not the artifact that a caller insists on
     │   ├── GridUnknown
     │   ├── AnalysisUnknown
     │   ├── PathUnknown
@@ -60,6 +61,10 @@ class FieldError(msgspec.Struct, frozen=True, omit_defaults=True):
     value: float | str | None = None
 
 
+_LONGEST_DETAIL = 2000
+"""Characters: an error may quote its input, and that can have any size."""
+
+
 class BnserveError(Exception):
     """Base of every error raised by bnserve on purpose.
 
@@ -87,6 +92,8 @@ class BnserveError(Exception):
         retry_after: float | None = None,
         request_id: str | None = None,
     ) -> None:
+        if len(detail) > _LONGEST_DETAIL:
+            detail = detail[:_LONGEST_DETAIL] + " ..."
         super().__init__(detail)
         self.detail = detail
         self.errors = tuple(errors)
@@ -189,6 +196,13 @@ class ModelUnknown(NotFound):
 
     code = "model-unknown"
     title = "Model unknown"
+
+
+class DigestUnknown(ModelUnknown):
+    """The model is here, but not the artifact with the digest that was asked for: none other is given for it."""
+
+    code = "digest-unknown"
+    title = "No artifact with that digest"
 
 
 class GridUnknown(NotFound):

@@ -22,6 +22,8 @@ class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
     request_id: str | None = None
     retryable: bool = False
     errors: list[FieldError] = []
+    retry_after: float | None = None
+    """Seconds; the header ``Retry-After`` has only whole ones."""
 
     @classmethod
     def from_error(cls, error: BnserveError, status: int, request_id: str | None = None) -> Problem:
@@ -36,9 +38,14 @@ class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
             request_id=request_id,
             retryable=error.retryable,
             errors=list(error.errors),
+            retry_after=error.retry_after,
         )
 
     def to_error(self, retry_after: float | None = None) -> BnserveError:
-        """Rebuild the exception; an unknown code (from a newer service) becomes plain ``BnserveError``."""
+        """Rebuild the exception; an unknown code (from a newer service) becomes plain ``BnserveError``.
+
+        ``retry_after`` is that of the header, for services that do not say it more exactly.
+        """
         cls = ERRORS_BY_CODE.get(self.code, BnserveError)
-        return cls(self.detail, errors=self.errors, retry_after=retry_after, request_id=self.request_id)
+        exact = self.retry_after if self.retry_after is not None and self.retry_after >= 0.0 else retry_after
+        return cls(self.detail, errors=self.errors, retry_after=exact, request_id=self.request_id)

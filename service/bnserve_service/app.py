@@ -38,6 +38,7 @@ from bnserve_service.routes.health import health_router
 from bnserve_service.routes.likelihoods import PATHS as LIKELIHOOD_PATHS
 from bnserve_service.routes.likelihoods import LikelihoodEndpoint, LikelihoodLane, likelihood_routes
 from bnserve_service.routes.limits import limits_router
+from bnserve_service.routes.manifest import manifest_router
 from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
 from bnserve_service.routes.waveforms import PATHS, FastLane, WaveformEndpoint, waveform_routes
@@ -121,6 +122,7 @@ class Application(FastAPI):
         parts, limits = self.parts, self.parts.settings.limits()
         self.include_router(model_router(parts.registry, limits))
         self.include_router(limits_router(limits))
+        self.include_router(manifest_router(parts.registry, limits, parts.maintenance))
         self.include_router(grid_router(parts.grids, parts.waveforms, parts.settings))
         self.include_router(analysis_router(parts.analyses, parts.likelihoods, parts.settings))
         self.include_router(health_router(parts.health))
@@ -194,7 +196,9 @@ def create_app(
     settings = settings or Settings()
     registry, lifecycle = registry or Registry(), Lifecycle()
     metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
-    grids = GridCache(settings.max_grids, settings.max_grid_bytes, settings.max_frequencies, grid_shelf(settings, shared))
+    grids = GridCache(
+        settings.max_grids, settings.max_grid_bytes, settings.max_frequencies, grid_shelf(settings, shared)
+    )
     analyses = AnalysisStore(settings, decode_analysis, analysis_shelf(settings, shared))
     workers = settings.threads or available_cpus()
     queue: WorkQueue[Any, Any] = WorkQueue(
@@ -205,9 +209,7 @@ def create_app(
         metrics=metrics,
     )
     loader = loader_of(settings, registry, source, factory)
-    health = Health(
-        registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds, settings.stuck_seconds
-    )
+    health = Health(registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds, settings.stuck_seconds)
     maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
     waveforms = WaveformService(settings, registry, grids, queue, lifecycle)
     likelihoods = LikelihoodService(settings, registry, analyses, queue, lifecycle, workers)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import msgspec
 
-from bnserve_protocol import ModelDescription, likelihood_nodes, likelihood_samples
+from bnserve_protocol import ModelDescription, ModelIdentity, likelihood_nodes, likelihood_samples
 from bnserve_service.analyses import StoredAnalysis
+from bnserve_service.loading import RefreshReport
 from bnserve_service.registry import Catalogue, LoadedModel
 from bnserve_service.settings import ServiceLimits
 
@@ -31,6 +32,23 @@ class GridDocument(msgspec.Struct, frozen=True):
 
     sha256: str
     frequencies: int
+
+
+class ReloadDocument(msgspec.Struct, frozen=True):
+    """What a look at the model stores has changed."""
+
+    changed: bool
+    loaded: list[ModelIdentity]
+    dropped: list[ModelIdentity]
+    failures: dict[str, str]
+    """What was refused, by name and version, and why; what was served before is served still."""
+
+
+def reload_document(report: RefreshReport) -> ReloadDocument:
+    """Describe a look at the model stores."""
+    return ReloadDocument(
+        changed=report.changed, loaded=report.loaded, dropped=report.dropped, failures=report.failures
+    )
 
 
 class AnalysisDocument(msgspec.Struct, frozen=True):

@@ -11,12 +11,23 @@ import msgspec
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
-from bnserve_protocol import JSON, MSGPACK, PARAMETER_DEFAULTS, PARAMETER_NAMES, PROBLEM_JSON, Problem, __version__
-from bnserve_service.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList
+from bnserve_protocol import (
+    JSON,
+    MSGPACK,
+    PARAMETER_DEFAULTS,
+    PARAMETER_NAMES,
+    PROBLEM_JSON,
+    Problem,
+    RunManifest,
+    __version__,
+)
+from bnserve_service.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList, ReloadDocument
 from bnserve_service.settings import ServiceLimits
 
 _REF = "#/components/schemas/{name}"
-_STRUCTS = [Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, ServiceLimits]
+_STRUCTS = [
+    Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, ServiceLimits, RunManifest, ReloadDocument,
+]  # fmt: skip
 
 _DESCRIPTION = """Gravitational waveforms of binary neutron stars from trained surrogates.
 

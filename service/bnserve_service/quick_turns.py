@@ -48,7 +48,7 @@ class QuickTurns(Generic[J]):
         return is_first
 
     def take(self) -> tuple[list[J], bool]:
-        """The jobs of this turn, and whether another turn has to follow. While the loop is shared, owners take turns."""
+        """The jobs of this turn, and whether another has to follow. While the loop is shared, owners take turns."""
         jobs: list[J] = []
         if time.monotonic() >= self._shared_until:
             for line in self._lines.values():

@@ -8,9 +8,10 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Protocol
 
-from bnserve_protocol import ModelIdentity, ModelLoading, ModelUnknown, WaveformModel
+from bnserve_protocol import DigestUnknown, ModelIdentity, ModelLoading, ModelUnknown, WaveformModel
 
 DEFAULT_LABEL = "stable"
+DIGEST_PREFIX = "sha256:"
 
 
 class ServedModel(WaveformModel, Protocol):
@@ -78,6 +79,12 @@ class Catalogue:
     """By (name, version)."""
     labels: Mapping[str, Mapping[str, str]] = field(default_factory=lambda: MappingProxyType({}))
     """By name: label to version; only to versions that are served."""
+    pins: Mapping[tuple[str, str], LoadedModel] = field(init=False)
+    """By (name, digest)."""
+
+    def __post_init__(self) -> None:
+        pins = {(model.identity.name, model.identity.digest): model for model in self.models.values()}
+        object.__setattr__(self, "pins", MappingProxyType(pins))
 
     def names(self) -> list[str]:
         """The served models, sorted."""
@@ -118,12 +125,16 @@ class Registry:
         self._loaded = True
 
     def find(self, name: str, version: str | None = None) -> LoadedModel:
-        """The model of a version or label, by default ``stable``.
+        """The model of a version, a label (by default ``stable``) or a digest.
+
+        A digest names one artifact: it, or none.
 
         Raises
         ------
         ModelUnknown
             The nearest name, or the versions that are there, are suggested.
+        DigestUnknown
+            No version of that model has the digest.
         ModelLoading
             The stores have not been read yet.
         """
@@ -131,6 +142,8 @@ class Registry:
         wanted = version if version is not None else DEFAULT_LABEL
         labels = catalogue.labels.get(name)
         found = catalogue.models.get((name, labels.get(wanted, wanted) if labels else wanted))
+        if found is None:
+            found = catalogue.pins.get((name, wanted))
         if found is not None:
             return found
         if not self._loaded:
@@ -141,8 +154,16 @@ class Registry:
 def _unknown(catalogue: Catalogue, name: str, wanted: str) -> ModelUnknown:
     names = catalogue.names()
     if name not in names:
-        near = difflib.get_close_matches(name, names, n=1, cutoff=0.5)
+        near = difflib.get_close_matches(name[:80], names, n=1, cutoff=0.5)
         hint = f"Did you mean '{near[0]}'?" if near else f"Known models: {', '.join(names) or 'none'}."
         return ModelUnknown(f"This service has no model '{name[:80]}'. {hint}")
+    if wanted.startswith(DIGEST_PREFIX):
+        there = ", ".join(
+            f"{version} ({catalogue.models[name, version].identity.digest})" for version in catalogue.versions(name)
+        )
+        return DigestUnknown(
+            f"No artifact of model '{name}' with the digest {wanted[:80]} is served here; there are: {there}. "
+            "Nothing else is given for it."
+        )
     known = ", ".join([*catalogue.versions(name), *catalogue.labels.get(name, {})])
     return ModelUnknown(f"Model '{name}' has no version or label '{wanted[:80]}' here; there are: {known}.")

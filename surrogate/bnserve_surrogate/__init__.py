@@ -10,6 +10,7 @@ from bnserve_protocol import (
     RowStatus,
     UniformGrid,
 )
+from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
 from bnserve_surrogate._model import Model
 
@@ -26,4 +27,5 @@ __all__ = [
     "SelfCheck",
     "SurrogateMetadata",
     "UniformGrid",
+    "describe_run",
 ]

@@ -16,16 +16,20 @@ from bnserve_protocol import (
     EvaluationOptions,
     Factored,
     GridLike,
+    ManifestModel,
     ModelDescription,
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
+    RunManifest,
     check_dtype,
     time_until_merger,
 )
 from bnserve_store import Artifact, ModelStore
+from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._metadata import SurrogateMetadata
+from bnserve_surrogate._pinning import version_with_digest
 from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.kernel import KernelModel, Output
 
@@ -75,6 +79,7 @@ class Model:
         version: str = "stable",
         store: str | Path | ModelStore | None = None,
         *,
+        digest: str | None = None,
         threads: int = 1,
     ) -> Model:
         """A model from a store.
@@ -87,18 +92,24 @@ class Model:
             A version or a label.
         store:
             A directory or a store; None for the models that ship with the package.
+        digest:
+            That of the artifact it must be, ``"sha256:..."``, whatever a label stands for now; a ``version`` that is
+            not a label must be the one with this digest.
         threads:
             Among how many threads a large batch is divided.
 
         Raises
         ------
         ModelUnknown, StoreUnknown, ArtifactError
+        DigestUnknown
+            No version of this model has the ``digest``.
         """
         if store is None:
             store = ModelStore.default()
         elif not isinstance(store, ModelStore):
             store = ModelStore([store])
-        return cls.from_artifact(store.load(name, version), threads=threads)
+        exact = version if digest is None else version_with_digest(store, name, version, digest)
+        return cls.from_artifact(store.load(name, exact), threads=threads)
 
     @classmethod
     def from_artifact(cls, artifact: Artifact, *, threads: int = 1) -> Model:
@@ -121,6 +132,11 @@ class Model:
     def description(self) -> ModelDescription:
         """Name, version, digest, ranges, band, accuracy."""
         return self._description
+
+    def manifest(self) -> RunManifest:
+        """What the appendix of a paper needs: this model, the programs and the processor, with a digest of it all."""
+        own = self._description
+        return describe_run([ManifestModel(name=own.name, version=own.version, digest=own.digest)])
 
     def predict(
         self,

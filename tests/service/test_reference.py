@@ -44,6 +44,8 @@ def test_every_path_is_described_and_nothing_else(server, document):
         ("/v2/health/live", "GET"),
         ("/v2/health/ready", "GET"),
         ("/v2/models/{name}/ready", "GET"),
+        ("/v1/manifest", "GET"),
+        ("/v1/reload", "POST"),
         ("/metrics", "GET"),
     }
     assert described == expected

@@ -28,7 +28,7 @@ QUICK_BODY = 2**14
 Finish: TypeAlias = Callable[[int, list[Header], bytes], None]
 """Called with the status, the headers and the body of an answer."""
 
-_URL = re.compile(rb"/v1/models/([A-Za-z0-9_.-]+)(?:/versions/([A-Za-z0-9_.-]+))?/waveforms")
+_URL = re.compile(rb"/v1/models/([A-Za-z0-9_.-]+)(?:/versions/([A-Za-z0-9_.:-]+))?/waveforms")
 
 
 class QuickLane:

@@ -3,7 +3,7 @@
 from bnserve_surrogate.kernel._arguments import OTHER_GRID, Output, Policy
 from bnserve_surrogate.kernel._evaluate import Outputs, address_of, evaluate
 from bnserve_surrogate.kernel._layout import ACTIVATIONS, MAX_DEGREE, MAX_WIDTH, KernelModel, build_kernel_model
-from bnserve_surrogate.kernel._loader import load_assembly, load_kernel
+from bnserve_surrogate.kernel._loader import kernel_bytes, load_assembly, load_kernel
 
 __all__ = [
     "ACTIVATIONS",
@@ -17,6 +17,7 @@ __all__ = [
     "address_of",
     "build_kernel_model",
     "evaluate",
+    "kernel_bytes",
     "load_assembly",
     "load_kernel",
 ]

@@ -21,6 +21,11 @@ _engines: list[Any] = []
 """Engines own the machine code, so they live as long as the process."""
 
 
+def kernel_bytes() -> bytes:
+    """The assembly of the kernel, before it is made machine code."""
+    return ASSEMBLY.read_bytes()
+
+
 @functools.cache
 def load_kernel() -> Callable[[int, int, int], int]:
     """The compiled kernel as a C function; calling it releases the GIL.
