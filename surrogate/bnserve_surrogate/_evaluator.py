@@ -145,14 +145,19 @@ class Evaluator:
         rows, points = len(coerced), len(grid.frequencies)
         two = kind not in (Output.STRAIN, Output.STRAIN_SINGLE)
         arrays = [result_memory.empty((rows, points), _DTYPES[kind]) for _ in range(1 + two)]
-        plus, cross = np.empty(rows), np.empty(rows, np.complex128)
-        status = np.empty(rows, np.uint8)
-        estimates = np.empty(rows) if self._mode.estimates_mismatch else None
         second = arrays[1] if two else None
-        at = [
-            0 if array is None else address_of(array) for array in (arrays[0], second, plus, cross, status, estimates)
-        ]
-        bad = self._run(grid, coerced, options, Outputs(kind, *at), points * arrays[0].itemsize)
+        of_rows = np.empty(5 * rows)  # one block, because finding out an address takes longer than a copy
+        plus, cross = of_rows[:rows], of_rows[rows : 3 * rows].view(np.complex128)
+        estimates = of_rows[3 * rows : 4 * rows] if self._mode.estimates_mismatch else None
+        status = of_rows[4 * rows :].view(np.uint8)[:rows]
+        first_at, second_at, at = (
+            address_of(arrays[0]),
+            0 if second is None else address_of(second),
+            address_of(of_rows),
+        )
+        estimates_at = 0 if estimates is None else at + 24 * rows
+        outputs = Outputs(kind, first_at, second_at, at, at + 8 * rows, at + 32 * rows, estimates_at)
+        bad = self._run(grid, coerced, options, outputs, points * arrays[0].itemsize)
         if bad and options.out_of_domain == "error":
             refuse_rows(coerced, grid.frequencies, self._ranges, self._mode.mf_band, options)
         return Answer(arrays[0], second, plus, cross, status, estimates)

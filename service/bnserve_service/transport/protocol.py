@@ -15,6 +15,7 @@ from bnserve_service.digests import content_digest
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import Header
 from bnserve_service.transport.quick import QUICK_BODY, QuickLane
+from bnserve_service.transport.repetition import RepeatedHead, repeatable
 
 MAX_HEADER_BYTES = 2**16
 """Request line and headers; browsers and proxies stay below 16 KiB."""
@@ -28,6 +29,9 @@ class _Waiting(enum.Enum):
     BODY = enum.auto()
 
 
+_NOBODY_WAITS = asyncio.Event()
+
+
 class _QuickCycle:
     """What uvicorn's protocol looks at while a request is being answered, for one of the quick lane."""
 
@@ -35,7 +39,7 @@ class _QuickCycle:
         self.response_complete = False
         self.disconnected = False
         self.keep_alive = True
-        self.message_event = asyncio.Event()
+        self.message_event = _NOBODY_WAITS
 
 
 class BoundedProtocol(HttpToolsProtocol):
@@ -55,6 +59,10 @@ class BoundedProtocol(HttpToolsProtocol):
         self._in_headers = False
         self._in_message = False
         self._header_bytes = 0
+        self._arrived = b""
+        """What came last, if no request was under way."""
+        self._repeated: RepeatedHead | None = None
+        """The head of the quick lane's last request."""
         self._held: bytearray | None = None
         """The body of a request that is for the quick lane if it comes in one piece with its headers."""
         self._waiting = _Waiting.NOTHING
@@ -74,6 +82,9 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def data_received(self, data: bytes) -> None:
         """Bytes arrived."""
+        if self._repeated is not None and self._answer_repeated(self._repeated, data):
+            return
+        self._arrived = b"" if self._in_message else data
         if self._in_headers or not self._in_message:
             self._header_bytes += len(data)
             if self._in_headers and self._header_bytes > MAX_HEADER_BYTES:
@@ -116,15 +127,14 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def _may_be_quick(self) -> bool:
         return (
-            self.lane is not None
-            and self._is_idle()
+            self._is_idle()
             and not self.expect_100_continue
             and not self.flow.write_paused
             and self.parser.get_method() == b"POST"
             and self.parser.get_http_version() == "1.1"
             and self.parser.should_keep_alive()
             and not self.parser.should_upgrade()
-            and self.lane.offers(self.url)
+            and self._lane_is_open(self.url)
         )
 
     def _answer_quickly(self, body: bytes) -> bool:
@@ -132,10 +142,32 @@ class BoundedProtocol(HttpToolsProtocol):
         assert self.lane is not None, "a body is held for the lane alone"
         if len(body) > QUICK_BODY:
             return False
-        cycle = _QuickCycle()
-        if not self.lane.take(self.url, self.headers, body, lambda *answer: self._write_quickly(cycle, *answer)):
+        if not self._take_quickly(self.url, self.headers, body):
             return False
         self._held = None
+        self._repeated = repeatable(self._arrived, self.url, self.headers)
+        return True
+
+    def _answer_repeated(self, head: RepeatedHead, data: bytes) -> bool:
+        """Have the quick lane answer without the parser; false when it is to be parsed like any other request."""
+        if self._in_message or not self._is_idle() or self.flow.write_paused:
+            return False
+        found = head.read(data)
+        if found is None or not self._lane_is_open(head.url) or not self._take_quickly(head.url, *found):
+            return False
+        self._unset_keepalive_if_required()
+        self._arm(_Waiting.NOTHING)
+        return True
+
+    def _lane_is_open(self, url: bytes) -> bool:
+        """Whether requests to ``url`` may be for the quick lane."""
+        return self.lane is not None and self.lane.offers(url)
+
+    def _take_quickly(self, url: bytes, headers: list[Header], body: bytes) -> bool:
+        assert self.lane is not None, "asked before"
+        cycle = _QuickCycle()
+        if not self.lane.take(url, headers, body, lambda *answer: self._write_quickly(cycle, *answer)):
+            return False
         self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
         return True
 
