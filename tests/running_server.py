@@ -44,6 +44,8 @@ def running(command: list[str], log: Path, ready: Callable[[], bool], **options)
     finally:
         if process.poll() is None:
             process.terminate()
+            time.sleep(0.05)
+            process.terminate()  # a second signal ends a server at once, without the grace of a drain
             try:
                 process.wait(PATIENCE)
             except subprocess.TimeoutExpired:

@@ -97,13 +97,56 @@ def log_tokens() -> None:
     context.new_context = new_and_told  # type: ignore[assignment]
 
 
+def no_drain() -> None:
+    """SIGTERM ends the process as a program does that knows nothing of it: at once, whatever is under way."""
+    from bnserve_service.server import BnserveServer
+
+    BnserveServer.stop = lambda self: os._exit(0)  # type: ignore[method-assign]
+
+
+def reload_on_loop() -> None:
+    """Versions are loaded on the event loop."""
+    from bnserve_service.maintenance import Maintenance
+
+    async def refresh(self: Maintenance, force: bool = False) -> Any:
+        report = self._loader.refresh(force)
+        self.last_report = report
+        self._tell(report)
+        return report
+
+    Maintenance.refresh = refresh  # type: ignore[method-assign]
+
+
+def mixed_versions() -> None:
+    """The model of the served version is replaced first, and its name a moment later."""
+    import time
+
+    from bnserve_service.registry import Registry
+
+    swap = Registry.swap
+
+    def swap_in_two_steps(self: Registry, catalogue: Any) -> None:
+        for name in catalogue.names():
+            newest = list(catalogue.models.values())[-1]
+            for key, served in self.catalogue.models.items():
+                if key[0] == name:
+                    object.__setattr__(served, "model", newest.model)
+        time.sleep(0.1)
+        swap(self, catalogue)
+
+    Registry.swap = swap_in_two_steps  # type: ignore[method-assign]
+
+
 FAULTS: dict[str, Callable[[], None]] = {
     "leak": leak,
+    "mixed-versions": mixed_versions,
     "log-tokens": log_tokens,
     "no-cap": no_cap,
+    "no-drain": no_drain,
     "no-watch": no_watch,
     "open-files": open_files,
     "prefix-compare": prefix_compare,
+    "reload-on-loop": reload_on_loop,
 }
 
 

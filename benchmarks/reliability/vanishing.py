@@ -30,7 +30,7 @@ PATIENCE = 0.6
 
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Measure; the long form takes a minute."""
-    rounds, clients = (1, 40) if short else (10, 160)
+    rounds, clients = (1, 80) if short else (10, 160)
     draw = random.Random(1)
     removed: list[float] = []
     wasted, evaluated, errors, left = 0.0, 0.0, 0, 0

@@ -136,8 +136,9 @@ class Settings(BaseModel):
     """A client that takes nothing for this long is cut off."""
     keep_alive: float = Field(default=75.0, gt=0)
     """Longer than the idle time of common client pools, so that they rarely meet a connection being closed."""
-    drain_grace: float = Field(default=1.0, ge=0)
-    """After SIGTERM, requests are still served for this long, so that load balancers see the ready path first."""
+    drain_grace: float = Field(default=2.0, ge=0)
+    """After SIGTERM, requests are still served for this long, so that load balancers see the ready path first: one that
+    looks every second, and again after a quarter when it sees a failure, takes 1.25 s."""
     drain_timeout: float = Field(default=25.0, gt=0)
     """Then requests in flight may take this long: together below the 30 s of container platforms."""
     hung_seconds: float = Field(default=4.0, ge=1.0)
