@@ -13,16 +13,35 @@ from bnserve_protocol import (
     ConnectionFailed,
     DeadlineExceeded,
     DigestUnknown,
+    Forbidden,
     ModelUnknown,
+    NotAcceptable,
+    PathUnknown,
     ShareExceeded,
+    TooLarge,
+    Unauthorized,
+    UndecodableBody,
+    UnsupportedMediaType,
     UntrustedAnswer,
 )
 
 _FIRST_PAUSE = 0.05
 _LONGEST_PAUSE = 5.0
 _REST_SECONDS = 1.0
-_UNTRUSTED_ATTEMPTS = 3
-"""An answer that is damaged this often in a row is not bad luck."""
+_UNTRUSTED_ATTEMPTS = 6
+"""An answer that is damaged this often in a row, within some seconds, is not bad luck."""
+_DOUBTFUL = (
+    UndecodableBody,
+    UnsupportedMediaType,
+    NotAcceptable,
+    TooLarge,
+    PathUnknown,
+    ModelUnknown,
+    Unauthorized,
+    Forbidden,
+    DeadlineExceeded,
+)
+"""What a question deserves whose head was damaged on the way: believed when it is said twice."""
 
 _chance = random.SystemRandom()
 """Neither shared between forked processes nor drawn from the generator that a sampler may have seeded."""
@@ -40,6 +59,7 @@ class Patience:
         self._replicas = replicas
         self._failures = 0
         self._untrusted = 0
+        self._doubted = False
         self.deadline = time.monotonic() + settings.timeout
         self._address: Address | None = None
 
@@ -68,12 +88,16 @@ class Patience:
             ``error`` itself where asking again cannot help, or the retries or the time are used up.
         """
         untrusted = isinstance(error, UntrustedAnswer) or self._another_may_have_it(error)
-        if not (error.retryable or untrusted):
+        doubted = isinstance(error, _DOUBTFUL) and not (untrusted or self._doubted)
+        if not (error.retryable or untrusted or doubted):
             raise error
         self._failures += 1
         self._untrusted += untrusted
         if self._untrusted >= _UNTRUSTED_ATTEMPTS or (self._retries is not None and self._failures > self._retries):
             raise error
+        if doubted:
+            self._doubted = True
+            return 0.0
         pause = self._pause(error)
         if pause >= self.seconds_left:
             raise self._out_of_time(error) from error

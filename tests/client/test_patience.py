@@ -63,9 +63,9 @@ def test_what_cannot_get_better_is_raised(error):
 
 
 @pytest.mark.parametrize("error", [AnswerCorrupted("x"), NotBnserve("x")])
-def test_answers_that_cannot_be_trusted_are_given_three_chances(error):
+def test_answers_that_cannot_be_trusted_are_given_six_chances(error):
     trying = patience()
-    for _ in range(2):
+    for _ in range(5):
         trying.pause_after(error)
     with pytest.raises(type(error)):
         trying.pause_after(error)
