@@ -7,9 +7,8 @@ import threading
 from typing import Any, Self
 
 from bnserve_service.app import create_app
-from bnserve_service.listening import address_of
-from bnserve_service.metrics_port import open_metrics_listener
-from bnserve_service.server import BnserveServer, open_listener
+from bnserve_service.listening import address_of, open_listener, open_metrics_listener
+from bnserve_service.server import BnserveServer
 from bnserve_service.settings import Settings
 
 logger = logging.getLogger("bnserve.server")

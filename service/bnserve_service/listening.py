@@ -7,6 +7,7 @@ import socket
 from pathlib import Path
 
 from bnserve_protocol import BnserveError
+from bnserve_service.settings import Settings
 
 BACKLOG = 2048
 
@@ -16,6 +17,33 @@ class CannotListen(BnserveError):
 
     code = "cannot-listen"
     title = "Cannot listen"
+
+
+def open_listener(settings: Settings) -> socket.socket:
+    """The socket that the settings ask for.
+
+    Raises
+    ------
+    CannotListen
+    """
+    return listen_unix(settings.uds) if settings.uds is not None else listen_tcp(settings.host, settings.port)
+
+
+def open_metrics_listener(settings: Settings) -> socket.socket | None:
+    """The socket for the metrics, if the settings ask for one.
+
+    Raises
+    ------
+    CannotListen
+    """
+    if settings.metrics_port is None:
+        return None
+    try:
+        return listen_tcp(settings.host, settings.metrics_port)
+    except CannotListen as error:
+        raise CannotListen(
+            f"The metrics port {settings.metrics_port} cannot be used; choose another with --metrics-port. {error.detail}"
+        ) from error
 
 
 def listen_tcp(host: str, port: int) -> socket.socket:

@@ -10,26 +10,8 @@ from socketserver import ThreadingMixIn
 from typing import Any
 from wsgiref.simple_server import WSGIRequestHandler, WSGIServer
 
-from bnserve_service.listening import CannotListen, address_of, listen_tcp
+from bnserve_service.listening import address_of
 from bnserve_service.metrics import CONTENT_TYPE
-from bnserve_service.settings import Settings
-
-
-def open_metrics_listener(settings: Settings) -> socket.socket | None:
-    """The socket for the metrics, if the settings ask for one.
-
-    Raises
-    ------
-    CannotListen
-    """
-    if settings.metrics_port is None:
-        return None
-    try:
-        return listen_tcp(settings.host, settings.metrics_port)
-    except CannotListen as error:
-        raise CannotListen(
-            f"The metrics port {settings.metrics_port} cannot be used; choose another with --metrics-port. {error}"
-        ) from error
 
 
 @contextmanager

@@ -15,9 +15,9 @@ import uvicorn
 
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
-from bnserve_service.listening import BACKLOG, address_of, listen_tcp, listen_unix
+from bnserve_service.listening import BACKLOG, address_of, open_listener, open_metrics_listener
 from bnserve_service.loading import RefreshReport
-from bnserve_service.metrics_port import open_metrics_listener, serving_metrics
+from bnserve_service.metrics_port import serving_metrics
 from bnserve_service.settings import Settings, SettingsInvalid
 from bnserve_service.transport.protocol import bounded_protocol
 
@@ -180,16 +180,6 @@ def models_missing(report: RefreshReport) -> ModelLoading:
         + (reasons or "The stores hold no models; publish one with `bnserve models publish` or name another "
            "store with --store.")
     )  # fmt: skip
-
-
-def open_listener(settings: Settings) -> socket.socket:
-    """The socket that the settings ask for.
-
-    Raises
-    ------
-    CannotListen
-    """
-    return listen_unix(settings.uds) if settings.uds is not None else listen_tcp(settings.host, settings.port)
 
 
 def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: Any) -> None:

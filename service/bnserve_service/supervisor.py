@@ -22,6 +22,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from bnserve_service.process_name import name_process
 from bnserve_service.shared import SharedFolder
 from bnserve_service.supervisor_report import write_report
 from bnserve_service.supervisor_roster import BackOff, Rules, Verdict, Worker, judge
@@ -337,6 +338,7 @@ def main(arguments: Sequence[str]) -> int:
     for number in (listener, metrics_listener, settings_file):
         if number != NO_DESCRIPTOR:
             os.set_inheritable(number, False)
+    name_process("bnserve-superv")
     become_subreaper()
     shared = SharedFolder.create(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
     try:

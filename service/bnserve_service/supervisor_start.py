@@ -7,9 +7,7 @@ import sys
 from collections.abc import Callable
 from typing import NoReturn
 
-from bnserve_service.listening import address_of
-from bnserve_service.metrics_port import open_metrics_listener
-from bnserve_service.server import open_listener
+from bnserve_service.listening import address_of, open_listener, open_metrics_listener
 from bnserve_service.settings import Settings
 from bnserve_service.supervisor_template import NO_DESCRIPTOR
 

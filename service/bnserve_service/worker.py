@@ -15,6 +15,7 @@ from bnserve_protocol import BnserveError
 from bnserve_service.app import Application, create_app, loader_of
 from bnserve_service.cpu import available_cpus
 from bnserve_service.loading import Loader, RefreshReport
+from bnserve_service.process_name import name_process
 from bnserve_service.registry import Registry
 from bnserve_service.server import BnserveServer, models_missing
 from bnserve_service.settings import Settings
@@ -65,6 +66,7 @@ class Models:
 
     def __init__(self, settings: Settings) -> None:
         self.registry = Registry()
+        self._settings = settings
         self._loader: Loader = loader_of(settings, self.registry)
 
     def load(self) -> None:
@@ -79,6 +81,7 @@ class Models:
 
         self._loader.list_source()
         report = self._loader.refresh()
+        create_app(self._settings, registry=self.registry, follow=False)  # what it makes once and keeps, too
         if not self.registry.catalogue.models:
             raise models_missing(report)
 
@@ -101,6 +104,7 @@ def work(channel: Channel, slot: int, belongings: Belongings, registry: Registry
     registry:
         Models that are loaded already; None for one that only says that they are being loaded.
     """
+    name_process(f"bnserve-work-{slot}")
     shared = SharedFolder(belongings.shared)
     greets = registry is None
     settings = belongings.settings.model_copy(update={"drain_grace": 0.0} if greets else {})

@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from bnserve_service.process_name import name_process
 from bnserve_service.worker_channel import Channel, Closed
 
 ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
@@ -41,6 +42,7 @@ def main(arguments: Sequence[str]) -> int:
     for number in (channel, listener, metrics_listener, settings_file):
         if number >= 0:
             os.set_inheritable(number, False)
+    name_process("bnserve-templat")
     supervisor = Channel.inherited(channel)
     try:
         return _serve_template(supervisor, listener, metrics_listener, settings_file, Path(arguments[4]))

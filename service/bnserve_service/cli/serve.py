@@ -37,8 +37,6 @@ def run(options: argparse.Namespace) -> int:
     """Serve until told to stop."""
     for name in ONE_THREAD:  # before numpy is imported
         os.environ.setdefault(name, "1")
-    from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
-    from bnserve_service.server import serve
     from bnserve_service.settings import load_settings
 
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
@@ -48,6 +46,9 @@ def run(options: argparse.Namespace) -> int:
         from bnserve_service.supervisor_start import become_supervisor
 
         become_supervisor(settings, announce=_announce)
+    from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
+    from bnserve_service.server import serve
+
     keep_freed_memory()
     forget_what_is_imported()
     serve(settings, announce=_announce)

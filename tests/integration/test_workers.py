@@ -1,0 +1,272 @@
+"""A server of several processes: none of them is missed, whichever dies, hangs or is told to go."""
+
+import hashlib
+import http.client
+import json
+import os
+import re
+import signal
+import threading
+import time
+import urllib.request
+
+import numpy as np
+import pytest
+
+from bnserve_client import Model, ParametersWithExtrinsic
+from bnserve_protocol import encode_analysis
+from tests.architecture.rooms import run_python
+from tests.integration.conftest import bnserve, serving
+from tests.integration.workers import children, exists, own_memory, serving_with, until
+from tests.service.asking import GW170817, JSON, ask, ask_on, closing_connection, evaluate_json, question
+from tests.service.injections import name_of, small_analysis
+
+CURL = question(GW170817, {"f_min": 20, "f_max": 2048, "delta_f": 4})
+GRID = np.linspace(20.0, 1024.0, 500)
+PARAMETERS = ParametersWithExtrinsic.gw170817()
+RESTARTS = "bnserve_worker_restarts_total"
+
+
+@pytest.fixture(scope="module")
+def workers(tmp_path_factory):
+    """Three workers; every test leaves as many."""
+    with serving_with(tmp_path_factory.mktemp("workers") / "server.log", 3) as it:
+        yield it
+
+
+@pytest.fixture(scope="module")
+def expected(local):
+    return local.predict(GRID, PARAMETERS).plus.tobytes()
+
+
+class Sampler:
+    """Asks without a pause from a thread, and remembers what came."""
+
+    def __init__(self, address, expected):
+        self.answers, self.wrong, self.errors = 0, 0, []
+        self._address, self._expected = address, expected
+        self._stop = threading.Event()
+        self._thread = threading.Thread(target=self._run)
+
+    def _run(self):
+        try:
+            with Model.connect(self._address) as model:
+                while not self._stop.is_set():
+                    self.wrong += model.predict(GRID, PARAMETERS).plus.tobytes() != self._expected
+                    self.answers += 1
+        except Exception as error:
+            self.errors.append(error)
+
+    def __enter__(self):
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_):
+        self._stop.set()
+        self._thread.join()
+
+    def comes_on(self):
+        """Wait for some more answers."""
+        so_far = self.answers
+        until(lambda: self.errors or self.answers > so_far + 20, "the sampler gets answers")
+
+
+def test_they_share_their_memory(workers, bnserve_server):
+    processes = [workers.supervisor, *children(workers.supervisor)]
+    assert len(processes) == 5
+    alone = own_memory(bnserve_server.process.pid)
+    assert sum(own_memory(pid) for pid in processes) < 0.75 * workers.count * alone
+
+
+def test_a_client_sees_nothing_of_workers_that_are_killed_one_after_the_other(workers, expected):
+    before = workers.value(RESTARTS, reason="killed")
+    with Sampler(workers.address, expected) as one, Sampler(workers.address, expected) as other:
+        for name, pid in workers.wait_until_complete().items():
+            one.comes_on()
+            os.kill(pid, signal.SIGKILL)
+            until(lambda name=name, pid=pid: workers.pids().get(name, pid) != pid, f"{name} is another process")
+        one.comes_on()
+        other.comes_on()
+    assert (one.errors, other.errors) == ([], [])
+    assert one.wrong == other.wrong == 0
+    workers.wait_until_complete()
+    assert workers.value(RESTARTS, reason="killed") == before + 3
+
+
+@pytest.mark.parametrize("victim", ["a worker", "the template"])
+def test_what_does_not_come_back_is_replaced(workers, expected, victim):
+    pids = workers.wait_until_complete()
+    with Sampler(workers.address, expected) as sampler:
+        sampler.comes_on()
+        if victim == "a worker":
+            pid = pids["bnserve-work-0"]
+            os.kill(pid, signal.SIGSTOP)
+            until(lambda: not exists(pid), "the worker that hangs is killed")
+            until(lambda: workers.value(RESTARTS, reason="hung") >= 1, "the reason is counted")
+        else:
+            pid = workers.template
+            os.kill(pid, signal.SIGKILL)
+            until(lambda: workers.template not in (None, pid), "another template is there")
+            assert workers.pids() == pids, "nobody else is concerned"
+            os.kill(pids["bnserve-work-1"], signal.SIGKILL)
+        workers.wait_until_complete()
+        sampler.comes_on()
+    assert (sampler.errors, sampler.wrong) == ([], 0)
+
+
+def test_a_worker_told_to_go_answers_what_it_has_and_is_replaced(workers):
+    workers.wait_until_complete()
+    with closing_connection(workers.address) as connection:
+        assert ask_on(connection, "GET", "/v2/health/ready").status == 200
+        pids = workers.pids()
+        for pid in pids.values():
+            os.kill(pid, signal.SIGTERM)
+        while answer := ask_on(connection, "POST", "/v1/models/default/waveforms", json.dumps(CURL), content_type=JSON):
+            assert answer.status == 200
+            if answer.headers.get("connection") == "close":
+                break
+    until(lambda: not any(exists(pid) for pid in pids.values()), "all of them have ended")
+    workers.wait_until_complete()
+
+
+def test_counts_are_of_all_workers_and_outlive_each_of_them(workers):
+    waveforms = {"model": "default"}
+    before = workers.value("bnserve_rows_total", **waveforms)
+    for pid in workers.wait_until_complete().values():
+        for _ in range(5):
+            assert evaluate_json(workers.address, CURL, model="default").status == 200
+        before += 5
+        time.sleep(1.5)  # what a worker counted in its last second may be lost
+        os.kill(pid, signal.SIGKILL)
+        workers.wait_until_complete()
+        assert workers.value("bnserve_rows_total", **waveforms) == before
+
+
+def test_counters_never_go_backwards_whichever_worker_is_asked(workers):
+    last = {}
+    stop = time.monotonic() + 2.0
+    victims = list(workers.wait_until_complete().values())
+    while time.monotonic() < stop or victims:
+        if victims and time.monotonic() > stop - 1.0:
+            os.kill(victims.pop(), signal.SIGKILL)
+        try:
+            now = workers.metrics()
+        except (OSError, http.client.HTTPException):
+            continue  # it was asked when it was killed
+        counters = {
+            key: value for key, value in now.items() if key[0].endswith(("_total", "_count", "_bucket", "_sum"))
+        }
+        assert {key: (last[key], counters.get(key)) for key in last if counters.get(key, -1.0) < last[key]} == {}
+        last = counters
+    assert ("process_resident_memory_bytes", frozenset({("worker", "1")})) in now
+    workers.wait_until_complete()
+
+
+def test_what_was_uploaded_to_one_worker_is_known_to_all_and_outlives_it(workers, local):
+    body = np.linspace(30.0, 60.0, 777).tobytes()
+    grid = f"/v1/grids/{hashlib.sha256(body).hexdigest()}"
+    analysis = small_analysis(local, f_max=128.0)
+    mine = f"/v1/analyses/{name_of(analysis)}"
+    assert ask(workers.address, "PUT", grid, body).status == 201
+    assert ask(workers.address, "PUT", mine, b"".join(encode_analysis(analysis))).status == 201
+    for _ in range(2):
+        for name in workers.wait_until_complete():
+            with workers.all_but_one_stopped(name):
+                assert ask(workers.address, "PUT", grid, body).status == 200, "it is no news to any of them"
+                assert ask(workers.address, "HEAD", mine).status == 200
+        for pid in workers.pids().values():
+            os.kill(pid, signal.SIGKILL)
+    workers.wait_until_complete()
+    assert ask(workers.address, "DELETE", mine).status == 204
+    for name in workers.wait_until_complete():
+        with workers.all_but_one_stopped(name):
+            assert ask(workers.address, "HEAD", mine).status == 404
+
+
+def test_sigterm_drains_all_of_them_and_loses_nothing(tmp_path):
+    with serving_with(tmp_path / "log", 2) as workers:
+        shared = workers.shared
+        assert shared.stat().st_mode & 0o777 == 0o700
+        answers, failures = [], []
+
+        def keep_asking():
+            with closing_connection(workers.address) as connection:
+                while True:
+                    try:
+                        answer = ask_on(
+                            connection, "POST", "/v1/models/default/waveforms", json.dumps(CURL), content_type=JSON
+                        )
+                    except (OSError, http.client.HTTPException) as error:
+                        failures.append(repr(error))
+                        return
+                    answers.append(answer.status)
+                    if answer.headers.get("connection") == "close":
+                        return
+
+        callers = [threading.Thread(target=keep_asking) for _ in range(8)]
+        for caller in callers:
+            caller.start()
+        until(lambda: len(answers) > 50, "the server is busy")
+        workers.server.process.send_signal(signal.SIGTERM)
+        for caller in callers:
+            caller.join()
+        assert workers.server.process.wait(60) == 0
+        assert failures == []
+        assert set(answers) == {200}
+        assert not shared.exists()
+        assert "Traceback" not in workers.server.log.read_text()
+
+
+@pytest.mark.parametrize("how", ["its supervisor is killed", "a second signal"])
+def test_nothing_is_left_of_a_server_whose(tmp_path, how):
+    with serving_with(tmp_path / "log", 2) as workers, closing_connection(workers.address) as idle:
+        assert ask_on(idle, "GET", "/v2/health/live").status == 200
+        pids, shared = list(children(workers.supervisor)), workers.shared
+        assert len(pids) == 3
+        if how == "a second signal":
+            workers.server.process.send_signal(signal.SIGTERM)
+            time.sleep(0.1)
+            workers.server.process.send_signal(signal.SIGTERM)
+            assert workers.server.process.wait(30) == 0
+        else:
+            workers.server.process.kill()
+            workers.server.process.wait()
+        until(lambda: not any(exists(pid) for pid in pids), "all processes have ended")
+        assert not shared.exists()
+
+
+def test_sighup_has_all_of_them_look_at_the_stores(workers):
+    def looks():
+        return workers.value("bnserve_reloads_total", outcome="unchanged")
+
+    workers.wait_until_complete()
+    before = looks()
+    os.kill(workers.supervisor, signal.SIGHUP)
+    until(lambda: looks() >= before + 3, "three workers have looked")
+
+
+def test_the_metrics_have_a_port_of_their_own(tmp_path):
+    with serving(tmp_path / "log", "--workers", "2", "--metrics-port", "0") as server:
+        address = re.search(r"^bnserve metrics on (\S+)$", server.log.read_text(), re.MULTILINE).group(1)
+
+        def told(sample):
+            with urllib.request.urlopen(address) as answer:
+                return sample in answer.read().decode()
+
+        until(lambda: told("bnserve_workers_serving 2.0"), "both workers serve")
+        assert ask(server.address, "GET", "/metrics").status == 404
+
+
+def test_without_any_model_the_reason_is_said(tmp_path):
+    (tmp_path / "store").mkdir()
+    done = bnserve("serve", "--port", "0", "--workers", "2", "--model", "defualt", "--store", str(tmp_path / "store"))
+    assert done.returncode == 2
+    assert "defualt" in done.stderr
+    assert "Traceback" not in done.stderr
+    assert "is ready" not in done.stdout
+
+
+def test_the_supervisor_imports_nothing_heavy():
+    code = "import sys, bnserve_service.supervisor; print(*sys.modules)"
+    loaded = {name.partition(".")[0] for name in run_python(code).split()}
+    assert not loaded & {"asyncio", "bnserve_protocol", "msgspec", "numpy", "prometheus_client", "pydantic", "uvicorn"}
