@@ -15,7 +15,7 @@ from benchmarks.reliability.outcome import Figures, Log, Outcome
 from benchmarks.reliability.serving import Server, serving
 from tests.running_server import free_port
 
-MECHANISM = """After SIGTERM the ready path says 503 at once while everything is still answered for two seconds of grace, each
+MECHANISM = """After SIGTERM the ready path says 503 at once, while everything is still answered for two seconds, each
 answer closing its connection, so that a balancer goes elsewhere first; then what is in flight is finished, and the
 process ends with 0."""
 BAR = "0 failures, every exit with status 0 within 30 s"

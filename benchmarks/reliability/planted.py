@@ -137,12 +137,48 @@ def mixed_versions() -> None:
     Registry.swap = swap_in_two_steps  # type: ignore[method-assign]
 
 
+def no_verification() -> None:
+    """Versions are served as they are read."""
+    from types import SimpleNamespace
+
+    from bnserve_service.loading import Loader
+    from bnserve_store import _artifact
+
+    class _EqualToAll:
+        """A digest that differs from no other."""
+
+        def __ne__(self, other: object) -> bool:
+            return False
+
+    store: Any = _artifact
+    store.hashlib = SimpleNamespace(sha256=lambda _: SimpleNamespace(hexdigest=_EqualToAll))
+    store._verify_tensors = lambda *_: None
+    load: Any = Loader._load
+
+    def load_unchecked(self: Any, *arguments: Any) -> Any:
+        factory = self._factory
+
+        def make(artifact: Any) -> Any:
+            model = factory(artifact)
+            type(model).self_check = lambda _: True
+            return model
+
+        self._factory = make
+        try:
+            return load(self, *arguments)
+        finally:
+            self._factory = factory
+
+    Loader._load = load_unchecked  # type: ignore[assignment,method-assign]
+
+
 FAULTS: dict[str, Callable[[], None]] = {
     "leak": leak,
     "mixed-versions": mixed_versions,
     "log-tokens": log_tokens,
     "no-cap": no_cap,
     "no-drain": no_drain,
+    "no-verification": no_verification,
     "no-watch": no_watch,
     "open-files": open_files,
     "prefix-compare": prefix_compare,

@@ -85,6 +85,8 @@ def _read_mode(
 
 
 def _check_shapes(mode: str, own: dict[str, NDArray[Any]], band: tuple[float, float]) -> None:
+    for name, tensor in own.items():
+        _require(mode, name, name == "polynomial_exponents" or tensor.dtype.kind == "f")
     outputs, width = _shape2(mode, own, "basis")
     for name in ("amplitude_nodes", "phase_nodes"):
         nodes = own[name]

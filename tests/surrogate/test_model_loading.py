@@ -151,6 +151,7 @@ MISFITS = {
     "an empty basis": ("basis", lambda t: t[:0]),
     "a basis in one dimension": ("basis", np.ravel),
     "an alignment of other outputs": ("merger_alignment", lambda t: t[1:]),
+    "an alignment of whole numbers": ("merger_alignment", lambda t: t.astype(np.int64)),
     "too few coordinates": ("coordinate_offset", lambda t: t[:4]),
     "too many coordinates": ("coordinate_scale", lambda t: np.append(t, 1.0)),
     "exponents of four coordinates": ("polynomial_exponents", lambda t: t[:, :4]),
