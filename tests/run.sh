@@ -21,11 +21,13 @@ find_python() {
     fail "no Python >= 3.11 found; install one, or name it: PYTHON=/path/to/python3.12 bash tests/run.sh"
 }
 
-# TEOBResumS comes as C source: a compiler, GSL and the headers of Python. Names of the Debian packages that are missing.
+# TEOBResumS comes as C source: a compiler, GSL and the headers of Python; the configuration in deploy/haproxy is run by
+# HAProxy, which Debian keeps in /usr/sbin. Names of the Debian packages that are missing.
 missing_packages() {
     command -v gcc >/dev/null || echo gcc libc6-dev
     command -v pkg-config >/dev/null || echo pkg-config
     [ -e /usr/include/gsl/gsl_version.h ] || pkg-config --exists gsl 2>/dev/null || echo libgsl-dev
+    PATH="$PATH:/usr/sbin:/usr/local/sbin" command -v haproxy >/dev/null || echo haproxy
     "$python" - <<'PYTHON_END'
 import importlib.util, os, sys, sysconfig
 debian = f"python{sys.version_info.major}.{sys.version_info.minor}" if sys.base_prefix == "/usr" else None

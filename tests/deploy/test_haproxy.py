@@ -1,0 +1,182 @@
+"""The HAProxy configuration that ships: servers die, hang or drain behind it, and callers do not notice."""
+
+import json
+import re
+import signal
+import subprocess
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack
+
+import numpy as np
+import pytest
+
+from bnserve_client import Model, ParametersWithExtrinsic
+from bnserve_service import Settings
+from bnserve_surrogate import Model as LocalModel
+from tests.deploy.fake_servers import FakeServer, break_off, reply
+from tests.deploy.proxies import CONFIGURATION, haproxy, proxy_before, proxy_environment
+from tests.integration.conftest import serving
+from tests.service.asking import GW170817, JSON, ask, ask_on, closing_connection, question
+
+ONE = ParametersWithExtrinsic.gw170817()
+FREQUENCIES = np.geomspace(20.0, 2000.0, 1000)
+QUESTION = json.dumps(question(GW170817, {"f_min": 20, "f_max": 2048, "delta_f": 16}))
+
+
+@pytest.fixture(scope="module")
+def servers(tmp_path_factory):
+    """Three servers: one to be killed, one to be stopped, and one that stays."""
+    with ExitStack() as stack:
+        folder = tmp_path_factory.mktemp("servers")
+        yield [stack.enter_context(serving(folder / f"{number}.log")) for number in range(3)]
+
+
+@pytest.fixture(scope="module")
+def proxy(servers, tmp_path_factory):
+    addresses = [server.address for server in servers]
+    with proxy_before(tmp_path_factory.mktemp("proxy"), addresses, ["UP"] * 3) as running_proxy:
+        yield running_proxy
+
+
+@pytest.fixture
+def before(tmp_path):
+    """Starts fake servers and the proxy in front of them."""
+    with ExitStack() as stack:
+
+        def start(*servers, states=("UP", "UP", "DOWN")):
+            addresses = [stack.enter_context(server.serving()) for server in servers]
+            return stack.enter_context(proxy_before(tmp_path, addresses, list(states)))
+
+        yield start
+
+
+class Callers:
+    """Threads that ask through the proxy without ever asking twice, and keep what they see."""
+
+    def __init__(self, address, count=4):
+        self.statuses, self.failures = [], []
+        self._address, self._stopping = address, threading.Event()
+        self._threads = [threading.Thread(target=self._ask) for _ in range(count)]
+
+    def __enter__(self):
+        for thread in self._threads:
+            thread.start()
+        return self
+
+    def __exit__(self, *error):
+        self._stopping.set()
+        for thread in self._threads:
+            thread.join()
+
+    def wait_for(self, count):
+        """Until so many more answers have come."""
+        wanted, end = len(self.statuses) + count, time.monotonic() + 60.0
+        while len(self.statuses) < wanted and not self.failures:
+            assert time.monotonic() < end, "the callers do not come forward"
+            time.sleep(0.01)
+
+    def _ask(self):
+        try:
+            with closing_connection(self._address) as connection:
+                while not self._stopping.is_set():
+                    answer = ask_on(
+                        connection, "POST", "/v1/models/default/waveforms", QUESTION, content_type=JSON, accept=JSON
+                    )
+                    self.statuses.append(answer.status)
+        except Exception as error:
+            self.failures.append(repr(error))
+
+
+def until_down(proxy, number):
+    end = time.monotonic() + 60.0
+    while proxy.states()[number] != "DOWN":
+        assert time.monotonic() < end, proxy.states()
+        time.sleep(0.05)
+
+
+def test_the_configuration_is_valid():
+    environment = proxy_environment([], 8000, 8404)
+    done = subprocess.run(
+        [haproxy(), "-c", "-f", str(CONFIGURATION)], env=environment, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert done.stderr == ""  # no warnings either
+
+
+def test_its_patience_is_that_of_the_servers():
+    text, settings = CONFIGURATION.read_text(), Settings()
+    timeouts = dict(re.findall(r"^    timeout (\S+) (\S+)$", text, re.MULTILINE))
+    assert timeouts["http-request"] == f"{settings.header_timeout:g}s"
+    assert f"wait-for-body time {settings.body_timeout:g}s" in text
+    assert timeouts["client"] == f"{settings.write_timeout:g}s"
+    assert timeouts["http-keep-alive"] == f"{settings.keep_alive:g}s"
+
+
+REPEATED = [
+    ("POST", "/v1/models/default/waveforms"),
+    ("POST", "/v1/models/default/versions/1.0.0/waveforms"),
+    ("POST", "/v1/models/default/likelihoods/ab"),
+    ("PUT", "/v1/grids/ab"),
+    ("PUT", "/v1/analyses/ab"),
+    ("GET", "/v1/models"),
+]
+
+
+@pytest.mark.parametrize("fault", [break_off, reply(503)], ids=["killed", "full"])
+def test_what_changes_nothing_is_asked_of_another_server(before, fault):
+    broken, good = FakeServer(fault), FakeServer(reply(200))
+    proxy = before(broken, good)
+    for method, path in REPEATED:
+        for _ in range(2):  # each server is asked first once
+            body = None if method == "GET" else b"x" * 50_000
+            assert ask(proxy.address, method, path, body).status == 200
+    assert set(broken.requests) == set(REPEATED)
+
+
+def test_what_may_change_something_is_sent_once(before):
+    broken, other = FakeServer(break_off), FakeServer(break_off)
+    proxy = before(broken, other)
+    answer = ask(proxy.address, "POST", "/v1/admin/reload", b"{}")
+    assert (answer.status, answer.document["retryable"]) == (502, True)
+    assert len(broken.requests + other.requests) == 1
+
+
+def test_when_no_server_is_ready_one_is_asked_all_the_same(before):
+    proxy = before(FakeServer(reply(200), ready=503), states=["DOWN"] * 3)
+    assert ask(proxy.address, "GET", "/v1/models").status == 200
+
+
+def test_our_client_does_not_notice_that_a_server_is_killed(proxy, servers):
+    right = LocalModel.default().predict_batch(FREQUENCIES, [ONE] * 64)
+    with Model.connect(proxy.address) as model, ThreadPoolExecutor(4) as threads:
+        answers = [threads.submit(model.predict_batch, FREQUENCIES, [ONE] * 64) for _ in range(200)]
+        answers[20].result()
+        servers[0].process.kill()
+        assert all(answer.result().plus.tobytes() == right.plus.tobytes() for answer in answers)
+    until_down(proxy, 0)
+
+
+def test_not_even_callers_who_never_ask_twice_notice_that_a_server_drains(proxy, servers):
+    with Callers(proxy.address) as callers:
+        callers.wait_for(100)
+        servers[1].process.send_signal(signal.SIGTERM)
+        assert servers[1].process.wait(60) == 0
+        callers.wait_for(100)
+    assert callers.failures == []
+    assert set(callers.statuses) == {200}
+    until_down(proxy, 1)
+
+
+def test_bodies_beyond_its_buffer_pass(proxy):
+    grid = np.geomspace(20.0, 2000.0, 2**18)
+    assert grid.nbytes > 8 * int(re.search(r"tune\.bufsize (\d+)", CONFIGURATION.read_text()).group(1))
+    with Model.connect(proxy.address) as model:
+        plus, _ = model.predict(grid, ONE)
+    assert plus.tobytes() == LocalModel.default().predict(grid, ONE).plus.tobytes()
+
+
+def test_metrics_of_a_server_chosen_by_chance_are_not_offered(proxy):
+    assert ask(proxy.address, "GET", "/metrics").status == 404
+    assert "haproxy_server_status" in ask(proxy.admin, "GET", "/metrics").body.decode()
