@@ -52,8 +52,14 @@ def own(arrays: Arrays) -> Arrays:
     """All arrays that belong to a result, writable; copies of those that are not."""
     known = {"h", "plus", "cross", "amplitude", "phase", *_OF_A_ROW}
     return {
-        name: array if array.flags.writeable else np.array(array) for name, array in arrays.items() if name in known
+        name: array if array.flags.writeable else _copy(array) for name, array in arrays.items() if name in known
     }
+
+
+def _copy(array: NDArray[Any]) -> NDArray[Any]:
+    copy = result_memory.empty(array.shape, array.dtype)
+    copy[...] = array
+    return copy
 
 
 def multiply_out(arrays: Arrays) -> Arrays:
@@ -63,8 +69,8 @@ def multiply_out(arrays: Arrays) -> Arrays:
         return own({"plus": arrays["h_plus"], "cross": arrays["h_cross"], **of_a_row})
     h = arrays["h"]
     factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
-    if h.flags.writeable:
-        plus, cross = factored.polarizations(plus=h, cross=result_memory.empty(h.shape, h.dtype))
-    else:
-        plus, cross = factored.polarizations()
+    plus, cross = factored.polarizations(
+        plus=h if h.flags.writeable else result_memory.empty(h.shape, h.dtype),
+        cross=result_memory.empty(h.shape, h.dtype),
+    )
     return {"plus": plus, "cross": cross, **own(of_a_row)}

@@ -7,6 +7,7 @@ import socket
 import time
 
 from bnserve_client._addresses import Address
+from bnserve_client._answer_memory import AnswerMemory, header_of
 from bnserve_client._failures import Stale, TransportFailure, explain
 from bnserve_client._http1 import Exchange, encode_request, exchange
 from bnserve_client._messages import HttpResponse, Send
@@ -27,18 +28,18 @@ class SocketTransport:
 
     def __init__(self) -> None:
         self._pool = SocketPool()
+        self._memory = AnswerMemory()
 
     def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`; a connection that had gone stale is replaced once, silently."""
-        message = encode_request(send.address, send.request)
         try:
             used = self._pool.take()
             if used is not None:
                 try:
-                    return self._perform(used, message, send)
+                    return self._perform(used, send)
                 except Stale:
                     pass
-            return self._perform(self._connect(send), message, send)
+            return self._perform(self._connect(send), send)
         except (OSError, TransportFailure) as failure:
             raise explain(failure, send) from failure
 
@@ -49,6 +50,7 @@ class SocketTransport:
     def let_go(self) -> None:
         """In a forked child: drop the inherited descriptors without a word on the wire."""
         self._pool.let_go()
+        self._memory.let_go()
 
     def _connect(self, send: Send) -> socket.socket:
         allowed = _time_allowed(send, _CONNECT_SECONDS)
@@ -66,7 +68,9 @@ class SocketTransport:
             raise
         return sock
 
-    def _perform(self, sock: socket.socket, message: bytes, send: Send) -> HttpResponse:
+    def _perform(self, sock: socket.socket, send: Send) -> HttpResponse:
+        block = self._memory.lend(send)  # one for each attempt: a server may still write for one that has failed
+        message = encode_request(send.address, send.request, header_of(block))
         try:
             response, reusable = _drive(sock, exchange(message, send.max_bytes), send)
         except BaseException:
@@ -76,7 +80,7 @@ class SocketTransport:
             self._pool.put_back(sock)
         else:
             self._pool.drop(sock)
-        return response
+        return self._memory.take(response, block)
 
 
 def _drive(sock: socket.socket, steps: Exchange, send: Send) -> tuple[HttpResponse, bool]:
@@ -108,18 +112,18 @@ class AsyncSocketTransport:
 
     def __init__(self) -> None:
         self._pool = SocketPool()
+        self._memory = AnswerMemory()
 
     async def send(self, send: Send) -> HttpResponse:
         """As :meth:`SocketTransport.send`."""
-        message = encode_request(send.address, send.request)
         try:
             used = self._pool.take()
             if used is not None:
                 try:
-                    return await self._perform(used, message, send)
+                    return await self._perform(used, send)
                 except Stale:
                     pass
-            return await self._perform(await self._connect(send), message, send)
+            return await self._perform(await self._connect(send), send)
         except (OSError, TransportFailure) as failure:
             raise explain(failure, send) from failure
 
@@ -130,6 +134,7 @@ class AsyncSocketTransport:
     def let_go(self) -> None:
         """In a forked child: drop the inherited descriptors without a word on the wire."""
         self._pool.let_go()
+        self._memory.let_go()
 
     async def _connect(self, send: Send) -> socket.socket:
         async with asyncio.timeout(_time_allowed(send, _CONNECT_SECONDS)):
@@ -162,7 +167,9 @@ class AsyncSocketTransport:
             raise
         return sock
 
-    async def _perform(self, sock: socket.socket, message: bytes, send: Send) -> HttpResponse:
+    async def _perform(self, sock: socket.socket, send: Send) -> HttpResponse:
+        block = self._memory.lend(send)  # as in SocketTransport
+        message = encode_request(send.address, send.request, header_of(block))
         try:
             async with asyncio.timeout(None) as limit:
                 response, reusable = await _drive_async(sock, exchange(message, send.max_bytes), send, limit)
@@ -173,7 +180,7 @@ class AsyncSocketTransport:
             self._pool.put_back(sock)
         else:
             self._pool.drop(sock)
-        return response
+        return self._memory.take(response, block)
 
 
 async def _drive_async(

@@ -13,12 +13,14 @@ from bnserve_protocol._analyses import (
 )
 from bnserve_protocol._analysis_checks import PRIOR_NAMES
 from bnserve_protocol._analysis_model import check_model_of
+from bnserve_protocol._answer_memory import ANSWER_IN_MEMORY, ANSWER_MEMORY, BODY_AT, MemoryName
 from bnserve_protocol._answers import (
     ModelIdentity,
     WaveformAnswer,
     decode_answer,
     encode_answer,
     encode_answer_json,
+    first_array_at,
 )
 from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
@@ -127,9 +129,13 @@ from bnserve_protocol._requests import (
     decode_request,
     encode_request,
 )
+from bnserve_protocol._small_answers import address_of
 from bnserve_protocol._version import __version__
 
 __all__ = [
+    "ANSWER_IN_MEMORY",
+    "ANSWER_MEMORY",
+    "BODY_AT",
     "DEFAULT_OPTIONS",
     "ERRORS_BY_CODE",
     "INTRINSIC_NAMES",
@@ -186,6 +192,7 @@ __all__ = [
     "LikelihoodRequest",
     "Limits",
     "ManifestModel",
+    "MemoryName",
     "MergerStencil",
     "ModelDescription",
     "ModelIdentity",
@@ -225,6 +232,7 @@ __all__ = [
     "WaveformModel",
     "WaveformRequest",
     "__version__",
+    "address_of",
     "as_frequencies",
     "check_dtype",
     "check_model_digest",
@@ -244,6 +252,7 @@ __all__ = [
     "encode_likelihood_answer_json",
     "encode_likelihood_request",
     "encode_request",
+    "first_array_at",
     "grid_digest",
     "likelihood_nodes",
     "likelihood_samples",

@@ -8,7 +8,9 @@ result as it asks for the next finds the memory of the result before that one he
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -35,11 +37,18 @@ class _Lease:
         self._give_back(self._block)
 
 
+class _Places(threading.local):
+    """Where the next result of a thread has to be."""
+
+    next: NDArray[np.uint8] | None = None
+
+
 class ResultMemory:
     """Blocks of bytes. Takes no lock, so that forks are safe: operations of ``dict`` are atomic in CPython."""
 
     def __init__(self) -> None:
         self._free: dict[int, NDArray[np.uint8]] = {}
+        self._places = _Places()
 
     @property
     def kept(self) -> int:
@@ -49,11 +58,26 @@ class ResultMemory:
     def empty(self, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
         """As :func:`numpy.empty`; what is large begins at a multiple of 64 bytes."""
         size = math.prod(shape) * np.dtype(dtype).itemsize
-        if size < _SMALL or size > _MOST_KEPT:
+        if size < _SMALL:
+            return np.empty(shape, dtype)
+        place, self._places.next = self._places.next, None
+        if place is not None and place.nbytes == size:
+            there: NDArray[Any] = place.view(dtype).reshape(shape)
+            return there
+        if size > _MOST_KEPT:
             return np.empty(shape, dtype)
         lease = _Lease(self._take(size), self._give_back)
         array: NDArray[Any] = np.asarray(lease)[:size].view(dtype).reshape(shape)
         return array
+
+    @contextmanager
+    def placed(self, memory: NDArray[np.uint8]) -> Iterator[None]:
+        """The next large result of this thread is put into ``memory``, if it has just that size."""
+        self._places.next = memory
+        try:
+            yield
+        finally:
+            self._places.next = None
 
     def _take(self, size: int) -> NDArray[np.uint8]:
         for number, block in list(self._free.items()):

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from typing import Any
 
 from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from bnserve_protocol import JSON
+from bnserve_protocol import ANSWER_IN_MEMORY, JSON
 from bnserve_service.answering import WaveformService
 from bnserve_service.batching import Job
 from bnserve_service.evaluation import Packed, Question
 from bnserve_service.routes.waiting import wait_for
 from bnserve_service.settings import Settings
+from bnserve_service.transport.answer_memory import SCOPE_KEY
 from bnserve_service.transport.answers import send_answer
 from bnserve_service.transport.body import read_body
 from bnserve_service.transport.context import RequestContext, context_of
@@ -21,6 +23,7 @@ from bnserve_service.transport.negotiation import answer_digest, answer_media_ty
 
 PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
 
+_IN_MEMORY = ANSWER_IN_MEMORY.lower().encode()
 _PATH = re.compile(r"/v1/models/(?P<name>[^/]+)(?:/versions/(?P<version>[^/]+))?/waveforms")
 
 
@@ -52,6 +55,8 @@ class WaveformEndpoint:
             parameters["name"], parameters.get("version"), body, media_type, answer_type, digest
         )
         del body
+        if SCOPE_KEY in scope:
+            question = dataclasses.replace(question, memory=scope[SCOPE_KEY].find(context.headers))
         with context.paying(len(question.batch)), self._service.reserve(question, context.owner):
             job = self._service.submit(question, deadline, context.owner)
             packed = await self._wait(job, receive)
@@ -77,9 +82,11 @@ def answer_headers(packed: Packed, media_type: str, submitted: float) -> list[tu
     timing = "queue;dur={:.3f}, eval;dur={:.3f}, pack;dur={:.3f}".format(
         *(1e3 * seconds for seconds in (packed.started - submitted, packed.evaluated, packed.packed))
     )
+    length = b"%d" % packed.length
+    where = [(b"content-length", b"0"), (_IN_MEMORY, length)] if packed.in_memory else [(b"content-length", length)]
     return [
         (b"content-type", media_type.encode()),
-        (b"content-length", b"%d" % packed.length),
+        *where,
         (b"content-digest", packed.digest),
         (b"server-timing", timing.encode()),
     ]
