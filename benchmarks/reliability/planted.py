@@ -172,12 +172,21 @@ def no_verification() -> None:
     Loader._load = load_unchecked  # type: ignore[assignment,method-assign]
 
 
+def no_timers() -> None:
+    """Connections may take their time."""
+    from bnserve_service.transport.protocol import BoundedProtocol
+
+    BoundedProtocol._arm = lambda self, waiting: None  # type: ignore[method-assign]
+    no_cap()
+
+
 FAULTS: dict[str, Callable[[], None]] = {
     "leak": leak,
     "mixed-versions": mixed_versions,
     "log-tokens": log_tokens,
     "no-cap": no_cap,
     "no-drain": no_drain,
+    "no-timers": no_timers,
     "no-verification": no_verification,
     "no-watch": no_watch,
     "open-files": open_files,

@@ -31,6 +31,10 @@ _MOST_ERRORS = 64
 """A batch may hold thousands of bad rows and a body a megabyte of field name; the answer stays small."""
 
 
+class BodyTooSlow(protocol.UndecodableBody):
+    """The body did not arrive in time; what may still come of it is not waited for."""
+
+
 class ClientDisconnected(Exception):
     """The client went away before its answer was ready: there is nobody to tell."""
 
@@ -66,10 +70,12 @@ def problem_body(error: BnserveError, request_id: str, status: int | None = None
 
 
 def problem_headers(error: BnserveError) -> list[tuple[bytes, bytes]]:
-    """The headers that go with an error: ``Retry-After``, ``WWW-Authenticate``."""
+    """The headers that go with an error: ``Retry-After``, ``WWW-Authenticate``, the end of the connection."""
     headers: list[tuple[bytes, bytes]] = []
     if isinstance(error, protocol.Unavailable) and error.retryable:
         headers.append((b"retry-after", b"%d" % max(1, math.ceil(error.retry_after or 1.0))))
     if isinstance(error, protocol.Unauthorized):
         headers.append((b"www-authenticate", b'Bearer realm="bnserve"'))
+    if isinstance(error, BodyTooSlow):
+        headers.append((b"connection", b"close"))
     return headers

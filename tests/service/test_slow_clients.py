@@ -44,6 +44,7 @@ def test_a_body_that_does_not_come_is_answered_and_ended(server):
         answer = read_response(connection)
         assert (answer.status, answer.code) == (400, "body-undecodable")
         assert "arrive" in answer.document["detail"]
+        assert answer.headers["connection"] == "close", "what may still come of the body is not waited for"
         ends(connection)
 
 

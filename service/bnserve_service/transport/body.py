@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from starlette.types import Receive
 
-from bnserve_protocol import TooLarge, UndecodableBody
-from bnserve_service.errors import ClientDisconnected
+from bnserve_protocol import TooLarge
+from bnserve_service.errors import BodyTooSlow, ClientDisconnected
 
 
 async def read_body(headers: Mapping[bytes, bytes], receive: Receive, limit: int, timeout: float) -> bytes:
@@ -19,8 +19,8 @@ async def read_body(headers: Mapping[bytes, bytes], receive: Receive, limit: int
     TooLarge
         The declared or the actual size is over the limit. Of a body that lies about its size, no more than the limit
         and one network read is ever in memory.
-    UndecodableBody
-        It did not arrive in time.
+    BodyTooSlow
+        It did not arrive in time; the connection ends with the answer.
     ClientDisconnected
     """
     declared = headers.get(b"content-length")
@@ -30,7 +30,7 @@ async def read_body(headers: Mapping[bytes, bytes], receive: Receive, limit: int
         async with asyncio.timeout(timeout):
             return await _collect(receive, limit)
     except TimeoutError:
-        raise UndecodableBody(
+        raise BodyTooSlow(
             f"The body did not arrive within {timeout:g} s; send it faster or in smaller batches."
         ) from None
 
