@@ -42,7 +42,8 @@ def open_metrics_listener(settings: Settings) -> socket.socket | None:
         return listen_tcp(settings.host, settings.metrics_port)
     except CannotListen as error:
         raise CannotListen(
-            f"The metrics port {settings.metrics_port} cannot be used; choose another with --metrics-port. {error.detail}"
+            f"The metrics port {settings.metrics_port} cannot be used; choose another with --metrics-port. "
+            f"{error.detail}"
         ) from error
 
 

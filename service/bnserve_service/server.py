@@ -9,7 +9,7 @@ import signal
 import socket
 import threading
 from collections.abc import Callable, Coroutine, Generator
-from typing import Any
+from typing import Any, Protocol, TypeAlias
 
 import uvicorn
 
@@ -24,12 +24,47 @@ from bnserve_service.transport.protocol import bounded_protocol
 logger = logging.getLogger("bnserve.server")
 
 
+class Acceptor(Protocol):
+    """Takes connections in place of uvicorn; ``FairAcceptor`` is one."""
+
+    def start(self) -> None:
+        """Take connections from now on."""
+
+    def stop(self) -> None:
+        """Take none any more, and close the socket; also when it never started."""
+
+
+AcceptorFactory: TypeAlias = Callable[[socket.socket, Callable[[], asyncio.Protocol], Callable[[], int]], Acceptor]
+"""Makes one for a listening socket, from what makes a connection's protocol and what counts the connections."""
+
+
 class _Uvicorn(uvicorn.Server):
     """uvicorn without its signal handling, which would end a drained process by the signal instead of with 0."""
+
+    acceptor: Acceptor | None = None
+    """Who takes the connections, when that is not uvicorn."""
 
     @contextlib.contextmanager
     def capture_signals(self) -> Generator[None, None, None]:
         yield
+
+    def protocol(self) -> asyncio.Protocol:
+        """The protocol of a new connection."""
+        protocol: Any = self.config.http_protocol_class
+        made: asyncio.Protocol = protocol(
+            config=self.config, server_state=self.server_state, app_state=self.lifespan.state
+        )
+        return made
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets if self.acceptor is None else [])
+        if self.acceptor is not None and not self.should_exit:
+            self.acceptor.start()
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        if self.acceptor is not None:
+            self.acceptor.stop()
+        await super().shutdown(sockets if self.acceptor is None else [])
 
 
 class BnserveServer:
@@ -43,6 +78,8 @@ class BnserveServer:
         Called with one line when the server listens, and with another when its models are ready.
     beside:
         What else runs on its event loop, from before it listens until it has drained.
+    acceptor:
+        Who takes the connections; by default, uvicorn.
     """
 
     def __init__(
@@ -50,7 +87,9 @@ class BnserveServer:
         app: Application,
         announce: Callable[[str], None],
         beside: Callable[[], Coroutine[Any, Any, None]] | None = None,
+        acceptor: AcceptorFactory | None = None,
     ) -> None:
+        self._acceptor = acceptor
         self._app = app
         self._beside = beside
         self._announce = announce
@@ -117,6 +156,9 @@ class BnserveServer:
             for number in (signal.SIGTERM, signal.SIGINT):
                 loop.add_signal_handler(number, self.stop)
             loop.add_signal_handler(signal.SIGHUP, self._app.parts.maintenance.poke)
+        if self._acceptor is not None:
+            connections = self._uvicorn.server_state.connections
+            self._uvicorn.acceptor = self._acceptor(listener, self._uvicorn.protocol, lambda: len(connections))
         self._announce(f"bnserve listens on {address_of(listener)}")
         if self.metrics_address is not None:
             self._announce(f"bnserve metrics on {self.metrics_address}")

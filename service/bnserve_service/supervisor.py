@@ -24,6 +24,7 @@ from typing import Any
 
 from bnserve_service.process_name import name_process
 from bnserve_service.shared import SharedFolder
+from bnserve_service.shared_loads import SharedLoads
 from bnserve_service.supervisor_report import write_report
 from bnserve_service.supervisor_roster import BackOff, Rules, Verdict, Worker, judge
 from bnserve_service.supervisor_template import NO_DESCRIPTOR, Inheritance, Template
@@ -64,6 +65,7 @@ class Supervisor:
         self._inheritance = inheritance
         self._announce = announce
         self._announced = False
+        self._loads = SharedLoads(inheritance.shared, 2 * self._wanted + 1)
         self._selector = selectors.DefaultSelector()
         self._signals: list[int] = []
         self._workers: dict[int, Worker] = {}
@@ -241,6 +243,7 @@ class Supervisor:
         with contextlib.suppress(KeyError, ValueError):
             self._selector.unregister(worker.channel)
         worker.channel.close()
+        self._loads.leave(worker.slot)
         self._report(now)
 
     def _template_ended(self, template: Template, code: int, now: float) -> None:

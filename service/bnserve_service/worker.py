@@ -7,6 +7,7 @@ import logging
 import os
 import signal
 import socket
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
@@ -20,6 +21,8 @@ from bnserve_service.registry import Registry
 from bnserve_service.server import BnserveServer, models_missing
 from bnserve_service.settings import Settings
 from bnserve_service.shared import SharedFolder
+from bnserve_service.shared_loads import SharedLoads
+from bnserve_service.worker_acceptor import FairAcceptor
 from bnserve_service.worker_channel import Channel, Closed, Message
 
 logger = logging.getLogger("bnserve.worker")
@@ -112,7 +115,15 @@ def work(channel: Channel, slot: int, belongings: Belongings, registry: Registry
         settings, wait_for_models=not greets, shared=shared.path, worker=slot, registry=registry, follow=not greets
     )
     steward = _Steward(channel, app)
-    server = BnserveServer(app, announce=lambda line: None, beside=steward.run)
+    loads = SharedLoads(shared.path)
+
+    def acceptor(
+        listener: socket.socket, protocol: Callable[[], asyncio.Protocol], connections: Callable[[], int]
+    ) -> FairAcceptor:
+        steward.acceptor = FairAcceptor(listener, protocol, connections, loads, slot)
+        return steward.acceptor
+
+    server = BnserveServer(app, announce=lambda line: None, beside=steward.run, acceptor=acceptor)
     steward.server = server
     try:
         server.run(belongings.listener, metrics_listener=belongings.metrics_listener)
@@ -130,6 +141,7 @@ class _Steward:
     """Speaks with the supervisor from the event loop of a worker."""
 
     server: BnserveServer
+    acceptor: FairAcceptor
 
     def __init__(self, channel: Channel, app: Application) -> None:
         self._channel = channel
@@ -146,6 +158,8 @@ class _Steward:
         beats = 0
         while True:
             self._channel.send({"beat": self._report()})
+            if self.server.accepts and not self._parts.lifecycle.draining:
+                self.acceptor.say()
             if beats % _BEATS_PER_PUBLICATION == 0:
                 self._parts.metrics.publish()
             if beats % _BEATS_PER_TIDYING == 0:
