@@ -43,18 +43,27 @@ class Server:
         """Its process number."""
         return self.process.pid
 
+    def processes(self) -> list[int]:
+        """Its own number and those of the processes that it has started, and they."""
+        found, known = [], [self.pid]
+        while known:
+            found.append(known.pop())
+            for task in Path(f"/proc/{found[-1]}/task").iterdir():
+                known += [int(child) for child in (task / "children").read_text().split()]
+        return found
+
     def rss(self) -> int:
-        """Resident memory, bytes."""
-        return resident(self.pid)
+        """Resident memory of all its processes, bytes; what they share counts for each."""
+        return sum(resident(pid) for pid in self.processes())
 
     def fds(self) -> int:
-        """Open files and connections."""
-        return len(list(Path(f"/proc/{self.pid}/fd").iterdir()))
+        """Open files and connections of all its processes."""
+        return sum(len(list(Path(f"/proc/{pid}/fd").iterdir())) for pid in self.processes())
 
     def cpu_seconds(self) -> float:
-        """Processor time that it has used."""
-        fields = Path(f"/proc/{self.pid}/stat").read_text().rpartition(")")[2].split()
-        return (int(fields[11]) + int(fields[12])) / _TICKS
+        """Processor time that its processes have used."""
+        stats = [Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split() for pid in self.processes()]
+        return sum(int(fields[11]) + int(fields[12]) for fields in stats) / _TICKS
 
     def stop(self, patience: float = 60.0) -> int:
         """Send SIGTERM and wait; the exit status."""
