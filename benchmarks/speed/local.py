@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager
 from functools import partial
 from pathlib import Path
@@ -96,17 +97,25 @@ def _beside(values: dict[str, float]) -> dict[str, Any]:
 
 
 def two_cores(setup: Setup, repetitions: int) -> dict[str, Any] | None:
-    """How many times the batches of one thread on one core two threads on two cores get done."""
+    """How many times the batches of one thread on one core two threads on two cores get done.
+
+    Beside it, what two processes reach that know nothing of each other: all that these two cores have to give.
+    """
     if len(setup.all_cpus) < 2:
         setup.notes.append("two cores against one: this process may use one processor alone")
         return None
     script: list[str | Path] = [sys.executable, PEERS / "bnserve_local.py", "default"]
-    pair = set(sorted(setup.all_cpus)[-2:])
+    pair = sorted(setup.all_cpus)[-2:]
     request = {"points": 1_000, "rows": 256, "calls": 8}
-    ratios = []
-    with Worker(script, cpus={max(pair)}) as alone, Worker(script, cpus=pair) as both:
+    ratios, limits = [], []
+    with ExitStack() as stack:
+        first, second = (stack.enter_context(Worker(script, cpus={cpu})) for cpu in pair)
+        both = stack.enter_context(Worker(script, cpus=set(pair)))
+        at_once = stack.enter_context(ThreadPoolExecutor(2))
         for _ in range(repetitions):
-            one = alone.ask("threads", threads=1, **request)["seconds"]
+            one = second.ask("threads", threads=1, **request)["seconds"]
             two = both.ask("threads", threads=2, **request)["seconds"]
             ratios.append(2.0 * one / two)
-    return {"value": median(ratios), "peers": {}}
+            asked = [at_once.submit(worker.ask, "threads", threads=1, **request) for worker in (first, second)]
+            limits.append(sum(one / answer.result()["seconds"] for answer in asked))
+    return {"value": median(ratios), "peers": {}, "others": {"two processes": median(limits)}}

@@ -42,6 +42,8 @@ _FEW = 4096
 """Frequencies up to which one waveform is copied from where the kernel writes it."""
 _WORTH_A_THREAD = 20_000
 """Values below which a batch is not divided among threads."""
+_PIECES = 4
+"""Into so many pieces for each thread a batch is divided."""
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
 
 
@@ -94,7 +96,7 @@ class Evaluator:
         self._grids = GridCache()
         self._one_row = _OneRow()
         self._threads = threads
-        self._pool = ThreadPoolExecutor(threads, "bnserve-evaluation") if threads > 1 else None
+        self._pool = ThreadPoolExecutor(threads - 1, "bnserve-evaluation") if threads > 1 else None
 
     def one(
         self,
@@ -180,9 +182,15 @@ class Evaluator:
 
         if self._pool is None or rows <= _TILE or rows * len(grid.frequencies) < _WORTH_A_THREAD:
             return piece(0, rows)
-        size = -(-rows // (self._threads * _TILE)) * _TILE
-        starts = range(0, rows, size)
-        return sum(self._pool.map(piece, starts, [min(start + size, rows) for start in starts]))
+        size = -(-rows // (self._threads * _PIECES * _TILE)) * _TILE
+        starts = iter(range(0, rows, size))  # taken in turns, so that nobody waits for a thread that is slow to wake
+
+        def pieces() -> int:
+            return sum(piece(start, min(start + size, rows)) for start in starts)
+
+        others = [self._pool.submit(pieces) for _ in range(self._threads - 1)]
+        bad = pieces()
+        return bad + sum(other.result() for other in others if not other.cancel())
 
 
 def _policy(options: EvaluationOptions) -> int:
