@@ -184,6 +184,10 @@ class WaveformService:
         job = self._queue.submit(question.key, question.cost, question, deadline, quick=True, owner=owner)
         job.deliver = deliver
 
+    def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
+        """Call ``refusal`` when it is the turn of this owner."""
+        self._queue.refuse(owner, refusal)
+
     def withdraw(self, job: Job[Question, Packed]) -> None:
         """Forget a job whose caller went away."""
         self._queue.withdraw(job, "disconnect")

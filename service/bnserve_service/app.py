@@ -45,6 +45,7 @@ from bnserve_service.routes.waveforms import PATHS, FastLane, WaveformEndpoint, 
 from bnserve_service.settings import Settings
 from bnserve_service.shared_files import Shelf
 from bnserve_service.shared_metrics import SharedMetrics
+from bnserve_service.shared_models import SharedModels
 from bnserve_service.shares import shares_of
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import plain_response
@@ -103,7 +104,7 @@ class Application(FastAPI):
         self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
         inner: ASGIApp = FastLane(LikelihoodLane(self._serve_by_router, likelihoods), endpoint)
         tokens = parts.settings.tokens
-        access = AccessMiddleware(inner, tokens, shares_of(tokens, parts.shared)) if tokens else None
+        access = AccessMiddleware(inner, tokens, shares_of(tokens, parts.shared), parts.queue.turn) if tokens else None
         self._front = RequestContextMiddleware(
             access or inner, parts.metrics, parts.lifecycle, parts.settings.access_log
         )
@@ -211,6 +212,8 @@ def create_app(
     loader = loader_of(settings, registry, source, factory)
     health = Health(registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds, settings.stuck_seconds)
     maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
+    if shared is not None:
+        registry.join(SharedModels(shared, worker), maintenance.poke)
     waveforms = WaveformService(settings, registry, grids, queue, lifecycle)
     likelihoods = LikelihoodService(settings, registry, analyses, queue, lifecycle, workers)
     _watch(metrics, settings, queue, health)

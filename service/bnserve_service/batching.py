@@ -22,8 +22,8 @@ from typing import Any, Generic, TypeVar
 from bnserve_protocol import DeadlineExceeded, Draining, Overloaded, ShareExceeded
 from bnserve_service.fair_line import FairLine
 from bnserve_service.holdings import Holdings
+from bnserve_service.loop_turns import Beginning, LoopTurns
 from bnserve_service.metrics import Metrics
-from bnserve_service.quick_turns import QuickTurns
 
 P = TypeVar("P")
 R = TypeVar("R")
@@ -90,7 +90,7 @@ class WorkQueue(Generic[P, R]):
         self._group_cost = group_cost
         self._metrics = metrics
         self._line: FairLine[Job[P, R]] = FairLine()
-        self._quick: QuickTurns[Job[P, R]] = QuickTurns()
+        self._turns: LoopTurns[Job[P, R] | Beginning] = LoopTurns()
         self._holdings = Holdings(capacity)
         self._rate = _ASSUMED_RATE * workers
         self._changed = threading.Condition()
@@ -182,8 +182,8 @@ class WorkQueue(Generic[P, R]):
         job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick, owner)
         self._holdings.add(owner, cost)
         if quick:
-            if self._quick.add(job):
-                self._loop.call_soon(self._evaluate_quick)  # after all that this turn of the loop has brought in
+            if self._turns.add(job):
+                self._loop.call_soon(self._take_turns)  # after all that this turn of the loop has brought in
             return job
         if deadline is not None:
             job.timer = self._loop.call_later(deadline - now, self._expire, job)
@@ -191,6 +191,23 @@ class WorkQueue(Generic[P, R]):
             self._line.add(job)
             self._changed.notify()
         return job
+
+    async def turn(self, owner: str) -> None:
+        """Wait until a request of this owner may begin; at once unless others use the event loop, too."""
+        if self._turns.is_shared(owner):
+            assert self._loop is not None, "start() comes first"
+            await self._its_turn(owner)
+
+    def _its_turn(self, owner: str) -> asyncio.Future[None]:
+        assert self._loop is not None, "start() comes first"
+        beginning = Beginning(owner, self._loop.create_future())
+        if self._turns.add(beginning):
+            self._loop.call_soon(self._take_turns)
+        return beginning.turn
+
+    def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
+        """Call ``refusal`` when it is this owner's turn: what is refused must not keep others waiting either."""
+        self._its_turn(owner).add_done_callback(lambda _: refusal())
 
     def _make_room(self, owner: str, cost: int) -> None:
         """Refuse what others have beyond their fair part, or else the job that does not fit."""
@@ -232,14 +249,18 @@ class WorkQueue(Generic[P, R]):
         self._metrics.withdrawn.labels(reason).inc()
         return True
 
-    def _evaluate_quick(self) -> None:
-        jobs, later = self._quick.take()
+    def _take_turns(self) -> None:
+        """Do what is for this turn of the event loop."""
+        jobs, later = self._turns.take()
         if later:
             assert self._loop is not None, "it has called this"
-            self._loop.call_soon(self._evaluate_quick)
+            self._loop.call_soon(self._take_turns)
         groups: dict[Hashable, deque[Job[P, R]]] = {}
         for job in jobs:
-            if job.result.done():  # its caller went away
+            if isinstance(job, Beginning):
+                if not job.turn.done():  # or its caller went away
+                    job.turn.set_result(None)
+            elif job.result.done():  # its caller went away
                 self._release(job)
             else:
                 groups.setdefault(job.key, deque()).append(job)

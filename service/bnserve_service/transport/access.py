@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import hmac
-from collections.abc import Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 
 from starlette.types import ASGIApp, Receive, Scope, Send
 
@@ -34,12 +34,21 @@ class AccessMiddleware:
         The tokens that are let in.
     shares:
         By digest: the shares of those tokens that have limits.
+    turn:
+        Waits until it is the turn of a token, by its digest.
     """
 
-    def __init__(self, app: ASGIApp, tokens: Sequence[Token], shares: Mapping[str, Share] | None = None) -> None:
+    def __init__(
+        self,
+        app: ASGIApp,
+        tokens: Sequence[Token],
+        shares: Mapping[str, Share],
+        turn: Callable[[str], Awaitable[None]],
+    ) -> None:
         self._app = app
         self._tokens = tuple(tokens)
         self._shares = dict(shares or {})
+        self._turn = turn
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
@@ -47,7 +56,9 @@ class AccessMiddleware:
             await self._app(scope, receive, send)
             return
         context = context_of(scope)
-        self.check(context, scope["headers"], scope["method"], scope["path"])
+        needed = self._identify(context, scope["headers"], scope["method"], scope["path"])
+        await self._turn(context.owner)
+        self._check_share(context, needed)
         if context.share is None:
             await self._app(scope, receive, send)
             return
@@ -64,12 +75,19 @@ class AccessMiddleware:
         ------
         Unauthorized, Forbidden, ShareExceeded
         """
+        self._check_share(context, self._identify(context, headers, method, path))
+
+    def _identify(self, context: RequestContext, headers: Sequence[Header], method: str, path: str) -> str | None:
+        """Find out who asks; the scope that this needs, which he has."""
         token = self._find(headers)
         context.caller, context.owner = token.name, token.sha256
         needed = "admin" if path in ADMIN_PATHS else _SCOPES.get(method)
         if needed is not None and needed not in token.scopes:
             raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")
         context.share = self._shares.get(token.sha256)
+        return needed
+
+    def _check_share(self, context: RequestContext, needed: str | None) -> None:
         if context.share is not None and needed == "evaluate":
             context.share.check()  # before the body is read
 

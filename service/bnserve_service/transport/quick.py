@@ -7,7 +7,6 @@ does not take goes the way of every other request.
 
 from __future__ import annotations
 
-import asyncio
 import re
 from collections.abc import Callable
 from typing import TypeAlias
@@ -74,7 +73,8 @@ class QuickLane:
                 return False
             self._submit(context, question, finish)
         except ShareExceeded as error:
-            asyncio.get_running_loop().call_soon(self._finish, context, error, finish)
+            told = error  # the name is gone when this block ends
+            self._service.refuse(context.owner, lambda: self._finish(context, told, finish))
         except Exception:  # the other way finds it again, and says what is wrong
             return False
         return True
