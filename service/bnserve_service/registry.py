@@ -102,12 +102,24 @@ class Catalogue:
                 yield self.models[name, version]
 
 
+class Peers(Protocol):
+    """Other processes of the same server; ``SharedModels`` speaks with them."""
+
+    def announce(self, catalogue: Catalogue) -> None:
+        """Tell them what is served here from now on."""
+
+    def have(self, name: str, wanted: str) -> bool:
+        """Whether one of them has a version, label or digest of a model."""
+
+
 class Registry:
     """Holds the current :class:`Catalogue`. Reading is one reference; replacing it is one assignment."""
 
     def __init__(self) -> None:
         self._catalogue = Catalogue()
         self._loaded = False
+        self._peers: Peers | None = None
+        self._catch_up: Callable[[], None] = lambda: None
 
     @property
     def catalogue(self) -> Catalogue:
@@ -121,8 +133,16 @@ class Registry:
 
     def swap(self, catalogue: Catalogue) -> None:
         """Serve ``catalogue`` from now on; evaluations under way keep the model they began with."""
+        if self._peers is not None:
+            self._peers.announce(catalogue)
         self._catalogue = catalogue
         self._loaded = True
+
+    def join(self, peers: Peers, catch_up: Callable[[], None]) -> None:
+        """Be one of several processes; ``catch_up`` is called when the others have what is missing here."""
+        self._peers = peers
+        self._catch_up = catch_up
+        peers.announce(self._catalogue)
 
     def find(self, name: str, version: str | None = None) -> LoadedModel:
         """The model of a version, a label (by default ``stable``) or a digest.
@@ -148,6 +168,9 @@ class Registry:
             return found
         if not self._loaded:
             raise ModelLoading("The models are being loaded; try again in a moment.", retry_after=1.0)
+        if self._peers is not None and self._peers.have(name, wanted):
+            self._catch_up()
+            raise ModelLoading("This model is being loaded; try again in a moment.", retry_after=0.1)
         raise _unknown(catalogue, name, wanted)
 
 

@@ -25,7 +25,7 @@ from typing import Any
 from bnserve_service.process_name import name_process
 from bnserve_service.shared import SharedFolder
 from bnserve_service.shared_loads import SharedLoads
-from bnserve_service.supervisor_report import write_report
+from bnserve_service.supervisor_report import models_file, write_report
 from bnserve_service.supervisor_roster import BackOff, Rules, Verdict, Worker, judge
 from bnserve_service.supervisor_template import NO_DESCRIPTOR, Inheritance, Template
 from bnserve_service.worker_channel import Channel, Closed, Message
@@ -133,6 +133,8 @@ class Supervisor:
         now = time.monotonic()
         worker.pid = message.get("pid", worker.pid)
         worker.reason = message.get("failed", worker.reason)
+        if "changed" in message:
+            self._have_all_look(worker)
         if "beat" not in message:
             return
         served_before = worker.ready_since is not None
@@ -158,9 +160,7 @@ class Supervisor:
         while self._signals:
             number = self._signals.pop(0)
             if number == signal.SIGHUP:
-                self._tell_all({"refresh": True})
-                if self._template is not None:
-                    self._template.look_at_stores()
+                self._have_all_look()
             elif self._stopping:
                 self._tell_all({"stop": "now"})
             else:
@@ -176,6 +176,14 @@ class Supervisor:
         for worker in self._workers.values():
             worker.retire("stopping", now)
         self._tell_all({"stop": "drain"})
+
+    def _have_all_look(self, but: Worker | None = None) -> None:
+        """Have all but one, who has, look at the stores."""
+        for worker in self._workers.values():
+            if worker is not but:
+                worker.channel.send({"refresh": True})
+        if self._template is not None:
+            self._template.look_at_stores()
 
     def _tell_all(self, message: Message) -> None:
         for worker in self._workers.values():
@@ -244,6 +252,7 @@ class Supervisor:
             self._selector.unregister(worker.channel)
         worker.channel.close()
         self._loads.leave(worker.slot)
+        models_file(self._inheritance.shared, worker.slot).unlink(missing_ok=True)
         self._report(now)
 
     def _template_ended(self, template: Template, code: int, now: float) -> None:

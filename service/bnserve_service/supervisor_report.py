@@ -48,3 +48,8 @@ def _family(
         "description": description,
         "samples": [[name + suffix, labels, float(value)] for labels, value in samples],
     }
+
+
+def models_file(shared: Path, place: int) -> Path:
+    """Where the worker in a place writes; it is removed once nobody is there."""
+    return shared / f"models-{place}.json"

@@ -146,6 +146,7 @@ class _Steward:
     def __init__(self, channel: Channel, app: Application) -> None:
         self._channel = channel
         self._parts = app.parts
+        self._known = app.parts.registry.catalogue
         self.orphaned = False
 
     async def run(self) -> None:
@@ -160,6 +161,10 @@ class _Steward:
             self._channel.send({"beat": self._report()})
             if self.server.accepts and not self._parts.lifecycle.draining:
                 self.acceptor.say()
+            catalogue = self._parts.registry.catalogue
+            if catalogue is not self._known:
+                self._known = catalogue
+                self._channel.send({"changed": True})
             if beats % _BEATS_PER_PUBLICATION == 0:
                 self._parts.metrics.publish()
             if beats % _BEATS_PER_TIDYING == 0:
