@@ -41,7 +41,9 @@ _DOUBTFUL = (
     Forbidden,
     DeadlineExceeded,
 )
-"""What a question deserves whose head was damaged on the way: believed when it is said twice."""
+"""What a sound question cannot deserve, and one whose head was damaged on the way does."""
+_DOUBTS = 3
+"""It is believed when it is said once more than that, in a row."""
 
 _chance = random.SystemRandom()
 """Neither shared between forked processes nor drawn from the generator that a sampler may have seeded."""
@@ -59,7 +61,7 @@ class Patience:
         self._replicas = replicas
         self._failures = 0
         self._untrusted = 0
-        self._doubted = False
+        self._doubts = 0
         self.deadline = time.monotonic() + settings.timeout
         self._address: Address | None = None
 
@@ -77,6 +79,7 @@ class Patience:
 
     def succeeded(self) -> None:
         """The replica gave an answer that can be used."""
+        self._doubts = 0
         self._replicas.wake(self.address)
 
     def pause_after(self, error: BnserveError) -> float:
@@ -88,7 +91,9 @@ class Patience:
             ``error`` itself where asking again cannot help, or the retries or the time are used up.
         """
         untrusted = isinstance(error, UntrustedAnswer) or self._another_may_have_it(error)
-        doubted = isinstance(error, _DOUBTFUL) and not (untrusted or self._doubted)
+        doubtful = isinstance(error, _DOUBTFUL) and not untrusted
+        self._doubts = self._doubts + 1 if doubtful else 0
+        doubted = doubtful and self._doubts <= _DOUBTS
         if not (error.retryable or untrusted or doubted):
             raise error
         self._failures += 1
@@ -96,7 +101,6 @@ class Patience:
         if self._untrusted >= _UNTRUSTED_ATTEMPTS or (self._retries is not None and self._failures > self._retries):
             raise error
         if doubted:
-            self._doubted = True
             return 0.0
         pause = self._pause(error)
         if pause >= self.seconds_left:
