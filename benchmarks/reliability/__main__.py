@@ -8,12 +8,11 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-import time
 from pathlib import Path
 
 from benchmarks.reliability.outcome import find, names, promise_of
 from benchmarks.reliability.page import PAGE, README, write_pages
-from benchmarks.reliability.record import RESULTS, record_of, save
+from benchmarks.reliability.record import RESULTS, Clock, record_of, save
 from bnserve_protocol import BnserveError
 
 
@@ -45,13 +44,13 @@ def _list() -> None:
 
 
 def _measure(options: argparse.Namespace) -> int:
-    started = time.monotonic()
+    clock = Clock()
 
     def log(line: str) -> None:
-        print(f"{time.monotonic() - started:8.1f} s  {line}", file=sys.stderr, flush=True)
+        print(f"{clock.seconds():8.1f} s  {line}", file=sys.stderr, flush=True)
 
     outcome = find(options.name, options.plant).run(options.short, log, options.plant)
-    record = record_of(outcome, _command(options))
+    record = record_of(outcome, _command(options), clock)
     if options.output is not None:
         save(options.output, options.name, record, options.plant)
     if options.json:

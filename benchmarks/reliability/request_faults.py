@@ -1,0 +1,122 @@
+"""Faults of a server in what it does with requests; :mod:`benchmarks.reliability.planted` plants them."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Callable
+from typing import Any
+
+
+def leak() -> None:
+    """A quarter of every answer stays in memory."""
+    _after_each_group(lambda outcomes: [bytearray(getattr(each, "length", 0) // 4) for each in outcomes])
+
+
+def open_files() -> None:
+    """Every 20th request leaves a file open."""
+    counted = itertools.count()
+    _after_each_group(lambda outcomes: [os.open(os.devnull, os.O_RDONLY) for _ in outcomes if next(counted) % 20 == 0])
+
+
+def _after_each_group(what: Callable[[Any], Any]) -> None:
+    """Keep what is made of the outcomes of each group for ever."""
+    from bnserve_service.evaluation import Evaluator
+
+    kept: list[Any] = []
+    evaluate = Evaluator.__call__
+
+    def evaluate_and_keep(self: Evaluator, questions: Any) -> Any:
+        outcomes = evaluate(self, questions)
+        kept.append(what(outcomes))
+        return outcomes
+
+    Evaluator.__call__ = evaluate_and_keep  # type: ignore[method-assign]
+
+
+def no_watch() -> None:
+    """Nobody looks whether the caller is still there."""
+    from bnserve_service.routes import waiting
+
+    async def forget_never(*_: Any) -> None:
+        """Let the work of those who went away be done."""
+
+    waiting._forget_when_gone = forget_never  # type: ignore[assignment]
+
+
+def no_cap() -> None:
+    """Bodies are read to their end, whatever their size."""
+    from bnserve_service.routes import analyses, grids, likelihoods, waveforms
+    from bnserve_service.transport import body
+
+    async def read_all(_headers: Any, receive: Any, _limit: int, _timeout: float) -> bytes:
+        return await body._collect(receive, 2**62)
+
+    for module in (analyses, grids, likelihoods, waveforms):
+        module.read_body = read_all  # type: ignore[attr-defined]
+
+
+def prefix_compare() -> None:
+    """A token is compared up to the length of what was sent."""
+    from bnserve_protocol import Unauthorized
+    from bnserve_service.transport.access import AccessMiddleware
+
+    find: Any = AccessMiddleware._find
+    known: list[bytes] = []
+
+    def find_by_prefix(self: AccessMiddleware, given: Any) -> Any:
+        sent = given if isinstance(given, bytes) else dict(given).get(b"authorization", b"")
+        try:
+            token = find(self, given)
+        except Unauthorized:
+            for right in known:
+                if len(sent) > len(b"Bearer ") and right.startswith(sent):
+                    return find(self, right if isinstance(given, bytes) else [(b"authorization", right)])
+            raise
+        known.append(sent)
+        return token
+
+    AccessMiddleware._find = find_by_prefix  # type: ignore[assignment,method-assign]
+
+
+def log_tokens() -> None:
+    """The access log shows who asked with what."""
+    from bnserve_service.transport import context
+
+    new = context.new_context
+
+    def new_and_told(headers: Any) -> context.RequestContext:
+        made = new(headers)
+        context.access_logger.info("asked with %r", made.headers.get(b"authorization"))
+        return made
+
+    context.new_context = new_and_told  # type: ignore[assignment]
+
+
+def no_drain() -> None:
+    """SIGTERM ends the process as a program does that knows nothing of it: at once, whatever is under way."""
+    from bnserve_service.server import BnserveServer
+
+    BnserveServer.stop = lambda self: os._exit(0)  # type: ignore[method-assign]
+
+
+def no_timers() -> None:
+    """Connections may take their time."""
+    from bnserve_service.transport.protocol import BoundedProtocol
+
+    BoundedProtocol._arm = lambda self, waiting: None  # type: ignore[method-assign]
+    no_cap()
+
+
+def unpickle_bodies() -> None:
+    """Arrays of objects in bodies are read, as msgpack-numpy does."""
+    from benchmarks.reliability.hostile import unpickle_what_is_found
+    from bnserve_service import answering
+
+    decode: Any = answering.decode_request  # type: ignore[attr-defined]
+
+    def unpickle_and_decode(body: bytes, *arguments: Any) -> Any:
+        unpickle_what_is_found(bytes(body))
+        return decode(body, *arguments)
+
+    answering.decode_request = unpickle_and_decode  # type: ignore[assignment,attr-defined]
