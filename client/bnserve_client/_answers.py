@@ -24,7 +24,8 @@ from bnserve_protocol import (
     decode_answer,
 )
 
-_GATEWAY_STATUSES = {429, 502, 503, 504}
+_GATEWAY_STATUSES = {429, 500, 502, 503, 504}
+"""Of answers that bnserve did not write; Ray Serve's proxy says 500 when a replica was killed."""
 
 _Message = TypeVar("_Message")
 

@@ -5,7 +5,18 @@ import pytest
 from tests.architecture.rooms import room_environment, run_python
 
 SERVING = {"fastapi", "pydantic", "starlette", "uvicorn"}
-TRAINING = {"EOBRun_module", "joblib", "lal", "lalsimulation", "matplotlib", "numba", "optuna", "scipy", "sklearn"}
+TRAINING = {
+    "EOBRun_module",
+    "joblib",
+    "lal",
+    "lalsimulation",
+    "matplotlib",
+    "numba",
+    "optuna",
+    "ray",
+    "scipy",
+    "sklearn",
+}
 NUMERICS = {"llvmlite", "safetensors"}
 OTHER_ROOMS = {"bnserve_inference", "bnserve_service", "bnserve_store", "bnserve_surrogate"}
 

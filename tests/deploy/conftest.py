@@ -1,0 +1,28 @@
+"""A Ray cluster of two nodes on this machine."""
+
+import os
+import warnings
+
+import pytest
+
+from tests.architecture.rooms import room_environment
+
+QUIET = {"RAY_USAGE_STATS_ENABLED": "0", "RAY_DEDUP_LOGS": "0", "RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO": "0"}
+NODE = {"num_cpus": 2, "object_store_memory": 100 * 2**20, "include_dashboard": False}
+
+
+@pytest.fixture(scope="session")
+def ray_cluster():
+    """Two nodes with two processors each, to which this process is connected."""
+    os.environ.update(QUIET)
+    os.environ["PYTHONPATH"] = room_environment()["PYTHONPATH"]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        import ray
+        from ray.cluster_utils import Cluster
+    cluster = Cluster(initialize_head=True, head_node_args=NODE)
+    cluster.add_node(**NODE)
+    ray.init(address=cluster.address, log_to_driver=False)
+    yield cluster
+    ray.shutdown()
+    cluster.shutdown()
