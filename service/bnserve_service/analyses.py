@@ -167,9 +167,20 @@ class AnalysisStore:
         ------
         AnalysisUnknown
         """
-        was_here = self._let_go(owner, sha256)
-        if not (was_here if self._shelf is None else self._shelf.drop(owner, sha256)):
+        if not self.discard(owner, sha256):
             raise AnalysisUnknown(UNKNOWN)
+
+    def discard(self, owner: str, sha256: str) -> bool:
+        """Forget an analysis of this owner; whether it was here."""
+        was_here = self._let_go(owner, sha256)
+        return was_here if self._shelf is None else self._shelf.drop(owner, sha256)
+
+    def has(self, owner: str, sha256: str) -> bool:
+        """Whether an analysis of this owner is here; that it was asked for does not count as use."""
+        if self._shelf is not None:
+            return self._shelf.has(owner, sha256)
+        belongings = self._owners.get(owner)
+        return belongings is not None and sha256 in belongings.analyses
 
     def tidy(self) -> None:
         """Give back the memory of analyses that another worker has dropped."""

@@ -47,6 +47,7 @@ from bnserve_service.shared_files import Shelf
 from bnserve_service.shared_metrics import SharedMetrics
 from bnserve_service.shared_models import SharedModels
 from bnserve_service.shares import shares_of
+from bnserve_service.stored_shares import Keeping, Kind, StoredShares
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import plain_response
 from bnserve_service.transport.context import RequestContextMiddleware
@@ -124,8 +125,9 @@ class Application(FastAPI):
         self.include_router(model_router(parts.registry, limits))
         self.include_router(limits_router(limits))
         self.include_router(manifest_router(parts.registry, limits, parts.maintenance))
-        self.include_router(grid_router(parts.grids, parts.waveforms, parts.settings))
-        self.include_router(analysis_router(parts.analyses, parts.likelihoods, parts.settings))
+        stored = _stored_shares(parts)
+        self.include_router(grid_router(parts.grids, parts.waveforms, parts.settings, stored))
+        self.include_router(analysis_router(parts.analyses, parts.likelihoods, parts.settings, stored))
         self.include_router(health_router(parts.health))
         self.include_router(explorer_router())
         if parts.settings.metrics_port is None:
@@ -278,6 +280,15 @@ def _stores(settings: Settings) -> ModelSource:
     from bnserve_store import ModelStore
 
     return ModelStore.default(settings.stores)
+
+
+def _stored_shares(parts: Parts) -> StoredShares:
+    grids, analyses = parts.grids, parts.analyses
+    keeping: dict[Kind, Keeping] = {
+        "grid": Keeping(lambda owner, sha256: grids.has(sha256), lambda owner, sha256: grids.drop(sha256)),
+        "analysis": Keeping(analyses.has, analyses.discard),
+    }
+    return StoredShares(parts.settings.tokens, keeping, parts.shared)
 
 
 def _surrogate(artifact: Any) -> Any:

@@ -101,6 +101,16 @@ class GridCache:
             raise no_room()
         return len(frequencies), is_new
 
+    def has(self, sha256: str) -> bool:
+        """Whether a grid is here; that it was asked for does not count as use."""
+        return sha256 in self._grids if self._shelf is None else self._shelf.has(_EVERYBODY, sha256)
+
+    def drop(self, sha256: str) -> None:
+        """Forget a grid, if it is here."""
+        self._forget(sha256)
+        if self._shelf is not None:
+            self._shelf.drop(_EVERYBODY, sha256)
+
     def tidy(self) -> None:
         """Give back the memory of grids that another worker has dropped."""
         if self._shelf is not None:

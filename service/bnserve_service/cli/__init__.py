@@ -17,7 +17,7 @@ from bnserve_service._version import __version__
 
 __all__ = ["SUBCOMMANDS", "build_parser", "main"]
 
-SUBCOMMANDS = ("serve", "models", "demo", "train", "validate", "search", "roq", "bench")
+SUBCOMMANDS = ("serve", "models", "tokens", "demo", "train", "validate", "search", "roq", "bench")
 """Modules of this package, in the order of the help; those that this installation lacks are left out."""
 
 

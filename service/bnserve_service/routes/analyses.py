@@ -11,13 +11,16 @@ from bnserve_service.likelihood_answering import LikelihoodService
 from bnserve_service.openapi import FOUND_OR_NOT, GONE, answers_with
 from bnserve_service.openapi_likelihoods import ANALYSIS_BODY
 from bnserve_service.settings import Settings
+from bnserve_service.stored_shares import StoredShares
 from bnserve_service.transport.answers import data_response
 from bnserve_service.transport.body import read_body
 from bnserve_service.transport.context import context_of
 from bnserve_service.transport.negotiation import media_type_of, refuse_encoded
 
 
-def analysis_router(analyses: AnalysisStore, service: LikelihoodService, settings: Settings) -> APIRouter:
+def analysis_router(
+    analyses: AnalysisStore, service: LikelihoodService, settings: Settings, shares: StoredShares
+) -> APIRouter:
     """The paths of uploaded analyses."""
     router = APIRouter(tags=["likelihoods"], default_response_class=Response)
     limit = settings.max_analysis_bytes
@@ -37,7 +40,9 @@ def analysis_router(analyses: AnalysisStore, service: LikelihoodService, setting
         with service.uploads.counting(request.receive) as receive:
             body = await read_body(context.headers, receive, limit, settings.body_timeout)
             context.request_digest = await service.digest(body)
+            shares.make_room(context.owner, "analysis", sha256.lower(), len(body))
             stored, is_new = await service.keep(context.owner, sha256.lower(), body)
+        shares.note(context.owner, "analysis", stored.sha256, stored.nbytes)
         return data_response(request, analysis_document(stored), 201 if is_new else 200)
 
     @router.get("/v1/analyses/{sha256}", responses=answers_with(AnalysisDocument))
