@@ -41,8 +41,8 @@ def _measured(name: str, record: dict[str, Any] | None) -> list[str]:
     verdict = "" if record["passed"] else " (**the bar is missed**)"
     return [
         f"- measured: **{record['summary']}**{verdict}",
-        f"- command: `{record['command']}`, {record['date']}, {record['machine']}; it took "
-        f"{record['seconds']:,} s, in which the hypervisor gave {100 * record['stolen']:.0f} % of the processors to others",
+        f"- command: `{record['command']}`, {record['date']}, {record['machine']}; {record['seconds']:,} s, "
+        f"while {100 * record['stolen']:.0f} % of the processors' time went to other machines",
     ]
 
 

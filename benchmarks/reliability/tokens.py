@@ -10,7 +10,6 @@ import hashlib
 import random
 import secrets
 from collections.abc import Iterator
-from typing import Any
 
 from benchmarks.reliability.asking import exchange
 from benchmarks.reliability.load import waveforms_request
@@ -26,6 +25,17 @@ PLANTS = {
     "log-tokens": "the access log shows who asked with what",
 }
 
+SCOPES = ("evaluate", "upload", "admin")
+NEEDS = {
+    ("GET", "/v1/models"): None,
+    ("GET", "/v1/limits"): None,
+    ("POST", "/v1/models/default/waveforms"): "evaluate",
+    ("PUT", f"/v1/grids/{'0' * 64}"): "upload",
+    ("DELETE", f"/v1/analyses/{'0' * 64}"): "upload",
+    ("GET", "/metrics"): "admin",
+    ("POST", "/v1/reload"): "admin",
+}
+"""The scope that a token must have."""
 PATHS = ("/v1/models", "/v1/models/default", "/v1/limits", "/metrics", "/v1/manifest", "/v1/none")
 PUBLIC = ("/v2/health/live", "/v2/health/ready", "/openapi.json", "/docs", "/")
 
@@ -33,39 +43,50 @@ PUBLIC = ("/v2/health/live", "/v2/health/ready", "/openapi.json", "/docs", "/")
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Measure; the long form takes a minute."""
     draw = random.Random(1)
-    right, reader = secrets.token_urlsafe(32), secrets.token_urlsafe(32)
-    tokens = [_token("all", right, None), _token("reader", reader, ["upload"])]
+    texts = {scope: secrets.token_urlsafe(32) for scope in SCOPES}
+    right = texts["evaluate"]
+    tokens = [
+        {"name": scope, "sha256": hashlib.sha256(text.encode()).hexdigest(), "scopes": [scope]}
+        for scope, text in texts.items()
+    ]
     wrong = list(_wrong_headers(right, draw, 20 if short else 1000))
     with serving("--model", "default", "--access-log", plant=plant, tokens=tokens) as server:
-        _evaluate(server, f"Bearer {right}")
-        let_in = [header for header in wrong if _evaluate(server, header) != 401]
-        on_paths = [path for path in PATHS for header in wrong[:20] if _get(server, path, header) != 401]
-        log(f"{len(wrong)} wrong headers tried, {len(let_in)} let in, on other paths {len(on_paths)}")
         refused = [
             s for s in (_evaluate(server, f"Bearer {right}"), _evaluate(server, f"bearer  {right} ")) if s != 200
         ]
-        refused += [_get(server, path, None) for path in PUBLIC if _get(server, path, None) != 200]
-        unscoped = [status for status in [_evaluate(server, f"Bearer {reader}")] if status != 403]
-        shown = _searched(server, wrong, f"Bearer {right}")
-    secrets_used = {right, reader, *(_secret(each) for each in wrong)}
+        refused += [status for path in PUBLIC if (status := _ask(server, "GET", path, None)) != 200]
+        let_in = [header for header in wrong if _evaluate(server, header) != 401]
+        on_paths = [path for path in PATHS for header in wrong[:20] if _ask(server, "GET", path, header) != 401]
+        log(f"{len(wrong)} wrong headers tried, {len(let_in)} let in, on other paths {len(on_paths)}")
+        misplaced = _wrong_scopes(server, texts)
+        log(f"wrong decisions about scopes: {misplaced}")
+        shown = _searched(server, wrong, f"Bearer {texts['admin']}")
+    secrets_used = {*texts.values(), *(_secret(each) for each in wrong)}
     leaked = sum(secret in shown for secret in secrets_used if len(secret) >= 12)
     figures = {
         "wrong headers": len(wrong),
         "requests": len(wrong) + 20 * len(PATHS),
         "let in": len(let_in) + len(on_paths),
         "right ones refused": len(refused),
-        "wrong scope not refused": len(unscoped),
+        "scopes tried": len(texts) * len(NEEDS),
+        "wrong decisions about scopes": len(misplaced),
         "tokens found in log, metrics, answers": leaked,
         "bytes searched": len(shown),
     }
-    wrongly = len(let_in) + len(on_paths) + len(refused) + len(unscoped)
+    wrongly = len(let_in) + len(on_paths) + len(refused) + len(misplaced)
     summary = f"{len(wrong):,} wrong tokens: {wrongly} wrong decisions, {leaked} found in log, metrics or answers"
     return Outcome(figures, wrongly == leaked == 0, summary)
 
 
-def _token(name: str, text: str, scopes: list[str] | None) -> dict[str, Any]:
-    known = {"name": name, "sha256": hashlib.sha256(text.encode()).hexdigest()}
-    return known if scopes is None else known | {"scopes": scopes}
+def _wrong_scopes(server: Server, texts: dict[str, str]) -> list[str]:
+    """What a token of one scope may do and should not, or may not and should."""
+    wrong = []
+    for scope, text in texts.items():
+        for (method, path), needed in NEEDS.items():
+            status = _ask(server, method, path, f"Bearer {text}")
+            if status in (0, 401) or (status == 403) is not (needed not in (None, scope)):
+                wrong.append(f"{scope} {method} {path}: {status}")
+    return wrong
 
 
 def _wrong_headers(right: str, draw: random.Random, count: int) -> Iterator[str | None]:
@@ -93,8 +114,8 @@ def _evaluate(server: Server, authorization: str | None) -> int:
     return exchange(server.address, _with(waveforms_request(server.url), authorization)).status
 
 
-def _get(server: Server, path: str, authorization: str | None) -> int:
-    request = Target.parse(server.url).request(path, b"", {}, "GET")
+def _ask(server: Server, method: str, path: str, authorization: str | None) -> int:
+    request = Target.parse(server.url).request(path, b"", {}, method)
     return exchange(server.address, _with(request, authorization)).status
 
 
