@@ -15,7 +15,7 @@ from benchmarks.reliability.serving import serving
 MECHANISM = (
     "An attempt ends when the connection does, when its answer is damaged, belongs to another question or is none, or "
     "when nothing came for `silence` seconds; then the client asks again on another connection, another replica first. "
-    "A refusal that a sound question cannot deserve (perhaps its head was damaged) is believed when it is said 4 times. "
+    "A refusal that a sound question cannot deserve (its head may be damaged) is believed when it is said 4 times. "
     "Here a proxy in front of each of 2 servers makes every kind of fault in turn, in 5 % of the exchanges."
 )
 BAR = "lost 0 and wrong 0 with every kind of fault"

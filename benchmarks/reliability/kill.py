@@ -23,6 +23,8 @@ PLANTS = {"no-retries": "neither HAProxy nor the client sends a request again"}
 
 _SLOWEST = 2.0
 _REPLICAS = 3
+_PAUSE = 0.02
+"""Seconds that a sampler spends on its own between two questions."""
 
 
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
@@ -33,7 +35,8 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         addresses = [server.address for server in servers]
         with balancing(addresses, retries=not plant) as balancer:
             log(f"{_REPLICAS} replicas are up behind HAProxy")
-            with Callers([balancer.url] * count, Task(options=options, plant=plant)) as callers:
+            task = Task(options=options, plant=plant, pause=_PAUSE)
+            with Callers([balancer.url] * count, task) as callers:
                 killed = _kill_for(seconds, every, servers, log)
     found = callers.log
     figures = {"kills": killed, "samplers": count} | found.figures()

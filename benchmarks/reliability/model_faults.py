@@ -71,3 +71,18 @@ def no_verification() -> None:
             self._factory = factory
 
     Loader._load = load_unchecked  # type: ignore[assignment,method-assign]
+
+
+def batch_bits() -> None:
+    """Batches are rounded otherwise than single waveforms."""
+    from bnserve_service import evaluation
+
+    evaluate = evaluation.evaluate_output
+
+    def evaluate_otherwise(model: Any, question: Any, batch: Any) -> Any:
+        arrays = evaluate(model, question, batch)
+        if len(batch) > 1 and "h" in arrays:
+            arrays["h"][...] *= 1.0 + 2.0**-52
+        return arrays
+
+    evaluation.evaluate_output = evaluate_otherwise

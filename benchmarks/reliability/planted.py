@@ -11,6 +11,7 @@ from collections.abc import Callable
 from benchmarks.reliability import model_faults, request_faults
 
 FAULTS: dict[str, Callable[[], None]] = {
+    "batch-bits": model_faults.batch_bits,
     "leak": request_faults.leak,
     "mixed-versions": model_faults.mixed_versions,
     "log-tokens": request_faults.log_tokens,
