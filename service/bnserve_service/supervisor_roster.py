@@ -13,8 +13,10 @@ from bnserve_service.worker_channel import Channel
 
 UNREADY_SECONDS = 3.0
 """A worker may be unready for this long, while others are ready, before it is replaced."""
+COPY_SECONDS = 10.0
+"""A template that has not made a worker by then hangs: it takes a fraction of a second."""
 START_SECONDS = 30.0
-"""A worker that has not said anything by then never will: it starts in a fraction of a second."""
+"""A worker that has not given a sign of life by then never will: it starts in a fraction of a second, too."""
 STABLE_SECONDS = 5.0
 """A worker that was ready for this long did not end for the reason that the one before it ended."""
 _FIRST_DELAY = 0.1
@@ -100,7 +102,9 @@ def judge(worker: Worker, rules: Rules, now: float, others_serve: bool) -> tuple
     if worker.killed:
         return Verdict.KEEP, ""
     if worker.heard is None:
-        return (Verdict.KILL, "silent") if now - worker.asked > START_SECONDS else (Verdict.KEEP, "")
+        patience = COPY_SECONDS if worker.pid is None else START_SECONDS
+        is_late = now - worker.asked > patience and not worker.greets  # a template makes the latter when it comes to it
+        return (Verdict.KILL, "silent") if is_late else (Verdict.KEEP, "")
     if worker.retired:
         return (Verdict.KILL, "slow") if now - worker.retired_at > rules.drain_seconds else (Verdict.KEEP, "")
     if now - worker.heard > rules.hung_seconds:
@@ -128,4 +132,4 @@ class BackOff:
         self.failures = 0 if stable else self.failures + 1
         # The first is for free: a worker that was killed once shall be back at once.
         waits = self.failures - 1
-        self.not_before = now + (min(_LONGEST_DELAY, _FIRST_DELAY * 2 ** min(waits, 16)) if waits > 0 else 0.0)
+        self.not_before = now + (min(_LONGEST_DELAY, _FIRST_DELAY * 2 ** min(waits - 1, 16)) if waits > 0 else 0.0)

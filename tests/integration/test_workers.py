@@ -4,19 +4,18 @@ import hashlib
 import http.client
 import json
 import os
-import re
 import signal
 import threading
 import time
-import urllib.request
 
 import numpy as np
 import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import encode_analysis
+from bnserve_store import ModelStore
 from tests.architecture.rooms import run_python
-from tests.integration.conftest import bnserve, serving
+from tests.integration.conftest import bnserve
 from tests.integration.workers import children, exists, own_memory, serving_with, until
 from tests.service.asking import GW170817, JSON, ask, ask_on, closing_connection, evaluate_json, question
 from tests.service.injections import name_of, small_analysis
@@ -28,9 +27,18 @@ RESTARTS = "bnserve_worker_restarts_total"
 
 
 @pytest.fixture(scope="module")
-def workers(tmp_path_factory):
+def store(tmp_path_factory):
+    """A store with the shipped model under another name, which the workers serve, too."""
+    artifact = ModelStore.default().load("default")
+    store = tmp_path_factory.mktemp("store")
+    ModelStore([store]).publish("mine", "1.0.0", artifact.tensors, artifact.manifest.metadata)
+    return store
+
+
+@pytest.fixture(scope="module")
+def workers(tmp_path_factory, store):
     """Three workers; every test leaves as many."""
-    with serving_with(tmp_path_factory.mktemp("workers") / "server.log", 3) as it:
+    with serving_with(tmp_path_factory.mktemp("workers") / "server.log", 3, "--store", str(store)) as it:
         yield it
 
 
@@ -129,10 +137,14 @@ def test_a_worker_told_to_go_answers_what_it_has_and_is_replaced(workers):
     workers.wait_until_complete()
 
 
+def test_the_metrics_are_on_their_port_alone(workers):
+    assert ask(workers.address, "GET", "/metrics").status == 404
+
+
 def test_counts_are_of_all_workers_and_outlive_each_of_them(workers):
     waveforms = {"model": "default"}
     before = workers.value("bnserve_rows_total", **waveforms)
-    for pid in workers.wait_until_complete().values():
+    for pid in list(workers.wait_until_complete().values())[:2]:
         for _ in range(5):
             assert evaluate_json(workers.address, CURL, model="default").status == 200
         before += 5
@@ -235,6 +247,20 @@ def test_nothing_is_left_of_a_server_whose(tmp_path, how):
         assert not shared.exists()
 
 
+def test_a_version_that_one_worker_has_is_unknown_to_none(workers, store):
+    own = ModelStore([store])
+    artifact = own.load("mine", "1.0.0")
+    path = "/v1/models/mine/versions"
+    workers.wait_until_complete()
+    for version in ("1.1.0", "1.2.0"):
+        own.publish("mine", version, artifact.tensors, artifact.manifest.metadata | {"citation": version})
+        until(lambda: ask(workers.address, "GET", f"{path}/{version}").status == 200, "one worker has it")  # noqa: B023
+        answers = [ask(workers.address, "GET", f"{path}/{version}").status for _ in range(30)]
+        assert set(answers) <= {200, 503}, "the others are about to"
+    until(lambda: {ask(workers.address, "GET", f"{path}/1.2.0").status for _ in range(9)} == {200}, "all have it")
+    assert ask(workers.address, "GET", f"{path}/9.9.9").status == 404
+
+
 def test_sighup_has_all_of_them_look_at_the_stores(workers):
     def looks():
         return workers.value("bnserve_reloads_total", outcome="unchanged")
@@ -243,18 +269,6 @@ def test_sighup_has_all_of_them_look_at_the_stores(workers):
     before = looks()
     os.kill(workers.supervisor, signal.SIGHUP)
     until(lambda: looks() >= before + 3, "three workers have looked")
-
-
-def test_the_metrics_have_a_port_of_their_own(tmp_path):
-    with serving(tmp_path / "log", "--workers", "2", "--metrics-port", "0") as server:
-        address = re.search(r"^bnserve metrics on (\S+)$", server.log.read_text(), re.MULTILINE).group(1)
-
-        def told(sample):
-            with urllib.request.urlopen(address) as answer:
-                return sample in answer.read().decode()
-
-        until(lambda: told("bnserve_workers_serving 2.0"), "both workers serve")
-        assert ask(server.address, "GET", "/metrics").status == 404
 
 
 def test_without_any_model_the_reason_is_said(tmp_path):

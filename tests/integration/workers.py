@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import time
+import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
@@ -13,7 +15,6 @@ from pathlib import Path
 from prometheus_client.parser import text_string_to_metric_families
 
 from tests.integration.conftest import ServerProcess, serving
-from tests.service.asking import ask
 
 
 def until(condition, what, seconds=60.0):
@@ -48,6 +49,7 @@ class Workers:
 
     server: ServerProcess
     count: int
+    metrics_address: str
 
     @property
     def address(self) -> str:
@@ -79,7 +81,8 @@ class Workers:
         return self.pids()
 
     def metrics(self) -> dict[tuple, float]:
-        text = ask(self.address, "GET", "/metrics").body.decode()
+        with urllib.request.urlopen(self.metrics_address) as answer:
+            text = answer.read().decode()
         return {
             (sample.name, frozenset(sample.labels.items())): sample.value
             for family in text_string_to_metric_families(text)
@@ -110,8 +113,10 @@ def own_memory(pid: int) -> float:
 
 @contextmanager
 def serving_with(log: Path, count: int, *arguments: str) -> Iterator[Workers]:
-    """``bnserve serve --workers N`` on a free port, with all of its workers."""
-    with serving(log, "--workers", str(count), *arguments) as server:
-        workers = Workers(server, count)
+    """``bnserve serve --workers N`` on a free port, with all of its workers, and metrics on another port."""
+    with serving(log, "--workers", str(count), "--metrics-port", "0", *arguments) as server:
+        metrics = re.search(r"^bnserve metrics on (\S+)$", log.read_text(), re.MULTILINE)
+        assert metrics is not None
+        workers = Workers(server, count, metrics.group(1))
         workers.wait_until_complete()
         yield workers

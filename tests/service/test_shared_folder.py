@@ -1,0 +1,259 @@
+"""What the workers of one server share: a folder for them alone, uploads, counts, and what they serve."""
+
+import hashlib
+import os
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+from prometheus_client import CollectorRegistry, Counter, Gauge
+
+from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, encode_analysis
+from bnserve_service import Settings
+from bnserve_service.analyses import AnalysisStore
+from bnserve_service.grids import GridCache
+from bnserve_service.shared import SharedFolder
+from bnserve_service.shared_files import Shelf
+from bnserve_service.shared_loads import SharedLoads
+from bnserve_service.shared_metrics import SharedMetrics
+from tests.architecture.rooms import room_environment
+from tests.service.injections import name_of, small_analysis
+
+
+def digest(body):
+    return hashlib.sha256(body).hexdigest()
+
+
+def grid(start, points=50):
+    return np.arange(start, start + points).astype("<f8").tobytes()
+
+
+@pytest.fixture
+def shelf(tmp_path):
+    return Shelf(tmp_path / "shelf", max_files=3, max_owner_bytes=1000, max_bytes=1500)
+
+
+ME, YOU = "a" * 64, "b" * 64
+
+
+class TestFolder:
+    def test_nobody_else_can_look_inside(self, tmp_path):
+        folder = SharedFolder.create(0, [tmp_path])
+        assert folder.path.stat().st_mode & 0o777 == 0o700
+        folder.remove()
+        folder.close()
+        assert list(tmp_path.iterdir()) == []
+
+    def test_what_a_dead_server_left_is_removed_and_what_a_living_one_has_stays(self, tmp_path):
+        code = "import sys, pathlib; from bnserve_service.shared import SharedFolder; "
+        code += "print(SharedFolder.create(0, [pathlib.Path(sys.argv[1])]).path)"
+        command = [sys.executable, "-c", code, str(tmp_path)]
+        dead = subprocess.run(command, capture_output=True, text=True, check=True, env=room_environment()).stdout
+        assert os.path.isdir(dead.strip())  # noqa: PTH112
+        living, other = SharedFolder.create(0, [tmp_path]), SharedFolder.create(0, [tmp_path])
+        assert sorted(tmp_path.iterdir()) == sorted([living.path, other.path])
+        assert living.remove_if_last()
+        assert not SharedFolder(other.path).remove_if_last(), "somebody else has it open"
+        for folder in (living, other):
+            folder.close()
+
+    def test_it_is_where_there_is_room(self, tmp_path):
+        small, large = tmp_path / "small", tmp_path / "large"
+        small.mkdir()
+        large.mkdir()
+        assert SharedFolder.create(0, [small, large]).path.parent == small
+        assert SharedFolder.create(2**80, [tmp_path / "missing", large]).path.parent == large
+
+
+class TestShelf:
+    def test_a_file_comes_back_as_it_was_for_its_owner_alone(self, shelf):
+        assert shelf.put(ME, digest(b"x"), b"x")
+        assert bytes(shelf.read(ME, digest(b"x"))) == b"x"
+        assert shelf.read(YOU, digest(b"x")) is None
+        assert shelf.use(ME, digest(b"x"))
+        assert not shelf.use(YOU, digest(b"x"))
+
+    @pytest.mark.parametrize("name", ["../../etc/passwd", "", "A" * 64, "a" * 63, "a" * 65, f"{'a' * 64}\n"])
+    def test_only_digests_become_paths(self, shelf, name):
+        assert not shelf.put(ME, name, b"x")
+        assert not shelf.put(name or "/", digest(b"x"), b"x")
+        assert shelf.read(ME, name) is None
+        assert not shelf.drop(ME, name)
+        assert shelf.usage() == (0, 0)
+
+    def test_owners_of_the_same_share_it_and_neither_takes_it_from_the_other(self, shelf):
+        body = b"x" * 900
+        assert shelf.put(ME, digest(body), body)
+        assert shelf.put(YOU, digest(body), body)
+        assert shelf.usage() == (1, 900)
+        assert shelf.drop(ME, digest(body))
+        assert not shelf.drop(ME, digest(body))
+        assert shelf.has(YOU, digest(body))
+
+    def test_what_was_used_longest_ago_makes_room(self, shelf):
+        bodies = [bytes([number]) * 10 for number in range(4)]
+        for body in bodies[:3]:
+            shelf.put(ME, digest(body), body)
+        shelf.use(ME, digest(bodies[0]))
+        shelf.put(ME, digest(bodies[3]), bodies[3])
+        assert [shelf.has(ME, digest(body)) for body in bodies] == [True, False, True, True]
+
+    def test_when_all_is_full_whoever_has_most_makes_room(self, shelf):
+        mine, yours, more = b"m" * 900, b"y" * 500, b"z" * 400
+        shelf.put(ME, digest(mine), mine)
+        shelf.put(YOU, digest(yours), yours)
+        shelf.put(YOU, digest(more), more)
+        assert not shelf.has(ME, digest(mine))
+        assert shelf.usage() == (2, 900)
+
+    def test_what_is_mapped_outlives_being_dropped(self, shelf):
+        shelf.put(ME, digest(b"abc"), b"abc")
+        content = shelf.read(ME, digest(b"abc"))
+        shelf.drop(ME, digest(b"abc"))
+        assert bytes(content) == b"abc"
+
+    def test_many_at_once(self, shelf):
+        bodies = [bytes([number]) * 100 for number in range(30)]
+        threads = [threading.Thread(target=shelf.put, args=(ME, digest(body), body)) for body in bodies]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert shelf.usage() == (3, 300)
+
+
+class TestUploads:
+    def test_a_grid_is_known_to_every_worker(self, shelf):
+        one, other = (GridCache(3, 1000, 100, shelf) for _ in range(2))
+        body = grid(1.0)
+        assert one.put(digest(body), body) == (50, True)
+        assert other.put(digest(body), body) == (50, False)
+        frequencies = other.get(digest(body))
+        assert frequencies.tobytes() == body
+        assert not frequencies.flags.writeable
+        assert other.get(digest(body)) is frequencies
+        assert (len(other), other.stored_bytes) == (1, 400)
+
+    def test_one_that_another_worker_dropped_is_gone(self, shelf):
+        one, other = (GridCache(3, 1000, 100, shelf) for _ in range(2))
+        bodies = [grid(start) for start in (1.0, 2.0, 3.0)]
+        one.put(digest(bodies[0]), bodies[0])
+        one.get(digest(bodies[0]))
+        for body in bodies[1:]:
+            other.put(digest(body), body)
+        with pytest.raises(GridUnknown):
+            one.get(digest(bodies[0]))
+
+    @pytest.mark.parametrize("wrong", [grid(9.0), b"short", b""])
+    def test_a_file_that_is_not_what_its_name_says_is_refused_and_removed(self, shelf, tmp_path, wrong):
+        cache, body = GridCache(3, 1000, 100, shelf), grid(1.0)
+        cache.put(digest(body), body)
+        (tmp_path / "shelf" / "everybody" / digest(body)).write_bytes(wrong)
+        with pytest.raises(GridUnknown):
+            cache.get(digest(body))
+
+    def test_an_analysis_is_known_to_every_worker_for_its_owner_alone(self, tmp_path):
+        analysis = small_analysis(seed=1)
+        body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
+        shelf = Shelf(tmp_path, 10, 2**20, 2**20)
+        one, other = (AnalysisStore(Settings(), decode_analysis, shelf) for _ in range(2))
+        assert one.put(ME, name, body)[1]
+        assert other.bytes_to_read(ME, name) == len(body)
+        assert other.get(ME, name).analysis.digest == analysis.digest
+        assert other.bytes_to_read(ME, name) == 0
+        with pytest.raises(AnalysisUnknown):
+            other.get(YOU, name)
+        assert not other.put(ME, name, body)[1]
+        one.drop(ME, name)
+        other.tidy()
+        for worker in (one, other):
+            with pytest.raises(AnalysisUnknown):
+                worker.get(ME, name)
+            with pytest.raises(AnalysisUnknown):
+                worker.drop(ME, name)
+            assert (len(worker), worker.stored_bytes) == (0, 0)
+
+    def test_a_damaged_analysis_is_unknown(self, tmp_path):
+        analysis = small_analysis(seed=1)
+        body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
+        one = AnalysisStore(Settings(), decode_analysis, Shelf(tmp_path, 10, 2**20, 2**20))
+        other = AnalysisStore(Settings(), decode_analysis, Shelf(tmp_path, 10, 2**20, 2**20))
+        one.put("", name, body)
+        damaged = bytearray(body)
+        damaged[-9] ^= 1
+        (tmp_path / "everybody" / name).write_bytes(damaged)
+        with pytest.raises(AnalysisUnknown):
+            other.get("", name)
+
+
+class Process:
+    """The metrics of one worker process."""
+
+    def __init__(self, folder, place):
+        self.registry = CollectorRegistry()
+        self.rows = Counter("rows", "Rows", ["model"], registry=self.registry)
+        self.queue = Gauge("queue", "Queue", registry=self.registry)
+        self.known = Gauge("known", "Known", registry=self.registry)
+        self.shared = SharedMetrics(folder, place)
+
+    def publish(self):
+        self.shared.publish(self.registry.collect())
+
+    def told(self):
+        metrics = self.shared.merged(largest=["known"])
+        return {(sample.name, *sample.labels.values()): sample.value for metric in metrics for sample in metric.samples}
+
+
+class TestMetrics:
+    def test_counters_and_gauges_add_up_and_what_is_common_does_not(self, tmp_path):
+        one, other = Process(tmp_path, 0), Process(tmp_path, 1)
+        one.rows.labels("a").inc(2)
+        other.rows.labels("a").inc(3)
+        other.rows.labels("b").inc(5)
+        for number, process in enumerate((one, other)):
+            process.queue.set(10 + number)
+            process.known.set(7)
+            process.publish()
+        expected = {("rows_total", "a"): 5.0, ("rows_total", "b"): 5.0, ("queue",): 21.0, ("known",): 7.0}
+        assert one.told() == other.told() == expected
+
+    def test_whoever_takes_the_place_of_a_dead_one_goes_on_counting(self, tmp_path):
+        for _ in range(3):
+            process = Process(tmp_path, 0)
+            process.rows.labels("a").inc(2)
+            process.queue.set(4)
+            process.publish()
+            process.publish()
+        newcomer = Process(tmp_path, 0)
+        newcomer.publish()
+        assert newcomer.told() == {("rows_total", "a"): 6.0, ("queue",): 0.0, ("known",): 0.0}
+
+    def test_of_a_dead_one_the_counters_stay_and_the_gauges_go(self, tmp_path):
+        (tmp_path / "supervisor.json").write_text('{"places": [1], "families": []}')
+        gone, here = Process(tmp_path, 0), Process(tmp_path, 1)
+        for process in (gone, here):
+            process.rows.labels("a").inc()
+            process.queue.set(1)
+            process.publish()
+        assert here.told() == {("rows_total", "a"): 2.0, ("queue",): 1.0, ("known",): 0.0}
+
+    def test_what_is_not_whole_is_left_out(self, tmp_path):
+        process = Process(tmp_path, 0)
+        process.publish()
+        (tmp_path / "metrics-1.json").write_text('{"families": [')
+        assert process.told() == {("queue",): 0.0, ("known",): 0.0}
+
+
+def test_the_least_busy_worker_is_found(tmp_path):
+    loads = SharedLoads(tmp_path, places=3)
+    assert loads.least() == 0
+    other = SharedLoads(tmp_path)
+    loads.say(0, 5)
+    other.say(2, 3)
+    assert loads.least() == other.least() == 3
+    other.leave(2)
+    assert loads.least() == 5
+    loads.close()
+    other.close()
