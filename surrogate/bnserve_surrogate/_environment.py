@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import hashlib
-import importlib.metadata
 import platform
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -43,12 +42,14 @@ def describe_run(
 
 
 def _software(also: tuple[str, ...]) -> dict[str, str]:
+    from importlib.metadata import version  # where it is needed: it takes a tenth of a second to import
+
     own = {
         "bnserve": __version__,
         "python": f"{platform.python_implementation()} {platform.python_version()}",
         "LLVM": ".".join(str(part) for part in llvm.llvm_version_info),
     }
-    return own | {name: importlib.metadata.version(name) for name in (*_SOFTWARE, *also)}
+    return own | {name: version(name) for name in (*_SOFTWARE, *also)}
 
 
 @functools.cache
