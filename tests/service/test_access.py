@@ -1,21 +1,33 @@
 """Tokens: the right one is let in, nothing of it is kept or logged."""
 
+import hashlib
+import hmac
 import json
 import logging
+from contextlib import suppress
+from types import SimpleNamespace
 
 import pytest
 
+from bnserve_protocol import Unauthorized
 from bnserve_service import Settings, Token
-from tests.service.asking import MSGPACK, ask, evaluate, question
+from bnserve_service.transport import access
+from bnserve_service.transport.context import new_context
+from tests.service.asking import MSGPACK, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel
 
 SECRET = "correct horse battery staple"
 UPLOADER = "only uploads"
+OPERATOR = "runs the place"
 
 
 @pytest.fixture
 def server(start):
-    tokens = (Token.of(SECRET, "sampler"), Token.of(UPLOADER, "uploader", ("upload",)))
+    tokens = (
+        Token.of(SECRET, "sampler"),
+        Token.of(UPLOADER, "uploader", ("upload",)),
+        Token.of(OPERATOR, "operator", ("admin",)),
+    )
     return start(ChirpModel(), tokens=tokens, access_log=True)
 
 
@@ -30,6 +42,9 @@ def server(start):
         {"authorization": f"Bearer {SECRET}x"},
         {"authorization": f"Basic {SECRET}"},
         {"authorization": SECRET},
+        {"authorization": f"Bearer {SECRET}".encode()[:-1] + "\u00e9".encode()},
+        {"authorization": b"Bearer \xff\xfe"},
+        {"authorization": f"Bearer {hashlib.sha256(SECRET.encode()).hexdigest()}"},
     ],
 )
 def test_401_missing_or_wrong(server, headers):
@@ -38,6 +53,45 @@ def test_401_missing_or_wrong(server, headers):
     assert answer.headers["www-authenticate"].startswith("Bearer")
     assert ask(server.address, "GET", "/v1/models", **headers).status == 401
     assert ask(server.address, "GET", "/nowhere", **headers).status == 401
+
+
+def test_401_two_authorization_headers_even_if_both_are_right(server):
+    head = f"GET /v1/models HTTP/1.1\r\nhost: x\r\nauthorization: Bearer {SECRET}\r\n"
+    for second in (SECRET, "guess"):
+        with raw_connection(server.address) as connection:
+            connection.sendall(f"{head}Authorization: Bearer {second}\r\n\r\n".encode())
+            answer = read_response(connection)
+        assert (answer.status, answer.code) == (401, "unauthorized")
+
+
+def test_every_token_is_compared_also_after_one_was_found(monkeypatch):
+    compared = []
+
+    def compare(one, other):
+        compared.append(one)
+        return hmac.compare_digest(one, other)
+
+    monkeypatch.setattr(access, "hmac", SimpleNamespace(compare_digest=compare))
+    tokens = [Token.of(text) for text in ("first", "second", "third")]
+    middleware = access.AccessMiddleware(None, tokens, {}, None)
+    for text in ("first", "third", "none of them"):
+        compared.clear()
+        with suppress(Unauthorized):
+            middleware.check(new_context([]), [(b"authorization", f"Bearer {text}".encode())], "GET", "/v1/models")
+        assert compared == [token.sha256 for token in tokens]
+
+
+@pytest.mark.parametrize(("method", "path"), [("GET", "/metrics"), ("HEAD", "/metrics"), ("POST", "/v1/reload")])
+def test_what_concerns_everybody_needs_the_scope_admin(server, method, path):
+    assert ask(server.address, method, path).status == 401
+    assert ask(server.address, method, path, authorization=f"Bearer {SECRET}").status == 403
+    allowed = ask(server.address, method, path, authorization=f"Bearer {OPERATOR}").status
+    assert allowed == (405 if method == "HEAD" else 200)
+
+
+def test_an_operator_evaluates_nothing(server):
+    assert evaluate(server.address, question(), authorization=f"Bearer {OPERATOR}").code == "forbidden"
+    assert ask(server.address, "GET", "/v1/manifest", authorization=f"Bearer {OPERATOR}").status == 200
 
 
 def test_the_right_token_is_let_in(server):
@@ -62,7 +116,9 @@ def test_nothing_of_a_token_is_logged(server, caplog):
     evaluate(server.address, question(), authorization=f"Bearer {SECRET}")
     evaluate(server.address, question(), authorization=f"Bearer {SECRET}-wrong")
     assert "caller=sampler" in caplog.text
-    assert SECRET not in caplog.text
+    page = ask(server.address, "GET", "/metrics", authorization=f"Bearer {OPERATOR}").body.decode()
+    for secret in (SECRET, OPERATOR, hashlib.sha256(SECRET.encode()).hexdigest()):
+        assert secret not in caplog.text + page
 
 
 def test_settings_keep_the_hash_alone():

@@ -1,0 +1,270 @@
+"""What a token may do: rows per second, requests at the same time, bytes stored; over it, 429 and an honest wait."""
+
+import asyncio
+import hashlib
+import threading
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from bnserve_client import Model, ParametersWithExtrinsic
+from bnserve_protocol import ShareExceeded, TooLarge
+from bnserve_service import Settings, Token
+from bnserve_service import shares as shares_module
+from bnserve_service.settings import SettingsInvalid, load_settings
+from bnserve_service.shares import shares_of
+from bnserve_service.stored_shares import Keeping, StoredShares
+from tests.service.asking import GW170817, ask, evaluate, question
+from tests.service.chirp import ChirpModel, GatedModel, QuickChirpModel, until
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """A clock that goes when it is told to."""
+
+    class Clock:
+        now = 1000.0
+
+        def monotonic(self):
+            return self.now
+
+    clock = Clock()
+    monkeypatch.setattr(shares_module, "time", clock)
+    return clock
+
+
+def share(shared=None, **limits):
+    token = Token.of("secret", "somebody", **limits)
+    return shares_of([Token.of("other", max_concurrent=1), token], shared)[token.sha256]
+
+
+def rows_of(total_masses):
+    return question(GW170817 | {"total_mass": total_masses})
+
+
+def bearer(text):
+    return {"authorization": f"Bearer {text}"}
+
+
+def test_a_token_without_limits_has_no_share_to_count():
+    assert shares_of([Token.of("secret", max_stored_bytes=2000)]) == {}
+
+
+def test_rows_are_paid_from_an_account_that_fills_at_the_rate(clock):
+    mine = share(rows_per_second=10.0, burst_rows=20.0)
+    mine.take(20)
+    with pytest.raises(ShareExceeded) as refused:
+        mine.take(1)
+    assert refused.value.retry_after == pytest.approx(0.1)
+    clock.now += refused.value.retry_after
+    mine.take(1)
+    clock.now += 100.0
+    mine.take(20)
+    with pytest.raises(ShareExceeded):
+        mine.check()
+
+
+def test_the_wait_that_is_told_is_enough_and_not_more(clock):
+    mine = share(rows_per_second=3.0)
+    mine.take(50)
+    with pytest.raises(ShareExceeded) as refused:
+        mine.take(7)
+    clock.now += refused.value.retry_after - 1e-6
+    with pytest.raises(ShareExceeded):
+        mine.take(7)
+    clock.now += 2e-6
+    mine.take(7)
+
+
+def test_a_request_larger_than_the_burst_passes_and_leaves_a_debt(clock):
+    mine = share(rows_per_second=10.0, burst_rows=10.0)
+    mine.take(1000)
+    with pytest.raises(ShareExceeded) as refused:
+        mine.take(1)
+    assert refused.value.retry_after == pytest.approx(99.1)
+
+
+def test_nobody_gets_more_than_his_rate_in_the_long_run(clock):
+    mine = share(rows_per_second=10.0)
+    admitted = 0
+    for _ in range(10_000):
+        clock.now += 0.01
+        try:
+            mine.take(37)
+        except ShareExceeded:
+            continue
+        admitted += 37
+    assert admitted <= 10.0 * 100.0 + 10.0 + 37
+
+
+def test_rows_that_cannot_be_evaluated_are_given_back(clock):
+    mine = share(rows_per_second=10.0)
+    with pytest.raises(ShareExceeded), mine.paying(10):
+        raise ShareExceeded("the queue is full of others' work")
+    with pytest.raises(ValueError, match="wrong"), mine.paying(10):
+        raise ValueError("wrong")
+    with pytest.raises(ShareExceeded):
+        mine.check()
+
+
+def test_requests_under_way_are_counted():
+    mine = share(max_concurrent=2)
+    mine.begin()
+    mine.begin()
+    with pytest.raises(ShareExceeded) as refused:
+        mine.begin()
+    assert 0.0 < refused.value.retry_after <= 1.0
+    mine.end()
+    mine.begin()
+
+
+def test_workers_share_one_account(clock, tmp_path):
+    first, second = (share(tmp_path, rows_per_second=10.0, burst_rows=30.0) for _ in range(2))
+    first.take(20)
+    second.take(10)
+    for mine in (first, second):
+        with pytest.raises(ShareExceeded):
+            mine.take(1)
+
+
+def test_other_limits_are_another_account(clock, tmp_path):
+    share(tmp_path, rows_per_second=10.0).take(1000)
+    share(tmp_path, rows_per_second=20.0).take(1000)
+
+
+def test_a_clock_that_was_set_back_by_a_restart_does_not_lock_anybody_out(clock, tmp_path):
+    share(tmp_path, rows_per_second=10.0).take(1000)
+    clock.now = 5.0
+    share(tmp_path, rows_per_second=10.0).take(1)
+
+
+@pytest.mark.parametrize("model", [ChirpModel, QuickChirpModel])
+def test_over_its_rows_a_token_is_refused_with_the_time_to_wait_and_others_are_not(start, model):
+    server = start(model(), tokens=(Token.of("greedy", rows_per_second=0.5, burst_rows=4.0), Token.of("other")))
+    assert evaluate(server.address, rows_of([2.5] * 8), **bearer("greedy")).status == 200
+    answer = evaluate(server.address, rows_of(2.5), **bearer("greedy"))
+    assert (answer.status, answer.code) == (429, "share-exceeded")
+    exact = answer.document["retry_after"]
+    assert exact <= int(answer.headers["retry-after"]) <= exact + 1.0
+    assert 5.0 < exact <= 10.0, "4 rows saved, 8 taken: 5 rows at half a row per second"
+    assert "greedy" not in answer.body.decode()
+    assert evaluate(server.address, rows_of(2.5), **bearer("other")).status == 200
+
+
+def test_the_client_waits_as_long_as_it_is_told(start):
+    server = start(QuickChirpModel(), tokens=(Token.of("slow", rows_per_second=25.0, burst_rows=1.0),))
+    frequencies, one = np.linspace(20.0, 100.0, 5), ParametersWithExtrinsic.gw170817()
+    with Model.connect(server.address, "chirp", token="slow") as model:
+        answers = [model.predict(frequencies, one).plus.tobytes() for _ in range(10)]
+    assert len(set(answers)) == 1
+    page = server.app.parts.metrics.exposition().decode()
+    assert 'bnserve_errors_total{code="share-exceeded"}' in page
+
+
+def test_more_requests_at_the_same_time_than_allowed_are_refused(start):
+    model = GatedModel()
+    server = start(model, threads=1, tokens=(Token.of("busy", max_concurrent=2), Token.of("other")))
+    model.gate.clear()
+    with ThreadPoolExecutor(4) as callers:
+        calls = [callers.submit(evaluate, server.address, question(), **bearer("busy")) for _ in range(2)]
+        until(lambda: server.app.parts.queue.cost > 20_000, "both are there")
+        third = evaluate(server.address, question(), **bearer("busy"))
+        other = callers.submit(evaluate, server.address, question(), **bearer("other"))
+        model.gate.set()
+        assert [call.result().status for call in calls] == [200, 200]
+        assert other.result().status == 200
+    assert (third.status, third.code) == (429, "share-exceeded")
+    assert evaluate(server.address, question(), **bearer("busy")).status == 200
+
+
+class Kept:
+    """Uploads by owner and digest."""
+
+    def __init__(self):
+        self.there = set()
+
+    def keeping(self):
+        return Keeping(lambda owner, name: (owner, name) in self.there, lambda *what: self.there.discard(what))
+
+
+@pytest.mark.parametrize("with_workers", [False, True])
+def test_uploads_beyond_the_share_take_the_place_of_older_ones_unless_those_are_fresh(tmp_path, with_workers):
+    token = Token.of("secret", max_stored_bytes=2000)
+    kept = Kept()
+
+    def stored(seconds):
+        keeping = {"grid": kept.keeping(), "analysis": kept.keeping()}
+        return StoredShares([token], keeping, tmp_path if with_workers else None, seconds)
+
+    names = [hashlib.sha256(bytes([number])).hexdigest() for number in range(3)]
+
+    def upload(shares, kind, name, size):
+        shares.make_room(token.sha256, kind, name, size)
+        kept.there.add((token.sha256, name))
+        shares.note(token.sha256, kind, name, size)
+
+    strict = stored(60.0)
+    upload(strict, "grid", names[0], 1200)
+    upload(strict, "grid", names[0], 1200)
+    upload(strict, "analysis", names[1], 800)
+    with pytest.raises(ShareExceeded) as refused:
+        upload(strict, "grid", names[2], 900)
+    assert 50.0 < refused.value.retry_after <= 60.0
+    with pytest.raises(TooLarge, match="2000"):
+        upload(strict, "grid", names[2], 2001)
+    kept.there.discard((token.sha256, names[0]))
+    upload(strict, "grid", names[2], 900)
+    lenient = stored(0.0)
+    if with_workers:
+        upload(lenient, "grid", names[0], 1500)
+        assert {name for _, name in kept.there} == {names[0]}
+    lenient.make_room("somebody else", "grid", names[1], 10**9)
+
+
+def test_over_its_stored_bytes_a_token_is_refused(start):
+    server = start(ChirpModel(), tokens=(Token.of("full", max_stored_bytes=2000), Token.of("other")))
+
+    def upload(first, token, points=150):
+        body = np.linspace(first, 900.0, points).tobytes()
+        path = f"/v1/grids/{hashlib.sha256(body).hexdigest()}"
+        return ask(server.address, "PUT", path, body, content_type="application/octet-stream", **bearer(token))
+
+    assert upload(20.0, "full").status == 201
+    assert upload(20.0, "full").status == 200
+    answer = upload(30.0, "full")
+    assert (answer.status, answer.code) == (429, "share-exceeded")
+    assert 0 < int(answer.headers["retry-after"]) <= 61
+    assert upload(30.0, "other").status == 201
+    assert upload(40.0, "full", points=300).status == 413
+
+
+def test_a_limit_that_makes_no_sense_is_refused():
+    for wrong in ({"burst_rows": 5.0}, {"rows_per_second": 0.0}, {"rows_per_second": float("inf")}):
+        with pytest.raises(ValueError, match=r"burst_rows|rows_per_second"):
+            Token.of("secret", **wrong)
+    with pytest.raises(SettingsInvalid, match="ASCII"):
+        Token.of("se\u00e9cret")
+
+
+def test_two_tokens_of_one_text_are_refused_and_a_token_in_place_of_its_hash_is_not_shown(tmp_path):
+    with pytest.raises(ValueError, match="same sha256"):
+        Settings(tokens=(Token.of("secret", "a"), Token.of("secret", "b")))
+    file = tmp_path / "settings.toml"
+    for line in ('sha256 = "bns_thetokenitself"', 'token = "bns_thetokenitself"'):
+        file.write_text(f'[[tokens]]\nname = "a"\n{line}\n')
+        with pytest.raises(SettingsInvalid) as refused:
+            load_settings(file)
+        assert "bns_thetokenitself" not in refused.value.detail
+
+
+def test_asking_for_a_turn_costs_nothing_alone(start):
+    server = start(ChirpModel())
+    ran = threading.Event()
+
+    async def turn():
+        await server.app.parts.queue.turn("alone")
+        ran.set()
+
+    asyncio.run(turn())
+    assert ran.is_set()
