@@ -43,14 +43,22 @@ class SharedFolder:
             Bytes that should fit: the first place that has them free is taken, or else the one that has most.
         places:
             Where it may be; by default in memory, else where temporary files are.
+
+        Raises
+        ------
+        FileNotFoundError
+            Nothing can be written anywhere.
         """
-        where = [place for place in places or (_IN_MEMORY, Path(tempfile.gettempdir())) if os.access(place, os.W_OK)]
+        where = [place for place in places or _usual_places() if os.access(place, os.W_OK)]
+        if not where:
+            raise FileNotFoundError(
+                "workers share a folder, and neither /dev/shm nor a temporary folder can be written"
+            )
         for place in where:
             _remove_ruins(place)
         roomy = [place for place in where if _free_bytes(place) >= needed] or sorted(where, key=_free_bytes)[-1:]
-        base = str(roomy[0]) if roomy else None
         while True:
-            folder = cls(Path(tempfile.mkdtemp(prefix=_PREFIX, dir=base)))  # mkdtemp lets nobody else in
+            folder = cls(Path(tempfile.mkdtemp(prefix=_PREFIX, dir=roomy[0])))  # mkdtemp lets nobody else in
             if (folder.path / _LOCK).exists():
                 return folder
             folder.close()  # another server that starts now took it for a ruin before it was locked
@@ -71,6 +79,13 @@ class SharedFolder:
     def close(self) -> None:
         """Say that this process does not use it any more."""
         os.close(self._lock)
+
+
+def _usual_places() -> list[Path]:
+    try:
+        return [_IN_MEMORY, Path(tempfile.gettempdir())]
+    except FileNotFoundError:  # a container that is read-only
+        return [_IN_MEMORY]
 
 
 def _free_bytes(place: Path) -> int:

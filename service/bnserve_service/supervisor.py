@@ -351,8 +351,12 @@ def main(arguments: Sequence[str]) -> int:
         if number != NO_DESCRIPTOR:
             os.set_inheritable(number, False)
     name_process("bnserve-superv")
-    become_subreaper()
-    shared = SharedFolder.create(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
+    try:
+        become_subreaper()
+        shared = SharedFolder.create(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
+    except OSError as error:
+        print(f"bnserve: Workers cannot be supervised: {error.strerror or error}.", file=sys.stderr)
+        return 2
     try:
         inheritance = Inheritance(listener, metrics_listener, settings_file, shared.path)
         supervisor = Supervisor(settings, inheritance, lambda line: print(line, flush=True))

@@ -65,6 +65,8 @@ class TestFolder:
         large.mkdir()
         assert SharedFolder.create(0, [small, large]).path.parent == small
         assert SharedFolder.create(2**80, [tmp_path / "missing", large]).path.parent == large
+        with pytest.raises(FileNotFoundError, match="/dev/shm"):
+            SharedFolder.create(0, [tmp_path / "missing"])
 
 
 class TestShelf:

@@ -45,7 +45,8 @@ def worker(ready=True, longest=0.0, draining=False, heard=100.0, pid=1, greets=F
         ({"ready": False}, 103.1, False, Verdict.KEEP, ""),
     ],
     ids=[
-        "heard of lately", "not heard of", "starting", "never heard of", "never made", "to be made later", "a long evaluation", "one without end",
+        "heard of lately", "not heard of", "starting", "never heard of", "never made",
+        "to be made later", "a long evaluation", "one without end",
         "told to stop by somebody", "unready for a moment", "unready for long", "unready as all of them",
     ],
 )  # fmt: skip
