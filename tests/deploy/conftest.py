@@ -5,7 +5,7 @@ import warnings
 
 import pytest
 
-from tests.architecture.rooms import room_environment
+from tests.architecture.rooms import ROOT, room_environment
 
 QUIET = {"RAY_USAGE_STATS_ENABLED": "0", "RAY_DEDUP_LOGS": "0", "RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO": "0"}
 NODE = {"num_cpus": 2, "object_store_memory": 100 * 2**20, "include_dashboard": False}
@@ -15,7 +15,7 @@ NODE = {"num_cpus": 2, "object_store_memory": 100 * 2**20, "include_dashboard": 
 def ray_cluster():
     """Two nodes with two processors each, to which this process is connected."""
     os.environ.update(QUIET)
-    os.environ["PYTHONPATH"] = room_environment()["PYTHONPATH"]
+    os.environ["PYTHONPATH"] = os.pathsep.join([str(ROOT), room_environment()["PYTHONPATH"]])  # of the workers
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         import ray

@@ -8,6 +8,7 @@ from typing import Any, Self, TypeVar
 
 from bnserve_inference.roq._errors import require
 from bnserve_protocol import WaveformModel
+from bnserve_surrogate.ray_cluster import RayWorkers, is_ray
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -54,18 +55,25 @@ class Workers:
     n_jobs
         Workers at once, as joblib counts them: -1 for all cores.
     backend
-        ``threading`` (the surrogate and BLAS release the GIL), ``loky`` for models that hold it, or a cluster's backend
-        that is registered with joblib.
+        ``threading`` (the surrogate and BLAS release the GIL), ``loky`` for models that hold it, ``ray`` or
+        ``ray:ADDRESS`` (see :mod:`bnserve_surrogate.ray_cluster`), or another cluster's backend that is registered
+        with joblib.
     """
 
     def __init__(self, n_jobs: int = -1, backend: str = "threading") -> None:
-        self._arguments = {"n_jobs": n_jobs, "backend": backend, "return_as": "generator", "pre_dispatch": "4*n_jobs"}
+        self._n_jobs, self._backend = n_jobs, backend
         self._stack = ExitStack()
         self._pool: Any = None
 
     def __enter__(self) -> Self:
         self._joblib = require("joblib")
-        self._pool = self._stack.enter_context(self._joblib.Parallel(batch_size=1, **self._arguments))
+        if is_ray(self._backend):
+            self._pool = self._stack.enter_context(RayWorkers(self._joblib, self._backend, self._n_jobs))
+            return self
+        pool = self._joblib.Parallel(
+            n_jobs=self._n_jobs, backend=self._backend, batch_size=1, return_as="generator", pre_dispatch="4*n_jobs"
+        )
+        self._pool = self._stack.enter_context(pool)
         return self
 
     def __exit__(self, *error: object) -> None:
@@ -73,4 +81,7 @@ class Workers:
 
     def map(self, function: Callable[[Item], Result], items: Iterable[Item]) -> Iterator[Result]:
         """``function`` of every item, in the order of the items."""
-        yield from self._pool(self._joblib.delayed(function)(item) for item in items)
+        if isinstance(self._pool, RayWorkers):
+            yield from self._pool.map(function, items)
+        else:
+            yield from self._pool(self._joblib.delayed(function)(item) for item in items)

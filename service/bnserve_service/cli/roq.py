@@ -36,7 +36,9 @@ def _add_build(actions: Any) -> None:
     build.add_argument("--store", type=Path, action="append", metavar="DIR", help="searched before the shipped models")
     build.add_argument("--work", type=Path, default=Path("runs"), metavar="DIR", help="for checkpoints (runs)")
     build.add_argument("--jobs", type=int, default=-1, metavar="N", help="workers at once (all cores)")
-    build.add_argument("--backend", default="threading", metavar="NAME", help="joblib backend (threading)")
+    build.add_argument(
+        "--backend", default="threading", metavar="NAME", help="joblib backend, or ray[:ADDRESS] (threading)"
+    )
     build.add_argument("--no-progress", action="store_true", help="no progress bars")
     build.add_argument("--no-report", action="store_true", help="no page with plots (it needs matplotlib)")
     build.set_defaults(run=run_build)

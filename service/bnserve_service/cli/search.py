@@ -41,7 +41,9 @@ def add_parser(subparsers: Any) -> None:
         "--work", type=Path, default=Path("runs"), metavar="DIR", help="where waveforms are kept (runs)"
     )
     parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes for the waveforms (all cores)")
-    parser.add_argument("--backend", default="loky", metavar="NAME", help="joblib backend (loky)")
+    parser.add_argument(
+        "--backend", default="loky", metavar="NAME", help="joblib backend, or ray[:ADDRESS], a Ray cluster (loky)"
+    )
     parser.add_argument("--no-progress", action="store_true", help="no progress bars")
     parser.set_defaults(run=run)
 

@@ -21,7 +21,9 @@ def add_parser(subparsers: Any) -> None:
         "--work", type=Path, default=Path("runs"), metavar="DIR", help="where waveforms are kept (runs)"
     )
     parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
-    parser.add_argument("--backend", default="loky", metavar="NAME", help="joblib backend (loky)")
+    parser.add_argument(
+        "--backend", default="loky", metavar="NAME", help="joblib backend, or ray[:ADDRESS], a Ray cluster (loky)"
+    )
     parser.add_argument("--version", metavar="VERSION", help="publish under this version instead of the configured")
     parser.add_argument("--no-progress", action="store_true", help="no progress bars")
     parser.add_argument("--no-report", action="store_true", help="no page with plots (it needs matplotlib)")

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any
 
+from bnserve_surrogate.ray_cluster import RayWorkers, is_ray
 from bnserve_surrogate.training._chunks import Chunk, ChunkTask, assemble, compute_chunk, merge
 from bnserve_surrogate.training.errors import WorkersUnusable, require
 
@@ -21,22 +22,27 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
     """Compute all tasks, yielding each with its result as soon as it is there, in any order.
 
     With joblib's own processes ("loky") the samples of the chunks that were in work when a process died are
-    computed one by one in processes of their own, and those that kill theirs again are recorded as failed. Other
-    backends (threading, sequential, or a cluster's, registered with joblib) have their own ways with crashes;
-    errors of theirs are not caught.
+    computed one by one in processes of their own, and those that kill theirs again are recorded as failed. On a Ray
+    cluster chunks whose worker died are computed again by others, and those that end every worker as with loky, here.
+    Other backends (threading, sequential, or another cluster's, registered with joblib) have their own ways with
+    crashes; errors of theirs are not caught.
 
     Parameters
     ----------
     n_jobs
         Processes at once, as joblib counts them: -1 for all cores.
     backend
-        A joblib backend's name.
+        A joblib backend's name, or ``ray:ADDRESS``: see :mod:`bnserve_surrogate.ray_cluster`.
 
     Raises
     ------
     WorkersUnusable
         The workers cannot load the generator.
     """
+    if is_ray(backend):
+        if tasks:
+            yield from _on_ray(tasks, n_jobs, backend)
+        return
     pending = {task.start: task for task in tasks}
     while pending:
         dispatched: list[int] = []
@@ -49,6 +55,11 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
             for start in suspects:
                 task = pending.pop(start)
                 yield task, one_by_one(task)
+
+
+def _on_ray(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterator[tuple[ChunkTask, Chunk]]:
+    with RayWorkers(require("joblib"), backend, n_jobs) as workers:
+        yield from zip(tasks, workers.map(compute_chunk, tasks, on_crash=one_by_one), strict=True)
 
 
 def one_by_one(task: ChunkTask) -> Chunk:
