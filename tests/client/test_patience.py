@@ -9,6 +9,7 @@ from bnserve_client._settings import Settings
 from bnserve_protocol import (
     AnswerCorrupted,
     ConnectionFailed,
+    DigestUnknown,
     InternalError,
     NotBnserve,
     OutOfDomain,
@@ -82,3 +83,25 @@ def test_retries_are_counted():
 def test_a_pause_beyond_the_deadline_is_not_begun():
     with pytest.raises(Overloaded):
         patience("http://a", timeout=3.0).pause_after(Overloaded("full", retry_after=4.0))
+
+
+def test_a_share_is_waited_for_to_the_fraction_of_a_second():
+    pauses = [patience("http://a").pause_after(ShareExceeded("slow down", retry_after=0.012)) for _ in range(20)]
+    assert all(0.012 <= pause <= 0.015 for pause in pauses)
+
+
+def test_a_share_without_a_time_is_waited_for_longer_and_longer():
+    trying = patience("http://a")
+    pauses = [trying.pause_after(ShareExceeded("slow down", retry_after=0.0)) for _ in range(12)]
+    assert 0.0 < pauses[0] <= 0.1
+    assert pauses[-1] >= 2.5
+
+
+def test_a_replica_without_the_pinned_artifact_is_passed_over_and_believed_in_the_end():
+    trying = patience()
+    first = trying.address
+    assert trying.pause_after(DigestUnknown("not here")) == 0.0
+    assert trying.address != first
+    with pytest.raises(DigestUnknown):
+        for _ in range(20):
+            trying.pause_after(DigestUnknown("not here"))
