@@ -1,6 +1,6 @@
 """GW170817 as the paper analysed it, with the likelihood evaluated by a service on this machine.
 
-    pip install '.[train,roq,detectors]' nautilus-sampler corner
+    pip install '.[benchmarks]'
     python -m benchmarks.gw170817 --data ../shared/data                       # injection in noise of the event's ASDs
     python -m benchmarks.gw170817 --data ../shared/data --strain H1=H.hdf5 --strain L1=L.hdf5 --strain V1=V.hdf5
 
@@ -15,25 +15,27 @@ import argparse
 import json
 import sys
 from contextlib import ExitStack
-from dataclasses import asdict
+from dataclasses import replace
 from pathlib import Path
-
-import numpy as np
+from typing import Any
 
 from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import results, setting
 from benchmarks.gw170817.analyses import kept
 from benchmarks.gw170817.annealing import Annealing
 from benchmarks.gw170817.drawing import draw_corner
+from benchmarks.gw170817.keeping import keep_posterior, kept_posterior
+from benchmarks.gw170817.marginals import Shown, physical
 from benchmarks.gw170817.priors import UnitCube
-from benchmarks.gw170817.sampling import SamplerSettings, sample_annealed, sample_nautilus
+from benchmarks.gw170817.sampling import SETTINGS, Posterior, SamplerSettings, sample_annealed, sample_nautilus
 from benchmarks.servers import bnserve_server
 from bnserve_client import Model
 from bnserve_inference import likelihood
-from bnserve_protocol import BnserveError
+from bnserve_protocol import BnserveError, Likelihood
 from bnserve_surrogate import Model as LocalModel
 from bnserve_surrogate.training.generators import TEOBResumSPA
 
+OTHER = {"roq": "relative_binning", "relative_binning": "roq"}
 UNFINISHED = 3
 """Exit status of a run that ``--stop-after`` ended."""
 
@@ -46,7 +48,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--work", type=Path, default=Path("runs/gw170817"), help="checkpoints and results")
     parser.add_argument("--kind", choices=("roq", "relative_binning"), default="roq", help="the likelihood to sample")
     parser.add_argument("--sampler", choices=("annealing", "nautilus"), default="annealing")
-    parser.add_argument("--particles", type=int, default=Annealing.particles, help="of the annealed population")
+    parser.add_argument("--particles", type=int, default=SETTINGS.particles, help="of the annealed population")
+    parser.add_argument("--pool", type=int, default=SETTINGS.pool, help="draws from the prior that they begin with")
     parser.add_argument("--live", type=int, default=SamplerSettings.live, help="points of nautilus")
     parser.add_argument("--networks", type=int, default=SamplerSettings.networks)
     parser.add_argument("--effective", type=int, default=SamplerSettings.effective)
@@ -54,8 +57,9 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--snr", type=float, default=setting.SNR, help="of the injection")
     parser.add_argument("--stop-after", type=float, default=float("inf"), metavar="SECONDS", help="nautilus leaves off")
     parser.add_argument("--url", help="a running service; without it one is started")
-    parser.add_argument("--checks", type=int, default=1000, help="posterior samples for the other likelihoods")
+    parser.add_argument("--checks", type=int, default=5000, help="posterior samples for the other likelihoods")
     parser.add_argument("--generator-checks", type=int, default=200, help="of these, for TEOBResumSPA itself")
+    parser.add_argument("--calibration-checks", type=int, default=1000, help="of these, for calibration errors")
     parser.add_argument("--calibration-draws", type=int, default=100, help="per posterior sample; 0 leaves it out")
     parser.add_argument("--sample-only", action="store_true", help="no checks")
     parser.add_argument("--figure", type=Path, help="write the corner plot here")
@@ -81,39 +85,46 @@ def run(options: argparse.Namespace) -> int:
     else:
         event = setting.inject(asds, GeneratorModel(TEOBResumSPA()), options.snr)
     local, cube = LocalModel.default(), UnitCube()
-    settings = (
-        Annealing(particles=options.particles, seed=options.seed)
-        if options.sampler == "annealing"
-        else SamplerSettings(options.live, options.networks, options.effective, options.seed)
-    )
     with ExitStack() as stack:
         url = options.url or stack.enter_context(bnserve_server())[0]
         model = stack.enter_context(Model.connect(url))
-        analysis = kept(options.kind, event, local, options.work)
-        folder = options.work / options.kind
-        bound = likelihood(model, analysis)
-        if options.sampler == "annealing":
-            posterior = sample_annealed(bound, cube, folder, settings)
+        posteriors: dict[str, Posterior] = {}
+        found: dict[str, Any] = {"snr": options.snr, "injected": not files}
+        for kind in (options.kind,) if options.sample_only else (options.kind, OTHER[options.kind]):
+            bound = likelihood(model, kept(kind, event, local, options.work))
+            posterior = sample(options, bound, cube, options.work / kind)
+            if posterior is None:
+                print(json.dumps({"finished": False, "work": options.work.name}))
+                return UNFINISHED
+            posteriors[kind] = posterior
+            summary = results.summary(posterior)
+            found |= {"kind": kind} | summary if kind == options.kind else {kind: summary}
+        if options.sample_only:
+            shown = {kind: Shown(physical(cube(each.points)), each.weights) for kind, each in posteriors.items()}
         else:
-            posterior = sample_nautilus(bound, cube, folder, settings, options.stop_after)
-        if posterior is None:
-            print(json.dumps({"finished": False, "work": options.work.name}))
-            return UNFINISHED
-        np.savez(folder / "posterior.npz", **{k: v for k, v in posterior._asdict().items() if k != "cost"})
-        found = {
-            "kind": options.kind,
-            "snr": options.snr,
-            "injected": not files,
-            "sampler": {"name": options.sampler} | asdict(settings),
-        }
-        found |= results.summary(posterior)
-        if not options.sample_only:
-            found |= results.check(posterior, event, local, model, cube, options)
+            checked, shown = results.check(posteriors, event, local, model, cube, options)
+            found |= checked
     if options.figure:
-        draw_corner(posterior, cube, event.truth, options.figure)
-    (folder / "result.json").write_text(json.dumps(found, indent=1))
+        draw_corner(shown, event.truth, options.figure)
+    (options.work / "result.json").write_text(json.dumps(found, indent=1))
     print(json.dumps(found))
     return 0
+
+
+def sample(options: argparse.Namespace, bound: Likelihood, cube: UnitCube, folder: Path) -> Posterior | None:
+    """With the sampler that was asked for; what it found is kept in the folder, and taken from there the next time."""
+    annealing = replace(SETTINGS, pool=options.pool, particles=options.particles, seed=options.seed)
+    nautilus = SamplerSettings(options.live, options.networks, options.effective, options.seed)
+    settings: Annealing | SamplerSettings = annealing if options.sampler == "annealing" else nautilus
+    if (found := kept_posterior(folder, settings)) is not None:
+        return found
+    if options.sampler == "annealing":
+        posterior: Posterior | None = sample_annealed(bound, cube, folder, annealing)
+    else:
+        posterior = sample_nautilus(bound, cube, folder, nautilus, options.stop_after)
+    if posterior is not None:
+        keep_posterior(folder, posterior)
+    return posterior
 
 
 if __name__ == "__main__":

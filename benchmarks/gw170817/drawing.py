@@ -1,46 +1,28 @@
-"""The corner plot of a posterior."""
+"""The corner plot of posteriors, one over the other."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from benchmarks.figures.style import BLUE, ORANGE, figure, talk
-from benchmarks.gw170817.priors import UnitCube
-from benchmarks.gw170817.sampling import Posterior, equal_weights
-from benchmarks.gw170817.setting import CHIRP_MASS
+from benchmarks.figures.style import BLUE, GREEN, GREY, ORANGE, figure, talk
+from benchmarks.gw170817.marginals import Shown, physical
 from bnserve_protocol import LikelihoodBatch, LikelihoodParameters
 
 Floats = NDArray[np.float64]
 _BINS = 30
+_STYLES = ((BLUE, "-"), (ORANGE, "--"), (GREEN, ":"))
 
 
-def physical(batch: LikelihoodBatch) -> dict[str, Floats]:
-    """What is shown, by label: chirp mass, mass ratio, effective spin, reduced tidal parameter, inclination, sky."""
-    q, total = batch["mass_ratio"], batch["total_mass"]
-    heavy, light = q / (1.0 + q), 1.0 / (1.0 + q)
-    tides = (heavy + 12.0 * light) * heavy**4 * batch["lambda_1"] + (light + 12.0 * heavy) * light**4 * batch[
-        "lambda_2"
-    ]
-    return {
-        f"chirp mass - {CHIRP_MASS} [$10^{{-4}} M_\\odot$]": 1e4 * (total * (heavy * light) ** 0.6 - CHIRP_MASS),
-        "mass ratio": q,
-        "effective spin": heavy * batch["chi_1"] + light * batch["chi_2"],
-        "reduced tide": 16.0 / 13.0 * tides,
-        "inclination": batch["inclination"],
-        "right ascension": batch["right_ascension"],
-        "declination": batch["declination"],
-    }
-
-
-def draw_corner(posterior: Posterior, cube: UnitCube, truth: LikelihoodParameters | None, path: Path) -> None:
-    """Histograms of parameters and pairs; contours hold 50 and 90 percent; lines are the injection."""
-    shown = physical(cube(posterior.points[equal_weights(posterior, 5000)]))
+def draw_corner(posteriors: Mapping[str, Shown], truth: LikelihoodParameters | None, path: Path) -> None:
+    """Histograms of parameters and pairs; contours hold 50 and 90 percent; grey lines are the injection."""
     true = None if truth is None else {name: float(x[0]) for name, x in physical(LikelihoodBatch.coerce(truth)).items()}
-    names = list(shown)
+    names = list(next(iter(posteriors.values())).columns)
+    ends = {name: _ends([shown.columns[name] for shown in posteriors.values()]) for name in names}
     with talk():
         page = figure(15.0, 15.0)
         axes = page.subplots(len(names), len(names))
@@ -51,25 +33,44 @@ def draw_corner(posterior: Posterior, cube: UnitCube, truth: LikelihoodParameter
                 if column > row:
                     axis.axis("off")
                     continue
-                if row == column:
-                    axis.hist(shown[across], bins=_BINS, histtype="step", color=BLUE, density=True)
-                else:
-                    _contours(axis, shown[across], shown[below])
-                if true is not None:
-                    axis.axvline(true[across], color=ORANGE, lw=1.2)
-                    if row != column:
-                        axis.axhline(true[below], color=ORANGE, lw=1.2)
+                for shown, (colour, line) in zip(posteriors.values(), _STYLES, strict=False):
+                    _draw(axis, shown, across, below, ends, colour, line)
+                _mark(axis, across, below, true)
                 axis.set_xlabel(across if row == len(names) - 1 else "", fontsize=12)
                 axis.set_ylabel(below if column == 0 and row else "", fontsize=12)
                 axis.tick_params(labelsize=8, labelbottom=row == len(names) - 1, labelleft=column == 0 and row > 0)
+        for number, (name, (colour, line)) in enumerate(zip(posteriors, _STYLES, strict=False)):
+            axes[0, 2].plot([0.0, 0.2], [-number, -number], color=colour, ls=line, lw=2.5)
+            axes[0, 2].text(0.25, -number, name.replace("_", " "), va="center", fontsize=16)
         page.savefig(path, dpi=80)
 
 
-def _contours(axis: Axes, x: Floats, y: Floats) -> None:
-    counts, xs, ys = np.histogram2d(x, y, bins=_BINS)
+def _ends(columns: list[Floats]) -> tuple[float, float]:
+    low, high = min(values.min() for values in columns), max(values.max() for values in columns)
+    return float(low), float(high)
+
+
+def _draw(
+    axis: Axes, shown: Shown, across: str, below: str, ends: Mapping[str, tuple[float, float]], colour: str, line: str
+) -> None:
+    x, y = shown.columns[across], shown.columns[below]
+    if across == below:
+        axis.hist(
+            x, bins=_BINS, range=ends[across], weights=shown.weights, histtype="step", color=colour, ls=line, lw=1.5,
+            density=True,
+        )  # fmt: skip
+        axis.set_yticks([])
+        return
+    counts, xs, ys = np.histogram2d(x, y, bins=_BINS, range=(ends[across], ends[below]), weights=shown.weights)
     order = np.sort(counts.ravel())[::-1]
     held = np.cumsum(order) / order.sum()
     levels = sorted({float(order[np.searchsorted(held, part)]) for part in (0.9, 0.5)})
     middles = 0.5 * (xs[1:] + xs[:-1]), 0.5 * (ys[1:] + ys[:-1])
-    axis.scatter(x, y, s=1, color=BLUE, alpha=0.08)
-    axis.contour(*middles, counts.T, levels=levels, colors=BLUE, linewidths=1.2)
+    axis.contour(*middles, counts.T, levels=levels, colors=colour, linestyles=line, linewidths=1.3)
+
+
+def _mark(axis: Axes, across: str, below: str, true: Mapping[str, float] | None) -> None:
+    if true is not None:
+        axis.axvline(true[across], color=GREY, lw=1.2)
+        if across != below:
+            axis.axhline(true[below], color=GREY, lw=1.2)

@@ -65,6 +65,18 @@ def aligned_spins(u: Floats) -> Floats:
     return LARGEST_SPIN * np.copysign(np.interp(np.abs(2.0 * u - 1.0), cumulative, x), u - 0.5)
 
 
+def spin_quantiles(chi: Floats) -> Floats:
+    """Where :func:`aligned_spins` has that value; for spins up to the largest."""
+    x = np.clip(np.abs(chi) / LARGEST_SPIN, 1e-300, 1.0)
+    return 0.5 + 0.5 * np.copysign(x * (1.0 - np.log(x)), chi)
+
+
+def spin_density(chi: Floats) -> Floats:
+    """Probability per unit of spin, du / dchi."""
+    x = np.clip(np.abs(chi) / LARGEST_SPIN, 1e-300, 1.0 - 1e-12)
+    return -0.5 / LARGEST_SPIN * np.log(x)
+
+
 class Sky:
     """Places in the sky by their angles to the line from Hanford to Livingston, which fixes the delay between them."""
 

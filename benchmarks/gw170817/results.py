@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from argparse import Namespace
-from pathlib import Path
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import analyses, checks, setting
+from benchmarks.gw170817.marginals import Shown, divergences, physical
 from benchmarks.gw170817.priors import UnitCube
 from benchmarks.gw170817.sampling import Posterior, equal_weights
 from bnserve_inference import likelihood
@@ -30,40 +31,66 @@ def summary(posterior: Posterior) -> dict[str, Any]:
         "likelihood_calls": cost.calls,
         "likelihood_requests": cost.requests,
         "log_evidence": round(posterior.log_evidence, 3),
+        "log_evidence_error": round(posterior.log_evidence_error, 3),
+        "effective_samples": round(posterior.effective),
         "samples": len(posterior.weights),
         "largest_log_likelihood": round(float(posterior.log_likelihood.max()), 3),
     }
 
 
 def check(
-    posterior: Posterior, event: setting.Event, local: WaveformModel, model: Any, cube: UnitCube, options: Namespace
-) -> dict[str, Any]:
-    """Other likelihoods at draws of the posterior; what was computed is kept in the folder of the run.
+    posteriors: Mapping[str, Posterior],
+    event: setting.Event,
+    local: WaveformModel,
+    model: Any,
+    cube: UnitCube,
+    options: Namespace,
+) -> tuple[dict[str, Any], dict[str, Shown]]:
+    """Other likelihoods at draws of the first posterior, and all posteriors beside each other.
 
-    Writes ``draws.npz`` there: ``values`` (N, 13) with distances, ``log_likelihood`` of every kind (N,).
+    Writes ``draws.npz`` to the folder of the run: ``values`` (N, 13) with distances, ``log_likelihood`` of every kind.
+    The posterior of the full grid is the first one with weights: at milliseconds a likelihood nobody samples it.
+
+    Returns
+    -------
+    Figures, and what the corner plot shows, by likelihood.
     """
+    first, *others = posteriors
+    posterior = posteriors[first]
     chosen = equal_weights(posterior, options.checks)
-    batch = cube(posterior.points[chosen])
-    sampled = posterior.log_likelihood[chosen]
-    values = batch.values.copy()
-    distance = likelihood(model, analyses.kept("distance", event, local, options.work))
-    values[:, LIKELIHOOD_NAMES.index("distance_mpc")] = checks.distances(distance, batch)
-    arrays: dict[str, Floats] = {"values": values, options.kind: sampled}
-    folder: Path = options.work / options.kind
+    batch, sampled = cube(posterior.points[chosen]), posterior.log_likelihood[chosen]
     found: dict[str, Any] = {"checks": len(batch)}
-    other = "relative_binning" if options.kind == "roq" else "roq"
-    for kind in (other, "full"):
+    arrays: dict[str, Floats] = {"values": _with_distances(batch, event, local, model, options), first: sampled}
+    for kind in (*others, "full"):
         arrays[kind] = likelihood(model, analyses.kept(kind, event, local, options.work)).log_likelihood(batch)
-        found |= _compared(f"{options.kind}_and_{kind}", arrays[kind], sampled)
-    if options.calibration_draws:
-        arrays["calibration"] = _calibrated(batch, event, local, model, options)
-        found |= _compared("calibration_envelopes", arrays["calibration"], sampled)
+        found |= _compared(f"{first}_and_{kind}", arrays[kind], sampled)
     arrays["generator"] = _generated(batch, event, options)
     few = len(arrays["generator"])
     found |= {"generator_checks": few}
     found |= _compared("surrogate_and_generator", arrays["generator"], arrays["full"][:few])
-    np.savez(folder / "draws.npz", **arrays)
-    return found
+    if options.calibration_draws:
+        some = slice(0, options.calibration_checks)
+        arrays["calibration"] = _calibrated(batch.rows(some), event, local, model, options)
+        found |= {"calibration_checks": len(arrays["calibration"])}
+        found |= _compared("calibration_envelopes", arrays["calibration"], sampled[some])
+    np.savez(options.work / first / "draws.npz", **arrays)
+    shown = {kind: Shown(physical(cube(each.points)), each.weights) for kind, each in posteriors.items()}
+    shown["full"] = Shown(physical(batch), checks.reweighted(arrays["full"], sampled)[0])
+    for kind in list(shown)[1:]:
+        apart = divergences(shown[first], shown[kind])
+        worst = max(apart, key=lambda name: apart[name])
+        found |= {f"{first}_and_{kind}_largest_divergence": round(apart[worst], 5)}
+        found |= {f"{first}_and_{kind}_largest_divergence_of": worst.partition(" [")[0]}
+    return found, shown
+
+
+def _with_distances(
+    batch: LikelihoodBatch, event: setting.Event, local: WaveformModel, model: Any, options: Namespace
+) -> Floats:
+    values = batch.values.copy()
+    distance = likelihood(model, analyses.kept("distance", event, local, options.work))
+    values[:, LIKELIHOOD_NAMES.index("distance_mpc")] = checks.distances(distance, batch)
+    return values
 
 
 def _compared(name: str, exact: Floats, sampled: Floats) -> dict[str, float]:

@@ -34,6 +34,13 @@ class DataMissing(BnserveError):
     title = "Data not found"
 
 
+class OtherRun(BnserveError):
+    """A folder holds what a run with other settings left."""
+
+    code = "other-run"
+    title = "Folder in use"
+
+
 @dataclass(frozen=True)
 class Event:
     """Data of the network, and the signal in it if somebody put it there."""
@@ -98,14 +105,15 @@ def network_snr(data: list[DetectorData]) -> float:
 
 def inject(asds: list[NDArray[np.float64]], generator: WaveformModel, snr: float = SNR, seed: int = SEED) -> Event:
     """The reference binary, at the distance that gives it that signal-to-noise ratio, in seeded Gaussian noise."""
-    near = _simulated(asds, generator, reference(), None)
+    near = simulated(asds, generator, reference(), None)
     truth = reference(reference().distance_mpc * network_snr(near) / snr)
-    return Event(_simulated(asds, generator, truth, seed), truth)
+    return Event(simulated(asds, generator, truth, seed), truth)
 
 
-def _simulated(
+def simulated(
     asds: list[NDArray[np.float64]], generator: WaveformModel, signal: LikelihoodParameters, seed: int | None
 ) -> list[DetectorData]:
+    """The network's data with that signal in seeded Gaussian noise; without a seed there is no noise."""
     return simulate_data(
         DETECTORS, asds, model=generator, parameters=signal, trigger_time=TRIGGER, start_time=START,
         duration=DURATION, seed=seed, f_min=F_MIN,

@@ -1,6 +1,6 @@
 """The figures of inference: starts a service, measures, and prints one JSON object on its last line.
 
-    pip install '.[train,roq,detectors]' nautilus-sampler bilby
+    pip install '.[benchmarks]'
     python -m benchmarks.inference --short --json
     python -m benchmarks.inference --json
 
@@ -53,13 +53,13 @@ def log(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def speed_and_accuracy(data: Path, short: bool) -> dict[str, Any]:
+def speed_and_accuracy(data: Path, rounds: int, points: int) -> dict[str, Any]:
     """The figures of both forms."""
     started = time.perf_counter()
     event = setting.inject(setting.read_asds(data), GeneratorModel(TEOBResumSPA()))
     built = measuring.plain_analyses(event, LocalModel.default())
     log(f"analyses built in {time.perf_counter() - started:.1f} s")
-    samples, points = measuring.prior_samples(measuring.ROWS), SHORT_POINTS if short else LONG_POINTS
+    samples = measuring.prior_samples(measuring.ROWS)
     peer = [sys.executable, Path(__file__).with_name("bilby_peer.py"), data.resolve()]
     with bnserve_server() as (url, _), Model.connect(url) as model, Worker(peer) as bilby:
         bound = {kind: likelihood(model, analysis) for kind, analysis in built.items()}
@@ -70,7 +70,6 @@ def speed_and_accuracy(data: Path, short: bool) -> dict[str, Any]:
             ),
             "peer_bilby_relative_binning": lambda: float(bilby.ask("measure")["microseconds"]),
         }
-        rounds = SHORT_ROUNDS if short else LONG_ROUNDS
         found = measuring.in_turns(calls, rounds)
         log(f"timed after {time.perf_counter() - started:.1f} s")
         at = measuring.posterior_points(points)
@@ -138,8 +137,12 @@ def main() -> None:
     parser.add_argument("--short", action="store_true", help="fewer points and rounds; no basis, no posterior")
     parser.add_argument("--json", action="store_true", help="the object on one line (always the last)")
     parser.add_argument("--data", type=Path, default=Path("../shared/data"), help="folder with gw170817/asd.npz")
+    parser.add_argument("--rounds", type=int, help="of every measurement of time")
+    parser.add_argument("--points", type=int, help="posterior samples at which likelihoods are compared")
     options = parser.parse_args()
-    result = {"short": options.short} | speed_and_accuracy(options.data, options.short)
+    rounds = options.rounds or (SHORT_ROUNDS if options.short else LONG_ROUNDS)
+    points = options.points or (SHORT_POINTS if options.short else LONG_POINTS)
+    result = {"short": options.short} | speed_and_accuracy(options.data, rounds, points)
     if not options.short:
         result |= roq_build()
         with tempfile.TemporaryDirectory() as folder:

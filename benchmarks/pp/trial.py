@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import time
-from pathlib import Path
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.gw170817.analyses import PHASE_TOLERANCE
+from benchmarks.gw170817 import priors, setting
+from benchmarks.gw170817.analyses import BASIS
 from benchmarks.gw170817.annealing import Annealing, anneal
-from benchmarks.gw170817.priors import aligned_spins, chirp_masses, mass_ratios
-from benchmarks.gw170817.setting import CHIRP_MASS, DETECTORS, TRIGGER, total_mass
-from bnserve_inference import DetectorData, LikelihoodOptions, interpolate_asd, relative_binning_analysis, simulate_data
+from benchmarks.gw170817.coordinates import BINARY
+from benchmarks.gw170817.priors import LAMBDAS, aligned_spins, chirp_masses, mass_ratios
+from benchmarks.gw170817.setting import total_mass
+from bnserve_inference import LikelihoodOptions, roq_analysis
 from bnserve_inference import likelihood as bound_likelihood
+from bnserve_inference.roq import load_shipped_basis
 from bnserve_protocol import (
     LIKELIHOOD_NAMES,
     DistanceMarginalisation,
@@ -31,9 +34,13 @@ NAMES = (
 )  # fmt: skip
 """What is sampled; the place in the sky is fixed, phase and distance are integrated over."""
 PLACE = {"right_ascension": 3.44616, "declination": -0.408084}
-DURATION, F_MIN, F_MAX = 32.0, 40.0, 1024.0
-DISTANCES, TIMES, LAMBDAS = (20.0, 60.0), (-0.01, 0.01), (5.0, 5000.0)
-SETTINGS = Annealing(particles=500, sweeps=10, final_sweeps=60, keep_every=20)
+DISTANCES, TIMES = (12.0, 30.0), (-0.01, 0.01)
+SETTINGS = Annealing(components=10)
+OPTIONS = LikelihoodOptions(
+    prior=priors.RANGES | {"coalescence_time": TIMES},
+    phase_marginalisation=True,
+    distance_marginalisation=DistanceMarginalisation(minimum=DISTANCES[0], maximum=DISTANCES[1], power=2.0),
+)
 
 
 def cube_to_batch(u: Floats) -> LikelihoodBatch:
@@ -56,14 +63,6 @@ def cube_to_batch(u: Floats) -> LikelihoodBatch:
     )
 
 
-def read_asds(folder: Path) -> list[Floats]:
-    """The event's noise curves on the grid of this test."""
-    with np.load(folder / "gw170817" / "asd.npz", allow_pickle=False) as file:
-        f = (int(file["first_bin"]) + np.arange(len(file["H1"]))) * float(file["delta_f"])
-        points = int(DURATION * 1536) + 1
-        return [interpolate_asd(f, 1e-23 * file[name].astype(float), DURATION, points) for name in DETECTORS]
-
-
 def draw(seed: int) -> tuple[Floats, LikelihoodParameters]:
     """A binary of the prior: its place in the unit cube ``(9,)``, and its parameters."""
     random = np.random.default_rng([seed, 170817])
@@ -76,36 +75,22 @@ def draw(seed: int) -> tuple[Floats, LikelihoodParameters]:
     return u, LikelihoodParameters(**values)
 
 
-def run(seed: int, asds: list[Floats], local: WaveformModel, model: Any) -> dict[str, Any]:
+def run(
+    seed: int, asds: list[Floats], local: WaveformModel, model: Any, settings: Annealing = SETTINGS
+) -> dict[str, Any]:
     """Sample one injection.
 
     Returns
     -------
     result:
         ``seed``, ``ranks`` (the fraction of the posterior below the truth, by parameter), ``snr``, ``calls``,
-        ``seconds``, ``log_evidence``.
+        ``seconds``, ``log_evidence`` and its error, and the posterior's ``effective`` sample size.
     """
     started = time.perf_counter()
     truth, signal = draw(seed)
-    settings = {
-        "model": local, "parameters": signal, "trigger_time": TRIGGER, "start_time": TRIGGER - DURATION + 2.0,
-        "duration": DURATION, "f_min": F_MIN,
-    }  # fmt: skip
-    data = simulate_data(DETECTORS, asds, seed=seed, **settings)
-    options = LikelihoodOptions(
-        prior={"coalescence_time": TIMES},
-        phase_marginalisation=True,
-        distance_marginalisation=DistanceMarginalisation(minimum=DISTANCES[0], maximum=DISTANCES[1], power=2.0),
-    )
-    analysis = relative_binning_analysis(
-        data,
-        trigger_time=TRIGGER,
-        f_min=F_MIN,
-        f_max=F_MAX,
-        fiducial=_fiducial(),
-        model=local,
-        phase_tolerance=PHASE_TOLERANCE,
-        options=options,
+    data = setting.simulated(asds, local, signal, seed)
+    analysis = roq_analysis(
+        data, trigger_time=setting.TRIGGER, basis=load_shipped_basis(BASIS), model=local, options=OPTIONS
     )
     likelihood, calls = bound_likelihood(model, analysis), 0
 
@@ -114,27 +99,16 @@ def run(seed: int, asds: list[Floats], local: WaveformModel, model: Any) -> dict
         calls += len(u)
         return likelihood.log_likelihood(cube_to_batch(u))
 
-    found = anneal(log_likelihood, len(NAMES), Annealing(**{**vars(SETTINGS), "seed": seed}), None)
+    found = anneal(log_likelihood, len(NAMES), replace(settings, seed=seed), BINARY, None)
+    below = found.points < truth
     return {
         "seed": seed,
-        "ranks": {name: float(np.mean(found.points[:, column] < truth[column])) for column, name in enumerate(NAMES)},
-        "snr": round(_snr(simulate_data(DETECTORS, asds, seed=None, **settings)), 2),
+        "ranks": {name: round(float(below[:, column].mean()), 5) for column, name in enumerate(NAMES)},
+        "snr": round(setting.network_snr(setting.simulated(asds, local, signal, None)), 2),
         "calls": calls,
         "seconds": round(time.perf_counter() - started, 2),
         "log_evidence": round(found.log_evidence, 3),
+        "log_evidence_error": round(found.log_evidence_error, 3),
+        "annealed_log_evidence": round(found.annealed_log_evidence, 3),
+        "effective": round(found.effective, 1),
     }
-
-
-def _fiducial() -> Any:
-    """The same for all: relative binning may not know the truth."""
-    middle = {"mass_ratio": 1.4, "lambda_1": 500.0, "lambda_2": 500.0, "chi_1": 0.0, "chi_2": 0.0, "inclination": 0.0}
-    values = middle | PLACE | {"polarization_angle": 0.0, "distance_mpc": 40.0, "coalescence_time": 0.0}
-    return LikelihoodBatch.coerce(values | {"total_mass": float(total_mass(CHIRP_MASS, 1.4))}).waveform_batch()
-
-
-def _snr(data: list[DetectorData]) -> float:
-    squares = [
-        4.0 / DURATION * np.sum(np.abs(strain / asd) ** 2)
-        for strain, asd in (detector.checked(F_MIN, F_MAX) for detector in data)
-    ]
-    return float(np.sqrt(sum(squares)))

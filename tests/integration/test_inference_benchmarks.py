@@ -1,0 +1,84 @@
+"""The commands of the inference pages, from end to end with few samples: they run, resume and report what they say."""
+
+import json
+import sys
+
+import numpy as np
+import pytest
+
+from benchmarks.gw170817.__main__ import main as gw170817
+from benchmarks.inference.__main__ import main as inference
+from benchmarks.pp.__main__ import main as pp
+
+
+@pytest.fixture(scope="module")
+def data(tmp_path_factory):
+    """Noise curves and calibration envelopes in the layout of the event's files."""
+    folder = tmp_path_factory.mktemp("data")
+    (folder / "gw170817").mkdir()
+    first, bins, delta_f = 2944, 259_200, 1.0 / 128.0
+    f = (first + np.arange(bins)) * delta_f
+    asd = 1e23 * 1e-23 * np.sqrt((f / 50.0) ** -8 + 1.0 + (f / 400.0) ** 2)
+    names = ("H1", "L1", "V1")
+    asds = {name: (asd * (1.0 + 2.0 * (name == "V1"))).astype(np.float32) for name in names}
+    np.savez(folder / "gw170817" / "asd.npz", first_bin=first, delta_f=delta_f, **asds)
+    at = np.geomspace(20.0, 2048.0, 68)
+    rows = np.stack([at, *(np.full(68, value) for value in (1.0, 0.0, 0.97, -0.03, 1.03, 0.03))], axis=1)
+    for name in names:
+        np.savetxt(folder / "gw170817" / f"{name}_CalEnv.txt", rows)
+    return folder
+
+
+@pytest.fixture
+def run(monkeypatch, capsys):
+    """Run a command with these arguments; the object on the last line of its output."""
+
+    def call(command, *arguments):
+        monkeypatch.setattr(sys, "argv", ["command", *(str(argument) for argument in arguments)])
+        assert command() in (None, 0)
+        return json.loads(capsys.readouterr().out.splitlines()[-1])
+
+    return call
+
+
+@pytest.mark.slow
+def test_the_event_is_sampled_and_its_likelihoods_compared(run, data, bnserve_server, tmp_path, monkeypatch, capsys):
+    few = ["--particles", 60, "--pool", 500, "--checks", 20, "--generator-checks", 1]
+    few += ["--calibration-checks", 2, "--calibration-draws", 5]
+    arguments = ["--data", data, "--url", bnserve_server.address, "--work", tmp_path / "work", *few]
+    found = run(gw170817, *arguments, "--figure", tmp_path / "corner.png")
+    assert found["likelihood_calls"] > 500
+    assert found["log_evidence_error"] > 0.0
+    assert found["roq_and_full_max_abs_delta_lnl"] < 0.2
+    assert found["relative_binning"]["likelihood_calls"] > 500
+    assert 0.0 <= found["roq_and_full_largest_divergence"] < 0.7
+    assert (tmp_path / "corner.png").stat().st_size > 10_000
+    again = run(gw170817, *arguments, "--sample-only")
+    assert again["log_evidence"] == found["log_evidence"]
+    assert again["likelihood_calls"] == found["likelihood_calls"]  # nothing was asked again
+    monkeypatch.setattr(sys, "argv", ["gw170817", *map(str, arguments), "--seed", "9"])
+    assert gw170817() == 1
+    assert "name another folder with --work" in capsys.readouterr().err
+
+
+@pytest.mark.slow
+def test_the_percentile_percentile_test_goes_on_where_it_was_stopped(run, data, bnserve_server, tmp_path):
+    arguments = ["--data", data, "--url", bnserve_server.address, "--work", tmp_path, "--particles", 150]
+    first = run(pp, *arguments, "--injections", 1)
+    assert first["injections"] == first["wanted"] == 1
+    with (tmp_path / "injections.jsonl").open("a") as file:
+        file.write('{"seed": 1, "ranks": {"chirp_m')  # killed while it wrote
+    second = run(pp, *arguments, "--injections", 2, "--figure", tmp_path / "pp.png")
+    assert second["injections"] == 2
+    assert second["likelihood_calls"] > first["likelihood_calls"]
+    assert set(second["p_values"]) >= {"chirp_mass", "lambda_1", "coalescence_time"}
+    assert (tmp_path / "pp.png").stat().st_size > 10_000
+
+
+@pytest.mark.slow
+def test_speed_and_accuracy_of_the_likelihoods(run, data):
+    found = run(inference, "--short", "--json", "--data", data, "--rounds", 1, "--points", 10)
+    for name in ("roq_us", "relative_binning_us", "peer_bilby_relative_binning_us"):
+        assert 0.0 < found[name] < 1e5
+    assert found["roq_max_abs_delta_lnl"] < 0.2
+    assert found["basis_linear"] > found["basis_quadratic"] > 0
