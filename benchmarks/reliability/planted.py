@@ -11,7 +11,9 @@ from collections.abc import Callable
 from benchmarks.reliability import model_faults, request_faults
 
 FAULTS: dict[str, Callable[[], None]] = {
+    "bare-errors": request_faults.bare_errors,
     "batch-bits": model_faults.batch_bits,
+    "endless-queue": request_faults.endless_queue,
     "leak": request_faults.leak,
     "mixed-versions": model_faults.mixed_versions,
     "log-tokens": request_faults.log_tokens,

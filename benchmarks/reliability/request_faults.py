@@ -120,3 +120,35 @@ def unpickle_bodies() -> None:
         return decode(body, *arguments)
 
     answering.decode_request = unpickle_and_decode  # type: ignore[assignment,attr-defined]
+
+
+def endless_queue() -> None:
+    """The queue takes everything, and computes it whatever its deadline."""
+    from bnserve_service.batching import WorkQueue
+    from bnserve_service.holdings import Holdings
+
+    submit: Any = WorkQueue.submit
+
+    def submit_anyway(
+        self: Any, key: Any, cost: int, payload: Any, deadline: float | None = None, **options: Any
+    ) -> Any:
+        return submit(self, key, cost, payload, None, **options)
+
+    WorkQueue.submit = submit_anyway  # type: ignore[method-assign]
+    Holdings.fits = lambda self, size: True  # type: ignore[method-assign]
+
+
+def bare_errors() -> None:
+    """What goes wrong while a body is decoded comes out as it is, without a name."""
+    from bnserve_protocol import UndecodableBody
+    from bnserve_service import answering
+
+    decode = answering.decode_request
+
+    def decode_only(*arguments: Any) -> Any:
+        try:
+            return decode(*arguments)
+        except UndecodableBody as error:
+            raise RuntimeError("as a decoder says it") from error
+
+    answering.decode_request = decode_only

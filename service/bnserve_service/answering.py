@@ -22,6 +22,7 @@ from bnserve_protocol import (
 from bnserve_service.batching import Job, WorkQueue
 from bnserve_service.digests import sha256_hex
 from bnserve_service.evaluation import Packed, Question, grid_key
+from bnserve_service.foresight import Foresight
 from bnserve_service.grids import GridCache
 from bnserve_service.holdings import Holdings
 from bnserve_service.lifecycle import Lifecycle
@@ -57,6 +58,7 @@ class WaveformService:
         self._registry = registry
         self._grids = grids
         self._queue = queue
+        self._foresight = Foresight()
         self._lifecycle = lifecycle
         self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-decode")
         self._promised = Holdings(settings.max_answer_bytes)
@@ -157,6 +159,21 @@ class WaveformService:
             yield
         finally:
             self._promised.remove(owner, size)
+
+    def foresee(self, size: int, deadline: float | None, owner: str = "") -> None:
+        """Refuse a body of ``size`` bytes before it is decoded, if others of its kind would be refused now.
+
+        Raises
+        ------
+        Overloaded, ShareExceeded, DeadlineExceeded
+        """
+        cost = self._foresight.cost(owner, size)
+        if cost is not None:
+            self._queue.check_room(owner, cost, deadline)
+
+    def learn(self, size: int, question: Question, owner: str = "") -> None:
+        """Remember what a body of ``size`` bytes cost, for :meth:`foresee`."""
+        self._foresight.learn(owner, size, question.cost)
 
     def submit(self, question: Question, deadline: float | None, owner: str = "") -> Job[Question, Packed]:
         """Queue a question.

@@ -167,7 +167,8 @@ class WorkQueue(Generic[P, R]):
         Raises
         ------
         Overloaded
-            The queue is full; ``retry_after`` says when it may have room, from the measured speed.
+            The queue is full, or what waits before this job takes longer than its deadline allows; ``retry_after``
+            says when there may be room, from the measured speed.
         ShareExceeded
             The queue is full, others have work in it, and this owner has his fair part of it.
         DeadlineExceeded
@@ -175,8 +176,8 @@ class WorkQueue(Generic[P, R]):
         """
         assert self._loop is not None, "start() comes first"
         now = time.monotonic()
-        if deadline is not None and deadline <= now:
-            raise _too_late()
+        if deadline is not None:
+            self._check_deadline(deadline, now, owner, 0 if quick else cost)
         if not self._holdings.fits(cost):
             self._make_room(owner, cost)
         job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick, owner)
@@ -191,6 +192,24 @@ class WorkQueue(Generic[P, R]):
             self._line.add(job)
             self._changed.notify()
         return job
+
+    def check_room(self, owner: str, cost: int, deadline: float | None) -> None:
+        """Raise what :meth:`submit` would raise for a job of this cost, as things are; nothing changes."""
+        if deadline is not None:
+            self._check_deadline(deadline, time.monotonic(), owner, cost)
+        if not self._holdings.fits(cost) and not self._holdings.may_displace(owner, cost):
+            raise self._full(owner)
+
+    def _check_deadline(self, deadline: float, now: float, owner: str, cost: int) -> None:
+        """Refuse what would be finished too late: computed all the same, it would make others late as well."""
+        if deadline <= now:
+            raise _too_late()
+        ahead = self._holdings.ahead_of(owner)
+        if ahead and cost and now + (ahead + cost) / self._rate > deadline:
+            raise Overloaded(
+                "What waits on this server takes longer than this deadline allows; try another replica, or allow more.",
+                retry_after=max(1.0, ahead / self._rate),
+            )
 
     async def turn(self, owner: str) -> None:
         """Wait until a request of this owner may begin; at once unless others use the event loop, too."""

@@ -57,5 +57,9 @@ class Holdings:
         """Work before this owner has room again: his own, times how many take turns with him."""
         return min(self.total, self._of.get(owner, 0) * len(self._of)) or self.total
 
+    def ahead_of(self, owner: str) -> int:
+        """Work that is done before something that this owner adds now: his own, times how many take turns with him."""
+        return min(self.total, self._of.get(owner, 0) * len(self._of))
+
     def _fair_part(self, newcomer: str) -> int:
         return self.capacity // len({*self._of, newcomer})

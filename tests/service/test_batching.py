@@ -13,6 +13,7 @@ import pytest
 
 from bnserve_protocol import DeadlineExceeded, Draining, Overloaded
 from bnserve_service.batching import WorkQueue
+from bnserve_service.foresight import Foresight
 from bnserve_service.metrics import Metrics
 from tests.service.asking import GW170817, MSGPACK, evaluate, question, raw_connection, read_msgpack
 from tests.service.chirp import ChirpModel, GatedModel, until
@@ -302,3 +303,49 @@ def test_many_callers_at_once_get_their_own_answers(start):
 
     with ThreadPoolExecutor(16) as callers:
         assert all(callers.map(one, range(200)))
+
+
+def test_what_would_be_finished_too_late_is_refused_at_once():
+    """A second of work waits, at the speed that a queue assumes before it has measured."""
+
+    async def check(queue, recorder):
+        await busy(queue, recorder)
+        waiting = queue.submit("a", 10**8, 2, owner="one")
+        with pytest.raises(Overloaded, match="longer than this deadline"):
+            queue.submit("a", 1, 3, time.monotonic() + 0.5, owner="one")
+        with pytest.raises(Overloaded, match="longer than this deadline"):
+            queue.check_room("one", 1, time.monotonic() + 0.5)
+        others = queue.submit("a", 1, 3, time.monotonic() + 0.5, owner="other")  # takes turns with the first
+        patient = queue.submit("a", 1, 4, time.monotonic() + 60.0, owner="one")
+        recorder.gate.set()
+        assert [await job.result for job in (waiting, others, patient)] == [4, 9, 16]
+
+    with_queue(check, capacity=10**9)
+
+
+def test_room_can_be_asked_for_without_taking_it():
+    async def check(queue, recorder):
+        await busy(queue, recorder)
+        queue.check_room("one", 999, None)
+        with pytest.raises(Overloaded):
+            queue.check_room("", 1000, None)
+        with pytest.raises(DeadlineExceeded):
+            queue.check_room("one", 1, time.monotonic() - 1.0)
+        assert queue.cost == 1
+
+    with_queue(check)
+
+
+def test_a_request_like_those_before_is_foreseen_to_cost_what_they_did():
+    foresight = Foresight()
+    assert foresight.cost("one", 10_000) is None
+    foresight.learn("one", 10_000, 500)
+    assert foresight.cost("one", 9_000) == 500
+    assert foresight.cost("other", 10_000) is None
+    assert foresight.cost("one", 30_000) is None, "another size, another kind"
+    foresight.learn("one", 10_000, 1500)
+    assert foresight.cost("one", 10_000) == 600, "it leans towards the cheapest"
+    foresight.learn("one", 10_000, 200)
+    assert foresight.cost("one", 10_000) == 200
+    foresight.learn("one", 100, 7)
+    assert foresight.cost("one", 100) is None, "small bodies are decoded"

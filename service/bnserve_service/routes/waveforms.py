@@ -50,10 +50,11 @@ class WaveformEndpoint:
         answer_type = answer_media_type(context.headers, preferred=media_type)
         digest = answer_digest(context.headers)
         deadline = context.deadline
-        body = await self._read(context, receive, media_type)
+        body = await self._read(context, receive, media_type, deadline)
         question = await self._service.ask(
             parameters["name"], parameters.get("version"), body, media_type, answer_type, digest
         )
+        self._service.learn(len(body), question, context.owner)
         del body
         if SCOPE_KEY in scope:
             question = dataclasses.replace(question, memory=scope[SCOPE_KEY].find(context.headers))
@@ -63,10 +64,11 @@ class WaveformEndpoint:
             headers = answer_headers(packed, answer_type, job.submitted)
             await send_answer(send, 200, headers, packed.parts)
 
-    async def _read(self, context: RequestContext, receive: Receive, media_type: str) -> bytes:
+    async def _read(self, context: RequestContext, receive: Receive, media_type: str, deadline: float | None) -> bytes:
         settings = self._settings
         limit = settings.max_json_body_bytes if media_type == JSON else settings.max_body_bytes
         body = await read_body(context.headers, receive, limit, settings.body_timeout)
+        self._service.foresee(len(body), deadline, context.owner)
         context.request_digest = await self._service.digest(body)
         return body
 
