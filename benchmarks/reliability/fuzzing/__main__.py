@@ -36,7 +36,7 @@ def main() -> None:
         for number, data in enumerate([*target.seeds(), *(path.read_bytes() for path in kept(target.name))]):
             target(data)
             (Path(folder) / str(number)).write_bytes(data)
-        limits = [f"-max_total_time={options.seconds}", "-timeout=5", f"-rss_limit_mb={resident() + options.memory}"]
+        limits = [f"-max_total_time={options.seconds}", "-timeout=120", f"-rss_limit_mb={resident() + options.memory}"]
         where = f"-artifact_prefix={options.found.resolve()}/{target.name}-"
         program = [sys.argv[0], *limits, where, "-max_len=8192", "-print_final_stats=1", folder]
         atheris.Setup(program, target, custom_mutator=partial(mutate, target))
