@@ -12,7 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from bnserve_service.worker_channel import Channel
+from bnserve_service.worker_channel import Channel, Message
 
 NO_DESCRIPTOR = -1
 
@@ -66,6 +66,11 @@ class Template:
             setsigdef=(signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGCHLD),
         )
         theirs.close()
+
+    def hear(self, message: Message) -> None:
+        """Take note of what it says."""
+        self.loaded = self.loaded or "loaded" in message
+        self.reason = message.get("failed", self.reason)
 
     def spawn(self, slot: int, worker_end: Channel, greets: bool = False) -> bool:
         """Ask for a worker that has ``worker_end``; false when the template is gone."""

@@ -2,6 +2,8 @@
 
 import pytest
 
+from bnserve_service import Settings, serve
+from bnserve_service.settings import SettingsInvalid
 from bnserve_service.supervisor_roster import (
     COPY_SECONDS,
     STABLE_SECONDS,
@@ -84,6 +86,11 @@ def test_what_was_stable_is_started_again_at_once():
         back_off.ended(0.0, None)
     back_off.ended(100.0, 100.0 - STABLE_SECONDS)
     assert back_off.not_before == 100.0
+
+
+def test_a_server_in_this_process_is_one_process():
+    with pytest.raises(SettingsInvalid, match="bnserve serve"):
+        serve(Settings(workers=2))
 
 
 def test_messages_arrive_one_by_one_until_the_other_end_is_gone():
