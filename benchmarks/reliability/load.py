@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import msgspec
 import numpy as np
@@ -63,6 +63,16 @@ class Came:
         """Seconds, over all of these ends; NaN when there are none."""
         found = np.concatenate([[], *(self.seconds.get(status, ()) for status in statuses or ("200",))])
         return float(np.quantile(found, fraction)) if len(found) else float("nan")
+
+    def since(self, moment: float) -> Came:
+        """Without what was due before this moment (in seconds from the beginning)."""
+        kept = {status: np.asarray(due) >= moment for status, due in self.due.items()}
+        return replace(
+            self,
+            sent=int(sum(np.count_nonzero(each) for each in kept.values())),
+            seconds={status: np.asarray(values)[kept[status]] for status, values in self.seconds.items()},
+            due={status: np.asarray(values)[kept[status]] for status, values in self.due.items()},
+        )
 
     def within(self, deadline: float) -> int:
         """Good answers that came in time."""

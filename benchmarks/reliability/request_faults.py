@@ -135,6 +135,7 @@ def endless_queue() -> None:
         return submit(self, key, cost, payload, None, **options)
 
     WorkQueue.submit = submit_anyway  # type: ignore[method-assign]
+    WorkQueue.check_room = lambda *_: None  # type: ignore[method-assign]
     Holdings.fits = lambda self, size: True  # type: ignore[method-assign]
 
 
