@@ -16,7 +16,8 @@ class Address:
     """One replica of the service.
 
     ``text`` is what the user wrote and is what errors show; ``path_prefix`` is where a reverse proxy mounts the
-    service ("" at the root); ``socket_path`` is set for Unix sockets alone.
+    service ("" at the root); ``socket_path`` is set for Unix sockets alone; ``ip`` where the name stands for several
+    hosts and this is one of them.
     """
 
     text: str
@@ -25,6 +26,12 @@ class Address:
     port: int = 0
     path_prefix: str = ""
     socket_path: str | None = None
+    ip: str | None = None
+
+    @property
+    def target(self) -> str:
+        """The host to connect to."""
+        return self.ip or self.host
 
     @property
     def authority(self) -> str:

@@ -75,7 +75,7 @@ class AsyncModel:
         """Find a model on a service; parameters and errors are those of :meth:`.Model.connect`."""
         settings = settings_from(
             address, progress, token=token, timeout=timeout, silence=silence, retries=retries, parallel=parallel,
-            chunk_samples=chunk_samples,
+            chunk_samples=chunk_samples, names=transport is None,
         )  # fmt: skip
         source = None if transport is None else Source(transport)
         connections = AsyncConnections(source)

@@ -9,10 +9,9 @@ from typing import Any, Protocol
 
 from bnserve_client._addresses import Address
 from bnserve_client._messages import HttpResponse, Send
+from bnserve_client._names import behind_proxy
 from bnserve_client._socket_transport import AsyncSocketTransport, SocketTransport
 from bnserve_client._sources import Source
-
-_PROXY_VARIABLES = ("http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY")
 
 
 class Transport(Protocol):
@@ -128,4 +127,4 @@ def uses_plain_sockets(address: Address, source: Source | None) -> bool:
     """Whether the fast path serves an address: no TLS, nothing injected, no proxy in the environment."""
     if source is not None or address.scheme == "https":
         return False
-    return address.scheme == "unix" or not any(os.environ.get(name) for name in _PROXY_VARIABLES)
+    return address.scheme == "unix" or not behind_proxy()

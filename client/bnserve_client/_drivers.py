@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import socket
 import time
 from collections.abc import Awaitable, Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import closing
 from typing import Any, TypeVar, cast
 
-from bnserve_client._messages import Conversation, Effect, HttpResponse, Send, Sleep, Together
+from bnserve_client._addresses import Address
+from bnserve_client._messages import Conversation, Effect, HttpResponse, LookUp, Send, Sleep, Together
+from bnserve_client._names import several_hosts
 from bnserve_protocol import BnserveError
 
 _T = TypeVar("_T")
@@ -38,7 +41,16 @@ def _perform(effect: Effect, send: Callable[[Send], HttpResponse]) -> Any:
         return send(effect)
     if isinstance(effect, Sleep):
         return time.sleep(effect.seconds)
+    if isinstance(effect, LookUp):
+        return {address: _hosts(address) for address in effect.addresses}
     return _run_together(effect, send)
+
+
+def _hosts(address: Address) -> tuple[str, ...]:
+    try:
+        return several_hosts(socket.getaddrinfo(address.host, address.port, type=socket.SOCK_STREAM))
+    except OSError:
+        return ()
 
 
 def _run_together(effect: Together, send: Callable[[Send], HttpResponse]) -> list[Any]:
@@ -78,7 +90,17 @@ async def _perform_async(effect: Effect, send: Callable[[Send], Awaitable[HttpRe
         return await send(effect)
     if isinstance(effect, Sleep):
         return await asyncio.sleep(effect.seconds)
+    if isinstance(effect, LookUp):
+        return {address: await _hosts_async(address) for address in effect.addresses}
     return await _run_together_async(effect, send)
+
+
+async def _hosts_async(address: Address) -> tuple[str, ...]:
+    loop = asyncio.get_running_loop()
+    try:
+        return several_hosts(await loop.getaddrinfo(address.host, address.port, type=socket.SOCK_STREAM))
+    except OSError:
+        return ()
 
 
 async def _run_together_async(effect: Together, send: Callable[[Send], Awaitable[HttpResponse]]) -> list[Any]:

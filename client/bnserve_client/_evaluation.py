@@ -135,7 +135,7 @@ class Evaluator:
             return (yield from self._post(question, part, grid, patience))
         for _ in range(_UPLOADS + 1):
             try:
-                return (yield from self._post(question, part, grid.on_the_wire(), patience))
+                return (yield from self._post(question, part, grid.on_the_wire(patience.address), patience))
             except GridUnknown:
                 try:
                     yield from self._session.upload_grid(grid.sha256, grid.frequencies.tobytes(), patience)

@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_client._addresses import Address
 from bnserve_protocol import Grid, GridDigest, GridLike, UniformGrid, as_frequencies, grid_digest
 
 IN_FULL_ONCE = 512
@@ -25,7 +26,7 @@ class ExplicitGrid:
         self.frequencies.flags.writeable = False
         self.in_full = len(frequencies) <= IN_FULL_ALWAYS
         """Whether it always travels in full: because it is tiny, or because the service does not take uploads."""
-        self._used_before = False
+        self._used_at: set[Address] = set()
 
     def __len__(self) -> int:
         return len(self.frequencies)
@@ -35,9 +36,10 @@ class ExplicitGrid:
         """The name of the grid on the wire."""
         return grid_digest(self.frequencies)
 
-    def on_the_wire(self) -> Grid:
-        """The grid in a request: in full, or its digest where the service can be expected to know it."""
-        first_use, self._used_before = not self._used_before, True
+    def on_the_wire(self, address: Address) -> Grid:
+        """The grid in a request: in full, or its digest where this replica can be expected to know it."""
+        first_use = address not in self._used_at
+        self._used_at.add(address)
         if self.in_full or (first_use and len(self) <= IN_FULL_ONCE):
             return self.frequencies
         return GridDigest(sha256=self.sha256)

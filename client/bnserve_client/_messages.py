@@ -1,7 +1,8 @@
 """What the parts of the client say to each other: HTTP messages, and the effects a conversation asks for.
 
-A conversation is a generator that knows no sockets: it yields a :class:`Send`, :class:`Sleep` or :class:`Together`
-and is resumed with the outcome. The synchronous and the asynchronous model differ in who performs the effects.
+A conversation is a generator that knows no sockets: it yields a :class:`Send`, :class:`Sleep`, :class:`LookUp` or
+:class:`Together` and is resumed with the outcome. The synchronous and the asynchronous model differ in who performs the
+effects.
 """
 
 from __future__ import annotations
@@ -73,6 +74,13 @@ class Sleep:
 
 
 @dataclass(frozen=True, slots=True)
+class LookUp:
+    """Look up the hosts of names; the outcome maps each to its hosts, to ("",) where there is one, () where none."""
+
+    addresses: Sequence[Address]
+
+
+@dataclass(frozen=True, slots=True)
 class Together:
     """Hold several conversations, some at once; the outcome is the list of their results, in order.
 
@@ -83,5 +91,5 @@ class Together:
     at_once: int
 
 
-Effect: TypeAlias = Send | Sleep | Together
+Effect: TypeAlias = Send | Sleep | LookUp | Together
 Conversation: TypeAlias = Generator[Effect, Any, T]

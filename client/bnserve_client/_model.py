@@ -111,7 +111,7 @@ class Model:
         """
         settings = settings_from(
             address, progress, token=token, timeout=timeout, silence=silence, retries=retries, parallel=parallel,
-            chunk_samples=chunk_samples,
+            chunk_samples=chunk_samples, names=transport is None,
         )  # fmt: skip
         source = None if transport is None else Source(transport)
         connections = Connections(source)

@@ -16,6 +16,7 @@ from bnserve_protocol import (
     Forbidden,
     ModelUnknown,
     NotAcceptable,
+    Overloaded,
     PathUnknown,
     ShareExceeded,
     TooLarge,
@@ -27,7 +28,6 @@ from bnserve_protocol import (
 
 _FIRST_PAUSE = 0.05
 _LONGEST_PAUSE = 5.0
-_REST_SECONDS = 1.0
 _UNTRUSTED_ATTEMPTS = 6
 """An answer that is damaged this often in a row, within some seconds, is not bad luck."""
 _DOUBTFUL = (
@@ -71,6 +71,11 @@ class Patience:
         if self._address is None:
             self._address = self._replicas.choose()
         return self._address
+
+    def follow(self) -> None:
+        """Choose another replica if the one to ask is none any more, because its name stands for other hosts now."""
+        if self._address is not None and self._address not in self._replicas.addresses:
+            self._address = None
 
     @property
     def seconds_left(self) -> float:
@@ -118,7 +123,7 @@ class Patience:
             if error.retry_after:  # exact: a share is a sum, not a guess
                 return error.retry_after * _chance.uniform(1.0, 1.25)
         else:
-            self._replicas.rest(self.address, max(_REST_SECONDS, error.retry_after or 0.0))
+            self._replicas.rest(self.address, error.retry_after or 0.0, broken=not isinstance(error, Overloaded))
             self._address = self._replicas.choose()
             if self._replicas.any_awake():
                 return 0.0

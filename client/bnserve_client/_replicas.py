@@ -5,44 +5,129 @@ from __future__ import annotations
 import itertools
 import os
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 
 from bnserve_client._addresses import Address
+from bnserve_client._names import Names
+
+_FIRST_REST = 1.0
+_LONGEST_REST = 15.0
+
+
+@dataclass(slots=True)
+class _Record:
+    """What is remembered of one replica."""
+
+    failures: int = 0
+    """In a row."""
+    resting_until: float = 0.0
+    """``time.monotonic()``; 0 when it is in use."""
+    probing_until: float = 0.0
+    """Until then somebody else is finding out whether it is back."""
 
 
 class Replicas:
-    """Takes turns over the addresses and leaves out those that failed a moment ago.
+    """Asks the replica with the fewest requests of this process under way, in turns among equals.
+
+    One that fails is left out, for one second and twice as long each further time. Then one caller asks whether it is
+    ready, and only if so it gets work again: nobody's request waits for a host that hangs. Where all have failed, the
+    one that would be tried first is asked all the same.
 
     Holds no lock: the worst that two threads can do to each other is to ask the same replica.
+
+    Parameters
+    ----------
+    addresses:
+        As the user gave them.
+    names:
+        Turns names that stand for several hosts into these; None asks no name service.
     """
 
-    def __init__(self, addresses: Sequence[Address]) -> None:
-        self.addresses = tuple(addresses)
+    probe_seconds = 1.0
+    """A replica that does not say within this time that it is ready is not."""
+
+    def __init__(self, addresses: Sequence[Address], names: Names | None = None) -> None:
+        self.names = names
+        self._given = tuple(addresses)
         self._turn = itertools.count(int.from_bytes(os.urandom(2), "big"))
-        self._resting_until = dict.fromkeys(self.addresses, 0.0)
+        self._records = {address: _Record() for address in self._given}
+        self._busy: dict[tuple[int, Address], set[object]] = {}
+
+    @property
+    def addresses(self) -> tuple[Address, ...]:
+        """Those that are asked now."""
+        return self._given if self.names is None else self.names.addresses
 
     def choose(self) -> Address:
         """The next address that is not resting, or the one that will wake first."""
-        if len(self.addresses) == 1:
-            return self.addresses[0]
-        now = time.monotonic()
+        addresses = self.addresses
+        if len(addresses) == 1:
+            return addresses[0]
         start = next(self._turn) + os.getpid()
-        turned = [self.addresses[(start + step) % len(self.addresses)] for step in range(len(self.addresses))]
-        awake = (address for address in turned if self._resting_until[address] <= now)
-        return next(awake, min(turned, key=self._resting_until.__getitem__))
+        turned = [addresses[(start + step) % len(addresses)] for step in range(len(addresses))]
+        in_use = [address for address in turned if not self._record(address).resting_until]
+        if in_use:
+            return min(in_use, key=self._under_way)
+        return min(turned, key=lambda address: self._record(address).resting_until)
 
-    def rest(self, address: Address, seconds: float) -> None:
-        """Prefer the others for a while."""
-        self._resting_until[address] = time.monotonic() + seconds
+    @contextmanager
+    def asking(self, address: Address) -> Iterator[None]:
+        """While a request to the address is under way."""
+        if len(self.addresses) == 1:
+            yield
+            return
+        request, busy = object(), self._busy.setdefault((os.getpid(), address), set())
+        busy.add(request)
+        try:
+            yield
+        finally:
+            busy.discard(request)
+
+    def rest(self, address: Address, at_least: float = 0.0, *, broken: bool = True) -> None:
+        """Leave the address out for a while; ``broken`` ones for longer each time."""
+        record = self._record(address)
+        record.failures = min(record.failures + broken, 30)
+        seconds = min(_LONGEST_REST, _FIRST_REST * 2.0 ** max(0, record.failures - 1))
+        record.resting_until, record.probing_until = time.monotonic() + max(seconds, at_least), 0.0
+        if self.names is not None:
+            self.names.look_again_soon()
 
     def wake(self, address: Address) -> None:
         """The address answered."""
-        self._resting_until[address] = 0.0
+        record = self._records.get(address)
+        if record is not None and record.resting_until:
+            record.failures, record.resting_until = 0, 0.0
+        elif record is not None:
+            record.failures = 0
+
+    def to_probe(self) -> Address | None:
+        """An address that has rested and of which it is to be found out now whether it is back, while others work."""
+        addresses = self.addresses
+        if len(addresses) == 1:
+            return None
+        now = time.monotonic()
+        records = {address: self._record(address) for address in addresses}
+        if all(record.resting_until for record in records.values()):
+            return None
+        for address, record in records.items():
+            if 0.0 < record.resting_until <= now and record.probing_until <= now:
+                record.probing_until = now + 2.0 * self.probe_seconds
+                return address
+        return None
 
     def is_resting(self, address: Address) -> bool:
         """Whether the address failed a moment ago."""
-        return self._resting_until[address] > time.monotonic()
+        return self._record(address).resting_until > time.monotonic()
 
     def any_awake(self) -> bool:
         """Whether some address has not failed a moment ago."""
         return any(not self.is_resting(address) for address in self.addresses)
+
+    def _record(self, address: Address) -> _Record:
+        record = self._records.get(address)
+        return self._records.setdefault(address, _Record()) if record is None else record
+
+    def _under_way(self, address: Address) -> int:
+        return len(self._busy.get((os.getpid(), address), ()))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time
 from collections.abc import Callable
 from typing import TypeVar
 from urllib.parse import quote
@@ -11,7 +12,8 @@ import msgspec
 
 from bnserve_client._answers import read_json, trusted_body
 from bnserve_client._failures import not_bnserve
-from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, Send, Sleep
+from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, LookUp, Send, Sleep
+from bnserve_client._names import Names, names_among
 from bnserve_client._patience import Patience
 from bnserve_client._replicas import Replicas
 from bnserve_client._settings import Settings
@@ -77,7 +79,8 @@ class Session:
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
-        self._replicas = Replicas(settings.addresses)
+        names = names_among(settings.addresses) if settings.names else ()
+        self._replicas = Replicas(settings.addresses, Names(settings.addresses, names) if names else None)
         authorization = () if settings.token is None else (("Authorization", f"Bearer {settings.token}"),)
         self._headers = (("User-Agent", f"bnserve-client/{__version__}"), *authorization)
         self._post_headers = (
@@ -165,10 +168,13 @@ class Session:
         """Ask until there is an answer that can be used, or patience ends."""
         named = (*request.headers, ("X-Request-ID", os.urandom(16).hex()))
         while True:
+            yield from self._tend()
+            patience.follow()
             deadline = ("X-Request-Deadline-Ms", str(int(min(patience.seconds_left, 1e8) * 1e3)))
             sent = HttpRequest(request.method, request.path, (*named, deadline), request.body)
             try:
-                response = yield Send(patience.address, sent, self.settings.silence, patience.deadline, max_bytes)
+                with self._replicas.asking(patience.address):
+                    response = yield Send(patience.address, sent, self.settings.silence, patience.deadline, max_bytes)
                 answer = read(response, patience.address.text)
             except BnserveError as error:
                 pause = patience.pause_after(error)
@@ -177,3 +183,24 @@ class Session:
                 return answer
             if pause > 0.0:
                 yield Sleep(pause)
+
+    def _tend(self) -> Conversation[None]:
+        """Look at names again from time to time, and whether a replica that failed is back."""
+        names = self._replicas.names
+        if names is not None and (due := names.due()):
+            names.found((yield LookUp(due)))
+        resting = self._replicas.to_probe()
+        if resting is None:
+            return
+        request = HttpRequest("GET", "/v2/health/ready", self._headers)
+        try:
+            seconds = self._replicas.probe_seconds
+            answer = yield Send(resting, request, seconds, time.monotonic() + seconds, _SMALL_ANSWER)
+        except BnserveError:
+            ready = False
+        else:
+            ready = answer.status < 500
+        if ready:
+            self._replicas.wake(resting)
+        else:
+            self._replicas.rest(resting)

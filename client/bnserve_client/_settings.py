@@ -20,6 +20,8 @@ class Settings:
     parallel: int = 2
     chunk_samples: int = 2**21
     progress: bool = False
+    names: bool = True
+    """Whether names that stand for several hosts are looked up here: not where the user's transport does it."""
 
     def __post_init__(self) -> None:
         for name in ("timeout", "silence"):

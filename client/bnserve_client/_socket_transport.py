@@ -56,7 +56,7 @@ class SocketTransport:
         allowed = _time_allowed(send, _CONNECT_SECONDS)
         address = send.address
         if address.socket_path is None:
-            sock = socket.create_connection((address.host, address.port), timeout=allowed)
+            sock = socket.create_connection((address.target, address.port), timeout=allowed)
             _no_delay(sock)
             return self._pool.adopt(sock)
         sock = self._pool.adopt(socket.socket(socket.AF_UNIX))
@@ -145,7 +145,7 @@ class AsyncSocketTransport:
 
     async def _connect_tcp(self, address: Address) -> socket.socket:
         loop = asyncio.get_running_loop()
-        found = await loop.getaddrinfo(address.host, address.port, type=socket.SOCK_STREAM)
+        found = await loop.getaddrinfo(address.target, address.port, type=socket.SOCK_STREAM)
         failure: OSError = OSError("the host name has no address")
         for family, _, _, _, target in found:
             try:

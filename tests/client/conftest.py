@@ -14,7 +14,7 @@ from tests.client.scripted_server import ScriptedServer
 def start_server():
     """Starts scripted servers, as many as a test wants."""
     with ExitStack() as stack:
-        yield lambda service=None: stack.enter_context(ScriptedServer(service).serving())
+        yield lambda *arguments, **options: stack.enter_context(ScriptedServer(*arguments, **options).serving())
 
 
 @pytest.fixture

@@ -13,14 +13,15 @@ from tests.client.reference_service import QuietServer, ReferenceService, Reply,
 class ScriptedServer:
     """One replica. ``faults`` are used up, one for each request; a fault is a function of (handler, reply)."""
 
-    def __init__(self, service=None):
+    def __init__(self, service=None, place=("127.0.0.1", 0)):
         self.service = service or ReferenceService()
+        self._place = place
         self.faults = deque()
         self.connections = 0
 
     @property
     def address(self):
-        return f"http://127.0.0.1:{self._server.server_address[1]}"
+        return "http://{}:{}".format(*self._server.server_address)
 
     @contextmanager
     def serving(self):
@@ -38,7 +39,7 @@ class ScriptedServer:
                 else:
                     fault(self, reply)
 
-        self._server = QuietServer(("127.0.0.1", 0), Handler)
+        self._server = QuietServer(self._place, Handler)
         thread = threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True)
         thread.start()
         try:
