@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import http.client
 import os
 import re
 import signal
@@ -81,13 +82,19 @@ class Workers:
         return self.pids()
 
     def metrics(self) -> dict[tuple, float]:
-        with urllib.request.urlopen(self.metrics_address) as answer:
-            text = answer.read().decode()
+        text = until(self._scrape, "the metrics are told")
         return {
             (sample.name, frozenset(sample.labels.items())): sample.value
             for family in text_string_to_metric_families(text)
             for sample in family.samples
         }
+
+    def _scrape(self) -> str:
+        try:
+            with urllib.request.urlopen(self.metrics_address, timeout=10) as answer:
+                return answer.read().decode()
+        except (OSError, http.client.HTTPException):
+            return ""  # whoever was asked has just been killed
 
     def value(self, name: str, **labels: str) -> float:
         return self.metrics().get((name, frozenset(labels.items())), 0.0)
