@@ -7,14 +7,20 @@ import pytest
 
 from tests.architecture.rooms import ROOT, room_environment
 
-QUIET = {"RAY_USAGE_STATS_ENABLED": "0", "RAY_DEDUP_LOGS": "0", "RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO": "0"}
+ENVIRONMENT = {
+    "RAY_USAGE_STATS_ENABLED": "0",
+    "RAY_ACCEL_ENV_VAR_OVERRIDE_ON_ZERO": "0",  # or it warns
+    "RAY_raylet_start_wait_time_s": "180",  # a busy machine starts a node slowly
+    "RAY_prestart_worker_first_driver": "0",  # workers are started when they are needed, which is less work
+    "RAY_enable_worker_prestart": "0",
+}
 NODE = {"num_cpus": 2, "object_store_memory": 100 * 2**20, "include_dashboard": False}
 
 
 @pytest.fixture(scope="session")
 def ray_cluster():
     """Two nodes with two processors each, to which this process is connected."""
-    os.environ.update(QUIET)
+    os.environ.update(ENVIRONMENT)
     os.environ["PYTHONPATH"] = os.pathsep.join([str(ROOT), room_environment()["PYTHONPATH"]])  # of the workers
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

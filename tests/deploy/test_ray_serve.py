@@ -3,13 +3,15 @@
 import os
 import signal
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 
 from bnserve_client import Model, OutOfDomain, ParametersWithExtrinsic
-from bnserve_service.settings import SettingsInvalid
+from bnserve_service.settings import Settings, SettingsInvalid
 from bnserve_surrogate import Model as LocalModel
 from tests.running_server import free_port
 
@@ -57,11 +59,7 @@ def test_answers_are_those_of_the_local_model(address):
                 == local.predict_batch(FREQUENCIES, batch).plus.tobytes()
             )
         with pytest.raises(OutOfDomain):
-            model.predict(FREQUENCIES, ParametersWithExtrinsic(**{**vars_of(ONE), "mass_ratio": 50.0}))
-
-
-def vars_of(parameters):
-    return {name: getattr(parameters, name) for name in parameters.__slots__}
+            model.predict(FREQUENCIES, replace(ONE, mass_ratio=50.0))
 
 
 def test_a_killed_replica_loses_nothing(address):
@@ -81,3 +79,16 @@ def test_a_setting_that_is_none_is_refused_before_anything_starts(ray_cluster):
 
     with pytest.raises(SettingsInvalid, match="Did you mean 'max_rows'"):
         app(Arguments(settings={"max_row": 3}))
+
+
+def test_the_configuration_that_ships_is_understood():
+    from ray.serve.schema import ServeDeploySchema
+
+    from bnserve_service.ray_serve import Arguments, app
+
+    file = Path(__file__).parents[2] / "deploy" / "ray" / "serve.yaml"
+    deployed = ServeDeploySchema.model_validate(yaml.safe_load(file.read_text()))
+    (application,) = deployed.applications
+    assert application.import_path == f"{app.__module__}:app"
+    assert deployed.http_options.keep_alive_timeout_s == Settings().keep_alive
+    app(Arguments.model_validate(application.args))
