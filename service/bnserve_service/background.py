@@ -8,7 +8,7 @@ from typing import Any, Self
 
 from bnserve_service.app import create_app
 from bnserve_service.listening import address_of, open_listener, open_metrics_listener
-from bnserve_service.server import BnserveServer
+from bnserve_service.server import BnserveServer, check_one_process
 from bnserve_service.settings import Settings
 
 logger = logging.getLogger("bnserve.server")
@@ -26,11 +26,14 @@ class BackgroundServer:
 
     Raises
     ------
+    SettingsInvalid
+        It should have several processes.
     CannotListen, StoreUnknown, ModelLoading
         When entered, as :func:`serve`.
     """
 
     def __init__(self, settings: Settings, **parts: Any) -> None:
+        check_one_process(settings)
         self.settings = settings
         self.app = create_app(settings, wait_for_models=False, **parts)
         self.address = ""

@@ -224,6 +224,19 @@ def models_missing(report: RefreshReport) -> ModelLoading:
     )  # fmt: skip
 
 
+def check_one_process(settings: Settings) -> None:
+    """Refuse settings of several processes, which cannot all be this one.
+
+    Raises
+    ------
+    SettingsInvalid
+    """
+    if settings.workers > 1:
+        raise SettingsInvalid(
+            f"This process is one worker, and workers is {settings.workers}: use the command `bnserve serve`."
+        )
+
+
 def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: Any) -> None:
     """Run a server in this process until it is told to stop.
 
@@ -247,10 +260,7 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     ModelLoading
         Not one model could be loaded.
     """
-    if settings.workers > 1:
-        raise SettingsInvalid(
-            f"serve() runs in this process alone, and workers is {settings.workers}: use the command `bnserve serve`."
-        )
+    check_one_process(settings)
     with contextlib.ExitStack() as stack:
         listener = stack.enter_context(open_listener(settings))
         if settings.uds is not None:

@@ -7,6 +7,7 @@ import os
 import signal
 import threading
 import time
+from contextlib import ExitStack
 
 import numpy as np
 import pytest
@@ -15,8 +16,9 @@ from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import encode_analysis
 from bnserve_store import ModelStore
 from tests.architecture.rooms import run_python
-from tests.integration.conftest import bnserve
+from tests.integration.conftest import COMMAND, bnserve
 from tests.integration.workers import children, exists, own_memory, serving_with, until
+from tests.running_server import running
 from tests.service.asking import GW170817, JSON, ask, ask_on, closing_connection, evaluate_json, question
 from tests.service.injections import name_of, small_analysis
 
@@ -99,6 +101,20 @@ def test_a_client_sees_nothing_of_workers_that_are_killed_one_after_the_other(wo
     assert one.wrong == other.wrong == 0
     workers.wait_until_complete()
     assert workers.value(RESTARTS, reason="killed") == before + 3
+
+
+def test_connections_are_divided_evenly(workers):
+    workers.wait_until_complete()
+
+    def loads():
+        return sorted(number for number in np.frombuffer((workers.shared / "loads").read_bytes(), "<i8") if number >= 0)
+
+    until(lambda: loads() == [0, 0, 0], "nobody is connected")
+    with ExitStack() as stack:
+        for _ in range(12):
+            connection = stack.enter_context(closing_connection(workers.address))
+            assert ask_on(connection, "GET", "/v2/health/live").status == 200
+        until(lambda: loads() == [4, 4, 4], "each worker has as many")
 
 
 @pytest.mark.parametrize("victim", ["a worker", "the template"])
@@ -256,6 +272,22 @@ def test_a_version_that_one_worker_has_is_unknown_to_none(workers, store):
         assert set(answers) <= {200, 503}, "the others are about to"
     until(lambda: {ask(workers.address, "GET", f"{path}/1.2.0").status for _ in range(9)} == {200}, "all have it")
     assert ask(workers.address, "GET", f"{path}/9.9.9").status == 404
+
+
+def test_over_a_unix_socket(tmp_path, expected):
+    path = tmp_path / "bnserve.sock"
+    log = tmp_path / "log"
+    command = [*COMMAND, "serve", "--uds", str(path), "--workers", "2", "--model", "default"]
+    with running(command, log, lambda: "bnserve is ready" in log.read_text()) as process:
+        with Model.connect(f"unix:{path}") as model:
+            for _ in range(3):
+                assert model.predict(GRID, PARAMETERS).plus.tobytes() == expected
+                victim = next(pid for pid, name in children(process.pid).items() if name.startswith("bnserve-work-"))
+                os.kill(victim, signal.SIGKILL)
+                until(lambda victim=victim: not exists(victim), "it is gone")
+        process.terminate()
+        assert process.wait(60) == 0
+    assert not path.exists()
 
 
 def test_sighup_has_all_of_them_look_at_the_stores(workers):

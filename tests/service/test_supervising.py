@@ -2,7 +2,7 @@
 
 import pytest
 
-from bnserve_service import Settings, serve
+from bnserve_service import BackgroundServer, Settings, serve
 from bnserve_service.settings import SettingsInvalid
 from bnserve_service.supervisor_roster import (
     COPY_SECONDS,
@@ -89,8 +89,9 @@ def test_what_was_stable_is_started_again_at_once():
 
 
 def test_a_server_in_this_process_is_one_process():
-    with pytest.raises(SettingsInvalid, match="bnserve serve"):
-        serve(Settings(workers=2))
+    for start in (serve, BackgroundServer):
+        with pytest.raises(SettingsInvalid, match="bnserve serve"):
+            start(Settings(workers=2))
 
 
 def test_messages_arrive_one_by_one_until_the_other_end_is_gone():
