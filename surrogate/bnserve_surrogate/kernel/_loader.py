@@ -37,6 +37,11 @@ def load_kernel() -> Callable[[int, int, int], int]:
     return load_assembly(ASSEMBLY, ENTRY_POINT, "ppp", vectorise=False)
 
 
+def processor_at_hand() -> tuple[str, str]:
+    """What machine code is made for: LLVM's name of this processor, and its features."""
+    return llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
+
+
 def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise: bool = True) -> Callable[..., int]:
     """A function of an assembly file, compiled for the processor at hand; calling it releases the GIL.
 
@@ -56,9 +61,8 @@ def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise
         llvm.initialize_native_asmprinter()
         module = llvm.parse_assembly(assembly.read_text())
         target = llvm.Target.from_default_triple()
-        machine = target.create_target_machine(
-            cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=3
-        )
+        name, features = processor_at_hand()
+        machine = target.create_target_machine(cpu=name, features=features, opt=3)
         module.triple = target.triple
         module.data_layout = str(machine.target_data)
         module.verify()
