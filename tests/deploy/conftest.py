@@ -17,18 +17,20 @@ ENVIRONMENT = {
 NODE = {"num_cpus": 2, "object_store_memory": 100 * 2**20, "include_dashboard": False}
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def ray_cluster():
     """Two nodes with two processors each, to which this process is connected."""
-    os.environ.update(ENVIRONMENT)
-    os.environ["PYTHONPATH"] = os.pathsep.join([str(ROOT), room_environment()["PYTHONPATH"]])  # of the workers
-    with warnings.catch_warnings():
+    path = os.pathsep.join([str(ROOT), room_environment()["PYTHONPATH"]])
+    with pytest.MonkeyPatch.context() as patch, warnings.catch_warnings():
         warnings.simplefilter("ignore")
+        for name, value in (ENVIRONMENT | {"PYTHONPATH": path}).items():  # which the workers inherit
+            patch.setenv(name, value)
         import ray
         from ray.cluster_utils import Cluster
-    cluster = Cluster(initialize_head=True, head_node_args=NODE)
-    cluster.add_node(**NODE)
-    ray.init(address=cluster.address, log_to_driver=False)
+
+        cluster = Cluster(initialize_head=True, head_node_args=NODE)
+        cluster.add_node(**NODE)
+        ray.init(address=cluster.address, log_to_driver=False)
     yield cluster
     ray.shutdown()
     cluster.shutdown()
