@@ -30,7 +30,7 @@ _OFTEN = 0.05
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Each kind of fault for some seconds, with several clients on two addresses."""
     few = ["reset in an answer", "half-open", "bits of answers", "bits of questions", "answers to others"]
-    count, seconds, kinds = (3, 1.0, few) if short else (6, 9.0, list(KINDS))
+    count, seconds, kinds = (3, 0.7, few) if short else (6, 9.0, list(KINDS))
     options = {"silence": 0.5, "timeout": 120.0, "retries": 0 if plant == "no-retries" else None}
     task = Task(options=options, plant=plant)
     total, met = Found(), 0

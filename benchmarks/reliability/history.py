@@ -36,7 +36,7 @@ _REPLICAS = 3
 
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """All faults at once for a while; then compare the logs."""
-    count, seconds = (4, 8.0) if short else (8, 150.0)
+    count, seconds = (4, 5.0) if short else (8, 150.0)
     options = {"silence": 1.0, "timeout": 300.0, "retries": 0 if plant == "no-retries" else 60}
     with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
         store = Versions(Path(folder) / "store")

@@ -29,7 +29,7 @@ _PAUSE = 0.02
 
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Kill one replica at random every few seconds; it is started again a second later."""
-    seconds, count, every = (8.0, 6, 2.0) if short else (150.0, 16, 4.0)
+    seconds, count, every = (5.0, 6, 2.0) if short else (150.0, 16, 4.0)
     options = {"timeout": 120.0} | ({"retries": 0} if plant else {})
     with tempfile.TemporaryDirectory() as folder, replicas(Path(folder), _REPLICAS, "--model", "default") as servers:
         addresses = [server.address for server in servers]

@@ -9,7 +9,7 @@ from typing import Any
 from bnserve_client._addresses import parse_addresses
 from bnserve_client._failures import TransportFailure, explain
 from bnserve_client._http1 import encode_request, exchange
-from bnserve_client._messages import Conversation, HttpResponse, Send, Sleep, Together
+from bnserve_client._messages import Conversation, HttpResponse, LookUp, Send, Sleep, Together
 from bnserve_client._remote import RemoteModel, connecting
 from bnserve_client._settings import Settings
 from bnserve_protocol import (
@@ -81,6 +81,8 @@ def hold(conversation: Conversation[Any], server: HostileServer) -> Any:
                 outcome = server.send(effect)
             elif isinstance(effect, Together):
                 outcome = [hold(each, server) for each in effect.conversations]
+            elif isinstance(effect, LookUp):
+                outcome = dict.fromkeys(effect.addresses, ("",))
             else:
                 assert isinstance(effect, Sleep)
         except BnserveError as error:
