@@ -5,6 +5,7 @@ import http.client
 import json
 import os
 import signal
+import sys
 import threading
 import time
 from contextlib import ExitStack
@@ -19,7 +20,16 @@ from tests.architecture.rooms import run_python
 from tests.integration.conftest import COMMAND, bnserve
 from tests.integration.workers import children, exists, own_memory, serving_with, until
 from tests.running_server import running
-from tests.service.asking import GW170817, JSON, ask, ask_on, closing_connection, evaluate_json, question
+from tests.service.asking import (
+    GW170817,
+    JSON,
+    ask,
+    ask_on,
+    closing_connection,
+    evaluate_json,
+    question,
+    raw_connection,
+)
 from tests.service.injections import name_of, small_analysis
 
 CURL = question(GW170817, {"f_min": 20, "f_max": 2048, "delta_f": 4})
@@ -37,11 +47,44 @@ def store(tmp_path_factory):
     return store
 
 
+PLANT = """
+import importlib.abc, importlib.util, sys, time
+
+class Planter(importlib.abc.MetaPathFinder):
+    def find_spec(self, name, path=None, target=None):
+        if name != "bnserve_service.evaluation":
+            return None
+        sys.meta_path.remove(self)
+        spec = importlib.util.find_spec(name)
+        execute = spec.loader.exec_module
+        spec.loader.exec_module = lambda module: (execute(module), plant(module.Evaluator))
+        return spec
+
+def plant(evaluator):
+    sound = evaluator.__call__
+    def call(self, questions):
+        if len(questions[0].batch) == 7:
+            time.sleep(1e6)
+        return sound(self, questions)
+    evaluator.__call__ = call
+
+sys.meta_path.insert(0, Planter())
+"""
+"""An evaluation of seven rows does not come back."""
+
+
 @pytest.fixture(scope="module")
 def workers(tmp_path_factory, store):
     """Three workers; every test leaves as many."""
-    with serving_with(tmp_path_factory.mktemp("workers") / "server.log", 3, "--store", str(store)) as it:
-        yield it
+    folder = tmp_path_factory.mktemp("workers")
+    (folder / "sitecustomize.py").write_text(PLANT)
+    (folder / "settings.toml").write_text("stuck_seconds = 3.0\ndrain_timeout = 5.0\nthreads = 1\n")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PYTHONPATH", os.pathsep.join([str(folder), *sys.path]))
+        with serving_with(
+            folder / "server.log", 3, "--store", str(store), "--config", str(folder / "settings.toml")
+        ) as it:
+            yield it
 
 
 @pytest.fixture(scope="module")
@@ -136,6 +179,18 @@ def test_what_does_not_come_back_is_replaced(workers, expected, victim):
         workers.wait_until_complete()
         sampler.comes_on()
     assert (sampler.errors, sampler.wrong) == ([], 0)
+
+
+def test_an_evaluation_that_does_not_come_back_costs_one_worker(workers):
+    workers.wait_until_complete()
+    body = json.dumps(question(GW170817 | {"total_mass": [2.7] * 7}, {"f_min": 20, "f_max": 2048, "delta_f": 1}))
+    with raw_connection(workers.address) as lost:
+        head = "POST /v1/models/default/waveforms HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
+        lost.sendall(f"{head}content-length: {len(body)}\r\n\r\n{body}".encode())
+        until(lambda: workers.value("bnserve_workers_serving") < 3, "it is counted out")
+        assert evaluate_json(workers.address, CURL, model="default").status == 200
+        until(lambda: workers.value(RESTARTS, reason="stuck") == 1, "its worker is replaced")
+        workers.wait_until_complete()
 
 
 def test_a_worker_told_to_go_answers_what_it_has_and_is_replaced(workers):
