@@ -67,7 +67,7 @@ def _offer(
     before = labels.read_bytes()
     labels.write_bytes(before.replace(b"1.0.0", list(batch)[-1].encode()))  # by hand: set_label would refuse
     stream = Stream("good", waveforms_request(server.url, 1, 64, model=NAME), 20.0, with_digests=True)
-    under_way = load.begin(server.address, [stream], 1.5)
+    under_way = load.begin(server.address, [stream], 1.0)
     _look(server)
     page = exchange(server.address, b"GET /metrics HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n").body.decode()
     found = {version for version in batch if f'name="{NAME}",version="{version}"' in page}

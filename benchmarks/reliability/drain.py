@@ -54,7 +54,7 @@ class Replicas:
 
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
-    restarts = 2 if short else 16
+    restarts, seconds_of_load = (1, 5.0) if short else (16, 8.0)
     statuses: list[int] = []
     seconds: list[float] = []
     came: list[Came] = []
@@ -64,7 +64,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         balancer = stack.enter_context(balancing([server.address for server in replicas.servers], retries=False))
         load = stack.enter_context(load_process())
         for number in range(restarts):
-            under_way = load.begin(balancer.address, _streams(balancer), 8.0, timeout=40.0, seed=number)
+            under_way = load.begin(balancer.address, _streams(balancer), seconds_of_load, timeout=40.0, seed=number)
             time.sleep(1.0)
             status, took = replicas.restart(number % REPLICAS)
             balancer.wait_for(REPLICAS)

@@ -33,7 +33,7 @@ SETTLE = 0.5
 
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
-    rounds, seconds = (1, 3.0) if short else (5, 6.0)
+    rounds, seconds = (1, 2.0) if short else (5, 6.0)
     levels = (1, 10) if short else LEVELS
     came: dict[int, list[Came]] = {level: [] for level in levels}
     health: list[Came] = []

@@ -41,9 +41,15 @@ def _measured(name: str, record: dict[str, Any] | None) -> list[str]:
     verdict = "" if record["passed"] else " (**the bar is missed**)"
     return [
         f"- measured: **{record['summary']}**{verdict}",
-        f"- command: `{record['command']}`, {record['date']}, {record['machine']}; {record['seconds']:,} s, "
-        f"while {100 * record['stolen']:.0f} % of the processors' time went to other machines",
+        f"- command: `{record['command']}`, {record['date']}, {record['machine']}{_circumstances(record)}",
     ]
+
+
+def _circumstances(record: dict[str, Any]) -> str:
+    if "seconds" not in record:
+        return ""
+    stolen = 100 * record["stolen"]
+    return f"; {record['seconds']:,} s, while {stolen:.0f} % of the processors' time went to other machines"
 
 
 def _seen_to_fail(promise: Promise, record: dict[str, Any] | None) -> list[str]:

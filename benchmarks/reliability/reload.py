@@ -34,7 +34,7 @@ RATE = 100.0
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Measure; the long form takes four minutes."""
     rounds, reloads = (1, 6) if short else (10, 10)
-    seconds = 4.0 if short else 8.0
+    seconds = 3.0 if short else 8.0
     came: dict[bool, list[Came]] = {False: [], True: []}
     expected: set[str] = set()
     with tempfile.TemporaryDirectory() as folder:

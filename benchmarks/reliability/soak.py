@@ -46,7 +46,7 @@ class Size:
 
 
 LONG = Size(turns=66, seconds=58.0, warm_up=6, pace=1.0, growth=1e6)
-SHORT = Size(turns=8, seconds=1.5, warm_up=3, pace=12.0, growth=3e9)
+SHORT = Size(turns=6, seconds=1.0, warm_up=2, pace=12.0, growth=3e9)
 PLANTED = Size(turns=12, seconds=13.0, warm_up=3, pace=4.0, growth=1e6)
 
 
