@@ -44,6 +44,7 @@ class Metrics:
 
     def __init__(self, shared: SharedMetrics | None = None) -> None:
         self._shared = shared
+        self._written = True
         self._largest: set[str] = {"bnserve_build", "bnserve_model_info"}
         registry = self.registry = CollectorRegistry()
         ProcessCollector(registry=registry)
@@ -117,8 +118,11 @@ class Metrics:
         if self._shared is not None:
             try:
                 self._shared.publish(self.registry.collect())
+                self._written = True
             except OSError as error:
-                logger.warning("the metrics could not be written down: %s", error.strerror or error)
+                if self._written:  # said once, not every second
+                    logger.warning("the metrics cannot be written down: %s", error.strerror or error)
+                self._written = False
 
     def exposition(self) -> bytes:
         """The text that Prometheus reads: of all workers together."""
