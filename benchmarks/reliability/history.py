@@ -32,11 +32,13 @@ PLANTS = {
 
 _OFTEN = 0.04
 _REPLICAS = 3
+_VERSIONS = 8
+"""Published at most: replicas that start verify all of them first."""
 
 
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """All faults at once for a while; then compare the logs."""
-    count, seconds = (4, 5.0) if short else (8, 150.0)
+    count, seconds = (4, 5.0) if short else (8, 120.0)
     options = {"silence": 1.0, "timeout": 300.0, "retries": 0 if plant == "no-retries" else 60}
     with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
         store = Versions(Path(folder) / "store")
@@ -68,19 +70,19 @@ def _disturb(seconds: float, servers: list[Replica], store: Versions, log: Log) 
     while time.monotonic() < until:
         time.sleep(min(5.0, seconds / 6.0) * chance.uniform(0.5, 1.0))
         ready = [server for server in servers if server.is_ready()]
-        if kills < versions and len(ready) > 1:
+        if (kills < versions or versions == _VERSIONS) and len(ready) > 1:
             victim = chance.choice(ready)
             victim.kill()
             time.sleep(0.5)
             victim.start()
             kills += 1
             log(f"replica {servers.index(victim) + 1} was killed and started again")
-        elif versions < 40:
+        elif versions < _VERSIONS:
             versions += 1
             store.publish(f"1.0.{versions}", shipped=("fast", "default", "paper")[versions % 3])
             log(f"version 1.0.{versions} was published")
-    for server in servers:
-        server.wait()
+    while not any(server.is_ready() for server in servers):
+        time.sleep(0.1)
     return kills, versions
 
 
