@@ -11,7 +11,9 @@ all that came in one turn of the loop together.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
+import os
 import threading
 import time
 from collections import deque
@@ -33,6 +35,8 @@ logger = logging.getLogger("bnserve.workers")
 _ASSUMED_RATE = 1e8
 """Samples per second and worker assumed for Retry-After before anything was measured."""
 _RATE_MEMORY = 0.2
+_NICENESS = 5
+"""Of the workers: a third of the weight of the event loop, which needs little."""
 
 
 @dataclass(slots=True, eq=False)
@@ -300,6 +304,7 @@ class WorkQueue(Generic[P, R]):
             job.timer.cancel()
 
     def _work(self, index: int) -> None:
+        _stand_back()
         while (jobs := self._take()) is not None:
             worker = self._workers[index]
             worker.busy_since = started = time.monotonic()
@@ -346,6 +351,15 @@ class WorkQueue(Generic[P, R]):
         if seconds > 0.0:
             rate = len(self._workers) * sum(job.cost for job in jobs) / seconds
             self._rate += _RATE_MEMORY * (rate - self._rate)
+
+
+def _stand_back() -> None:
+    """Let the event loop go before this thread where there are not enough processors for both.
+
+    Or whoever only wants to be refused, or has a small question, waits for the workers' time slices one after another.
+    """
+    with contextlib.suppress(OSError, AttributeError):  # where threads have no priority of their own
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
 
 
 def _resolve(job: Job[P, R], outcome: R | BaseException) -> None:
