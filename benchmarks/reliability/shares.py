@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import hashlib
 import secrets
+import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -32,6 +34,8 @@ PLANTS = {
 GREEDY_CLIENTS = 100
 SHARE = 50.0
 """Rows per second of each token, where shares are set; the others ask for less."""
+_AHEAD = 0.3
+"""Seconds by which the greedy one begins earlier and ends later."""
 _PAUSE = 0.05
 """Seconds between a light user's answer and the next request: at most 20 a second."""
 
@@ -92,7 +96,12 @@ def _measure(case: Case, rounds: int, seconds: float, log: Log, plant: str | Non
     if plant == "one-owner":
         texts = dict.fromkeys(texts, texts["greedy"])
     pool = _Pool()
-    with serving("--model", "default", tokens=_tokens(texts, case.share)) as server, share_load() as load:
+    with (
+        serving("--model", "default", tokens=_tokens(texts, case.share)) as server,
+        share_load() as load,
+        share_load() as crowd,  # a process of its own, so that the others need not wait for it
+        ThreadPoolExecutor(1) as background,
+    ):
         greedy, *light = (
             User(
                 name,
@@ -105,7 +114,9 @@ def _measure(case: Case, rounds: int, seconds: float, log: Log, plant: str | Non
         load.ask(server.address, light, 0.5)
         for number in range(rounds):
             alone = load.ask(server.address, light, seconds)
-            beside = load.ask(server.address, [*light, greedy], seconds)
+            asking = background.submit(crowd.ask, server.address, [greedy], seconds + 2.0 * _AHEAD)
+            time.sleep(_AHEAD)
+            beside = load.ask(server.address, light, seconds) | asking.result()
             pool.alone += _answers(alone, light)
             pool.beside += _answers(beside, light)
             pool.greedy += beside.get("greedy", {}).get("200", np.empty(0)).tolist()
