@@ -35,7 +35,6 @@ from bnserve_protocol import BnserveError, Likelihood
 from bnserve_surrogate import Model as LocalModel
 from bnserve_surrogate.training.generators import TEOBResumSPA
 
-OTHER = {"roq": "relative_binning", "relative_binning": "roq"}
 UNFINISHED = 3
 """Exit status of a run that ``--stop-after`` ended."""
 
@@ -61,6 +60,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--generator-checks", type=int, default=200, help="of these, for TEOBResumSPA itself")
     parser.add_argument("--calibration-checks", type=int, default=1000, help="of these, for calibration errors")
     parser.add_argument("--calibration-draws", type=int, default=100, help="per posterior sample; 0 leaves it out")
+    parser.add_argument("--sample-both", action="store_true", help="the other kind by itself, not by weights")
     parser.add_argument("--sample-only", action="store_true", help="no checks")
     parser.add_argument("--figure", type=Path, help="write the corner plot here")
     return parser.parse_args()
@@ -90,7 +90,7 @@ def run(options: argparse.Namespace) -> int:
         model = stack.enter_context(Model.connect(url))
         posteriors: dict[str, Posterior] = {}
         found: dict[str, Any] = {"snr": options.snr, "injected": not files}
-        for kind in (options.kind,) if options.sample_only else (options.kind, OTHER[options.kind]):
+        for kind in (options.kind, results.OTHER[options.kind]) if options.sample_both else (options.kind,):
             bound = likelihood(model, kept(kind, event, local, options.work))
             posterior = sample(options, bound, cube, options.work / kind)
             if posterior is None:

@@ -20,6 +20,8 @@ from bnserve_surrogate.training.generators import TEOBResumSPA
 
 Floats = NDArray[np.float64]
 
+OTHER = {"roq": "relative_binning", "relative_binning": "roq"}
+
 
 def summary(posterior: Posterior) -> dict[str, Any]:
     """The sampler's own figures."""
@@ -46,22 +48,22 @@ def check(
     cube: UnitCube,
     options: Namespace,
 ) -> tuple[dict[str, Any], dict[str, Shown]]:
-    """Other likelihoods at draws of the first posterior, and all posteriors beside each other.
+    """Other likelihoods at draws of the posterior, and all posteriors beside each other.
 
     Writes ``draws.npz`` to the folder of the run: ``values`` (N, 13) with distances, ``log_likelihood`` of every kind.
-    The posterior of the full grid is the first one with weights: at milliseconds a likelihood nobody samples it.
+    A posterior that was not sampled is the one that was, with weights: at milliseconds a likelihood nobody samples the
+    full grid.
 
     Returns
     -------
     Figures, and what the corner plot shows, by likelihood.
     """
-    first, *others = posteriors
-    posterior = posteriors[first]
+    first, posterior = options.kind, posteriors[options.kind]
     chosen = equal_weights(posterior, options.checks)
     batch, sampled = cube(posterior.points[chosen]), posterior.log_likelihood[chosen]
     found: dict[str, Any] = {"checks": len(batch)}
     arrays: dict[str, Floats] = {"values": _with_distances(batch, event, local, model, options), first: sampled}
-    for kind in (*others, "full"):
+    for kind in (OTHER[first], "full"):
         arrays[kind] = likelihood(model, analyses.kept(kind, event, local, options.work)).log_likelihood(batch)
         found |= _compared(f"{first}_and_{kind}", arrays[kind], sampled)
     arrays["generator"] = _generated(batch, event, options)
@@ -75,9 +77,12 @@ def check(
         found |= _compared("calibration_envelopes", arrays["calibration"], sampled[some])
     np.savez(options.work / first / "draws.npz", **arrays)
     shown = {kind: Shown(physical(cube(each.points)), each.weights) for kind, each in posteriors.items()}
-    shown["full"] = Shown(physical(batch), checks.reweighted(arrays["full"], sampled)[0])
+    for kind in (OTHER[first], "full"):
+        if kind not in shown:
+            shown[kind] = Shown(physical(batch), checks.reweighted(arrays[kind], sampled)[0])
+    drawn = Shown(physical(batch), np.full(len(batch), 1.0 / len(batch)))
     for kind in list(shown)[1:]:
-        apart = divergences(shown[first], shown[kind])
+        apart = divergences(shown[first] if kind in posteriors else drawn, shown[kind])
         worst = max(apart, key=lambda name: apart[name])
         found |= {f"{first}_and_{kind}_largest_divergence": round(apart[worst], 5)}
         found |= {f"{first}_and_{kind}_largest_divergence_of": worst.partition(" [")[0]}

@@ -107,8 +107,10 @@ class DetectorData:
     def _refuse_where(self, bad: NDArray[np.bool_], first: int, what: str, reason: str) -> None:
         if bad.any():
             place = (first + int(np.argmax(bad))) / self.duration
+            others = int(bad.sum()) - 1
+            more = f" So it is at {others} more frequencies." if others else ""
             raise AnalysisInvalid(
-                f"The {what} of {self.name} at {place:.6g} Hz {reason}. {int(bad.sum())} frequencies are so.",
+                f"The {what} of {self.name} at {place:.6g} Hz {reason}.{more}",
                 errors=[FieldError(reason=reason, parameter=what, value=place)],
             )
 

@@ -212,7 +212,8 @@ def check_likelihood_names(names: Iterable[str]) -> None:
     problems += [FieldError(reason="missing", parameter=name) for name in missing]
     if problems:
         sentences = "; ".join(f"'{problem.parameter}' is {problem.reason}" for problem in problems[:16])
-        raise InvalidParameters(f"Parameters of a likelihood: {sentences}.", errors=problems)
+        end = "" if sentences.endswith("?") else "."
+        raise InvalidParameters(f"Parameters of a likelihood: {sentences}{end}", errors=problems)
 
 
 def _as_floats(name: str, value: Any) -> NDArray[np.float64]:
