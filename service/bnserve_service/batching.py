@@ -185,11 +185,11 @@ class WorkQueue(Generic[P, R]):
         if not self._holdings.fits(cost):
             self._make_room(owner, cost)
         job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick, owner)
-        self._holdings.add(owner, cost)
-        if quick:
+        if quick:  # not held: as many wait as there are connections, for as long as a few of them take
             if self._turns.add(job):
                 self._loop.call_soon(self._take_turns)  # after all that this turn of the loop has brought in
             return job
+        self._holdings.add(owner, cost)
         if deadline is not None:
             job.timer = self._loop.call_later(deadline - now, self._expire, job)
         with self._changed:
@@ -283,9 +283,7 @@ class WorkQueue(Generic[P, R]):
             if isinstance(job, Beginning):
                 if not job.turn.done():  # or its caller went away
                     job.turn.set_result(None)
-            elif job.result.done():  # its caller went away
-                self._release(job)
-            else:
+            elif not job.result.done():  # or its caller went away
                 groups.setdefault(job.key, deque()).append(job)
         for group in groups.values():
             while group:
@@ -299,6 +297,8 @@ class WorkQueue(Generic[P, R]):
             _resolve(job, _too_late())
 
     def _release(self, job: Job[P, R]) -> None:
+        if job.quick:
+            return
         self._holdings.remove(job.owner, job.cost)
         if job.timer is not None:
             job.timer.cancel()

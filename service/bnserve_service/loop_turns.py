@@ -41,40 +41,40 @@ class LoopTurns(Generic[J]):
     """Collects what is to be done on the event loop and says what is done in this turn."""
 
     def __init__(self) -> None:
+        self._alone: list[J] = []
+        """While one owner asks: what came in this turn."""
         self._lines: OrderedDict[str, deque[J]] = OrderedDict()
-        """By owner, in the order in which they take turns."""
+        """While several do: by owner, in the order in which they take turns."""
         self._last_owner: str | None = None
         self._shared_until = 0.0
+        """0 while one owner asks."""
 
     def is_shared(self, owner: str) -> bool:
         """Note that this owner asks; whether others did a short time ago."""
-        now = time.monotonic()
         if owner != self._last_owner:
             if self._last_owner is not None:
-                self._shared_until = now + SHARED_SECONDS
+                self._shared_until = time.monotonic() + SHARED_SECONDS
+                for job in self._alone:
+                    self._lines.setdefault(job.owner, deque()).append(job)
+                self._alone = []
             self._last_owner = owner
-        return now < self._shared_until
+        return self._shared_until > 0.0
 
     def add(self, job: J) -> bool:
         """Keep something to do; true when it is the first, so that a turn has to be called."""
-        if job.owner != self._last_owner:
-            self.is_shared(job.owner)
+        if (self._shared_until == 0.0 and job.owner == self._last_owner) or not self.is_shared(job.owner):
+            self._alone.append(job)
+            return len(self._alone) == 1
         is_first = not self._lines
-        line = self._lines.get(job.owner)
-        if line is None:
-            self._lines[job.owner] = deque((job,))
-        else:
-            line.append(job)
+        self._lines.setdefault(job.owner, deque()).append(job)
         return is_first
 
     def take(self) -> tuple[list[J], bool]:
         """What is done in this turn, and whether another has to follow. While the loop is shared, owners take turns."""
-        jobs: list[J] = []
-        if time.monotonic() >= self._shared_until:
-            for line in self._lines.values():
-                jobs += line
-            self._lines.clear()
+        if self._shared_until == 0.0:
+            jobs, self._alone = self._alone, []
             return jobs, False
+        jobs = []
         while self._lines and len(jobs) < PER_TURN:
             owner, line = next(iter(self._lines.items()))
             jobs.append(line.popleft())
@@ -82,4 +82,6 @@ class LoopTurns(Generic[J]):
                 self._lines.move_to_end(owner)
             else:
                 del self._lines[owner]
+        if not self._lines and time.monotonic() >= self._shared_until:
+            self._shared_until = 0.0
         return jobs, bool(self._lines)
