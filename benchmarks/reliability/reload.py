@@ -61,12 +61,12 @@ def _reload(
 ) -> int:
     """Publish some versions, each when the last one is served; note what each answers."""
     for _ in range(count):
+        if under_way.done():
+            return number
         number += 1
         versions.publish(f"0.0.{number}", shipped=("default", "fast")[number % 2])
         while not (answer := _answer_of(server, f"0.0.{number}")) or _answer_of(server, None) != answer:
             time.sleep(0.02)
-            if under_way.done():
-                return number
         expected.add(answer)
         versions.remove(f"0.0.{number - 1}")
     return number
