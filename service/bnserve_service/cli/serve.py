@@ -51,7 +51,12 @@ def run(options: argparse.Namespace) -> int:
 
     keep_freed_memory()
     forget_what_is_imported()
-    serve(settings, announce=_announce)
+
+    def announce(line: str) -> None:
+        forget_what_is_imported()  # again: until it is ready, it imports and loads, and all of that stays
+        _announce(line)
+
+    serve(settings, announce=announce)
     return 0
 
 

@@ -73,7 +73,7 @@ class QuickLane:
                 return False
             self._submit(context, question, finish)
         except ShareExceeded as error:
-            told = error  # the name is gone when this block ends
+            told = error.with_traceback(None)  # which knows this call, which knows the error: a ring of garbage
             self._service.refuse(context.owner, lambda: self._finish(context, told, finish))
         except Exception:  # the other way finds it again, and says what is wrong
             return False
