@@ -11,9 +11,9 @@ import time
 from collections import OrderedDict, deque
 from typing import Generic, Protocol, TypeVar
 
-PER_TURN = 2
-"""Things begun in one turn while several owners ask. Then nobody waits longer for the loop than these take, however
-many connections another has; done all together they are up to twice as cheap."""
+PER_TURN = 1
+"""Things begun in one turn while several owners ask. Then nobody waits longer for the loop than one of each owner
+takes, however many connections they have; done all together they are cheaper."""
 SHARED_SECONDS = 5.0
 """So long after two owners asked by turns, the loop counts as shared."""
 
