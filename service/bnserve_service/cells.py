@@ -86,7 +86,7 @@ def name_of(parts: Sequence[str]) -> str:
 
 def _open(shared: Path, name: str, size: int) -> int:
     number = os.open(shared / f"cells-{name}", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-    os.ftruncate(number, size)  # zeros, or what is there already
+    os.posix_fallocate(number, 0, size)  # zeros, or what is there already; a full folder is an error here, not later
     return number
 
 
