@@ -13,7 +13,7 @@ from bnserve_client._messages import HttpResponse
 
 
 def _body_as_it_came(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
-    return response.body
+    return response.body if 200 <= response.status < 300 else _answers.trusted_body(response, where, asked)
 
 
 def _whole_body(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:

@@ -6,12 +6,14 @@ import hashlib
 import http.client
 import importlib.util
 import multiprocessing
+import os
 import re
 import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from random import Random
 
@@ -51,7 +53,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         for name in _PATHS:  # warm-up
             _send(server.address, name, _bodies(TARGETS[name], min(count, 600) // len(_PATHS), first=10**9))
         before = _start_over(server)
-        with _fork.Pool(3) as pool:
+        with _fork.Pool(len(_PATHS), initializer=os.setsid) as pool:  # scheduled as different callers are
             tasks = [(name, server.address, count // len(_PATHS)) for name in _PATHS]
             for name, seen, took in pool.imap_unordered(_measure, tasks):
                 statuses += seen
@@ -148,13 +150,21 @@ def _atheris(seconds: int, log: Log) -> tuple[int, int]:
     if importlib.util.find_spec("atheris") is None:
         log("atheris is not there for this Python: not run")
         return 0, 0
-    runs, broken = 0, 0
-    with tempfile.TemporaryDirectory() as folder:
-        for name in TARGETS:
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(4) as threads:
+
+        def fuzz(name: str) -> tuple[int, bool]:
             command = [sys.executable, "-m", "benchmarks.reliability.fuzzing", name, "--seconds", str(seconds)]
-            done = subprocess.run([*command, "--found", folder], cwd=ROOT, capture_output=True, text=True, check=False)
+            done = subprocess.run(
+                [*command, "--found", folder],
+                cwd=ROOT,
+                capture_output=True,
+                text=True,
+                check=False,
+                start_new_session=True,
+            )
             tried = re.search(r"stat::number_of_executed_units: (\d+)", done.stdout + done.stderr)
-            runs += int(tried[1]) if tried else 0
-            broken += done.returncode != 0
             log(f"atheris, {name}: {tried[1] if tried else done.stderr[-800:]} inputs, exit status {done.returncode}")
-    return runs, broken
+            return int(tried[1]) if tried else 0, done.returncode != 0
+
+        ended = list(threads.map(fuzz, TARGETS))
+    return sum(runs for runs, _ in ended), sum(broken for _, broken in ended)

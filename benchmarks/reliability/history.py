@@ -31,6 +31,8 @@ PLANTS = {
 }
 
 _OFTEN = 0.04
+_OFTEN_PLANTED = 0.4
+"""So that the fault that is looked for is met in seconds."""
 _REPLICAS = 3
 _VERSIONS = 8
 """Published at most: replicas that start verify all of them first."""
@@ -45,7 +47,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         store.publish("1.0.0")
         arguments = ("--store", str(store.folder), "--model", NAME)
         servers = stack.enter_context(replicas(Path(folder), _REPLICAS, *arguments))
-        weather = [Weather([], _OFTEN, seed) for seed in range(_REPLICAS)]
+        weather = [Weather([], _OFTEN_PLANTED if plant else _OFTEN, seed) for seed in range(_REPLICAS)]
         proxies = [
             stack.enter_context(FaultyProxy(server.address, each))
             for server, each in zip(servers, weather, strict=True)

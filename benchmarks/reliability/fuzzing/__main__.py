@@ -7,6 +7,7 @@ whose name is printed, and the exit status is 77 (a slow or large input: 70, 71)
 from __future__ import annotations
 
 import argparse
+import resource
 import sys
 import tempfile
 from functools import partial
@@ -54,9 +55,8 @@ def mutate(target: Target, data: bytes, max_size: int, seed: int) -> bytes:
 
 
 def resident() -> int:
-    """Memory of this process, MiB."""
-    status = Path("/proc/self/status").read_text()
-    return int(status.partition("VmRSS:")[2].split()[0]) // 1024
+    """The most memory of this process, or of the one that started it (the system does not tell them apart), MiB."""
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss // 1024
 
 
 if __name__ == "__main__":
