@@ -109,7 +109,7 @@ class Callers:
     """
 
     def __init__(self, addresses: Sequence[str | list[str]], task: Task) -> None:
-        _local(task.name, "stable" if task.store is None else None, task.store)  # loaded once, before the forks
+        _local(task.name, "stable", task.store)  # once, before the forks
         self.log = Log()
         self._stop = _fork.Event()
         self._pipes: list[Connection] = []
@@ -146,9 +146,7 @@ class Callers:
 
 
 @cache
-def _local(name: str, version: str | None, store: Path | None) -> LocalModel | None:
-    if version is None:
-        return None
+def _local(name: str, version: str, store: Path | None) -> LocalModel:
     model = LocalModel.load(name, version=version, store=store)
     model.warm_up()
     return model
@@ -207,8 +205,7 @@ def _ask(question: Question, model: Model, task: Task, log: Log) -> None:
         log.failures[type(error).__name__] += 1
         return
     log.seconds.append(time.perf_counter() - started)
-    local = _local(task.name, "stable" if task.store is None else model.description.version, task.store)
-    assert local is not None, "a version has a model"
+    local = _local(task.name, model.description.version, task.store)
     right = found == question.ask(local)
     log.right += right
     log.wrong += not right
