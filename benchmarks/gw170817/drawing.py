@@ -7,7 +7,9 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter
 
 from benchmarks.figures.style import BLUE, GREEN, GREY, ORANGE, figure, talk
 from benchmarks.gw170817.marginals import Shown, physical
@@ -39,9 +41,8 @@ def draw_corner(posteriors: Mapping[str, Shown], truth: LikelihoodParameters | N
                 axis.set_xlabel(across if row == len(names) - 1 else "", fontsize=12)
                 axis.set_ylabel(below if column == 0 and row else "", fontsize=12)
                 axis.tick_params(labelsize=8, labelbottom=row == len(names) - 1, labelleft=column == 0 and row > 0)
-        for number, (name, (colour, line)) in enumerate(zip(posteriors, _STYLES, strict=False)):
-            axes[0, 2].plot([0.0, 0.2], [-number, -number], color=colour, ls=line, lw=2.5)
-            axes[0, 2].text(0.25, -number, name.replace("_", " "), va="center", fontsize=16)
+        lines = [Line2D([], [], color=colour, ls=line, lw=2.5) for colour, line in _STYLES[: len(posteriors)]]
+        page.legend(lines, [name.replace("_", " ") for name in posteriors], loc="upper right", fontsize=20)
         page.savefig(path, dpi=80)
 
 
@@ -62,6 +63,7 @@ def _draw(
         axis.set_yticks([])
         return
     counts, xs, ys = np.histogram2d(x, y, bins=_BINS, range=(ends[across], ends[below]), weights=shown.weights)
+    counts = gaussian_filter(counts, 1.0)
     order = np.sort(counts.ravel())[::-1]
     held = np.cumsum(order) / order.sum()
     levels = sorted({float(order[np.searchsorted(held, part)]) for part in (0.9, 0.5)})
