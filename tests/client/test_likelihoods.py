@@ -159,7 +159,8 @@ def test_nor_does_it_help_to_split_the_batch(server, likelihood):
     before = len(server.service.requests)
     with pytest.raises(TooLarge, match="analysis"):
         likelihood.log_likelihood(samples(64))
-    assert len(server.service.requests) == before + 2
+    asked = [method for method, *_ in server.service.requests[before:]]
+    assert asked.count("POST") == 1  # what is refused is the upload, however often it is tried
 
 
 def test_an_analysis_for_another_model_is_refused_before_anything_is_sent(server, connect):
