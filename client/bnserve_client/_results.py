@@ -51,9 +51,7 @@ def _check(arrays: Arrays, name: str, kind: np.dtype[Any], shape: tuple[int, ...
 def own(arrays: Arrays) -> Arrays:
     """All arrays that belong to a result, writable; copies of those that are not."""
     known = {"h", "plus", "cross", "amplitude", "phase", *_OF_A_ROW}
-    return {
-        name: array if array.flags.writeable else _copy(array) for name, array in arrays.items() if name in known
-    }
+    return {name: array if array.flags.writeable else _copy(array) for name, array in arrays.items() if name in known}
 
 
 def _copy(array: NDArray[Any]) -> NDArray[Any]:
