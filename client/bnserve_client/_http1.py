@@ -102,7 +102,9 @@ class _Inbox:
 
     def until(self, mark: bytes, limit: int) -> Generator[memoryview, int, bytes]:
         """What comes before ``mark``, which is consumed."""
-        while (end := self.pending.find(mark)) < 0:
+        searched = 0
+        while (end := self.pending.find(mark, searched)) < 0:
+            searched = max(0, len(self.pending) - len(mark) + 1)
             if len(self.pending) > limit:
                 raise Malformed("its head does not end")
             if not (yield from self.more()):
