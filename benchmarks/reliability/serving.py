@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
@@ -48,8 +49,9 @@ class Server:
         found, known = [], [self.pid]
         while known:
             found.append(known.pop())
-            for task in Path(f"/proc/{found[-1]}/task").iterdir():
-                known += [int(child) for child in (task / "children").read_text().split()]
+            with contextlib.suppress(FileNotFoundError, ProcessLookupError):  # it has just ended
+                for task in Path(f"/proc/{found[-1]}/task").iterdir():
+                    known += [int(child) for child in (task / "children").read_text().split()]
         return found
 
     def rss(self) -> int:

@@ -1,5 +1,6 @@
 """What only a remote model can meet, against the real server."""
 
+import contextlib
 import socket
 import threading
 
@@ -31,14 +32,16 @@ def test_a_port_that_speaks_another_protocol_is_said_to_be_no_bnserve():
     with socket.create_server(("127.0.0.1", 0)) as listener:
 
         def greet():
-            for _ in range(3):
-                connection, _ = listener.accept()
-                with connection:
-                    connection.sendall(b"220 mail.example.org ESMTP\r\n")
-                    connection.recv(65536)
+            with contextlib.suppress(OSError):  # it has been shut down
+                while True:
+                    connection, _ = listener.accept()
+                    with connection:
+                        connection.sendall(b"220 mail.example.org ESMTP\r\n")
+                        connection.recv(65536)
 
         thread = threading.Thread(target=greet)
         thread.start()
         with pytest.raises(NotBnserve, match="is not bnserve"):
             Model.connect(f"http://127.0.0.1:{listener.getsockname()[1]}")
+        listener.shutdown(socket.SHUT_RDWR)
         thread.join()

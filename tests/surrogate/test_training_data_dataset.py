@@ -296,7 +296,7 @@ def test_a_full_disk_is_a_clear_error_and_finished_chunks_are_kept(tmp_path):
 
     spec = specification(toy_generator(special=special))
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (50_000, hard))
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, hard))
     try:
         with pytest.raises(DatasetUnwritable, match="free some space and start the same command again"):
             sequential(spec, 20, tmp_path, max_failed_fraction=1.0)
