@@ -6,12 +6,13 @@ import fcntl
 import mmap
 import os
 import sys
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._messages import HttpResponse, Send
-from bnserve_protocol import ANSWER_IN_MEMORY, ANSWER_MEMORY, BODY_AT, MemoryName
+from bnserve_protocol import ANSWER_IN_MEMORY, ANSWER_MEMORY, BODY_AT, Lease, MemoryName
 
 _WORTH_IT = 2**20
 """Answers that may be larger than this."""
@@ -52,18 +53,6 @@ class Block:
         os.close(self._descriptor)
 
 
-class _Lease:
-    """What the arrays of an answer refer to; when the last of them is gone, the block is free."""
-
-    def __init__(self, block: Block, free: list[Block]) -> None:
-        self.__array_interface__ = block.bytes.__array_interface__
-        self._block = block
-        self._free = free
-
-    def __del__(self) -> None:
-        keep(self._free, self._block)
-
-
 def keep(free: list[Block], block: Block) -> None:
     """Let a block wait for its next answer, unless enough wait already."""
     if sum(other.size for other in list(free)) + block.size <= _MOST_KEPT:
@@ -102,7 +91,7 @@ class AnswerMemory:
         if not (length.isascii() and length.isdigit() and int(length) <= block.size - BODY_AT):
             keep(self._free, block)
             return response
-        whole = np.asarray(_Lease(block, self._free))
+        whole = np.asarray(Lease(block.bytes, partial(keep, self._free, block)))
         return HttpResponse(response.status, response.headers, whole[BODY_AT : BODY_AT + int(length)].data)
 
     def let_go(self) -> None:

@@ -93,7 +93,7 @@ from bnserve_protocol._likelihood_parameters import (
 from bnserve_protocol._likelihood_rows import refuse_rows
 from bnserve_protocol._limits import Limits
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
-from bnserve_protocol._memory import ResultMemory, result_memory
+from bnserve_protocol._memory import Lease, ResultMemory, address_of, result_memory
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
     DEFAULT_OPTIONS,
@@ -129,7 +129,6 @@ from bnserve_protocol._requests import (
     decode_request,
     encode_request,
 )
-from bnserve_protocol._small_answers import address_of
 from bnserve_protocol._version import __version__
 
 __all__ = [
@@ -183,6 +182,7 @@ __all__ = [
     "InvalidFrequencies",
     "InvalidParameters",
     "InvalidRequest",
+    "Lease",
     "Likelihood",
     "LikelihoodAnswer",
     "LikelihoodBatch",

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._arrays import array_header, decode_array, encode_array
 from bnserve_protocol._errors import UndecodableBody
-from bnserve_protocol._small_answers import Forms, address_of
+from bnserve_protocol._memory import address_of
+from bnserve_protocol._small_answers import Forms
 
 ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
 """The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and

@@ -11,6 +11,7 @@ import math
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -25,16 +26,24 @@ _LARGEST_WASTE = 1.25
 """A block is used again for something up to this much smaller."""
 
 
-class _Lease:
-    """What the arrays in a block refer to; when the last of them is gone, the block is free."""
+class Lease:
+    """What the arrays in a block refer to; when the last of them is gone, the block is free.
 
-    def __init__(self, block: NDArray[np.uint8], give_back: Callable[[NDArray[np.uint8]], None]) -> None:
+    Parameters
+    ----------
+    block:
+        The memory; ``np.asarray(lease)`` is the array over it.
+    give_back:
+        Called when nobody looks at it any more.
+    """
+
+    def __init__(self, block: NDArray[np.uint8], give_back: Callable[[], None]) -> None:
         self.__array_interface__ = {**block.__array_interface__, "strides": None}
         self._block = block
         self._give_back = give_back
 
     def __del__(self) -> None:
-        self._give_back(self._block)
+        self._give_back()
 
 
 class _Places(threading.local):
@@ -66,7 +75,8 @@ class ResultMemory:
             return there
         if size > _MOST_KEPT:
             return np.empty(shape, dtype)
-        lease = _Lease(self._take(size), self._give_back)
+        block = self._take(size)
+        lease = Lease(block, partial(self._give_back, block))
         array: NDArray[Any] = np.asarray(lease)[:size].view(dtype).reshape(shape)
         return array
 
@@ -93,3 +103,9 @@ class ResultMemory:
 
 result_memory = ResultMemory()
 """That of this process: like the allocator's, it belongs to nobody in particular."""
+
+
+def address_of(array: NDArray[Any]) -> int:
+    """Where an array's memory begins."""
+    address: int = array.__array_interface__["data"][0]
+    return address

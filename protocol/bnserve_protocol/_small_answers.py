@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._memory import address_of
+
 _MOST_FORMS = 128
 
 
@@ -78,9 +80,3 @@ class Forms:
         if len(self._known) >= _MOST_FORMS:
             self._known.clear()
         self._known[len(body)] = Form(body, arrays, meaning)
-
-
-def address_of(array: NDArray[Any]) -> int:
-    """Where an array's memory begins."""
-    address: int = array.__array_interface__["data"][0]
-    return address

@@ -21,11 +21,12 @@ from bnserve_protocol import (
     ParameterDescription,
     ParametersWithExtrinsic,
     Polarizations,
+    address_of,
     result_memory,
 )
 from bnserve_surrogate._domain import refuse_rows
 from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
-from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, address_of, evaluate
+from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, evaluate
 
 _ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
 _KINDS = {"complex128": Output.POLARIZATIONS, "complex64": Output.POLARIZATIONS_SINGLE}

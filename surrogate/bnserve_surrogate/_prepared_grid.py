@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import GridLike, UniformGrid, as_frequencies
+from bnserve_protocol import GridLike, UniformGrid, address_of, as_frequencies
 
 _PADDING = 8
 _MOST_BINS = 2**16
@@ -54,7 +54,7 @@ class PreparedGrid:
         table = table.astype(np.int64)
         table[-1] = points
         powers.flags.writeable = table.flags.writeable = False
-        addresses = [array.__array_interface__["data"][0] for array in (powers, table)]
+        addresses = [address_of(array) for array in (powers, table)]
         return cls(
             powers[0, :points], powers, table, frequencies, (points, addresses[0], powers.shape[1], bins, addresses[1])
         )

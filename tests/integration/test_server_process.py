@@ -5,14 +5,14 @@ import json
 import random
 import signal
 import socket
-import threading
-import time
 
 import pytest
 
 from bnserve_store import ModelStore
 from tests.integration.conftest import bnserve, serving
-from tests.service.asking import GW170817, JSON, ask, ask_on, closing_connection, evaluate_json, question
+from tests.integration.draining import stopped_under_load
+from tests.integration.workers import until
+from tests.service.asking import GW170817, ask, ask_on, closing_connection, evaluate_json, question
 
 CURL = question(GW170817, {"f_min": 20, "f_max": 2048, "delta_f": 4})
 
@@ -33,13 +33,6 @@ def publish(store, version, labels=("stable",)):
 
 def served_version(server):
     return ask(server.address, "GET", "/v1/models/mine").document["version"]
-
-
-def until(condition, what, seconds=60.0):
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, f"did not happen: {what}"
-        time.sleep(0.05)
 
 
 def test_what_curl_would_send(bnserve_server):
@@ -90,30 +83,8 @@ def test_a_damaged_version_never_dislodges_a_good_one(tmp_path, store, damage):
 
 def test_sigterm_drains_and_loses_nothing(tmp_path):
     with serving(tmp_path / "log") as server:
-        answers, failures = [], []
-
-        def keep_asking():
-            with closing_connection(server.address) as connection:
-                while True:
-                    try:
-                        answer = ask_on(
-                            connection, "POST", "/v1/models/default/waveforms", json.dumps(CURL), content_type=JSON
-                        )
-                    except (OSError, http.client.HTTPException) as error:
-                        failures.append(repr(error))
-                        return
-                    answers.append(answer.status)
-                    if answer.headers.get("connection") == "close":
-                        return
-
-        callers = [threading.Thread(target=keep_asking) for _ in range(8)]
-        for caller in callers:
-            caller.start()
-        until(lambda: len(answers) > 50, "the server is busy")
-        server.process.send_signal(signal.SIGTERM)
-        for caller in callers:
-            caller.join()
-        assert server.process.wait(60) == 0
+        status, answers, failures = stopped_under_load(server, CURL)
+        assert status == 0
         assert failures == []
         assert set(answers) == {200}
 

@@ -1,7 +1,6 @@
 """A server of several processes: none of them is missed, whichever dies, hangs or is told to go."""
 
 import hashlib
-import http.client
 import json
 import os
 import signal
@@ -18,6 +17,7 @@ from bnserve_protocol import encode_analysis
 from bnserve_store import ModelStore
 from tests.architecture.rooms import run_python
 from tests.integration.conftest import COMMAND, bnserve
+from tests.integration.draining import stopped_under_load
 from tests.integration.workers import children, exists, own_memory, serving_with, until
 from tests.running_server import running
 from tests.service.asking import (
@@ -267,30 +267,8 @@ def test_sigterm_drains_all_of_them_and_loses_nothing(tmp_path):
     with serving_with(tmp_path / "log", 2) as workers:
         shared = workers.shared
         assert shared.stat().st_mode & 0o777 == 0o700
-        answers, failures = [], []
-
-        def keep_asking():
-            with closing_connection(workers.address) as connection:
-                while True:
-                    try:
-                        answer = ask_on(
-                            connection, "POST", "/v1/models/default/waveforms", json.dumps(CURL), content_type=JSON
-                        )
-                    except (OSError, http.client.HTTPException) as error:
-                        failures.append(repr(error))
-                        return
-                    answers.append(answer.status)
-                    if answer.headers.get("connection") == "close":
-                        return
-
-        callers = [threading.Thread(target=keep_asking) for _ in range(8)]
-        for caller in callers:
-            caller.start()
-        until(lambda: len(answers) > 50, "the server is busy")
-        workers.server.process.send_signal(signal.SIGTERM)
-        for caller in callers:
-            caller.join()
-        assert workers.server.process.wait(60) == 0
+        status, answers, failures = stopped_under_load(workers.server, CURL)
+        assert status == 0
         assert failures == []
         assert set(answers) == {200}
         assert not shared.exists()

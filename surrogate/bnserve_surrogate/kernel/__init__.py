@@ -1,7 +1,7 @@
 """The compiled evaluation of a surrogate."""
 
 from bnserve_surrogate.kernel._arguments import OTHER_GRID, Output, Policy
-from bnserve_surrogate.kernel._evaluate import Outputs, address_of, evaluate
+from bnserve_surrogate.kernel._evaluate import Outputs, evaluate
 from bnserve_surrogate.kernel._layout import ACTIVATIONS, MAX_DEGREE, MAX_WIDTH, KernelModel, build_kernel_model
 from bnserve_surrogate.kernel._loader import kernel_bytes, load_assembly, load_kernel
 
@@ -14,7 +14,6 @@ __all__ = [
     "Output",
     "Outputs",
     "Policy",
-    "address_of",
     "build_kernel_model",
     "evaluate",
     "kernel_bytes",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import ctypes
 import threading
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bnserve_protocol import address_of
 from bnserve_surrogate._prepared_grid import PreparedGrid
 from bnserve_surrogate.kernel._arguments import Argument
 from bnserve_surrogate.kernel._layout import KernelModel
@@ -82,9 +82,3 @@ def evaluate(
     if load_kernel()(*workspace.addresses) != 0:
         raise RuntimeError("The kernel stopped with an error.")
     return workspace.slots[0]
-
-
-def address_of(array: NDArray[Any]) -> int:
-    """Where an array's memory begins."""
-    address: int = array.__array_interface__["data"][0]
-    return address
