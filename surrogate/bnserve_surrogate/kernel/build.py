@@ -79,11 +79,7 @@ _APART = r"bnserve_surrogate6kernel\d+_(points|source|regression|row|series|plac
 def _internal(definition: re.Match[str]) -> str:
     """The kernel's functions stay apart: machine code for one large function takes much longer to make."""
     head, rest = definition.groups()
-    apart = (
-        "noinline "
-        if re.search(r"bnserve_surrogate6kernel\d+_(points|source|regression|row|series|places|writing)\d", head)
-        else ""
-    )
+    apart = "noinline " if re.search(_APART, head) else ""
     return f"define internal {head} {rest}{apart}{{"
 
 
