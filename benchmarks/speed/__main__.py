@@ -69,7 +69,7 @@ def _lines(setup: Setup, figures: dict[str, dict[str, Any]]) -> list[str]:
 def measure(setup: Setup) -> dict[str, dict[str, Any]]:
     """All figures by the key of their row; those that could not be measured are left out, and noted."""
     few = 3 if setup.epochs <= 5 else 7
-    cores = two_cores(setup, few)
+    cores = two_cores(setup, 7 * few)
     os.sched_setaffinity(0, setup.cpus)
     try:
         figures = {"first_waveform": first_waveform(setup, few), "memory": worker_memory(setup)}

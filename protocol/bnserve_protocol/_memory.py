@@ -80,6 +80,10 @@ class ResultMemory:
         array: NDArray[Any] = np.asarray(lease)[:size].view(dtype).reshape(shape)
         return array
 
+    def give_back(self) -> None:
+        """Keep no block that nobody uses at this moment."""
+        self._free.clear()
+
     @contextmanager
     def placed(self, memory: NDArray[np.uint8]) -> Iterator[None]:
         """The next large result of this thread is put into ``memory``, if it has just that size."""

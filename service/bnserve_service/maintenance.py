@@ -1,4 +1,4 @@
-"""What goes on in the background: following the stores, checking the models."""
+"""What goes on in the background: following the stores, checking the models, giving memory back."""
 
 from __future__ import annotations
 
@@ -6,12 +6,16 @@ import asyncio
 import logging
 from concurrent.futures import ThreadPoolExecutor
 
+from bnserve_service.allocator import give_back_freed_memory
 from bnserve_service.health import Health
 from bnserve_service.loading import Loader, RefreshReport
 from bnserve_service.metrics import Metrics
 from bnserve_service.registry import Registry
 
 logger = logging.getLogger("bnserve.models")
+
+_MEMORY_SECONDS = 30.0
+"""How often memory is given back: its pages cost a few milliseconds when they are used again."""
 
 
 class Maintenance:
@@ -55,7 +59,8 @@ class Maintenance:
     def start(self) -> None:
         """Begin loading."""
         loop = asyncio.get_running_loop()
-        self._tasks = [loop.create_task(self._follow_stores()), loop.create_task(self._check_models())]
+        work = (self._follow_stores, self._check_models, self._give_memory_back)
+        self._tasks = [loop.create_task(each()) for each in work]
 
     async def first_look(self) -> RefreshReport:
         """Wait until the stores have been read once; the report says what came of it."""
@@ -104,6 +109,12 @@ class Maintenance:
         while True:
             await loop.run_in_executor(self._threads, self._health.check_models)
             await asyncio.sleep(self._check_seconds)
+
+    async def _give_memory_back(self) -> None:
+        loop = asyncio.get_running_loop()
+        while True:
+            await asyncio.sleep(_MEMORY_SECONDS)
+            await loop.run_in_executor(self._threads, give_back_freed_memory)
 
     def _tell(self, report: RefreshReport) -> None:
         for identity in report.loaded:

@@ -52,6 +52,21 @@ def test_a_block_is_not_wasted_on_something_much_smaller():
     assert len(small) == 2**16
 
 
+def test_what_is_kept_can_be_given_back_while_results_live_on():
+    memory = ResultMemory()
+    alive, gone = memory.empty(LARGE, complex), memory.empty(LARGE, complex)
+    alive[...] = 7.0
+    del gone
+    gc.collect()
+    assert memory.kept > 0
+    memory.give_back()
+    assert memory.kept == 0
+    assert (alive == 7.0).all()
+    del alive
+    gc.collect()
+    assert memory.kept > 0
+
+
 def test_what_is_kept_is_bounded():
     memory = ResultMemory()
     arrays = [memory.empty((2**24,), "u1") for _ in range(12)]
