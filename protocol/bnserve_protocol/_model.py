@@ -17,6 +17,7 @@ from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
 
 ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
 DtypeName: TypeAlias = Literal["complex128", "complex64"]
+_DTYPES = get_args(DtypeName)
 
 
 def check_dtype(dtype: str) -> None:
@@ -26,8 +27,8 @@ def check_dtype(dtype: str) -> None:
     ------
     InvalidRequest
     """
-    if dtype not in get_args(DtypeName):
-        raise InvalidRequest(f"dtype must be one of {', '.join(get_args(DtypeName))}; got {str(dtype)[:40]!r}.")
+    if dtype not in _DTYPES:
+        raise InvalidRequest(f"dtype must be one of {', '.join(_DTYPES)}; got {str(dtype)[:40]!r}.")
 
 
 class RowStatus(enum.IntEnum):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections import OrderedDict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -100,8 +100,14 @@ class GridCache:
             return None, None
         key = self._key(grid)
         known = self._grids.get(key)
-        if known is None or not (_is_source(known, grid) or np.array_equal(known.frequencies, grid)):
+        if known is None or _is_source(known, grid):
+            return key, known
+        if not np.array_equal(known.frequencies, grid):
             return key, None
+        if _is_unchangeable(grid):  # by which it is known again without comparing, if it comes again
+            known = replace(known, source=grid)
+            with self._lock:
+                self._grids[key] = known
         return key, known
 
     @staticmethod
@@ -112,4 +118,8 @@ class GridCache:
 
 def _is_source(known: PreparedGrid, grid: NDArray[np.float64]) -> bool:
     """Whether a grid is the very array that was prepared, over bytes that nothing can change."""
-    return known.source is grid and isinstance(grid.base, bytes)
+    return known.source is grid and _is_unchangeable(grid)
+
+
+def _is_unchangeable(grid: NDArray[np.float64]) -> bool:
+    return isinstance(grid.base, bytes)

@@ -6,7 +6,7 @@ import threading
 import numpy as np
 import pytest
 
-from bnserve_protocol import ResultMemory
+from bnserve_protocol import ResultMemory, address_of
 
 LARGE = (300, 400)
 
@@ -92,3 +92,21 @@ def test_threads_never_share_a_block():
     for thread in threads:
         thread.join()
     assert not failures
+
+
+@pytest.mark.parametrize(
+    "array",
+    [
+        np.empty(3),
+        np.empty((3, 4), complex),
+        np.empty(0),
+        np.zeros(8)[::2],
+        np.empty((3, 4))[:, :2],
+        np.empty((3, 4), order="F"),
+        np.empty((2, 277), np.complex64)[1],
+        np.frombuffer(b"abcdefgh", np.uint8),
+    ],
+    ids=["vector", "matrix", "empty", "gaps", "columns", "fortran", "row", "read-only"],
+)
+def test_the_address_of_any_array(array):
+    assert address_of(array) == array.__array_interface__["data"][0]
