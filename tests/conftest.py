@@ -1,13 +1,20 @@
 """Settings for every test."""
 
+import atexit
 import os
+import shutil
 import signal
+import tempfile
 
 from hypothesis import settings
 
 # As the commands do: with several, sums have other last bits from run to run. numpy reads it when it is imported.
 for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(name, "1")
+
+# Machine code that tests make is kept for the tests after them, and not in anybody's home.
+os.environ["XDG_CACHE_HOME"] = tempfile.mkdtemp(prefix="bnserve-tests-")
+atexit.register(shutil.rmtree, os.environ["XDG_CACHE_HOME"], ignore_errors=True)
 
 # In a background shell interrupts are ignored, and every process started here would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

@@ -30,7 +30,7 @@ BARS = (
     Bar("batch_1000", "batch of 256, per waveform, 1,000 points", 8, 20, "us"),
     Bar("batch_10000", "batch of 256, per waveform, 10,000 points", 35, 80, "us"),
     Bar("two_cores", "two cores against one, batches of 256 x 1,000", 1.9, 1.7, "x"),
-    Bar("first_waveform", "first waveform in a fresh process (import, load, compile)", 0.5, 1.2, "s"),
+    Bar("first_waveform", "first waveform in a fresh process (import, load)", 0.5, 1.2, "s"),
     Bar("memory", "memory of a worker serving `default`", 150, 250, "MB"),
     Bar("http_floor", "HTTP, one waveform, 277 points: round trip over the floor", 2, 4, "of floor"),
     Bar("http_one", "HTTP, one waveform, 277 points, against mlgw_bns local", 4, 2, "x"),

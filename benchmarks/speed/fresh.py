@@ -27,26 +27,35 @@ binary = ParametersWithExtrinsic(mass_ratio=1.2, lambda_1=400.0, lambda_2=600.0,
 Model.default().predict(np.linspace(5.0, 2048.0, 277), binary)
 print(time.monotonic())
 """
-_WHERE = {"bnserve": ("", "bnserve_surrogate"), "mlgw_bns": ("mlgw_bns-0.12.1", "mlgw_bns")}
+_ANEW = "bnserve without kept machine code"
+_WHERE = {
+    "bnserve": ("", "bnserve_surrogate"),
+    _ANEW: ("", "bnserve_surrogate"),
+    "mlgw_bns": ("mlgw_bns-0.12.1", "mlgw_bns"),
+}
 
 
 def first_waveform(setup: Setup, repetitions: int) -> dict[str, Any]:
-    """Seconds from the start of an interpreter to the first waveform: median of processes that take turns."""
+    """Seconds from the start of an interpreter to the first waveform: median of processes that take turns.
+
+    A process before them has left its machine code behind, as for every process but the first that a user starts.
+    """
     pythons = {name: find_python(setup.peers, environment) for name, (environment, _) in _WHERE.items()}
     seconds: dict[str, list[float]] = {name: [] for name, python in pythons.items() if python}
     for repetition in range(repetitions + 1):
         for name, found in seconds.items():
             code = _ASK.format(module=_WHERE[name][1])
-            elapsed = _seconds_until_printed([str(pythons[name]), "-W", "ignore", "-c", code])
-            if repetition > 0:  # the first one reads the files from the disk
+            caches = {"XDG_CACHE_HOME": os.devnull} if name == _ANEW else {}  # nothing can be kept there
+            elapsed = _seconds_until_printed([str(pythons[name]), "-W", "ignore", "-c", code], caches)
+            if repetition > 0:  # the first one reads files from the disk and leaves machine code
                 found.append(elapsed)
     medians = {name: median(found) for name, found in seconds.items()}
     return {"value": medians.pop("bnserve"), "peers": medians}
 
 
-def _seconds_until_printed(command: Sequence[str]) -> float:
+def _seconds_until_printed(command: Sequence[str], also: dict[str, str]) -> float:
     started = time.monotonic()  # the same clock in every process
-    environment = os.environ | ONE_THREAD
+    environment = os.environ | ONE_THREAD | also
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     return float(done.stdout.split()[-1]) - started
 

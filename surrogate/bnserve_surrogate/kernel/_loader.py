@@ -1,4 +1,4 @@
-"""From LLVM assembly to machine code for this processor, without numba."""
+"""From LLVM assembly to machine code for this processor, without numba, and once only."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import llvmlite
 import llvmlite.binding as llvm
+
+from bnserve_surrogate.kernel._code_cache import cached_code
 
 ASSEMBLY = Path(__file__).with_name("kernel.ll")
 DIGEST_PREFIX = "; sources: "
@@ -59,19 +62,28 @@ def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise
     with _lock:
         llvm.initialize_native_target()
         llvm.initialize_native_asmprinter()
-        module = llvm.parse_assembly(assembly.read_text())
-        target = llvm.Target.from_default_triple()
+        text = assembly.read_bytes()
         name, features = processor_at_hand()
-        machine = target.create_target_machine(cpu=name, features=features, opt=3)
-        module.triple = target.triple
-        module.data_layout = str(machine.target_data)
-        module.verify()
-        if vectorise:
-            options = llvm.create_pipeline_tuning_options(speed_level=3)
-            passes = llvm.create_pass_builder(machine, options)
-            passes.getModulePassManager().run(module, passes)
-        engine = llvm.create_mcjit_compiler(module, machine)
+        machine = llvm.Target.from_default_triple().create_target_machine(cpu=name, features=features, opt=3)
+        made_by = (*llvm.llvm_version_info, llvmlite.__version__, machine.triple, name, features, vectorise)
+        code = cached_code(repr(made_by).encode() + text, lambda: _compile(text.decode(), machine, vectorise))
+        engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+        engine.add_object_file(llvm.ObjectFileRef.from_data(code))
         engine.finalize_object()
         _engines.append(engine)
         types = [_POINTER if kind == "p" else _INTEGER for kind in signature.replace(" ", "")]
         return ctypes.CFUNCTYPE(ctypes.c_int32, *types)(engine.get_function_address(entry_point))
+
+
+def _compile(assembly: str, machine: Any, vectorise: bool) -> bytes:
+    """An object file for ``machine``."""
+    module = llvm.parse_assembly(assembly)
+    module.triple = machine.triple
+    module.data_layout = str(machine.target_data)
+    module.verify()
+    if vectorise:
+        options = llvm.create_pipeline_tuning_options(speed_level=3)
+        passes = llvm.create_pass_builder(machine, options)
+        passes.getModulePassManager().run(module, passes)
+    code: bytes = machine.emit_object(module)
+    return code
