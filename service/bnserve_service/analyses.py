@@ -19,7 +19,7 @@ from bnserve_protocol import (
 )
 from bnserve_service.registry import LoadedModel
 from bnserve_service.settings import Settings
-from bnserve_service.shared_files import Shelf, no_room
+from bnserve_service.shared.files import Shelf, no_room
 
 LikelihoodFactory: TypeAlias = Callable[[WaveformModel, Analysis], Likelihood]
 """Makes the likelihood of an analysis with a model; ``bnserve_inference.likelihood`` is one."""

@@ -43,9 +43,9 @@ from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
 from bnserve_service.routes.waveforms import PATHS, FastLane, WaveformEndpoint, waveform_routes
 from bnserve_service.settings import Settings
-from bnserve_service.shared_files import Shelf
-from bnserve_service.shared_metrics import SharedMetrics
-from bnserve_service.shared_models import SharedModels
+from bnserve_service.shared.files import Shelf
+from bnserve_service.shared.metrics import SharedMetrics
+from bnserve_service.shared.models import SharedModels
 from bnserve_service.shares import shares_of
 from bnserve_service.stored_shares import Keeping, Kind, StoredShares
 from bnserve_service.transport.access import AccessMiddleware

@@ -17,7 +17,7 @@ from bnserve_protocol import (
     as_frequencies,
     grid_digest,
 )
-from bnserve_service.shared_files import Shelf, no_room
+from bnserve_service.shared.files import Shelf, no_room
 
 _EVERYBODY = ""
 """Grids belong to nobody: whoever knows the digest knows the grid."""

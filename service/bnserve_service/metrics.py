@@ -22,7 +22,7 @@ from prometheus_client.registry import Collector
 
 from bnserve_protocol import ModelIdentity, RowStatus, __version__
 from bnserve_service.distribution import Distribution
-from bnserve_service.shared_metrics import SharedMetrics
+from bnserve_service.shared.metrics import SharedMetrics
 
 _METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"})
 _SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)

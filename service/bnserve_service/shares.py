@@ -8,8 +8,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from bnserve_protocol import ShareExceeded, Unavailable
-from bnserve_service.cells import Cells, name_of
 from bnserve_service.settings import Token
+from bnserve_service.shared.cells import Cells, name_of
 
 _BALANCE, _CHANGED, _UNDER_WAY = range(3)
 _PER_TOKEN = 3

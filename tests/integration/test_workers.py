@@ -343,6 +343,6 @@ def test_without_any_model_the_reason_is_said(tmp_path):
 
 
 def test_the_supervisor_imports_nothing_heavy():
-    code = "import sys, bnserve_service.supervisor; print(*sys.modules)"
+    code = "import sys, bnserve_service.workers.supervisor; print(*sys.modules)"
     loaded = {name.partition(".")[0] for name in run_python(code).split()}
     assert not loaded & {"asyncio", "bnserve_protocol", "msgspec", "numpy", "prometheus_client", "pydantic", "uvicorn"}

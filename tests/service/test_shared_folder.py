@@ -14,10 +14,10 @@ from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, enco
 from bnserve_service import Settings
 from bnserve_service.analyses import AnalysisStore
 from bnserve_service.grids import GridCache
-from bnserve_service.shared import SharedFolder
-from bnserve_service.shared_files import Shelf
-from bnserve_service.shared_loads import SharedLoads
-from bnserve_service.shared_metrics import SharedMetrics
+from bnserve_service.shared.files import Shelf
+from bnserve_service.shared.folder import SharedFolder
+from bnserve_service.shared.loads import SharedLoads
+from bnserve_service.shared.metrics import SharedMetrics
 from tests.architecture.rooms import room_environment
 from tests.service.injections import name_of, small_analysis
 
@@ -47,7 +47,7 @@ class TestFolder:
         assert list(tmp_path.iterdir()) == []
 
     def test_what_a_dead_server_left_is_removed_and_what_a_living_one_has_stays(self, tmp_path):
-        code = "import sys, pathlib; from bnserve_service.shared import SharedFolder; "
+        code = "import sys, pathlib; from bnserve_service.shared.folder import SharedFolder; "
         code += "print(SharedFolder.create(0, [pathlib.Path(sys.argv[1])]).path)"
         command = [sys.executable, "-c", code, str(tmp_path)]
         dead = subprocess.run(command, capture_output=True, text=True, check=True, env=room_environment()).stdout

@@ -4,7 +4,8 @@ import pytest
 
 from bnserve_service import BackgroundServer, Settings, serve
 from bnserve_service.settings import SettingsInvalid
-from bnserve_service.supervisor_roster import (
+from bnserve_service.workers.channel import Channel, Closed
+from bnserve_service.workers.roster import (
     COPY_SECONDS,
     STABLE_SECONDS,
     START_SECONDS,
@@ -14,7 +15,6 @@ from bnserve_service.supervisor_roster import (
     Worker,
     judge,
 )
-from bnserve_service.worker_channel import Channel, Closed
 
 RULES = Rules(hung_seconds=4.0, stuck_seconds=30.0, drain_seconds=27.5)
 

@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     logging.getLogger("uvicorn").setLevel(logging.WARNING)
     settings = load_settings(options.config, _overrides(options))
     if settings.workers > 1:
-        from bnserve_service.supervisor_start import become_supervisor
+        from bnserve_service.workers.start import become_supervisor
 
         become_supervisor(settings, announce=_announce)
     from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory

@@ -12,7 +12,7 @@ import signal
 import socket
 from collections.abc import Callable, Iterator
 
-from bnserve_service.worker_channel import Channel, Closed, Message
+from bnserve_service.workers.channel import Channel, Closed, Message
 
 
 class Events:

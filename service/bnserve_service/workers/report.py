@@ -1,4 +1,4 @@
-"""What the supervisor tells whoever reads the metrics, in the form of ``shared_metrics``.
+"""What the supervisor tells whoever reads the metrics, in the form of ``shared.metrics``.
 
 Imported by the supervisor, so it imports nothing heavy.
 """
@@ -9,7 +9,7 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from bnserve_service.supervisor_roster import Worker
+from bnserve_service.workers.roster import Worker
 
 REPORT = "supervisor.json"
 REASONS = ("killed", "ended", "hung", "silent", "slow", "stopped", "stuck", "unready")

@@ -9,7 +9,7 @@ from typing import NoReturn
 
 from bnserve_service.listening import address_of, open_listener, open_metrics_listener
 from bnserve_service.settings import Settings
-from bnserve_service.supervisor_template import NO_DESCRIPTOR
+from bnserve_service.workers.template_keeper import NO_DESCRIPTOR
 
 
 def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> NoReturn:
@@ -41,5 +41,5 @@ def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> No
     sys.stderr.flush()
     # Whatever found this package shall find it again; -P, because nothing of the current directory shall count as one.
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
-    command = [sys.executable, "-P", "-m", "bnserve_service.supervisor", *map(str, numbers)]
+    command = [sys.executable, "-P", "-m", "bnserve_service.workers.supervisor", *map(str, numbers)]
     os.execve(sys.executable, command, environment)

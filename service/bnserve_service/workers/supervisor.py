@@ -1,7 +1,7 @@
 """``bnserve serve --workers N``: one process that starts the workers and replaces those that die or hang.
 
 It holds the listening socket and no model, takes no request and imports nothing heavy, so that there is little in it
-that can fail. Workers are copies of a template process that has loaded everything once (``worker_template``); by being
+that can fail. Workers are copies of a template process that has loaded everything once (``template``); by being
 a subreaper, the supervisor is the parent of all of them.
 """
 
@@ -20,11 +20,11 @@ from pathlib import Path
 from typing import Any
 
 from bnserve_service.process_name import name_process
-from bnserve_service.shared import SharedFolder
-from bnserve_service.supervisor_crew import Crew
-from bnserve_service.supervisor_events import Events, ended_children
-from bnserve_service.supervisor_roster import BackOff, Rules, Verdict, Worker, judge
-from bnserve_service.supervisor_template import NO_DESCRIPTOR, Inheritance, Template
+from bnserve_service.shared.folder import SharedFolder
+from bnserve_service.workers.crew import Crew
+from bnserve_service.workers.events import Events, ended_children
+from bnserve_service.workers.roster import BackOff, Rules, Verdict, Worker, judge
+from bnserve_service.workers.template_keeper import NO_DESCRIPTOR, Inheritance, Template
 
 logger = logging.getLogger("bnserve.supervisor")
 
@@ -190,7 +190,7 @@ def become_subreaper() -> None:
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Supervise, as ``supervisor_start`` asks: numbers of the listener, the metrics' listener and the settings."""
+    """Supervise, as ``start`` asks: numbers of the listener, the metrics' listener and the settings."""
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
     name_process("bnserve-superv")
     listener, metrics_listener, settings_file = map(int, arguments)

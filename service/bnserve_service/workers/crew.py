@@ -14,12 +14,12 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from bnserve_service.shared_loads import SharedLoads
-from bnserve_service.supervisor_events import Events, exists
-from bnserve_service.supervisor_report import models_file, write_report
-from bnserve_service.supervisor_roster import BackOff, Worker
-from bnserve_service.supervisor_template import Template
-from bnserve_service.worker_channel import Channel, Message
+from bnserve_service.shared.loads import SharedLoads
+from bnserve_service.workers.channel import Channel, Message
+from bnserve_service.workers.events import Events, exists
+from bnserve_service.workers.report import models_file, write_report
+from bnserve_service.workers.roster import BackOff, Worker
+from bnserve_service.workers.template_keeper import Template
 
 logger = logging.getLogger("bnserve.supervisor")
 

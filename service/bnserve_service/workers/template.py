@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from bnserve_service.process_name import name_process
-from bnserve_service.worker_channel import Channel, Closed
+from bnserve_service.workers.channel import Channel, Closed
 
 ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 """The service has its own worker threads; libraries that start more inside each of them only get in the way, and do
@@ -58,7 +58,7 @@ def main(arguments: Sequence[str]) -> int:
 
 def _serve_template(supervisor: Channel, listener: int, metrics_listener: int, settings_file: int, shared: Path) -> int:
     from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
-    from bnserve_service.worker import Belongings, Models, work
+    from bnserve_service.workers.worker import Belongings, Models, work
 
     keep_freed_memory()
     belongings = Belongings.inherited(listener, metrics_listener, settings_file, shared)

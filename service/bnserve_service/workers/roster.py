@@ -9,7 +9,7 @@ import enum
 from dataclasses import dataclass, field
 from typing import Any
 
-from bnserve_service.worker_channel import Channel
+from bnserve_service.workers.channel import Channel
 
 UNREADY_SECONDS = 3.0
 """A worker may be unready for this long, while others are ready, before it is replaced."""

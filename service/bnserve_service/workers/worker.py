@@ -20,10 +20,10 @@ from bnserve_service.process_name import name_process
 from bnserve_service.registry import Registry
 from bnserve_service.server import BnserveServer, models_missing
 from bnserve_service.settings import Settings
-from bnserve_service.shared import SharedFolder
-from bnserve_service.shared_loads import SharedLoads
-from bnserve_service.worker_acceptor import FairAcceptor
-from bnserve_service.worker_channel import Channel, Closed, Message
+from bnserve_service.shared.folder import SharedFolder
+from bnserve_service.shared.loads import SharedLoads
+from bnserve_service.workers.acceptor import FairAcceptor
+from bnserve_service.workers.channel import Channel, Closed, Message
 
 logger = logging.getLogger("bnserve.worker")
 

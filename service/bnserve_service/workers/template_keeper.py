@@ -12,7 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from bnserve_service.worker_channel import Channel, Message
+from bnserve_service.workers.channel import Channel, Message
 
 NO_DESCRIPTOR = -1
 
@@ -57,7 +57,7 @@ class Template:
                 sys.executable,
                 "-P",
                 "-m",
-                "bnserve_service.worker_template",
+                "bnserve_service.workers.template",
                 *map(str, numbers),
                 str(inheritance.shared),
             ],

@@ -8,7 +8,7 @@ from pathlib import Path
 import msgspec
 
 from bnserve_service.registry import Catalogue
-from bnserve_service.supervisor_report import models_file
+from bnserve_service.workers.report import models_file
 
 
 class _Offer(msgspec.Struct):

@@ -1,0 +1,3 @@
+"""What the processes of one server share: a folder in memory, and the files in it."""
+
+__all__: list[str] = []
