@@ -8,7 +8,9 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import signal
 import subprocess
+import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -28,6 +30,11 @@ ONE_THREAD = dict.fromkeys(
     "1",
 ) | {"XLA_FLAGS": "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1"}
 """Every library computes in one thread, so that a core is a core."""
+
+
+def unwind_on_sigterm() -> None:
+    """Have SIGTERM leave all contexts, as Ctrl-C does: or the servers that a run has started would go on without it."""
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))
 
 
 class WorkerFailed(BnserveError):

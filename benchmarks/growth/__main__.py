@@ -12,6 +12,7 @@ from benchmarks.growth.axes import grow_batch, grow_clients, grow_grid, grow_mod
 from benchmarks.growth.turning import cost_rises, memory_takes_over, saturates
 from benchmarks.page import fill
 from benchmarks.speed.setup import processor_name
+from benchmarks.workers import unwind_on_sigterm
 from bnserve_protocol import BnserveError
 from bnserve_service.bench.report import duration
 
@@ -92,4 +93,5 @@ def _parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
+    unwind_on_sigterm()
     sys.exit(main())

@@ -37,7 +37,7 @@ from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import analyses, setting
 from benchmarks.inference import measuring
 from benchmarks.servers import bnserve_server
-from benchmarks.workers import ROOT, Worker
+from benchmarks.workers import ROOT, Worker, unwind_on_sigterm
 from bnserve_client import Model
 from bnserve_inference import likelihood
 from bnserve_inference.roq import load_basis, load_shipped_basis
@@ -151,4 +151,5 @@ def main() -> None:
 
 
 if __name__ == "__main__":
+    unwind_on_sigterm()
     main()

@@ -18,7 +18,7 @@ from benchmarks.page import fill
 from benchmarks.peers.measuring import QUOTED, Effort, measure, save
 from benchmarks.peers.roster import roster
 from benchmarks.speed.setup import one_cpu, processor_name
-from benchmarks.workers import ROOT
+from benchmarks.workers import ROOT, unwind_on_sigterm
 from bnserve_protocol import BnserveError
 from bnserve_service.bench.report import duration
 
@@ -115,4 +115,5 @@ def _parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
+    unwind_on_sigterm()
     sys.exit(main())

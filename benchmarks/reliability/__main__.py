@@ -13,6 +13,7 @@ from pathlib import Path
 from benchmarks.reliability.outcome import find, names, promise_of
 from benchmarks.reliability.page import PAGE, README, write_pages
 from benchmarks.reliability.record import RESULTS, Clock, record_of, save
+from benchmarks.workers import unwind_on_sigterm
 from bnserve_protocol import BnserveError
 
 
@@ -86,4 +87,5 @@ def _parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
+    unwind_on_sigterm()
     sys.exit(main())

@@ -18,7 +18,7 @@ from benchmarks.page import fill
 from benchmarks.serving.contestants import CONTESTANTS
 from benchmarks.serving.measuring import measure
 from benchmarks.speed.setup import one_cpu, processor_name
-from benchmarks.workers import ROOT
+from benchmarks.workers import ROOT, unwind_on_sigterm
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -93,4 +93,5 @@ def _parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
+    unwind_on_sigterm()
     sys.exit(main())

@@ -24,6 +24,7 @@ from benchmarks.speed.remote import remote_cases, remote_figures
 from benchmarks.speed.serving import serving_figures
 from benchmarks.speed.setup import Setup, one_cpu
 from benchmarks.speed.table import lines_of, verdict
+from benchmarks.workers import unwind_on_sigterm
 from bnserve_protocol import BnserveError
 from bnserve_service.bench.timing import shuffled
 
@@ -111,4 +112,5 @@ def _parser() -> argparse.ArgumentParser:
 
 
 if __name__ == "__main__":
+    unwind_on_sigterm()
     sys.exit(main())
