@@ -21,8 +21,8 @@ from benchmarks.reliability.stores import NAME, Versions
 
 MECHANISM = """Everything that callers can make the server keep is bounded (grids, analyses, answers under way, the
 queue), connections that do nothing are closed, a version that is replaced is dropped with its last request, the
-allocator of a server process has one arena, so that freed memory is used again, and what is free goes back to the system
-every half minute. Nothing is restarted: the process that is measured is the one that serves."""
+allocator of a server process has one arena, so that freed memory is used again, and what is free goes back to the
+system every half minute. Nothing is restarted: the process that is measured is the one that serves."""
 BAR = "slope of the memory <= 1 MB/h after warm-up, open files flat, no 5xx; a planted leak is caught"
 PLANTS = {
     "leak": "the server keeps a quarter of every answer",
