@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,16 +32,17 @@ from bnserve_service.openapi import openapi_document
 from bnserve_service.openapi_likelihoods import with_likelihoods
 from bnserve_service.registry import ModelFactory, ModelSource, Registry
 from bnserve_service.routes.analyses import analysis_router
+from bnserve_service.routes.evaluations import StraightWay, evaluation_routes
 from bnserve_service.routes.explorer import explorer_router
 from bnserve_service.routes.grids import grid_router
 from bnserve_service.routes.health import health_router
 from bnserve_service.routes.likelihoods import PATHS as LIKELIHOOD_PATHS
-from bnserve_service.routes.likelihoods import LikelihoodEndpoint, LikelihoodLane, likelihood_routes
+from bnserve_service.routes.likelihoods import LikelihoodEndpoint
 from bnserve_service.routes.limits import limits_router
 from bnserve_service.routes.manifest import manifest_router
 from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
-from bnserve_service.routes.waveforms import PATHS, FastLane, WaveformEndpoint, waveform_routes
+from bnserve_service.routes.waveforms import PATHS, WaveformEndpoint
 from bnserve_service.settings import Settings
 from bnserve_service.shared.files import Shelf
 from bnserve_service.shared.metrics import SharedMetrics
@@ -99,11 +100,12 @@ class Application(FastAPI):
         self.parts = parts
         self.wait_for_models = wait_for_models
         self.follow = follow
-        endpoint = WaveformEndpoint(parts.waveforms, parts.settings)
-        likelihoods = LikelihoodEndpoint(parts.likelihoods, parts.settings)
-        self._include_routers(endpoint, likelihoods)
+        evaluations = dict.fromkeys(PATHS, WaveformEndpoint(parts.waveforms, parts.settings)) | dict.fromkeys(
+            LIKELIHOOD_PATHS, LikelihoodEndpoint(parts.likelihoods, parts.settings)
+        )
+        self._include_routers(evaluations)
         self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
-        inner: ASGIApp = FastLane(LikelihoodLane(self._serve_by_router, likelihoods), endpoint)
+        inner: ASGIApp = StraightWay(self._serve_by_router, evaluations)
         tokens = parts.settings.tokens
         access = AccessMiddleware(inner, tokens, shares_of(tokens, parts.shared), parts.queue.turn) if tokens else None
         self._front = RequestContextMiddleware(
@@ -120,7 +122,7 @@ class Application(FastAPI):
         scope["app"] = self
         await self._routing(scope, receive, send)
 
-    def _include_routers(self, endpoint: WaveformEndpoint, likelihoods: LikelihoodEndpoint) -> None:
+    def _include_routers(self, evaluations: Mapping[str, ASGIApp]) -> None:
         parts, limits = self.parts, self.parts.settings.limits()
         self.include_router(model_router(parts.registry, limits))
         self.include_router(limits_router(limits))
@@ -132,7 +134,7 @@ class Application(FastAPI):
         self.include_router(explorer_router())
         if parts.settings.metrics_port is None:
             self.include_router(metrics_router(parts.metrics))
-        self.router.routes.extend([*waveform_routes(endpoint), *likelihood_routes(likelihoods)])
+        self.router.routes.extend(evaluation_routes(evaluations))
         described = openapi_document(self, PATHS, bool(parts.settings.tokens))
         document = msgspec.json.encode(with_likelihoods(described, LIKELIHOOD_PATHS))
 

@@ -14,6 +14,8 @@ logger = logging.getLogger("bnserve.health")
 
 STALE_CHECKS = 6.0
 """Missed self checks after which the last good one counts no more."""
+LEAST_STALE_SECONDS = 10.0
+"""However often it is checked: busy machines pause."""
 
 
 class Health:
@@ -43,7 +45,7 @@ class Health:
         self._lifecycle = lifecycle
         self._longest_evaluation = longest_evaluation
         self._stuck_seconds = stuck_seconds
-        self._stale_after = STALE_CHECKS * check_interval
+        self._stale_after = max(STALE_CHECKS * check_interval, LEAST_STALE_SECONDS)
         self._wrong: dict[LoadedModel, str] = {}
         self._checked = time.monotonic()
 

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import re
-
-from starlette.routing import Route
-from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
 from bnserve_protocol import JSON
 from bnserve_service.likelihood_answering import LikelihoodService, pack
@@ -18,8 +15,6 @@ from bnserve_service.transport.context import RequestContext, context_of
 from bnserve_service.transport.negotiation import answer_media_type, request_media_type
 
 PATHS = ("/v1/models/{name}/likelihoods/{sha256}", "/v1/models/{name}/versions/{version}/likelihoods/{sha256}")
-
-_PATH = re.compile(r"/v1/models/(?P<name>[^/]+)(?:/versions/(?P<version>[^/]+))?/likelihoods/(?P<sha256>[^/]+)")
 
 
 class LikelihoodEndpoint:
@@ -60,34 +55,3 @@ class LikelihoodEndpoint:
         body = await read_body(context.headers, receive, limit, settings.body_timeout)
         context.request_digest = await self._service.digest(body)
         return body
-
-
-def likelihood_routes(endpoint: LikelihoodEndpoint) -> list[Route]:
-    """The routes, for the router that knows all paths."""
-    return [Route(path, endpoint, methods=["POST"], name=path) for path in PATHS]
-
-
-class LikelihoodLane:
-    """Hands likelihood requests straight to their endpoint, past the router and its middlewares.
-
-    Parameters
-    ----------
-    app:
-        Where all other requests go.
-    endpoint:
-        Where these go.
-    """
-
-    def __init__(self, app: ASGIApp, endpoint: LikelihoodEndpoint) -> None:
-        self._app = app
-        self._endpoint = endpoint
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Serve one HTTP request."""
-        match = _PATH.fullmatch(scope["path"]) if scope["method"] == "POST" else None
-        if match is None:
-            await self._app(scope, receive, send)
-            return
-        scope["path_params"] = match.groupdict()
-        context_of(scope).route = PATHS[match["version"] is not None]
-        await self._endpoint(scope, receive, send)

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-import re
-from typing import Any
 
-from starlette.routing import Route
-from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
 from bnserve_protocol import ANSWER_IN_MEMORY, JSON
 from bnserve_service.answering import WaveformService
@@ -24,7 +21,6 @@ from bnserve_service.transport.negotiation import answer_digest, answer_media_ty
 PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
 
 _IN_MEMORY = ANSWER_IN_MEMORY.lower().encode()
-_PATH = re.compile(r"/v1/models/(?P<name>[^/]+)(?:/versions/(?P<version>[^/]+))?/waveforms")
 
 
 class WaveformEndpoint:
@@ -92,35 +88,3 @@ def answer_headers(packed: Packed, media_type: str, submitted: float) -> list[tu
         (b"content-digest", packed.digest),
         (b"server-timing", timing.encode()),
     ]
-
-
-def waveform_routes(endpoint: WaveformEndpoint) -> list[Route]:
-    """The routes, for the router that knows all paths."""
-    return [Route(path, endpoint, methods=["POST"], name=path) for path in PATHS]
-
-
-class FastLane:
-    """Hands waveform requests straight to their endpoint, past the router and its middlewares (100 us each).
-
-    Parameters
-    ----------
-    app:
-        Where all other requests go.
-    endpoint:
-        Where these go.
-    """
-
-    def __init__(self, app: ASGIApp, endpoint: WaveformEndpoint) -> None:
-        self._app = app
-        self._endpoint = endpoint
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Serve one HTTP request."""
-        match = _PATH.fullmatch(scope["path"]) if scope["method"] == "POST" else None
-        if match is None:
-            await self._app(scope, receive, send)
-            return
-        found: dict[str, Any] = match.groupdict()
-        scope["path_params"] = found
-        context_of(scope).route = PATHS[0] if found["version"] is None else PATHS[1]
-        await self._endpoint(scope, receive, send)
