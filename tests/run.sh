@@ -90,7 +90,7 @@ check format ruff format --check .
 check lint ruff check .
 check types mypy
 check imports lint-imports --no-logo
-check tests pytest "$@"
+check tests pytest --numprocesses 2 --dist loadfile "$@"
 
 say "Summary"
 printf '%s\n' "${summary[@]}"
