@@ -113,12 +113,11 @@ def two_cores(setup: Setup, repetitions: int) -> dict[str, Any] | None:
         both = stack.enter_context(Worker(script, cpus=set(pair)))
         at_once = stack.enter_context(ThreadPoolExecutor(2))
         for _ in range(repetitions):
-            one = second.ask("threads", cpus=pair[1:], **request)["seconds"]
-            two = both.ask("threads", cpus=pair, **request)["seconds"]
-            ratios.append(2.0 * one / two)
+            [one] = second.ask("threads", cpus=pair[1:], **request)["seconds"]
+            ratios.append(sum(one / own for own in both.ask("threads", cpus=pair, **request)["seconds"]))
             asked = [
                 at_once.submit(worker.ask, "threads", cpus=[cpu], **request)
                 for worker, cpu in zip((first, second), pair, strict=True)
             ]
-            limits.append(sum(one / answer.result()["seconds"] for answer in asked))
+            limits.append(sum(one / answer.result()["seconds"][0] for answer in asked))
     return {"value": median(ratios), "peers": {}, "others": {"two processes": median(limits)}}
