@@ -16,6 +16,7 @@ import json
 import random
 import sys
 import time
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
@@ -46,7 +47,7 @@ def draw(seed: int) -> dict[str, float]:
     }
 
 
-class Peer:
+class Peer(ABC):
     """What a peer's script provides: derive, and hand an instance to :func:`serve`."""
 
     name = ""
@@ -64,9 +65,9 @@ class Peer:
         """One binary in the form that :meth:`waveform` takes, made before the clock starts."""
         return parameters
 
+    @abstractmethod
     def waveform(self, grid: Any, binary: Any) -> Any:
         """Compute h+ and hx of one binary."""
-        raise NotImplementedError
 
     def binaries(self, rows: list[dict[str, float]]) -> Any:
         """Several binaries in the form that :meth:`batch` takes, made before the clock starts."""

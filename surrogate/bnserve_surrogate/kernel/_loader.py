@@ -12,6 +12,7 @@ from typing import Any
 import llvmlite
 import llvmlite.binding as llvm
 
+from bnserve_protocol import __version__
 from bnserve_surrogate.kernel._code_cache import cached_code
 
 ASSEMBLY = Path(__file__).with_name("kernel.ll")
@@ -65,7 +66,15 @@ def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise
         text = assembly.read_bytes()
         name, features = processor_at_hand()
         machine = llvm.Target.from_default_triple().create_target_machine(cpu=name, features=features, opt=3)
-        made_by = (*llvm.llvm_version_info, llvmlite.__version__, machine.triple, name, features, vectorise)
+        made_by = (
+            __version__,
+            *llvm.llvm_version_info,
+            llvmlite.__version__,
+            machine.triple,
+            name,
+            features,
+            vectorise,
+        )
         code = cached_code(repr(made_by).encode() + text, lambda: _compile(text.decode(), machine, vectorise))
         engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
         engine.add_object_file(llvm.ObjectFileRef.from_data(code))
