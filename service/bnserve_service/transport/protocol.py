@@ -16,7 +16,6 @@ from bnserve_service.settings import Settings
 from bnserve_service.transport.answer_memory import SCOPE_KEY, PeerMemory
 from bnserve_service.transport.answers import Header
 from bnserve_service.transport.quick import QUICK_BODY, QuickLane
-from bnserve_service.transport.repetition import RepeatedHead, repeatable
 
 MAX_HEADER_BYTES = 2**16
 """Request line and headers; browsers and proxies stay below 16 KiB."""
@@ -61,10 +60,6 @@ class BoundedProtocol(HttpToolsProtocol):
         self._in_message = False
         self._header_bytes = 0
         self._peer_memory: PeerMemory | None = None
-        self._arrived = b""
-        """What came last, if no request was under way."""
-        self._repeated: RepeatedHead | None = None
-        """The head of the quick lane's last request."""
         self._held: bytearray | None = None
         """The body of a request that is for the quick lane if it comes in one piece with its headers."""
         self._waiting = _Waiting.NOTHING
@@ -85,9 +80,6 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def data_received(self, data: bytes) -> None:
         """Bytes arrived."""
-        if self._repeated is not None and self._answer_repeated(self._repeated, data):
-            return
-        self._arrived = b"" if self._in_message else data
         if self._in_headers or not self._in_message:
             self._header_bytes += len(data)
             if self._in_headers and self._header_bytes > MAX_HEADER_BYTES:
@@ -139,7 +131,8 @@ class BoundedProtocol(HttpToolsProtocol):
             and self.parser.get_http_version() == "1.1"
             and self.parser.should_keep_alive()
             and not self.parser.should_upgrade()
-            and self._lane_is_open(self.url)
+            and self.lane is not None
+            and self.lane.offers(self.url)
         )
 
     def _answer_quickly(self, body: bytes) -> bool:
@@ -147,33 +140,11 @@ class BoundedProtocol(HttpToolsProtocol):
         assert self.lane is not None, "a body is held for the lane alone"
         if len(body) > QUICK_BODY:
             return False
-        if not self._take_quickly(self.url, self.headers, body):
-            return False
-        self._held = None
-        self._repeated = repeatable(self._arrived, self.url, self.headers)
-        return True
-
-    def _answer_repeated(self, head: RepeatedHead, data: bytes) -> bool:
-        """Have the quick lane answer without the parser; false when it is to be parsed like any other request."""
-        if self._in_message or not self._is_idle() or self.flow.write_paused:
-            return False
-        found = head.read(data)
-        if found is None or not self._lane_is_open(head.url) or not self._take_quickly(head.url, *found):
-            return False
-        self._unset_keepalive_if_required()
-        self._arm(_Waiting.NOTHING)
-        return True
-
-    def _lane_is_open(self, url: bytes) -> bool:
-        """Whether requests to ``url`` may be for the quick lane."""
-        return self.lane is not None and self.lane.offers(url)
-
-    def _take_quickly(self, url: bytes, headers: list[Header], body: bytes) -> bool:
-        assert self.lane is not None, "asked before"
         cycle = _QuickCycle()
-        if not self.lane.take(url, headers, body, lambda *answer: self._write_quickly(cycle, *answer)):
+        if not self.lane.take(self.url, self.headers, body, lambda *answer: self._write_quickly(cycle, *answer)):
             return False
         self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
+        self._held = None
         return True
 
     def _write_quickly(self, cycle: _QuickCycle, status: int, headers: list[Header], body: bytes) -> None:
