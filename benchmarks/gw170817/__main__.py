@@ -1,10 +1,10 @@
 """GW170817 as the paper analysed it, with the likelihood evaluated by a service on this machine.
 
     pip install '.[benchmarks]'
-    python -m benchmarks.gw170817 --data ../shared/data                       # injection in noise of the event's ASDs
-    python -m benchmarks.gw170817 --data ../shared/data --strain H1=H.hdf5 --strain L1=L.hdf5 --strain V1=V.hdf5
+    python -m benchmarks.gw170817                       # injection in noise of the event's ASDs
+    python -m benchmarks.gw170817 --strain H1=H.hdf5 --strain L1=L.hdf5 --strain V1=V.hdf5
 
-``--data`` names the folder with ``gw170817/asd.npz`` and the calibration envelopes. Without ``--strain`` the data is a
+The event's noise curves and calibration envelopes are in ``benchmarks/data``. Without ``--strain`` the data is a
 TEOBResumSPA signal with the event's parameters in seeded Gaussian noise; with the GWOSC strain files (HDF5, 4096 Hz) it
 is the event. Everything finished is kept in ``--work``: the same command goes on where it was stopped.
 """
@@ -42,7 +42,6 @@ UNFINISHED = 3
 def arguments() -> argparse.Namespace:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--data", type=Path, required=True, help="folder with gw170817/asd.npz")
     parser.add_argument("--strain", action="append", default=[], metavar="DETECTOR=FILE", help="GWOSC HDF5 strain")
     parser.add_argument("--work", type=Path, default=Path("runs/gw170817"), help="checkpoints and results")
     parser.add_argument("--kind", choices=("roq", "relative_binning"), default="roq", help="the likelihood to sample")
@@ -78,7 +77,7 @@ def main() -> int:
 
 def run(options: argparse.Namespace) -> int:
     """As :func:`main`; raises ``BnserveError``."""
-    asds = setting.read_asds(options.data)
+    asds = setting.read_asds()
     files = dict(text.partition("=")[::2] for text in options.strain)
     if files:
         event = setting.read_event(asds, {name: Path(path) for name, path in files.items()})

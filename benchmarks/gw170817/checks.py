@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.gw170817.priors import DISTANCES
-from benchmarks.gw170817.setting import DETECTORS, DataMissing
+from benchmarks.gw170817.setting import DATA, DETECTORS
 from bnserve_inference import calibration_nodes
 from bnserve_protocol import LIKELIHOOD_NAMES, Calibration, Likelihood, LikelihoodBatch
 
@@ -62,23 +61,15 @@ def reweighted(exact: Floats, sampled: Floats) -> tuple[Floats, float, float]:
 
 
 class CalibrationPrior:
-    """The event's calibration envelopes at the nodes of an analysis: independent normal errors at each.
+    """The event's calibration envelopes at the nodes of an analysis: independent normal errors at each."""
 
-    Raises
-    ------
-    DataMissing
-        No ``gw170817/{detector}_CalEnv.txt`` in the folder.
-    """
-
-    def __init__(self, folder: Path, calibration: Calibration) -> None:
+    def __init__(self, calibration: Calibration) -> None:
         nodes = np.log(calibration_nodes(calibration))
         self._amplitude: dict[str, tuple[Floats, Floats]] = {}
         self._phase: dict[str, tuple[Floats, Floats]] = {}
         for name in DETECTORS:
-            path = folder / "gw170817" / f"{name}_CalEnv.txt"
-            if not path.exists():
-                raise DataMissing(f"There is no gw170817/{path.name} under {folder.name}: name the folder with --data.")
-            f, amplitude, phase, amplitude_low, phase_low, amplitude_high, phase_high = np.loadtxt(path).T
+            envelope = np.loadtxt(DATA / f"{name}_CalEnv.txt")
+            f, amplitude, phase, amplitude_low, phase_low, amplitude_high, phase_high = envelope.T
             at = [np.interp(nodes, np.log(f), column) for column in (
                 amplitude - 1.0, 0.5 * (amplitude_high - amplitude_low), phase, 0.5 * (phase_high - phase_low),
             )]  # fmt: skip

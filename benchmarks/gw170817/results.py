@@ -111,7 +111,7 @@ def _compared(name: str, exact: Floats, sampled: Floats) -> dict[str, float]:
 
 def _calibrated(batch: LikelihoodBatch, event: setting.Event, local: WaveformModel, model: Any, o: Namespace) -> Floats:
     bound = likelihood(model, analyses.kept("calibration", event, local, o.work))
-    prior = checks.CalibrationPrior(o.data, analyses.CALIBRATION)
+    prior = checks.CalibrationPrior(analyses.CALIBRATION)
     return checks.calibrated(bound, batch, prior, o.calibration_draws)
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from bnserve_inference import DetectorData, gwosc_segment, interpolate_asd, simulate_data
 from bnserve_protocol import BnserveError, LikelihoodBatch, LikelihoodParameters, ParameterBatch, WaveformModel
 
+DATA = Path(__file__).parents[1] / "data" / "gw170817"
 DETECTORS = ("H1", "L1", "V1")
 DURATION, SAMPLING = 128.0, 4096.0
 POINTS = int(DURATION * SAMPLING / 2) + 1
@@ -28,7 +29,7 @@ CHIRP_MASS = 1.1975
 
 
 class DataMissing(BnserveError):
-    """Files that an analysis needs are not where they were said to be."""
+    """A detector without the file that it needs."""
 
     code = "data-missing"
     title = "Data not found"
@@ -79,18 +80,9 @@ def fiducial() -> ParameterBatch:
     return LikelihoodBatch.coerce(reference()).waveform_batch()
 
 
-def read_asds(folder: Path) -> list[NDArray[np.float64]]:
-    """The event's noise curves, ``(POINTS,)`` each, from ``folder/gw170817/asd.npz``.
-
-    Raises
-    ------
-    DataMissing
-        No such file.
-    """
-    path = folder / "gw170817" / "asd.npz"
-    if not path.exists():
-        raise DataMissing(f"There is no gw170817/asd.npz under {folder.name}: name the folder of the data with --data.")
-    with np.load(path, allow_pickle=False) as file:
+def read_asds() -> list[NDArray[np.float64]]:
+    """The event's noise curves, ``(POINTS,)`` each, in 1/sqrt(Hz)."""
+    with np.load(DATA / "asd.npz", allow_pickle=False) as file:
         frequencies = (int(file["first_bin"]) + np.arange(len(file["H1"]))) * float(file["delta_f"])
         return [interpolate_asd(frequencies, 1e-23 * file[name].astype(float), DURATION, POINTS) for name in DETECTORS]
 

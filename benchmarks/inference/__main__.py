@@ -4,9 +4,8 @@
     python -m benchmarks.inference --short --json
     python -m benchmarks.inference --json
 
-``--data`` (../shared/data) names the folder with ``gw170817/asd.npz``. The analyses are those of
-:mod:`benchmarks.gw170817`: three detectors, 128 s, 23 to 2000 Hz, TEOBResumSPA with SNR 32 in noise of the event's
-ASDs.
+The analyses are those of :mod:`benchmarks.gw170817`: three detectors, 128 s, 23 to 2000 Hz, TEOBResumSPA with SNR 32
+in noise of the event's ASDs.
 
 - ``roq_us``, ``relative_binning_us``: microseconds per three-detector log-likelihood through HTTP, 4096 samples a call,
   the phase integrated over; medians of rounds that take turns with the peer's. ``*_best_us`` are the fastest rounds.
@@ -53,14 +52,14 @@ def log(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def speed_and_accuracy(data: Path, rounds: int, points: int) -> dict[str, Any]:
+def speed_and_accuracy(rounds: int, points: int) -> dict[str, Any]:
     """The figures of both forms."""
     started = time.perf_counter()
-    event = setting.inject(setting.read_asds(data), GeneratorModel(TEOBResumSPA()))
+    event = setting.inject(setting.read_asds(), GeneratorModel(TEOBResumSPA()))
     built = measuring.plain_analyses(event, LocalModel.default())
     log(f"analyses built in {time.perf_counter() - started:.1f} s")
     samples = measuring.prior_samples(measuring.ROWS)
-    peer = [sys.executable, Path(__file__).with_name("bilby_peer.py"), data.resolve()]
+    peer = [sys.executable, Path(__file__).with_name("bilby_peer.py")]
     with bnserve_server() as (url, _), Model.connect(url) as model, Worker(peer) as bilby:
         bound = {kind: likelihood(model, analysis) for kind, analysis in built.items()}
         calls = {
@@ -123,9 +122,9 @@ def roq_build() -> dict[str, Any]:
     }
 
 
-def posterior(data: Path, work: Path) -> dict[str, Any]:
+def posterior(work: Path) -> dict[str, Any]:
     """The posterior of the injection, sampled through a service of its own."""
-    command = [sys.executable, "-m", "benchmarks.gw170817", "--sample-only", "--data", data.resolve(), "--work", work]
+    command = [sys.executable, "-m", "benchmarks.gw170817", "--sample-only", "--work", work]
     done = subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     found = json.loads(done.stdout.splitlines()[-1])
     return {name: found[name] for name in ("posterior_minutes", "likelihood_calls", "log_evidence", "samples")}
@@ -136,17 +135,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--short", action="store_true", help="fewer points and rounds; no basis, no posterior")
     parser.add_argument("--json", action="store_true", help="the object on one line (always the last)")
-    parser.add_argument("--data", type=Path, default=Path("../shared/data"), help="folder with gw170817/asd.npz")
     parser.add_argument("--rounds", type=int, help="of every measurement of time")
     parser.add_argument("--points", type=int, help="posterior samples at which likelihoods are compared")
     options = parser.parse_args()
     rounds = options.rounds or (SHORT_ROUNDS if options.short else LONG_ROUNDS)
     points = options.points or (SHORT_POINTS if options.short else LONG_POINTS)
-    result = {"short": options.short} | speed_and_accuracy(options.data, rounds, points)
+    result = {"short": options.short} | speed_and_accuracy(rounds, points)
     if not options.short:
         result |= roq_build()
         with tempfile.TemporaryDirectory() as folder:
-            result |= posterior(options.data, Path(folder))
+            result |= posterior(Path(folder))
     print(json.dumps(result) if options.json else "\n".join(f"{name:40} {value}" for name, value in result.items()))
 
 

@@ -30,6 +30,7 @@ SIGNAL = {
     "geocent_time": TRIGGER,
 }  # fmt: skip
 CALLS = 200
+ASDS = Path(__file__).parents[1] / "data" / "gw170817" / "asd.npz"
 
 
 def network(asds: dict[str, Any]) -> bilby.gw.detector.InterferometerList:
@@ -79,7 +80,7 @@ def microseconds(likelihood: Any, samples: list[dict[str, float]]) -> float:
 def main() -> None:
     """Build the likelihood, say so, and answer every line."""
     logging.getLogger("bilby").setLevel(logging.ERROR)
-    with np.load(Path(sys.argv[1]) / "gw170817" / "asd.npz", allow_pickle=False) as file:
+    with np.load(ASDS, allow_pickle=False) as file:
         likelihood = relative_binning(dict(file))
     random = np.random.default_rng(2)
     samples = [

@@ -1,7 +1,7 @@
 """Percentile-percentile test: is the truth where the posteriors say, as often as they say?
 
     pip install '.[benchmarks]'
-    python -m benchmarks.pp --data ../shared/data --injections 100
+    python -m benchmarks.pp --injections 100
 
 Seeded binaries of the prior in seeded noise of the event's ASDs (three detectors, 128 s, 23 to 2000 Hz), the place in
 the sky fixed, phase and distance integrated over, reduced-order quadrature, sampled through a service. The model that
@@ -60,7 +60,6 @@ def p_values(results: list[dict[str, Any]]) -> dict[str, float]:
 def main() -> None:
     """Run what is missing, then judge."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--data", type=Path, default=Path("../shared/data"), help="folder with gw170817/asd.npz")
     parser.add_argument("--work", type=Path, default=Path("runs/pp"), help="finished injections")
     parser.add_argument("--injections", type=int, default=100)
     parser.add_argument("--particles", type=int, default=trial.SETTINGS.particles, help="of the sampler")
@@ -80,7 +79,7 @@ def main() -> None:
     started = time.perf_counter()
     with ExitStack() as stack:
         if missing:
-            local, asds = LocalModel.default(), setting.read_asds(options.data)
+            local, asds = LocalModel.default(), setting.read_asds()
             url = options.url or stack.enter_context(bnserve_server())[0]
             model = stack.enter_context(Model.connect(url))
         for seed in missing:

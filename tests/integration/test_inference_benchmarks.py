@@ -3,30 +3,11 @@
 import json
 import sys
 
-import numpy as np
 import pytest
 
 from benchmarks.gw170817.__main__ import main as gw170817
 from benchmarks.inference.__main__ import main as inference
 from benchmarks.pp.__main__ import main as pp
-
-
-@pytest.fixture(scope="module")
-def data(tmp_path_factory):
-    """Noise curves and calibration envelopes in the layout of the event's files."""
-    folder = tmp_path_factory.mktemp("data")
-    (folder / "gw170817").mkdir()
-    first, bins, delta_f = 2944, 259_200, 1.0 / 128.0
-    f = (first + np.arange(bins)) * delta_f
-    asd = 1e23 * 1e-23 * np.sqrt((f / 50.0) ** -8 + 1.0 + (f / 400.0) ** 2)
-    names = ("H1", "L1", "V1")
-    asds = {name: (asd * (1.0 + 2.0 * (name == "V1"))).astype(np.float32) for name in names}
-    np.savez(folder / "gw170817" / "asd.npz", first_bin=first, delta_f=delta_f, **asds)
-    at = np.geomspace(20.0, 2048.0, 68)
-    rows = np.stack([at, *(np.full(68, value) for value in (1.0, 0.0, 0.97, -0.03, 1.03, 0.03))], axis=1)
-    for name in names:
-        np.savetxt(folder / "gw170817" / f"{name}_CalEnv.txt", rows)
-    return folder
 
 
 @pytest.fixture
@@ -42,10 +23,10 @@ def run(monkeypatch, capsys):
 
 
 @pytest.mark.slow
-def test_the_event_is_sampled_and_its_likelihoods_compared(run, data, bnserve_server, tmp_path, monkeypatch, capsys):
+def test_the_event_is_sampled_and_its_likelihoods_compared(run, bnserve_server, tmp_path, monkeypatch, capsys):
     few = ["--particles", 60, "--pool", 500, "--checks", 20, "--generator-checks", 1]
     few += ["--calibration-checks", 2, "--calibration-draws", 5]
-    arguments = ["--data", data, "--url", bnserve_server.address, "--work", tmp_path / "work", *few]
+    arguments = ["--url", bnserve_server.address, "--work", tmp_path / "work", *few]
     found = run(gw170817, *arguments, "--figure", tmp_path / "corner.png")
     assert found["likelihood_calls"] > 500
     assert found["log_evidence_error"] > 0.0
@@ -62,8 +43,8 @@ def test_the_event_is_sampled_and_its_likelihoods_compared(run, data, bnserve_se
 
 
 @pytest.mark.slow
-def test_the_percentile_percentile_test_goes_on_where_it_was_stopped(run, data, bnserve_server, tmp_path):
-    arguments = ["--data", data, "--url", bnserve_server.address, "--work", tmp_path, "--particles", 150]
+def test_the_percentile_percentile_test_goes_on_where_it_was_stopped(run, bnserve_server, tmp_path):
+    arguments = ["--url", bnserve_server.address, "--work", tmp_path, "--particles", 150]
     first = run(pp, *arguments, "--injections", 1)
     assert first["injections"] == first["wanted"] == 1
     with (tmp_path / "injections.jsonl").open("a") as file:
@@ -76,8 +57,8 @@ def test_the_percentile_percentile_test_goes_on_where_it_was_stopped(run, data, 
 
 
 @pytest.mark.slow
-def test_speed_and_accuracy_of_the_likelihoods(run, data):
-    found = run(inference, "--short", "--json", "--data", data, "--rounds", 1, "--points", 10)
+def test_speed_and_accuracy_of_the_likelihoods(run):
+    found = run(inference, "--short", "--json", "--rounds", 1, "--points", 10)
     for name in ("roq_us", "relative_binning_us", "peer_bilby_relative_binning_us"):
         assert 0.0 < found[name] < 1e5
     assert found["roq_max_abs_delta_lnl"] < 0.2
