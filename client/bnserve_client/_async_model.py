@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from bnserve_client._connections import AsyncConnections
 from bnserve_client._drivers import run_async
-from bnserve_client._likelihood import AsyncLikelihood, InvalidRows
+from bnserve_client._likelihood import AsyncLikelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._remote import RemoteModel, connecting, settings_from
 from bnserve_client._session import Pinned
@@ -23,6 +23,7 @@ from bnserve_protocol import (
     EvaluationOptions,
     Factored,
     GridLike,
+    InvalidRows,
     ModelDescription,
     ParametersWithExtrinsic,
     Polarizations,

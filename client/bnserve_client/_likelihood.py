@@ -2,39 +2,26 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import (
     Analysis,
-    InvalidRequest,
+    InvalidRows,
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodCounts,
+    LikelihoodValues,
     RowStatus,
+    check_invalid_rows,
     refuse_rows,
 )
 
 if TYPE_CHECKING:
     from bnserve_client._async_model import AsyncModel
     from bnserve_client._model import Model
-
-
-InvalidRows: TypeAlias = Literal["flag", "error"]
-
-
-def check_invalid_rows(choice: InvalidRows) -> InvalidRows:
-    """Refuse another choice than the two.
-
-    Raises
-    ------
-    InvalidRequest
-    """
-    if choice not in ("flag", "error"):
-        raise InvalidRequest(f"invalid_rows must be 'flag' or 'error'; got {str(choice)[:40]!r}.")
-    return choice
 
 
 class Counter:
@@ -97,11 +84,11 @@ class Likelihood:
             refuse_rows(status)
         return values
 
-    def evaluate(self, batch: LikelihoodBatchLike) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+    def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
         """As :meth:`log_likelihood`, with the :class:`.RowStatus` of every row, uint8 ``(N,)``; rows never raise."""
         arrays = self._model._run(self._remote.evaluate(LikelihoodBatch.coerce(batch)))
         self._counter.add(arrays["status"])
-        return arrays["log_likelihood"], arrays["status"]
+        return LikelihoodValues(arrays["log_likelihood"], arrays["status"])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Likelihood, (self._model, self.analysis, self._invalid_rows)
@@ -137,11 +124,11 @@ class AsyncLikelihood:
             refuse_rows(status)
         return values
 
-    async def evaluate(self, batch: LikelihoodBatchLike) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+    async def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
         """As :meth:`Likelihood.evaluate`."""
         arrays = await self._model._run(self._remote.evaluate(LikelihoodBatch.coerce(batch)))
         self._counter.add(arrays["status"])
-        return arrays["log_likelihood"], arrays["status"]
+        return LikelihoodValues(arrays["log_likelihood"], arrays["status"])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return AsyncLikelihood, (self._model, self.analysis, self._invalid_rows)

@@ -6,10 +6,11 @@ from bnserve_inference._calibration import calibration_nodes
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import Detector, sidereal_time
 from bnserve_inference._errors import DetectorsMissing
-from bnserve_inference._evaluation import LikelihoodValues, LocalLikelihood, likelihood
+from bnserve_inference._evaluation import LocalLikelihood, likelihood
 from bnserve_inference._gwosc import fourier_strain, gwosc_segment, read_gwosc
 from bnserve_inference._noise import gaussian_noise, interpolate_asd, read_asd
 from bnserve_inference._projection import antenna_pattern, detector_strain, simulate_data, time_delay
+from bnserve_protocol import LikelihoodValues
 
 __all__ = [
     "Detector",

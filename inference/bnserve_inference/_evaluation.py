@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from typing import Literal, NamedTuple
 
 import msgspec
 import numpy as np
@@ -17,12 +16,15 @@ from bnserve_protocol import (
     Analysis,
     EvaluationOptions,
     Factored,
+    InvalidRows,
     Likelihood,
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodCounts,
+    LikelihoodValues,
     RowStatus,
     WaveformModel,
+    check_invalid_rows,
     check_model_of,
     refuse_rows,
 )
@@ -34,13 +36,6 @@ _TILE_POINTS = 2**16
 _MOST_ROWS = 256
 _TILE_TIMES = 2**16
 """Sums over times that are kept at once."""
-
-
-class LikelihoodValues(NamedTuple):
-    """Log-likelihood ratios float64 ``(N,)``, -inf wherever the :class:`RowStatus`, uint8 ``(N,)``, is not OK."""
-
-    log_likelihood: Floats
-    status: NDArray[np.uint8]
 
 
 class LocalLikelihood:
@@ -63,11 +58,9 @@ class LocalLikelihood:
         The analysis was made for another model.
     """
 
-    def __init__(
-        self, model: WaveformModel, analysis: Analysis, *, invalid_rows: Literal["flag", "error"] = "flag"
-    ) -> None:
+    def __init__(self, model: WaveformModel, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> None:
         check_model_of(analysis, model.description)
-        self._model, self._analysis, self._invalid_rows = model, analysis, invalid_rows
+        self._model, self._analysis, self._invalid_rows = model, analysis, check_invalid_rows(invalid_rows)
         settings = analysis.settings
         self._contraction = Contraction(analysis)
         self._options = EvaluationOptions(out_of_domain="flag", alignment=settings.alignment)
@@ -212,9 +205,7 @@ class LocalLikelihood:
             )
 
 
-def likelihood(
-    model: WaveformModel, analysis: Analysis, *, invalid_rows: Literal["flag", "error"] = "flag"
-) -> Likelihood:
+def likelihood(model: WaveformModel, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:
     """The likelihood of an analysis with a model: evaluated where the model is.
 
     A model that has a method ``likelihood`` of its own, as remote ones do, is asked for it; for any other model it is a

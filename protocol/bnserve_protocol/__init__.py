@@ -73,7 +73,7 @@ from bnserve_protocol._errors import (
     VersionExists,
 )
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest
-from bnserve_protocol._likelihood import Likelihood, LikelihoodCounts
+from bnserve_protocol._likelihood import InvalidRows, Likelihood, LikelihoodCounts, LikelihoodValues, check_invalid_rows
 from bnserve_protocol._likelihood_cost import likelihood_nodes, likelihood_samples
 from bnserve_protocol._likelihood_messages import (
     LikelihoodAnswer,
@@ -182,6 +182,7 @@ __all__ = [
     "InvalidFrequencies",
     "InvalidParameters",
     "InvalidRequest",
+    "InvalidRows",
     "Lease",
     "Likelihood",
     "LikelihoodAnswer",
@@ -190,6 +191,7 @@ __all__ = [
     "LikelihoodCounts",
     "LikelihoodParameters",
     "LikelihoodRequest",
+    "LikelihoodValues",
     "Limits",
     "ManifestModel",
     "MemoryName",
@@ -235,6 +237,7 @@ __all__ = [
     "address_of",
     "as_frequencies",
     "check_dtype",
+    "check_invalid_rows",
     "check_model_digest",
     "check_model_of",
     "content_digest",

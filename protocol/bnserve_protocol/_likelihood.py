@@ -2,14 +2,31 @@
 
 from __future__ import annotations
 
-from typing import Protocol, runtime_checkable
+from typing import Literal, NamedTuple, Protocol, TypeAlias, get_args, runtime_checkable
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._analyses import Analysis
+from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._likelihood_parameters import LikelihoodBatchLike
+
+InvalidRows: TypeAlias = Literal["flag", "error"]
+"""What becomes of rows outside the prior's or the model's range: -inf and counted, or an error."""
+_CHOICES = get_args(InvalidRows)
+
+
+def check_invalid_rows(choice: InvalidRows) -> InvalidRows:
+    """Refuse another choice than the two.
+
+    Raises
+    ------
+    InvalidRequest
+    """
+    if not (isinstance(choice, str) and choice in _CHOICES):
+        raise InvalidRequest(f"invalid_rows must be 'flag' or 'error'; got {str(choice)[:40]!r}.")
+    return choice
 
 
 class LikelihoodCounts(msgspec.Struct, frozen=True, kw_only=True):
@@ -20,6 +37,13 @@ class LikelihoodCounts(msgspec.Struct, frozen=True, kw_only=True):
     out_of_domain: int = 0
     out_of_band: int = 0
     out_of_prior: int = 0
+
+
+class LikelihoodValues(NamedTuple):
+    """Log-likelihood ratios float64 ``(N,)``, -inf wherever the :class:`RowStatus`, uint8 ``(N,)``, is not OK."""
+
+    log_likelihood: NDArray[np.float64]
+    status: NDArray[np.uint8]
 
 
 @runtime_checkable
@@ -41,7 +65,7 @@ class Likelihood(Protocol):
         do not fit raise ``InvalidParameters``.
         """
 
-    def evaluate(self, batch: LikelihoodBatchLike) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+    def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
         """As :meth:`log_likelihood`, with the :class:`RowStatus` of every row, uint8 ``(N,)``; rows never raise.
 
         A row's bits depend on the row, the analysis and the model alone.

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol, TypeAlias, get_args, runtime_checkable
+from typing import Any, ClassVar, Literal, Protocol, TypeAlias, get_args, runtime_checkable
 
 import msgspec
 import numpy as np
@@ -13,6 +12,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
+from bnserve_protocol._like_tuples import LikeTuple
 from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
 
 ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
@@ -81,8 +81,8 @@ DEFAULT_OPTIONS = EvaluationOptions()
 
 
 @dataclass(frozen=True, slots=True)
-class Polarizations:
-    """Plus and cross polarisation in 1/Hz; unpacks as ``hp, hc = ...``.
+class Polarizations(LikeTuple[ComplexArray]):
+    """Plus and cross polarisation in 1/Hz; unpacks as ``hp, hc = ...``, and is otherwise like that tuple, too.
 
     For one waveform the arrays have shape ``(M,)``, for a batch ``(N, M)``; ``status`` is uint8, ``(N,)``.
     ``estimated_mismatch``, float64 ``(N,)``, is the model's own estimate of its mismatch to the generator it was
@@ -94,14 +94,13 @@ class Polarizations:
     status: NDArray[np.uint8]
     estimated_mismatch: NDArray[np.float64] | None = None
 
-    def __iter__(self) -> Iterator[ComplexArray]:
-        yield self.plus
-        yield self.cross
+    parts: ClassVar[tuple[str, ...]] = ("plus", "cross")
 
 
 @dataclass(frozen=True, slots=True)
-class Factored:
-    """A batch of a model with one mode: ``hp = plus[:, None] * h`` and ``hc = cross[:, None] * h``.
+class Factored(LikeTuple[NDArray[Any]]):
+    """A batch of a model with one mode: ``hp = plus[:, None] * h`` and ``hc = cross[:, None] * h``; unpacks as
+    ``h, plus, cross = ...``.
 
     ``h`` is complex ``(N, M)`` in 1/Hz; ``plus`` float64 and ``cross`` complex128, ``(N,)``; ``status`` uint8 ``(N,)``;
     ``estimated_mismatch`` as in :class:`Polarizations`.
@@ -112,6 +111,8 @@ class Factored:
     cross: NDArray[np.complex128]
     status: NDArray[np.uint8]
     estimated_mismatch: NDArray[np.float64] | None = None
+
+    parts: ClassVar[tuple[str, ...]] = ("h", "plus", "cross")
 
     def polarizations(self, *, plus: ComplexArray | None = None, cross: ComplexArray | None = None) -> Polarizations:
         """Multiply out; the one place where it is done, so that every path gives the same bits.
@@ -131,8 +132,9 @@ class Factored:
 
 
 @dataclass(frozen=True, slots=True)
-class AmplitudePhase:
-    """Amplitude (1/Hz) and continuous phase (radians) of h = amplitude * exp(i phase); unpacks as ``amp, phi = ...``.
+class AmplitudePhase(LikeTuple[NDArray[np.float64]]):
+    """Amplitude (1/Hz) and continuous phase (radians) of h = amplitude * exp(i phase); unpacks as ``amp, phi = ...``,
+    and is otherwise like that tuple, too.
 
     ``(M,)`` for one waveform, ``(N, M)`` for a batch; the polarisations are h times (1 + cos^2 iota) / 2 and
     h times -i cos iota.
@@ -143,9 +145,7 @@ class AmplitudePhase:
     status: NDArray[np.uint8]
     estimated_mismatch: NDArray[np.float64] | None = None
 
-    def __iter__(self) -> Iterator[NDArray[np.float64]]:
-        yield self.amplitude
-        yield self.phase
+    parts: ClassVar[tuple[str, ...]] = ("amplitude", "phase")
 
 
 class ParameterDescription(msgspec.Struct, frozen=True, kw_only=True):

@@ -16,9 +16,11 @@ from bnserve_protocol import (
     Calibration,
     DistanceMarginalisation,
     InvalidParameters,
+    InvalidRequest,
     Likelihood,
     LikelihoodCounts,
     LikelihoodParameters,
+    LikelihoodValues,
     OutOfDomain,
     RowStatus,
     TimeGrid,
@@ -190,6 +192,21 @@ def test_rows_that_cannot_be_are_minus_infinity_and_counted(reach, local):
     assert status[[0, 2, 4, 6]].tolist() == [bad[2] for bad in BAD.values()]
     assert (values[::2][:4] == -np.inf).all()
     assert bound.counts == LikelihoodCounts(rows=9, not_finite=2, out_of_domain=1, out_of_prior=1)
+
+
+def test_values_and_statuses_are_a_named_tuple(reach):
+    found = reach(small()).evaluate(samples(3))
+    assert type(found) is LikelihoodValues
+    values, status = found
+    assert found.log_likelihood is values is found[0]
+    assert found.status is status is found[1]
+
+
+@pytest.mark.parametrize("choice", ["ignore", "", None, True, ["flag"]])
+def test_an_unknown_choice_for_invalid_rows_is_the_same_error(reach, local, choice):
+    there = failure(lambda: reach(small(), choice))
+    assert there == failure(lambda: likelihood(local, small(), invalid_rows=choice))
+    assert there[0] is InvalidRequest
 
 
 def failure(call):

@@ -143,6 +143,31 @@ def test_the_time_until_merger_is_equal(model, local, frequency):
     assert model.time_until_merger(frequency, ONE) == local.time_until_merger(frequency, ONE)
 
 
+PARTS = {
+    "predict": ("plus", "cross"),
+    "predict_batch": ("plus", "cross"),
+    "predict_factored": ("h", "plus", "cross"),
+    "predict_amplitude_phase": ("amplitude", "phase"),
+}
+
+
+@pytest.mark.parametrize("method", PARTS)
+def test_results_are_used_like_tuples(model, method):
+    """As those of mlgw_bns are: unpacked, indexed, sliced, counted."""
+    answer = getattr(model, method)(SHORT, ONE)
+    parts = [getattr(answer, name) for name in PARTS[method]]
+    count = len(parts)
+    assert len(answer) == count
+    assert all(one is other for one, other in zip(answer, parts, strict=True))
+    assert all(answer[place] is answer[place - count] is parts[place] for place in range(count))
+    assert answer[1:] == tuple(parts[1:])
+    assert [part is other for part, other in zip(reversed(answer), parts[::-1], strict=True)] == [True] * count
+    with pytest.raises(IndexError):
+        answer[count]
+    with pytest.raises(TypeError):
+        answer["plus"]
+
+
 def test_results_can_be_written_to(model):
     answer = model.predict_factored(SHORT, binaries(2))
     answer.h[...] = 0.0
