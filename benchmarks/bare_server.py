@@ -39,13 +39,11 @@ def main() -> None:
     """Serve until told to stop."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.bare_server", description=__doc__.splitlines()[0])
     parser.add_argument("--port", type=int, default=9000)
-    parser.add_argument("--uds", help="a Unix socket instead")
     parser.add_argument("sizes", type=int, nargs="+", metavar="BYTES")
     options = parser.parse_args()
     uvicorn.run(
         BareApplication(options.sizes),
         port=options.port,
-        uds=options.uds,
         log_level="error",
         access_log=False,
         lifespan="off",

@@ -78,7 +78,7 @@ def _stop(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
-def listens(address: tuple[str, int] | str) -> bool:
+def listens(address: tuple[str, int]) -> bool:
     """Whether something accepts connections there."""
     try:
         open_connection(address).close()
@@ -96,27 +96,21 @@ def _answers(url: str) -> bool:
 
 
 @contextmanager
-def bnserve_server(
-    *, uds: Path | None = None, cpus: set[int] | None = None, threads: int | None = None
-) -> Iterator[tuple[str, int]]:
+def bnserve_server(*, cpus: set[int] | None = None, threads: int | None = None) -> Iterator[tuple[str, int]]:
     """``bnserve serve --model default``; yields what a client connects to, and the process number."""
     port = free_port()
-    where = ["--uds", uds] if uds else ["--port", str(port)]
-    url = f"unix:{uds}" if uds else f"http://127.0.0.1:{port}"
-    command = [sys.executable, "-m", "bnserve_service", "serve", "--model", "default", *where]
+    url = f"http://127.0.0.1:{port}"
+    command = [sys.executable, "-m", "bnserve_service", "serve", "--model", "default", "--port", str(port)]
     command += ["--workers-threads", str(threads)] if threads else []
     with running(command, lambda: _answers(url), cpus=cpus) as pid:
         yield url, pid
 
 
 @contextmanager
-def bare_server(
-    sizes: Sequence[int], *, uds: Path | None = None, cpus: set[int] | None = None
-) -> Iterator[tuple[str, int] | str]:
-    """The floor; yields its address: host and port, or the path of its Unix socket."""
-    port = free_port()
-    address: tuple[str, int] | str = str(uds) if uds else ("127.0.0.1", port)
-    where = ["--uds", str(uds)] if uds else ["--port", str(port)]
-    command = [sys.executable, "-m", "benchmarks.bare_server", *where, *(str(size) for size in sorted(set(sizes)))]
+def bare_server(sizes: Sequence[int], *, cpus: set[int] | None = None) -> Iterator[tuple[str, int]]:
+    """The floor; yields its host and port."""
+    address = ("127.0.0.1", free_port())
+    command = [sys.executable, "-m", "benchmarks.bare_server", "--port", str(address[1])]
+    command += [str(size) for size in sorted(set(sizes))]
     with running(command, lambda: listens(address), cpus=cpus):
         yield address

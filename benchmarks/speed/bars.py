@@ -42,5 +42,4 @@ BARS = (
     Bar("clients_32", "32 clients with single requests, rows/s, against PyTriton", 4, 2, "x"),
     Bar("rows_277", "batches of 256 x 277, rows/s, against the best model server", 3, 1.5, "x"),
     Bar("rows_10000", "batches of 64 x 10,000, rows/s, against the best model server", 3, 1.5, "x"),
-    Bar("unix_socket", "Unix socket against TCP, batch of 64 x 10,000, complex128", 1.7, 1.3, "x"),
 )

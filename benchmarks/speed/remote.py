@@ -1,13 +1,11 @@
-"""Over HTTP: the client's round trips to ``bnserve serve`` on TCP and on a Unix socket, and the floor below them."""
+"""Over HTTP: the client's round trips to ``bnserve serve``, and the floor below them."""
 
 from __future__ import annotations
 
 import http.client
-import tempfile
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -23,7 +21,6 @@ from bnserve_service.bench.timing import timed
 
 SHAPES = ((1, 277), (256, 277), (64, 10_000), (1, 253_056))
 """Rows, points."""
-_LARGE = (64, 10_000)
 DTYPES = ("complex64", "complex128")
 ENVELOPE = 400
 """Bytes of an answer beside its arrays, about."""
@@ -46,27 +43,21 @@ def answer_bytes(rows: int, points: int, itemsize: int = 16) -> int:
 
 @contextmanager
 def remote_cases(setup: Setup) -> Iterator[Cases]:
-    """Start the servers and connect to them; the cases are named by transport, rows, points and dtype."""
+    """Start the servers and connect to them; a case is ``http``, rows, points, dtype, or ``floor``, rows, points."""
     with ExitStack() as stack:
-        folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-        cases: Cases = {}
-        for transport, uds in (("tcp", None), ("unix", folder / "bnserve.sock")):
-            url, _ = stack.enter_context(bnserve_server(uds=uds, cpus=setup.cpus))
-            model = stack.enter_context(Model.connect(url))
-            cases |= _client_cases(transport, model)
-        sizes = [answer_bytes(*shape) for shape in SHAPES]
-        for transport, uds in (("tcp", None), ("unix", folder / "bare.sock")):
-            address = stack.enter_context(bare_server(sizes, uds=uds, cpus=setup.cpus))
-            connection = http_client_connection(address)
-            stack.callback(connection.close)
-            for rows, points in SHAPES:
-                calls = 20 if rows * points < 1_000 else 1
-                ask = partial(post, connection, rows, points, request_body(rows, points))
-                cases["floor", transport, rows, points] = timed(ask, calls)
+        url, _ = stack.enter_context(bnserve_server(cpus=setup.cpus))
+        cases = _client_cases(stack.enter_context(Model.connect(url)))
+        address = stack.enter_context(bare_server([answer_bytes(*shape) for shape in SHAPES], cpus=setup.cpus))
+        connection = http_client_connection(address)
+        stack.callback(connection.close)
+        for rows, points in SHAPES:
+            calls = 20 if rows * points < 1_000 else 1
+            ask = partial(post, connection, rows, points, request_body(rows, points))
+            cases["floor", rows, points] = timed(ask, calls)
         yield cases
 
 
-def _client_cases(transport: str, model: Model) -> Cases:
+def _client_cases(model: Model) -> Cases:
     cases: Cases = {}
     for rows, points in SHAPES:
         grid, batch = grid_of(points), batch_of(rows)
@@ -75,7 +66,7 @@ def _client_cases(transport: str, model: Model) -> Cases:
                 call = partial(model.predict, grid, ParametersWithExtrinsic(**draw(0)), dtype=dtype)
             else:
                 call = partial(model.predict_batch, grid, batch, dtype=dtype)
-            cases[transport, rows, points, dtype] = timed(call, 20 if rows * points < 1_000 else 1)
+            cases["http", rows, points, dtype] = timed(call, 20 if rows * points < 1_000 else 1)
     return cases
 
 
@@ -84,9 +75,9 @@ def request_body(rows: int, points: int) -> bytes:
     return encode_request(WaveformRequest(batch=batch_of(rows), grid=grid_of(2)))
 
 
-def http_client_connection(address: tuple[str, int] | str) -> http.client.HTTPConnection:
-    """A connection of the standard library, to a Unix socket, too."""
-    connection = http.client.HTTPConnection("localhost" if isinstance(address, str) else f"{address[0]}:{address[1]}")
+def http_client_connection(address: tuple[str, int]) -> http.client.HTTPConnection:
+    """A connection of the standard library."""
+    connection = http.client.HTTPConnection(*address)
     connection.sock = open_connection(address)
     return connection
 
@@ -99,8 +90,7 @@ def post(connection: http.client.HTTPConnection, rows: int, points: int, body: b
 
 def remote_figures(seconds: dict[Any, float]) -> dict[str, dict[str, Any]]:
     """The rows over HTTP from the median seconds of all cases."""
-    wide = {shape: seconds["tcp", *shape, "complex128"] for shape in SHAPES}
-    figures = {"http_floor": _ratio(wide[1, 277], seconds["floor", "tcp", 1, 277], "floor")}
+    figures = {"http_floor": _ratio(seconds["http", 1, 277, "complex128"], seconds["floor", 1, 277], "floor")}
     if (PREDECESSOR, 1, 277) in seconds:
         for key, shape, dtype in (
             ("http_one", (1, 277), "complex128"),
@@ -111,17 +101,8 @@ def remote_figures(seconds: dict[Any, float]) -> dict[str, dict[str, Any]]:
             ("http_full_c128", (1, 253_056), "complex128"),
         ):
             rows, points = shape
-            theirs, ours = seconds[PREDECESSOR, 1, points], seconds["tcp", rows, points, dtype] / rows
+            theirs, ours = seconds[PREDECESSOR, 1, points], seconds["http", rows, points, dtype] / rows
             figures[key] = {"value": theirs / ours, "ours": 1e6 * ours, "peers": {PREDECESSOR: 1e6 * theirs}}
-    figures["unix_socket"] = {
-        "value": wide[_LARGE] / seconds["unix", *_LARGE, "complex128"],
-        "peers": {},
-        "others": {
-            f"{rows} x {points}": wide[rows, points] / seconds["unix", rows, points, "complex128"]
-            for rows, points in SHAPES
-            if (rows, points) != _LARGE
-        },
-    }
     return figures
 
 

@@ -45,10 +45,10 @@ class Head:
     persistent: bool
 
 
-def encode_request(address: Address, request: HttpRequest, more: tuple[tuple[str, str], ...] = ()) -> bytes:
-    """The bytes of a request, head and body, with ``more`` headers before its own."""
+def encode_request(address: Address, request: HttpRequest) -> bytes:
+    """The bytes of a request, head and body."""
     lines = [f"{request.method} {address.path_prefix}{request.path} HTTP/1.1", f"Host: {address.authority}"]
-    lines += [f"{name}: {value}" for name, value in (*more, *request.headers)]
+    lines += [f"{name}: {value}" for name, value in request.headers]
     if request.body or request.method in ("POST", "PUT"):
         lines.append(f"Content-Length: {len(request.body)}")
     return "\r\n".join([*lines, "", ""]).encode("latin-1") + request.body

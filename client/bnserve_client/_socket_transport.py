@@ -7,7 +7,6 @@ import socket
 import time
 
 from bnserve_client._addresses import Address
-from bnserve_client._answer_memory import AnswerMemory, header_of
 from bnserve_client._failures import Stale, TransportFailure, explain
 from bnserve_client._http1 import Exchange, encode_request, exchange
 from bnserve_client._messages import HttpResponse, Send
@@ -28,7 +27,6 @@ class SocketTransport:
 
     def __init__(self) -> None:
         self._pool = SocketPool()
-        self._memory = AnswerMemory()
 
     def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`; a connection that had gone stale is replaced once, silently."""
@@ -50,7 +48,6 @@ class SocketTransport:
     def let_go(self) -> None:
         """In a forked child: drop the inherited descriptors without a word on the wire."""
         self._pool.let_go()
-        self._memory.let_go()
 
     def _connect(self, send: Send) -> socket.socket:
         allowed = _time_allowed(send, _CONNECT_SECONDS)
@@ -69,8 +66,7 @@ class SocketTransport:
         return sock
 
     def _perform(self, sock: socket.socket, send: Send) -> HttpResponse:
-        block = self._memory.lend(send)  # one for each attempt: a server may still write for one that has failed
-        message = encode_request(send.address, send.request, header_of(block))
+        message = encode_request(send.address, send.request)
         try:
             response, reusable = _drive(sock, exchange(message, send.max_bytes), send)
         except BaseException:
@@ -80,7 +76,7 @@ class SocketTransport:
             self._pool.put_back(sock)
         else:
             self._pool.drop(sock)
-        return self._memory.take(response, block)
+        return response
 
 
 def _drive(sock: socket.socket, steps: Exchange, send: Send) -> tuple[HttpResponse, bool]:
@@ -112,7 +108,6 @@ class AsyncSocketTransport:
 
     def __init__(self) -> None:
         self._pool = SocketPool()
-        self._memory = AnswerMemory()
 
     async def send(self, send: Send) -> HttpResponse:
         """As :meth:`SocketTransport.send`."""
@@ -134,7 +129,6 @@ class AsyncSocketTransport:
     def let_go(self) -> None:
         """In a forked child: drop the inherited descriptors without a word on the wire."""
         self._pool.let_go()
-        self._memory.let_go()
 
     async def _connect(self, send: Send) -> socket.socket:
         async with asyncio.timeout(_time_allowed(send, _CONNECT_SECONDS)):
@@ -168,8 +162,7 @@ class AsyncSocketTransport:
         return sock
 
     async def _perform(self, sock: socket.socket, send: Send) -> HttpResponse:
-        block = self._memory.lend(send)  # as in SocketTransport
-        message = encode_request(send.address, send.request, header_of(block))
+        message = encode_request(send.address, send.request)
         try:
             async with asyncio.timeout(None) as limit:
                 response, reusable = await _drive_async(sock, exchange(message, send.max_bytes), send, limit)
@@ -180,7 +173,7 @@ class AsyncSocketTransport:
             self._pool.put_back(sock)
         else:
             self._pool.drop(sock)
-        return self._memory.take(response, block)
+        return response
 
 
 async def _drive_async(

@@ -13,14 +13,12 @@ from bnserve_protocol._analyses import (
 )
 from bnserve_protocol._analysis_checks import PRIOR_NAMES
 from bnserve_protocol._analysis_model import check_model_of
-from bnserve_protocol._answer_memory import ANSWER_IN_MEMORY, ANSWER_MEMORY, BODY_AT, MemoryName
 from bnserve_protocol._answers import (
     ModelIdentity,
     WaveformAnswer,
     decode_answer,
     encode_answer,
     encode_answer_json,
-    first_array_at,
 )
 from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
@@ -93,7 +91,7 @@ from bnserve_protocol._likelihood_parameters import (
 from bnserve_protocol._likelihood_rows import refuse_rows
 from bnserve_protocol._limits import Limits
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
-from bnserve_protocol._memory import Lease, ResultMemory, address_of, result_memory
+from bnserve_protocol._memory import ResultMemory, address_of, result_memory
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
     DEFAULT_OPTIONS,
@@ -132,9 +130,6 @@ from bnserve_protocol._requests import (
 from bnserve_protocol._version import __version__
 
 __all__ = [
-    "ANSWER_IN_MEMORY",
-    "ANSWER_MEMORY",
-    "BODY_AT",
     "DEFAULT_OPTIONS",
     "ERRORS_BY_CODE",
     "INTRINSIC_NAMES",
@@ -183,7 +178,6 @@ __all__ = [
     "InvalidParameters",
     "InvalidRequest",
     "InvalidRows",
-    "Lease",
     "Likelihood",
     "LikelihoodAnswer",
     "LikelihoodBatch",
@@ -194,7 +188,6 @@ __all__ = [
     "LikelihoodValues",
     "Limits",
     "ManifestModel",
-    "MemoryName",
     "MergerStencil",
     "ModelDescription",
     "ModelIdentity",
@@ -255,7 +248,6 @@ __all__ = [
     "encode_likelihood_answer_json",
     "encode_likelihood_request",
     "encode_request",
-    "first_array_at",
     "grid_digest",
     "likelihood_nodes",
     "likelihood_samples",

@@ -97,12 +97,6 @@ def _heads(
     return heads
 
 
-def first_array_at(model: ModelIdentity, name: str, dtype: np.dtype[Any], shape: tuple[int, ...]) -> int:
-    """Where the data of a large array begin in an answer of which it is the first."""
-    start = b"\x80" + _MODEL + _encode(model)
-    return len(start) + len(_padded(name, array_header(dtype, shape)[0], len(start)))
-
-
 def _padded(name: str, header: bytes | memoryview, position: int) -> bytes:
     """A field up to its data, with zeros before it so that the data is aligned when it is put at ``position``."""
     field = _encode(name) + bytes(header)

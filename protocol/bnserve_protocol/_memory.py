@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import ctypes
 import math
-import threading
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -30,7 +28,7 @@ _LARGEST_WASTE = 1.25
 _byte_at: Callable[[Any], ctypes.c_char] = ctypes.c_char.from_buffer
 
 
-class Lease:
+class _Lease:
     """What the arrays in a block refer to; when the last of them is gone, the block is free.
 
     Parameters
@@ -50,18 +48,11 @@ class Lease:
         self._give_back()
 
 
-class _Places(threading.local):
-    """Where the next result of a thread has to be."""
-
-    next: NDArray[np.uint8] | None = None
-
-
 class ResultMemory:
     """Blocks of bytes. Takes no lock, so that forks are safe: operations of ``dict`` are atomic in CPython."""
 
     def __init__(self) -> None:
         self._free: dict[int, NDArray[np.uint8]] = {}
-        self._places = _Places()
 
     @property
     def kept(self) -> int:
@@ -71,31 +62,16 @@ class ResultMemory:
     def empty(self, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
         """As :func:`numpy.empty`; what is large begins at a multiple of 64 bytes."""
         size = math.prod(shape) * np.dtype(dtype).itemsize
-        if size < _SMALL:
-            return np.empty(shape, dtype)
-        place, self._places.next = self._places.next, None
-        if place is not None and place.nbytes == size:
-            there: NDArray[Any] = place.view(dtype).reshape(shape)
-            return there
-        if size > _MOST_KEPT:
+        if size < _SMALL or size > _MOST_KEPT:
             return np.empty(shape, dtype)
         block = self._take(size)
-        lease = Lease(block, partial(self._give_back, block))
+        lease = _Lease(block, partial(self._give_back, block))
         array: NDArray[Any] = np.asarray(lease)[:size].view(dtype).reshape(shape)
         return array
 
     def give_back(self) -> None:
         """Keep no block that nobody uses at this moment."""
         self._free.clear()
-
-    @contextmanager
-    def placed(self, memory: NDArray[np.uint8]) -> Iterator[None]:
-        """The next large result of this thread is put into ``memory``, if it has just that size."""
-        self._places.next = memory
-        try:
-            yield
-        finally:
-            self._places.next = None
 
     def _take(self, size: int) -> NDArray[np.uint8]:
         for number, block in list(self._free.items()):

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +24,6 @@ from bnserve_protocol import (
     UniformGrid,
     encode_answer,
     encode_answer_json,
-    first_array_at,
-    result_memory,
 )
 from bnserve_service.digests import Buffer, content_digest
 from bnserve_service.metrics import Metrics
@@ -34,16 +31,6 @@ from bnserve_service.registry import LoadedModel, ServedModel, quick_work
 from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
 
 Arrays: TypeAlias = dict[str, NDArray[Any]]
-
-
-class AnswerBlock(Protocol):
-    """Memory for one answer."""
-
-    def put(self, parts: Sequence[Buffer]) -> bool:
-        """Put an answer there; false when it does not fit."""
-
-    def room(self, start: int, size: int) -> NDArray[np.uint8]:
-        """A part of it, shorter where it ends."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,8 +48,6 @@ class Question:
     media_type: str
     digest: DigestName = "sha-256"
     """Of the answer, as the caller wants it."""
-    memory: AnswerBlock | None = None
-    """Where the caller would like to find the answer; None for the socket."""
 
     @property
     def key(self) -> Hashable:
@@ -113,8 +98,6 @@ class Packed:
     packed: float
     started: float
     """``time.monotonic()`` when a worker took it."""
-    in_memory: bool = False
-    """Whether the caller finds the answer in memory that it shares with the service; then there are no parts."""
 
 
 def grid_key(grid: GridLike, digest: Callable[[NDArray[np.float64]], str]) -> Hashable:
@@ -195,19 +178,9 @@ class Evaluator:
         loaded = first.model
         batches = [question.batch for question in questions]
         stacked = first.batch if len(batches) == 1 else ParameterBatch(np.concatenate([b.values for b in batches]))
-        with _in_place(first) if len(questions) == 1 else nullcontext():
-            arrays = evaluate_output(loaded.model, first, stacked)
+        arrays = evaluate_output(loaded.model, first, stacked)
         self._metrics.evaluated(loaded.identity.name, len(stacked), len(stacked) * first.points)
         return split_rows(arrays, [len(batch) for batch in batches])
-
-
-def _in_place(question: Question) -> AbstractContextManager[None]:
-    """Have the strain of a factored answer written where the caller will look for it."""
-    if question.memory is None or question.output != "factored":
-        return nullcontext()
-    shape = (len(question.batch), question.points)
-    start = first_array_at(question.model.identity, "h", np.dtype(question.dtype), shape)
-    return result_memory.placed(question.memory.room(start, question.answer_bytes))
 
 
 def _told(error: Exception) -> Exception:
@@ -236,7 +209,4 @@ def pack(question: Question, arrays: Arrays, started: float, evaluated: float) -
     )
     digest = content_digest(parts, question.digest)
     length = sum(len(part) for part in parts)
-    in_memory = question.memory is not None and question.memory.put(parts)
-    if in_memory:
-        parts = []
-    return Packed(parts, digest, length, evaluated, time.monotonic() - begun, started, in_memory)
+    return Packed(parts, digest, length, evaluated, time.monotonic() - begun, started)

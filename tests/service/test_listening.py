@@ -1,12 +1,16 @@
 """Opening the socket: free ports, taken ports, Unix sockets left behind."""
 
+import fcntl
 import http.client
+import os
 import socket
 
+import msgpack
 import pytest
 
 from bnserve_service.cpu import available_cpus, parse_cpu_max
 from bnserve_service.listening import CannotListen, address_of, listen_tcp, listen_unix
+from tests.service.asking import MSGPACK, question, read_response
 from tests.service.chirp import ChirpModel
 
 
@@ -54,6 +58,30 @@ def test_serving_on_a_unix_socket(start, tmp_path):
     answer = connection.getresponse()
     assert (answer.status, answer.read()) == (200, b'{"ready":true}')
     connection.close()
+
+
+def test_a_client_that_still_offers_memory_for_its_answer_gets_an_ordinary_answer(start, tmp_path):
+    path = tmp_path / "bnserve.sock"
+    start(ChirpModel(), uds=path)
+    offered = os.memfd_create("test", os.MFD_ALLOW_SEALING)
+    os.ftruncate(offered, 2**21)
+    key = bytes(range(16))
+    os.pwrite(offered, key, 0)
+    fcntl.fcntl(offered, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW)
+    body = msgpack.packb(question(grid={"f_min": 20.0, "f_max": 2000.0, "delta_f": 0.25}, output="factored"))
+    answers = []
+    for header in ("", f"X-Answer-Memory: fd={offered}; key={key.hex()}; size={2**21}\r\n"):
+        head = f"POST /v1/models/chirp/waveforms HTTP/1.1\r\nHost: x\r\nContent-Type: {MSGPACK}\r\n{header}"
+        with socket.socket(socket.AF_UNIX) as connection:
+            connection.connect(str(path))
+            connection.sendall(f"{head}Content-Length: {len(body)}\r\n\r\n".encode() + body)
+            answers.append(read_response(connection))
+    plain, other = answers
+    assert (plain.status, other.status) == (200, 200)
+    assert len(plain.body) > 2**16
+    assert other.body == plain.body
+    assert os.pread(offered, 2**21, 0) == key + bytes(2**21 - 16)
+    os.close(offered)
 
 
 @pytest.mark.parametrize(

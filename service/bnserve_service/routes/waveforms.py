@@ -2,25 +2,20 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 from starlette.types import Receive, Scope, Send
 
-from bnserve_protocol import ANSWER_IN_MEMORY, JSON
+from bnserve_protocol import JSON
 from bnserve_service.answering import WaveformService
 from bnserve_service.batching import Job
 from bnserve_service.evaluation import Packed, Question
 from bnserve_service.routes.waiting import wait_for
 from bnserve_service.settings import Settings
-from bnserve_service.transport.answer_memory import SCOPE_KEY
 from bnserve_service.transport.answers import send_answer
 from bnserve_service.transport.body import read_body
 from bnserve_service.transport.context import RequestContext, context_of
 from bnserve_service.transport.negotiation import answer_digest, answer_media_type, request_media_type
 
 PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
-
-_IN_MEMORY = ANSWER_IN_MEMORY.lower().encode()
 
 
 class WaveformEndpoint:
@@ -52,8 +47,6 @@ class WaveformEndpoint:
         )
         self._service.learn(len(body), question, context.owner)
         del body
-        if SCOPE_KEY in scope:
-            question = dataclasses.replace(question, memory=scope[SCOPE_KEY].find(context.headers))
         with context.paying(len(question.batch)), self._service.reserve(question, context.owner):
             job = self._service.submit(question, deadline, context.owner)
             packed = await self._wait(job, receive)
@@ -80,11 +73,9 @@ def answer_headers(packed: Packed, media_type: str, submitted: float) -> list[tu
     timing = "queue;dur={:.3f}, eval;dur={:.3f}, pack;dur={:.3f}".format(
         *(1e3 * seconds for seconds in (packed.started - submitted, packed.evaluated, packed.packed))
     )
-    length = b"%d" % packed.length
-    where = [(b"content-length", b"0"), (_IN_MEMORY, length)] if packed.in_memory else [(b"content-length", length)]
     return [
         (b"content-type", media_type.encode()),
-        *where,
+        (b"content-length", b"%d" % packed.length),
         (b"content-digest", packed.digest),
         (b"server-timing", timing.encode()),
     ]

@@ -13,7 +13,6 @@ from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 from bnserve_protocol import PROBLEM_JSON, Problem, UndecodableBody
 from bnserve_service.digests import content_digest
 from bnserve_service.settings import Settings
-from bnserve_service.transport.answer_memory import SCOPE_KEY, PeerMemory
 from bnserve_service.transport.answers import Header
 from bnserve_service.transport.quick import QUICK_BODY, QuickLane
 
@@ -59,7 +58,6 @@ class BoundedProtocol(HttpToolsProtocol):
         self._in_headers = False
         self._in_message = False
         self._header_bytes = 0
-        self._peer_memory: PeerMemory | None = None
         self._held: bytearray | None = None
         """The body of a request that is for the quick lane if it comes in one piece with its headers."""
         self._waiting = _Waiting.NOTHING
@@ -69,7 +67,6 @@ class BoundedProtocol(HttpToolsProtocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # as in uvicorn
         """A connection was opened: its first headers are due."""
         super().connection_made(transport)
-        self._peer_memory = PeerMemory.of(transport.get_extra_info("socket"))
         self._watch()
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -94,8 +91,6 @@ class BoundedProtocol(HttpToolsProtocol):
     def on_message_begin(self) -> None:
         """Parser: the first byte of a request."""
         super().on_message_begin()
-        if self._peer_memory is not None:
-            self.scope[SCOPE_KEY] = self._peer_memory  # type: ignore[literal-required]  # an extension of ours
         self._in_headers = self._in_message = True
 
     def on_headers_complete(self) -> None:
