@@ -1,7 +1,9 @@
 # bnserve as a container. tests/integration/test_container.py runs these very steps without a container engine.
 #
 #   docker build -t bnserve .
-#   docker run --rm -p 8000:8000 --read-only --tmpfs /tmp --cap-drop ALL --security-opt no-new-privileges bnserve
+#   docker run --rm -p 127.0.0.1:8000:8000 --read-only --tmpfs /tmp --cap-drop ALL --security-opt no-new-privileges bnserve
+#
+# For callers elsewhere it needs tokens: docs/guides/container.md.
 
 FROM python:3.12-slim AS builder
 ENV PIP_DISABLE_PIP_VERSION_CHECK=1

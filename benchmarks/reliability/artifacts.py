@@ -69,7 +69,9 @@ def _offer(
     stream = Stream("good", waveforms_request(server.url, 1, 64, model=NAME), 20.0, with_digests=True)
     under_way = load.begin(server.address, [stream], 1.0)
     _look(server)
-    page = exchange(server.address, b"GET /metrics HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n").body.decode()
+    page = exchange(
+        server.address, b"GET /metrics HTTP/1.1\r\nhost: localhost\r\nconnection: close\r\n\r\n"
+    ).body.decode()
     found = {version for version in batch if f'name="{NAME}",version="{version}"' in page}
     text = server.log.read_text()
     why = {version for version in batch if re.search(rf"not serving {NAME} {re.escape(version)}: \S+", text)}

@@ -47,12 +47,14 @@ def connected(address: tuple[str, int], timeout: float = 30.0) -> Iterator[socke
 
 def status_of(address: tuple[str, int], path: str, timeout: float = 30.0) -> int:
     """The status of a GET; 0 when nobody answers."""
-    return exchange(address, f"GET {path} HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n".encode(), timeout).status
+    return exchange(
+        address, f"GET {path} HTTP/1.1\r\nhost: localhost\r\nconnection: close\r\n\r\n".encode(), timeout
+    ).status
 
 
 def metric(address: tuple[str, int], name: str, **labels: str) -> float:
     """The sum of a metric over all its labels that match."""
-    page = exchange(address, b"GET /metrics HTTP/1.1\r\nhost: x\r\nconnection: close\r\n\r\n").body.decode()
+    page = exchange(address, b"GET /metrics HTTP/1.1\r\nhost: localhost\r\nconnection: close\r\n\r\n").body.decode()
     wanted = [f'{key}="{value}"' for key, value in labels.items()]
     total = 0.0
     for line in page.splitlines():

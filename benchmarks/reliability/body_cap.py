@@ -26,7 +26,7 @@ PLANTS = {"no-cap": "bodies are read to their end, as uvicorn does"}
 MIB = 2**20
 LIMIT = 16 * MIB
 CHUNK = b"%x\r\n" % 2**16 + b"x" * 2**16 + b"\r\n"
-HEAD = b"POST /v1/models/default/waveforms HTTP/1.1\r\nhost: x\r\ncontent-type: application/msgpack\r\n"
+HEAD = b"POST /v1/models/default/waveforms HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/msgpack\r\n"
 CHUNKED = HEAD + b"transfer-encoding: chunked\r\n\r\n"
 
 

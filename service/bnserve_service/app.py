@@ -52,6 +52,7 @@ from bnserve_service.stored_shares import Keeping, Kind, StoredShares
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import plain_response
 from bnserve_service.transport.context import RequestContextMiddleware
+from bnserve_service.transport.hosts import HostCheck, HostMiddleware
 from bnserve_service.transport.quick import QuickLane
 
 
@@ -108,10 +109,11 @@ class Application(FastAPI):
         inner: ASGIApp = StraightWay(self._serve_by_router, evaluations)
         tokens = parts.settings.tokens
         access = AccessMiddleware(inner, tokens, shares_of(tokens, parts.shared), parts.queue.turn) if tokens else None
+        hosts = HostCheck.of(parts.settings)
         self._front = RequestContextMiddleware(
-            access or inner, parts.metrics, parts.lifecycle, parts.settings.access_log
+            HostMiddleware(access or inner, hosts), parts.metrics, parts.lifecycle, parts.settings.access_log
         )
-        self.quick_lane = QuickLane(parts.waveforms, parts.lifecycle, self._front, access)
+        self.quick_lane = QuickLane(parts.waveforms, parts.lifecycle, self._front, hosts, access)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve: HTTP through our own middlewares, the rest (the lifespan) through FastAPI's."""

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import errno
+import logging
 import socket
+from ipaddress import ip_address
 from pathlib import Path
+from typing import Any
 
 from bnserve_protocol import BnserveError
 from bnserve_service.settings import Settings
+
+logger = logging.getLogger("bnserve.server")
 
 BACKLOG = 2048
 
@@ -20,13 +25,21 @@ class CannotListen(BnserveError):
 
 
 def open_listener(settings: Settings) -> socket.socket:
-    """The socket that the settings ask for.
+    """The socket that the settings ask for; says so when everybody who reaches it would be let in.
 
     Raises
     ------
     CannotListen
     """
-    return listen_unix(settings.uds) if settings.uds is not None else listen_tcp(settings.host, settings.port)
+    if settings.uds is not None:
+        return listen_unix(settings.uds)
+    listener = listen_tcp(settings.host, settings.port)
+    if not settings.tokens and not is_loopback(settings.host):
+        logger.warning(
+            "NO TOKENS: whoever reaches %s may use this server, upload to it, read its metrics and reload its models. "
+            "Make tokens with `bnserve tokens new`, or listen on 127.0.0.1.", address_of(listener),
+        )  # fmt: skip
+    return listener
 
 
 def open_metrics_listener(settings: Settings) -> socket.socket | None:
@@ -55,7 +68,7 @@ def listen_tcp(host: str, port: int) -> socket.socket:
     CannotListen
     """
     try:
-        family, _, _, _, address = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
+        family, address = _resolve(host, port)
         listener = socket.socket(family, socket.SOCK_STREAM)
     except OSError as error:
         raise CannotListen(f"'{host}' is not an address of this machine: {error.strerror or error}.") from error
@@ -67,6 +80,20 @@ def listen_tcp(host: str, port: int) -> socket.socket:
         listener.close()
         raise CannotListen(_explain(error, host, port)) from error
     return listener
+
+
+def is_loopback(host: str) -> bool:
+    """Whether nobody but this machine can connect to a server that listens on ``host``."""
+    try:
+        return ip_address(_resolve(host, 0)[1][0]).is_loopback
+    except OSError:  # no address: nobody will listen there
+        return False
+
+
+def _resolve(host: str, port: int) -> tuple[socket.AddressFamily, Any]:
+    """The address to bind, of those that ``host`` stands for."""
+    found = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
+    return found[0], found[4]
 
 
 def _explain(error: OSError, host: str, port: int) -> str:

@@ -18,7 +18,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from bnserve_service.app import Application as BnserveApplication
 from bnserve_service.app import create_app
-from bnserve_service.settings import Settings, load_settings
+from bnserve_service.settings import ANY_HOST, Settings, load_settings
 
 ONGOING = 256
 """Requests that one replica is given at the same time; its own queue is bounded and refuses what does not fit."""
@@ -93,6 +93,8 @@ def app(arguments: Arguments) -> Application:
     """
     threads = {"threads": max(1, math.floor(arguments.cpus))}
     settings = load_settings(arguments.config, threads | arguments.settings)
+    if not settings.allowed_hosts:  # Ray listens, on addresses of its own: those of the settings mean nothing here
+        settings = settings.model_copy(update={"allowed_hosts": (ANY_HOST,)})
     deployment = serve.deployment(
         name="bnserve",
         max_ongoing_requests=ONGOING,

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import difflib
 import hashlib
+import re
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
 from bnserve_protocol import InvalidRequest, Limits
 
@@ -21,6 +22,11 @@ ROW_COST = 1_000
 """Work of one row beside its samples, in samples: about 5 us against 5 ns per sample."""
 REQUEST_COST = 10_000
 """Work of one request beside its rows, in samples: about 50 us of decoding, hand-over and packing."""
+
+
+ANY_HOST = "*"
+"""In ``allowed_hosts``: every host."""
+_HOST = re.compile(r"\*|[A-Za-z0-9._-]{1,253}|[0-9A-Fa-f:.]{2,45}")
 
 
 class SettingsInvalid(InvalidRequest):
@@ -89,6 +95,10 @@ class Settings(BaseModel):
     """0 takes a free port, which is printed."""
     uds: Path | None = None
     """A Unix socket instead of host and port: half the cost for samplers on the same machine."""
+    allowed_hosts: tuple[str, ...] = ()
+    """Names and addresses, without port, that this server is called by, beside localhost and its like: other `Host`
+    headers are refused, because a web page may have made its own name point here. Empty: those of the loopback
+    interface alone on a server that listens there or on a Unix socket, every host on other addresses. ``*``: every."""
     stores: tuple[Path, ...] = ()
     """Model stores searched before the models shipped with bnserve."""
     models: tuple[str, ...] = ()
@@ -150,6 +160,15 @@ class Settings(BaseModel):
     """How often the stores are looked at for new versions and labels."""
     self_check_seconds: float = Field(default=10.0, gt=0)
     """How often a tiny evaluation is compared with its stored answer."""
+
+    @field_validator("allowed_hosts")
+    @classmethod
+    def _hosts_are_bare(cls, hosts: tuple[str, ...]) -> tuple[str, ...]:
+        bare = tuple(host.removeprefix("[").removesuffix("]").removesuffix(".") for host in hosts)
+        wrong = [host for host in bare if not _HOST.fullmatch(host)]
+        if wrong:
+            raise ValueError(f"'{wrong[0]}' is not a host; write a name or an address without scheme and port")
+        return bare
 
     @model_validator(mode="after")
     def _tokens_differ(self) -> Settings:

@@ -97,7 +97,7 @@ def test_an_answer_being_sent_when_sigterm_comes_arrives_whole(tmp_path):
             slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 2**14)
             slow.connect((host, int(port)))
             head = (
-                "POST /v1/models/default/waveforms HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
+                "POST /v1/models/default/waveforms HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/json\r\n"
                 f"accept: application/msgpack\r\ncontent-length: {len(body)}\r\n\r\n"
             )
             slow.sendall(head.encode() + body)

@@ -185,7 +185,7 @@ def test_an_evaluation_that_does_not_come_back_costs_one_worker(workers):
     workers.wait_until_complete()
     body = json.dumps(question(GW170817 | {"total_mass": [2.7] * 7}, {"f_min": 20, "f_max": 2048, "delta_f": 1}))
     with raw_connection(workers.address) as lost:
-        head = "POST /v1/models/default/waveforms HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
+        head = "POST /v1/models/default/waveforms HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/json\r\n"
         lost.sendall(f"{head}content-length: {len(body)}\r\n\r\n{body}".encode())
         until(lambda: workers.value("bnserve_workers") == 4, "another takes its place before it ends")
         assert evaluate_json(workers.address, CURL, model="default").status == 200

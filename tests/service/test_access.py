@@ -56,7 +56,7 @@ def test_401_missing_or_wrong(server, headers):
 
 
 def test_401_two_authorization_headers_even_if_both_are_right(server):
-    head = f"GET /v1/models HTTP/1.1\r\nhost: x\r\nauthorization: Bearer {SECRET}\r\n"
+    head = f"GET /v1/models HTTP/1.1\r\nhost: localhost\r\nauthorization: Bearer {SECRET}\r\n"
     for second in (SECRET, "guess"):
         with raw_connection(server.address) as connection:
             connection.sendall(f"{head}Authorization: Bearer {second}\r\n\r\n".encode())

@@ -137,7 +137,7 @@ def test_sizes_are_limited(start):
 def test_bodies_are_capped_while_they_arrive(start):
     server = start(ChirpModel(), max_analysis_bytes=2**16)
     with raw_connection(server.address) as connection:
-        connection.sendall(f"PUT {AT} HTTP/1.1\r\nhost: x\r\ntransfer-encoding: chunked\r\n\r\n".encode())
+        connection.sendall(f"PUT {AT} HTTP/1.1\r\nhost: localhost\r\ntransfer-encoding: chunked\r\n\r\n".encode())
         for _ in range(8):  # twice as much as allowed, and no end in sight
             connection.sendall(b"4000\r\n" + b"x" * 0x4000 + b"\r\n")
         answer = read_response(connection)
@@ -147,7 +147,7 @@ def test_bodies_are_capped_while_they_arrive(start):
 
 def test_uploads_on_their_way_are_bounded_together(start):
     server = start(ChirpModel(), max_analysis_bytes=2**20, body_timeout=60.0)
-    head = f"PUT {AT} HTTP/1.1\r\nhost: x\r\ncontent-length: {2**20}\r\n\r\n".encode()
+    head = f"PUT {AT} HTTP/1.1\r\nhost: localhost\r\ncontent-length: {2**20}\r\n\r\n".encode()
     with ExitStack() as stack:
         for _ in range(4):
             connection = stack.enter_context(raw_connection(server.address))
@@ -216,7 +216,8 @@ def test_a_client_that_went_away_costs_nothing(start):
     upload(server.address, ANALYSIS)
     model.gate.clear()
     body = encode_likelihood_request(ANALYSIS.digest, samples(5))
-    head = f"POST {PATH} HTTP/1.1\r\nhost: x\r\ncontent-type: {MSGPACK}\r\ncontent-length: {len(body)}\r\n\r\n".encode()
+    lines = [f"POST {PATH} HTTP/1.1", "host: localhost", f"content-type: {MSGPACK}", f"content-length: {len(body)}"]
+    head = "\r\n".join([*lines, "", ""]).encode()
     connections = [raw_connection(server.address) for _ in range(3)]
     for connection in connections:
         connection.sendall(head + body)

@@ -269,7 +269,7 @@ def test_a_caller_that_went_away_is_taken_out_of_the_queue(start):
     server = start(model, threads=1)
     model.gate.clear()
     body = msgpack.packb(question(GW170817 | {"total_mass": 3.3}))
-    head = f"POST /v1/models/chirp/waveforms HTTP/1.1\r\nhost: x\r\ncontent-type: {MSGPACK}\r\n"
+    head = f"POST /v1/models/chirp/waveforms HTTP/1.1\r\nhost: localhost\r\ncontent-type: {MSGPACK}\r\n"
     with ThreadPoolExecutor(1) as caller:
         blocker = caller.submit(evaluate, server.address, question())
         model.wait_until_entered()

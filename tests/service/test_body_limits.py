@@ -9,7 +9,7 @@ import pytest
 from tests.service.asking import MSGPACK, ask, evaluate, question, raw_connection, read_response
 
 LIMIT = 2**20
-HEAD = "POST /v1/models/chirp/waveforms HTTP/1.1\r\nhost: x\r\ncontent-type: application/msgpack\r\n"
+HEAD = "POST /v1/models/chirp/waveforms HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/msgpack\r\n"
 
 
 def test_a_declared_size_is_refused_before_the_body_is_sent(server):

@@ -31,7 +31,7 @@ TIMES = ("date", "server-timing")
 def message(parameters=None, path=PATH, **headers):
     """Head and body of a question."""
     body = msgpack.packb(question(parameters))
-    names = {"Host": "x", "Content-Type": MSGPACK, "X-Request-ID": "me", "Content-Length": len(body)} | headers
+    names = {"Host": "localhost", "Content-Type": MSGPACK, "X-Request-ID": "me", "Content-Length": len(body)} | headers
     lines = [f"POST {path} HTTP/1.1", *(f"{name}: {value}" for name, value in names.items()), "", ""]
     return "\r\n".join(lines).encode(), body
 

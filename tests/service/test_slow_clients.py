@@ -7,7 +7,7 @@ import pytest
 from tests.service.asking import JSON, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, until
 
-HEAD = b"POST /v1/models/chirp/waveforms HTTP/1.1\r\nhost: x\r\ncontent-type: application/json\r\n"
+HEAD = b"POST /v1/models/chirp/waveforms HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/json\r\n"
 
 
 def ends(connection):
@@ -28,7 +28,7 @@ def server(start):
 
 @pytest.mark.parametrize(
     "sent",
-    [b"", b"\r\n\r\n", b"GET", HEAD, b"GET /v1/limits HTTP/1.1\r\nhost: x\r\n\r\n"],
+    [b"", b"\r\n\r\n", b"GET", HEAD, b"GET /v1/limits HTTP/1.1\r\nhost: localhost\r\n\r\n"],
     ids=["nothing", "empty lines", "half a line", "half the headers", "idle after an answer"],
 )
 def test_a_connection_that_waits_for_nothing_is_closed(server, sent):
@@ -50,7 +50,7 @@ def test_a_body_that_does_not_come_is_answered_and_ended(server):
 
 def test_empty_lines_between_requests_do_not_hold_a_connection(server):
     with raw_connection(server.address) as connection:
-        connection.sendall(b"GET /v1/limits HTTP/1.1\r\nhost: x\r\n\r\n")
+        connection.sendall(b"GET /v1/limits HTTP/1.1\r\nhost: localhost\r\n\r\n")
         read_response(connection)
         connection.sendall(b"\r\n")
         ends(connection)

@@ -21,6 +21,8 @@ def add_parser(subparsers: Any) -> None:
     add("--host", help="address to listen on (127.0.0.1)")
     add("--port", type=int, help="port to listen on (8000); 0 takes a free one and prints it")
     add("--uds", type=Path, metavar="PATH", help="listen on a Unix socket instead")
+    add("--allowed-host", action="append", metavar="HOST", help="a host that the server is called by, beside localhost "
+        "(repeatable); * for every one")  # fmt: skip
     add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
     add("--model", action="append", metavar="NAME[@VERSION]", help="serve only this model (repeatable)")
     add("--metrics-port", type=int, metavar="PORT", help="serve /metrics on a port of its own")
@@ -65,6 +67,7 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "host": options.host,
         "port": options.port,
         "uds": options.uds,
+        "allowed_hosts": options.allowed_host,
         "stores": options.store,
         "models": options.model,
         "metrics_port": options.metrics_port,

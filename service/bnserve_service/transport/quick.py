@@ -19,6 +19,7 @@ from bnserve_service.routes.waveforms import PATHS, answer_headers
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import Header
 from bnserve_service.transport.context import RequestContext, RequestContextMiddleware, new_context
+from bnserve_service.transport.hosts import HostCheck
 from bnserve_service.transport.negotiation import answer_digest, answer_media_type, request_media_type
 
 QUICK_BODY = 2**14
@@ -41,6 +42,8 @@ class QuickLane:
         While draining, the lane is closed.
     front:
         What every answer has in common.
+    hosts:
+        Under which names.
     access:
         Who is let in; None for everybody.
     """
@@ -50,11 +53,13 @@ class QuickLane:
         service: WaveformService,
         lifecycle: Lifecycle,
         front: RequestContextMiddleware,
+        hosts: HostCheck,
         access: AccessMiddleware | None,
     ) -> None:
         self._service = service
         self._lifecycle = lifecycle
         self._front = front
+        self._hosts = hosts
         self._access = access
 
     def offers(self, url: bytes) -> bool:
@@ -84,6 +89,7 @@ class QuickLane:
         assert found is not None, "only what was offered"
         name, version = found[1].decode(), found[2].decode() if found[2] else None
         context.route = PATHS[0] if version is None else PATHS[1]
+        self._hosts.check(context.headers, "POST", url.decode())
         if self._access is not None:
             self._access.check(context, headers, "POST", url.decode())
         media_type = request_media_type(context.headers)
