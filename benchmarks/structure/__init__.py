@@ -1,0 +1,1 @@
+"""How large the code is, and how many modules one answer passes."""
