@@ -108,7 +108,7 @@ class RemoteModel:
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> Conversation[float]:
         """Seconds from ``frequency`` to the merger."""
-        stencil = MergerStencil(frequency)
+        stencil = MergerStencil.within(self.pinned.description, frequency, parameters)
         answer = yield from self.predict_amplitude_phase(
             stencil.frequencies, stencil.unshifted(parameters), stencil.options
         )

@@ -136,7 +136,8 @@ class AmplitudePhase(LikeTuple[NDArray[np.float64]]):
     """Amplitude (1/Hz) and continuous phase (radians) of h = amplitude * exp(i phase); unpacks as ``amp, phi = ...``,
     and is otherwise like that tuple, too.
 
-    ``(M,)`` for one waveform, ``(N, M)`` for a batch; the polarisations are h times (1 + cos^2 iota) / 2 and
+    ``(M,)`` for one waveform, ``(N, M)`` for a batch. Above a surrogate's band the amplitude is zero and the phase a
+    straight line with the slope that it has at the top. The polarisations are h times (1 + cos^2 iota) / 2 and
     h times -i cos iota.
     """
 

@@ -21,9 +21,11 @@ from bnserve_protocol import (
     ParameterDescription,
     ParametersWithExtrinsic,
     Polarizations,
+    RowStatus,
     address_of,
     result_memory,
 )
+from bnserve_surrogate._continuation import continue_above
 from bnserve_surrogate._domain import refuse_rows
 from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
 from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, evaluate
@@ -45,6 +47,8 @@ _WORTH_A_THREAD = 20_000
 """Values below which a batch is not divided among threads."""
 _PIECES = 4
 """Into so many pieces for each thread a batch is divided."""
+_ANY_MASS = 2.8
+"""Solar masses, for a model that is made for all."""
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
 
 
@@ -94,6 +98,7 @@ class Evaluator:
     def __init__(self, mode: KernelModel, ranges: list[ParameterDescription], threads: int = 1) -> None:
         self._mode = mode
         self._ranges = ranges
+        self._mass = next((r.minimum for r in ranges if r.name == "total_mass" and r.minimum), _ANY_MASS)
         self._grids = GridCache()
         self._one_row = _OneRow()
         self._threads = threads
@@ -164,6 +169,18 @@ class Evaluator:
         if bad and options.out_of_domain == "error":
             refuse_rows(coerced, grid.frequencies, self._ranges, self._mode.mf_band, options)
         return Answer(arrays[0], second, plus, cross, status, estimates)
+
+    def curves(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions) -> Answer:
+        """Amplitudes and phases of N binaries, the phases continued above the band. Raises as :meth:`batch`."""
+        coerced = ParameterBatch.coerce(batch)
+        answer = self.batch(frequencies, coerced, options, Output.AMPLITUDE_PHASE)
+
+        def phases(f: NDArray[np.float64], rows: ParameterBatch) -> NDArray[np.float64]:
+            return np.asarray(self.batch(f, rows, options, Output.AMPLITUDE_PHASE).second)
+
+        grid, evaluated = self._grids.prepare(frequencies).frequencies, answer.status == RowStatus.OK
+        continue_above(answer.second, grid, coerced, evaluated, self._mode.mf_band[1], self._mass, phases)
+        return answer
 
     def _run(
         self, grid: PreparedGrid, batch: ParameterBatch, options: EvaluationOptions, outputs: Outputs, row_bytes: int

@@ -205,9 +205,9 @@ class Model:
     ) -> AmplitudePhase:
         """Amplitude (1/Hz) and continuous phase (rad); ``(M,)`` for one binary, ``(N, M)`` for a batch.
 
-        Above the band both are zero. Raises as :meth:`predict`.
+        Above the band the amplitude is zero and the phase goes on as a straight line. Raises as :meth:`predict`.
         """
-        answer = self._evaluator.batch(frequencies, batch, options, Output.AMPLITUDE_PHASE)
+        answer = self._evaluator.curves(frequencies, batch, options)
         amplitude, phase = answer.first, answer.second
         if isinstance(batch, ParametersWithExtrinsic):
             amplitude, phase = amplitude[0], phase[0]

@@ -1,5 +1,7 @@
 """What holds for every waveform model: the remote ones equal the local one in bits, types and errors."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -166,6 +168,39 @@ def test_results_are_used_like_tuples(model, method):
         answer[count]
     with pytest.raises(TypeError):
         answer["plus"]
+
+
+TOP = 2048.0
+"""Hz, of the band of the shipped models at 4 solar masses."""
+
+
+@pytest.mark.parametrize("fraction", [0.998, 0.9985, 0.9999, 1.0])
+def test_the_time_until_merger_at_the_top_of_the_band_is_equal(model, local, fraction):
+    heavy = replace(ONE, total_mass=4.0)
+    there = model.time_until_merger(fraction * TOP, heavy)
+    assert there == local.time_until_merger(fraction * TOP, heavy)
+    assert there == pytest.approx(1e-4, rel=0.02)  # a tenth of a millisecond before the merger
+
+
+def test_the_time_until_merger_from_above_the_band_is_the_same_error(model, local):
+    heavy = replace(ONE, total_mass=4.0)
+    there = failure(lambda: model.time_until_merger(1.001 * TOP, heavy))
+    assert there == failure(lambda: local.time_until_merger(1.001 * TOP, heavy))
+    assert there[0] is OutOfBand
+
+
+def test_a_difference_of_the_phase_does_not_see_the_top_of_the_band(model, local):
+    """The phase goes on as the line with the slope at the top; the amplitude says where that is."""
+    heavy = replace(ONE, total_mass=4.0, time_shift=0.0)
+    f = np.linspace(TOP - 50.0, TOP + 450.0, 1001)
+    options = EvaluationOptions(alignment="merger")
+    there = model.predict_amplitude_phase(f, heavy, options=options)
+    assert bits(there) == bits(local.predict_amplitude_phase(f, heavy, options=options))
+    np.testing.assert_array_equal(there.amplitude > 0.0, f <= TOP)
+    seconds = np.gradient(there.phase, f) / (2.0 * np.pi)
+    at_top = model.time_until_merger(TOP, heavy)
+    np.testing.assert_allclose(seconds, at_top, rtol=0.01)
+    np.testing.assert_allclose(seconds[f > TOP + 1.0], at_top, rtol=1e-6)
 
 
 def test_results_can_be_written_to(model):

@@ -152,3 +152,64 @@ def test_the_time_until_merger_is_that_of_teobresums(model):
     turns = np.round((model.time_until_merger(50.0, one) * 0.02) - step / (2.0 * np.pi))
     seconds = (step / (2.0 * np.pi) + turns) / 0.02
     assert model.time_until_merger(50.0, one) == pytest.approx(seconds, abs=1e-3)
+
+
+def slope_from_one_side(model, frequency, one, side):
+    """Time to the merger in seconds, from a polynomial through the phase on one side of a frequency."""
+    f = frequency * (1.0 + 2e-3 * side * (1.0 - np.cos(np.linspace(0.0, np.pi, 65))))
+    phase = model.predict_amplitude_phase(np.sort(f), one, options=MERGER).phase
+    line = np.polynomial.Chebyshev.fit(np.sort(f), phase, 5)
+    return line.deriv()(frequency) / (2.0 * np.pi)
+
+
+SPREAD = {
+    **BINARIES,
+    "soft": replace(BINARIES["like GW170817"], lambda_1=4800.0, lambda_2=5000.0),
+    "stiff": replace(BINARIES["unequal, spinning"], lambda_1=10.0, lambda_2=5.0, chi_1=-0.5),
+}
+
+
+@pytest.mark.parametrize("one", SPREAD.values(), ids=list(SPREAD))
+@pytest.mark.parametrize("name", ["default", "fast", "paper"])
+def test_the_time_until_merger_is_the_slope_of_the_phase_up_to_the_edges_of_the_band(name, one):
+    shipped = Model.load(name)
+    low, top = (edge * shipped.description.reference_mass for edge in shipped.description.training_band)
+    for mass in (2.0, 2.7, 3.3, 4.0):
+        binary = replace(one, total_mass=mass)
+        for fraction in (0.9, 0.997, 0.998, 0.9985, 0.9995, 1.0):
+            f = fraction * top / mass
+            from_below = slope_from_one_side(shipped, f, binary, -1.0)
+            assert shipped.time_until_merger(f, binary) == pytest.approx(from_below, rel=1e-3, abs=1e-8)
+        for fraction in (0.5, 0.998, 0.9995, 1.0, 1.0005, 1.002, 1.1):
+            f = fraction * low / mass
+            for side in (-1.0, 1.0):  # where the surrogate joins the baseline, the phase and its slope are continuous
+                expected = slope_from_one_side(shipped, f, binary, side)
+                assert shipped.time_until_merger(f, binary) == pytest.approx(expected, rel=1e-8)
+
+
+@binaries
+@pytest.mark.parametrize("alignment", ["merger", "post_newtonian"])
+def test_above_the_band_the_phase_is_a_line_whatever_the_grid(model, one, alignment):
+    """With value and slope of the top; what stands at a frequency does not depend on the others, nor on other rows."""
+    options = EvaluationOptions(alignment=alignment)
+    shifted = replace(one, time_shift=0.2, reference_phase=1.5, total_mass=3.7)
+    top = model.description.training_band[1] * model.description.reference_mass / 3.7
+    f = np.concatenate([top * (1.0 + 1e-6 * np.arange(-20.0, 1.0)), np.geomspace(1.0001 * top, 2.0 * top, 50)])
+    amplitude, phase = model.predict_amplitude_phase(f, shifted, options=options)
+    np.testing.assert_array_equal(amplitude > 0.0, f <= top)
+    slope = np.polynomial.Polynomial.fit(f[:21], phase[:21], 1).deriv()(top)
+    np.testing.assert_allclose(phase[21:], phase[20] + slope * (f[21:] - top), atol=1e-4 + 1e-5 * top)
+    np.testing.assert_allclose(np.diff(phase[21:]) / np.diff(f[21:]), slope, rtol=1e-4)
+    sparse = model.predict_amplitude_phase(f[::7], shifted, options=options)
+    np.testing.assert_array_equal(sparse.phase, phase[::7])
+    batch = model.predict_amplitude_phase(f, [one, shifted, replace(shifted, total_mass=2.0)], options=options)
+    np.testing.assert_array_equal(batch.phase[1], phase)
+
+
+def test_rows_that_are_flagged_stay_nan_above_the_band(model):
+    f = np.array([100.0, 5000.0])
+    options = EvaluationOptions(out_of_domain="flag")
+    one = BINARIES["like GW170817"]
+    answer = model.predict_amplitude_phase(f, [one, replace(one, mass_ratio=0.5)], options=options)
+    assert np.isfinite(answer.phase[0]).all()
+    assert np.isnan(answer.phase[1]).all()

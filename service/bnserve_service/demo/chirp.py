@@ -64,7 +64,7 @@ def evaluate_chirp(model: WaveformModel, parameters: ParametersWithExtrinsic) ->
         strain=strain,
         frequencies=frequencies,
         amplitude=plus * amplitude,
-        until_merger=np.gradient(phase, frequencies) / (2.0 * np.pi),
+        until_merger=np.gradient(phase, frequencies, edge_order=2) / (2.0 * np.pi),
     )
 
 
