@@ -48,12 +48,13 @@ from bnserve_service.shared.files import Shelf
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.shared.models import SharedModels
 from bnserve_service.shares import shares_of
-from bnserve_service.stored_shares import Keeping, Kind, StoredShares
+from bnserve_service.stored_shares import Keeping, StoredShares
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import plain_response
 from bnserve_service.transport.context import RequestContextMiddleware
 from bnserve_service.transport.hosts import HostCheck, HostMiddleware
 from bnserve_service.transport.quick import QuickLane
+from bnserve_service.upload_records import Kind
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,7 +290,7 @@ def _stores(settings: Settings) -> ModelSource:
 def _stored_shares(parts: Parts) -> StoredShares:
     grids, analyses = parts.grids, parts.analyses
     keeping: dict[Kind, Keeping] = {
-        "grid": Keeping(lambda owner, sha256: grids.has(sha256), lambda owner, sha256: grids.drop(sha256)),
+        "grid": Keeping(lambda _, sha256: grids.has(sha256), lambda _, sha256: grids.drop(sha256), is_common=True),
         "analysis": Keeping(analyses.has, analyses.discard),
     }
     return StoredShares(parts.settings.tokens, keeping, parts.shared)

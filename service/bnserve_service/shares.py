@@ -88,13 +88,15 @@ class Share:
             return
         under_way = self._place + _UNDER_WAY
         with self._cells.alone():
-            if self._cells.over_processes(under_way) >= self._most_under_way:
+            # Counted before it is compared: two processes that both go on without the lock refuse one too many then.
+            self._cells.set_own(under_way, self._cells.own(under_way) + 1.0)
+            if self._cells.over_processes(under_way) > self._most_under_way:
+                self.end()
                 raise ShareExceeded(
                     f"This token may have {self._most_under_way} requests under way at the same time, and has as many; "
                     "send the next when one is answered.",
                     retry_after=_MOMENT,
                 )
-            self._cells.set_own(under_way, self._cells.own(under_way) + 1.0)
 
     def end(self) -> None:
         """A request that began is over."""

@@ -3,33 +3,30 @@
 An upload beyond a token's share takes the place of what it uploaded longest ago. What it uploaded within the last
 minute is probably in use and stays: then the upload is refused until the minute is over, so that two analyses that do
 not fit beside each other do not drive each other out for ever.
+
+Room is taken before an upload is stored, so that many at the same time have no more of it than one after the other;
+and what several tokens have uploaded is there until the last of them has lost it.
 """
 
 from __future__ import annotations
 
+import re
 import time
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Generator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, TypeAlias
 
 from bnserve_protocol import ShareExceeded, TooLarge
 from bnserve_service.settings import Token
+from bnserve_service.upload_records import LEFT_BEHIND, Kind, OwnRecords, SharedRecords, Upload, UploadRecords
+from bnserve_service.upload_records import coming as about_to_store
+from bnserve_service.upload_records import kept as stored
 
-Kind: TypeAlias = Literal["grid", "analysis"]
 KEPT_SECONDS = 60.0
-
-
-@dataclass(frozen=True, slots=True)
-class Upload:
-    """What a token has uploaded."""
-
-    kind: Kind
-    sha256: str
-    nbytes: int
-    when: float
-    """``time.time()``."""
+_MOMENT = 1.0
+"""Seconds after which an upload that is under way has been stored or refused."""
+_DIGEST = re.compile(r"[0-9a-f]{64}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +35,8 @@ class Keeping:
 
     has: Callable[[str, str], bool]
     drop: Callable[[str, str], object]
+    is_common: bool = False
+    """Whether all owners of one have the same: then it is dropped when the last of them loses it."""
 
 
 class StoredShares:
@@ -52,7 +51,7 @@ class StoredShares:
     shared:
         A folder that the processes of one server share; None for one process.
     kept_seconds:
-        So long an upload stays in any case.
+        So long an upload stays in any case; by default ``KEPT_SECONDS``.
     """
 
     def __init__(
@@ -60,17 +59,16 @@ class StoredShares:
         tokens: Sequence[Token],
         keeping: Mapping[Kind, Keeping],
         shared: Path | None = None,
-        kept_seconds: float = KEPT_SECONDS,
+        kept_seconds: float | None = None,
     ) -> None:
-        self._kept_seconds = kept_seconds
+        self._kept_seconds = KEPT_SECONDS if kept_seconds is None else kept_seconds
         self._most = {token.sha256: token.max_stored_bytes for token in tokens if token.max_stored_bytes is not None}
         self._keeping = keeping
-        self._uploads: _Uploads | _SharedUploads = (
-            _Uploads() if shared is None else _SharedUploads(shared / "stored-shares")
-        )
+        self._records: UploadRecords = OwnRecords() if shared is None else SharedRecords(shared / "stored-shares")
 
-    def make_room(self, owner: str, kind: Kind, sha256: str, nbytes: int) -> None:
-        """See that an upload is within its owner's share.
+    @contextmanager
+    def room(self, owner: str, kind: Kind, sha256: str, nbytes: int) -> Generator[None, None, None]:
+        """Hold room for an upload while it is stored; it is given back if that fails.
 
         Raises
         ------
@@ -79,80 +77,67 @@ class StoredShares:
         TooLarge
             It alone is larger than the share.
         """
+        if not self._most or not _DIGEST.fullmatch(sha256):  # what is no digest is refused by whoever stores it
+            yield
+            return
+        upload = about_to_store(kind, sha256, nbytes)
+        with self._records.alone():
+            self._make_room(owner, upload)
+            self._records.add(owner, upload)
+        try:
+            yield
+            with self._records.alone():
+                self._records.add(owner, stored(upload))
+        finally:
+            self._records.remove(owner, upload)
+
+    def _make_room(self, owner: str, upload: Upload) -> None:
+        present = self._present(owner)  # also of those without a limit, whose records nobody else would tidy
         most = self._most.get(owner)
         if most is None:
             return
-        if nbytes > most:
-            raise TooLarge(f"This token may keep {most} bytes uploaded, and this upload has {nbytes}.")
-        there = [each for each in self._present(owner) if (each.kind, each.sha256) != (kind, sha256)]
-        there.sort(key=lambda each: each.when)
-        while there and sum(each.nbytes for each in there) + nbytes > most:
+        if upload.nbytes > most:
+            raise TooLarge(f"This token may keep {most} bytes uploaded, and this upload has {upload.nbytes}.")
+        there = sorted((each for each in present if each.what != upload.what), key=lambda each: each.when)
+        while there and _bytes_of(there) + upload.nbytes > most:
             oldest = there.pop(0)
-            age = time.time() - oldest.when
-            if 0.0 <= age < self._kept_seconds:
-                raise ShareExceeded(
-                    f"This token may keep {most} bytes uploaded, and what it has was uploaded a moment ago; "
-                    "wait, delete an analysis, or ask the operators for a larger share.",
-                    retry_after=self._kept_seconds - age,
-                )
-            self._uploads.remove(owner, oldest)
-            self._keeping[oldest.kind].drop(owner, oldest.sha256)
+            self._refuse_while_fresh(oldest, most)
+            self._drop(owner, oldest)
 
-    def note(self, owner: str, kind: Kind, sha256: str, nbytes: int) -> None:
-        """An upload was kept."""
-        if owner in self._most:
-            self._uploads.add(owner, Upload(kind, sha256, nbytes, time.time()))
+    def _refuse_while_fresh(self, oldest: Upload, most: int) -> None:
+        age = time.time() - oldest.when
+        if oldest.coming or 0.0 <= age < self._kept_seconds:
+            raise ShareExceeded(
+                f"This token may keep {most} bytes uploaded, and what it has was uploaded a moment ago; "
+                "wait, delete an analysis, or ask the operators for a larger share.",
+                retry_after=max(_MOMENT, self._kept_seconds - age),
+            )
+
+    def _drop(self, owner: str, upload: Upload) -> None:
+        self._records.remove(owner, upload)
+        keeping = self._keeping[upload.kind]
+        if not (keeping.is_common and self._records.has_owner(*upload.what)):
+            keeping.drop(owner, upload.sha256)
 
     def _present(self, owner: str) -> list[Upload]:
         """What an owner has, without what was dropped since for other reasons."""
         found = []
-        for upload in self._uploads.of(owner):
-            if self._keeping[upload.kind].has(owner, upload.sha256):
+        for upload in self._records.of(owner):
+            is_there = (
+                time.time() - upload.when < LEFT_BEHIND
+                if upload.coming
+                else self._keeping[upload.kind].has(owner, upload.sha256)
+            )
+            if is_there:
                 found.append(upload)
             else:
-                self._uploads.remove(owner, upload)
+                self._records.remove(owner, upload)
         return found
 
 
-class _Uploads:
-    """In memory."""
-
-    def __init__(self) -> None:
-        self._of: dict[str, dict[tuple[Kind, str], Upload]] = {}
-
-    def of(self, owner: str) -> list[Upload]:
-        return list(self._of.get(owner, {}).values())
-
-    def add(self, owner: str, upload: Upload) -> None:
-        self._of.setdefault(owner, {})[upload.kind, upload.sha256] = upload
-
-    def remove(self, owner: str, upload: Upload) -> None:
-        self._of[owner].pop((upload.kind, upload.sha256), None)
-
-
-class _SharedUploads:
-    """As empty files whose names say what, and whose times say when."""
-
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
-
-    def of(self, owner: str) -> list[Upload]:
-        found = []
-        for path in sorted(self._folder.glob(f"{owner}/*-*-*")):
-            kind, sha256, nbytes = path.name.split("-")
-            with suppress(FileNotFoundError):
-                found.append(
-                    Upload("grid" if kind == "grid" else "analysis", sha256, int(nbytes), path.stat().st_mtime)
-                )
-        return found
-
-    def add(self, owner: str, upload: Upload) -> None:
-        path = self._path(owner, upload)
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        path.touch(mode=0o600)
-
-    def remove(self, owner: str, upload: Upload) -> None:
-        self._path(owner, upload).unlink(missing_ok=True)
-
-    def _path(self, owner: str, upload: Upload) -> Path:
-        return self._folder / owner / f"{upload.kind}-{upload.sha256}-{upload.nbytes}"
+def _bytes_of(uploads: Sequence[Upload]) -> int:
+    """Of all together; what is uploaded several times at once is kept once."""
+    largest: dict[tuple[Kind, str], int] = {}
+    for upload in uploads:
+        largest[upload.what] = max(upload.nbytes, largest.get(upload.what, 0))
+    return sum(largest.values())

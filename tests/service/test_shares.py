@@ -1,7 +1,6 @@
-"""What a token may do: rows per second, requests at the same time, bytes stored; over it, 429 and an honest wait."""
+"""What a token may do: rows per second, requests at the same time; over it, 429 and an honest wait."""
 
 import asyncio
-import hashlib
 import threading
 from concurrent.futures import ThreadPoolExecutor
 
@@ -9,13 +8,14 @@ import numpy as np
 import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
-from bnserve_protocol import ShareExceeded, TooLarge
+from bnserve_protocol import ShareExceeded
 from bnserve_service import Settings, Token
 from bnserve_service import shares as shares_module
 from bnserve_service.settings import SettingsInvalid, load_settings
+from bnserve_service.shared import cells as cells_module
+from bnserve_service.shared.cells import Cells
 from bnserve_service.shares import shares_of
-from bnserve_service.stored_shares import Keeping, StoredShares
-from tests.service.asking import GW170817, ask, evaluate, question
+from tests.service.asking import GW170817, evaluate, question
 from tests.service.chirp import ChirpModel, GatedModel, QuickChirpModel, until
 
 
@@ -119,6 +119,25 @@ def test_requests_under_way_are_counted():
     mine.begin()
 
 
+def test_workers_that_cannot_wait_for_each_other_let_none_too_many_through(tmp_path, monkeypatch):
+    first, second = (share(tmp_path, max_concurrent=1) for _ in range(2))
+    monkeypatch.setattr(cells_module, "_lock", lambda number: False)
+    counted, refused = Cells.over_processes, []
+
+    def while_another_begins(cells, index):
+        found = counted(cells, index)
+        monkeypatch.setattr(Cells, "over_processes", counted)
+        try:
+            second.begin()
+        except ShareExceeded as error:
+            refused.append(error)
+        return found
+
+    monkeypatch.setattr(Cells, "over_processes", while_another_begins)
+    first.begin()
+    assert len(refused) == 1
+
+
 def test_workers_share_one_account(clock, tmp_path):
     first, second = (share(tmp_path, rows_per_second=10.0, burst_rows=30.0) for _ in range(2))
     first.take(20)
@@ -176,67 +195,6 @@ def test_more_requests_at_the_same_time_than_allowed_are_refused(start):
         assert other.result().status == 200
     assert (third.status, third.code) == (429, "share-exceeded")
     assert evaluate(server.address, question(), **bearer("busy")).status == 200
-
-
-class Kept:
-    """Uploads by owner and digest."""
-
-    def __init__(self):
-        self.there = set()
-
-    def keeping(self):
-        return Keeping(lambda owner, name: (owner, name) in self.there, lambda *what: self.there.discard(what))
-
-
-@pytest.mark.parametrize("with_workers", [False, True])
-def test_uploads_beyond_the_share_take_the_place_of_older_ones_unless_those_are_fresh(tmp_path, with_workers):
-    token = Token.of("secret", max_stored_bytes=2000)
-    kept = Kept()
-
-    def stored(seconds):
-        keeping = {"grid": kept.keeping(), "analysis": kept.keeping()}
-        return StoredShares([token], keeping, tmp_path if with_workers else None, seconds)
-
-    names = [hashlib.sha256(bytes([number])).hexdigest() for number in range(3)]
-
-    def upload(shares, kind, name, size):
-        shares.make_room(token.sha256, kind, name, size)
-        kept.there.add((token.sha256, name))
-        shares.note(token.sha256, kind, name, size)
-
-    strict = stored(60.0)
-    upload(strict, "grid", names[0], 1200)
-    upload(strict, "grid", names[0], 1200)
-    upload(strict, "analysis", names[1], 800)
-    with pytest.raises(ShareExceeded) as refused:
-        upload(strict, "grid", names[2], 900)
-    assert 50.0 < refused.value.retry_after <= 60.0
-    with pytest.raises(TooLarge, match="2000"):
-        upload(strict, "grid", names[2], 2001)
-    kept.there.discard((token.sha256, names[0]))
-    upload(strict, "grid", names[2], 900)
-    lenient = stored(0.0)
-    if with_workers:
-        upload(lenient, "grid", names[0], 1500)
-        assert {name for _, name in kept.there} == {names[0]}
-    lenient.make_room("somebody else", "grid", names[1], 10**9)
-
-
-def test_over_its_stored_bytes_a_token_is_refused(start):
-    server = start(ChirpModel(), tokens=(Token.of("full", max_stored_bytes=2000), Token.of("other")))
-
-    def upload(first, token, points=150):
-        body = np.linspace(first, 900.0, points).tobytes()
-        path = f"/v1/grids/{hashlib.sha256(body).hexdigest()}"
-        return ask(server.address, "PUT", path, body, content_type="application/octet-stream", **bearer(token))
-
-    assert upload(20.0, "full").status == 201
-    assert upload(20.0, "full").status == 200
-    answer = upload(30.0, "full")
-    assert (answer.status, answer.code) == (429, "share-exceeded")
-    assert 0 < int(answer.headers["retry-after"]) <= 61
-    assert upload(30.0, "other").status == 201
-    assert upload(40.0, "full", points=300).status == 413
 
 
 def test_a_limit_that_makes_no_sense_is_refused():

@@ -40,9 +40,8 @@ def analysis_router(
         with service.uploads.counting(request.receive) as receive:
             body = await read_body(context.headers, receive, limit, settings.body_timeout)
             context.request_digest = await service.digest(body)
-            shares.make_room(context.owner, "analysis", sha256.lower(), len(body))
-            stored, is_new = await service.keep(context.owner, sha256.lower(), body)
-        shares.note(context.owner, "analysis", stored.sha256, stored.nbytes)
+            with shares.room(context.owner, "analysis", sha256.lower(), len(body)):
+                stored, is_new = await service.keep(context.owner, sha256.lower(), body)
         return data_response(request, analysis_document(stored), 201 if is_new else 200)
 
     @router.get("/v1/analyses/{sha256}", responses=answers_with(AnalysisDocument))

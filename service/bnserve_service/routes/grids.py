@@ -36,9 +36,8 @@ def grid_router(grids: GridCache, service: WaveformService, settings: Settings, 
             raise UnsupportedMediaType(f"Send the grid as {OCTETS}: raw little-endian float64.")
         body = await read_body(context.headers, request.receive, limit, settings.body_timeout)
         context.request_digest = await service.digest(body)
-        stored.make_room(context.owner, "grid", sha256.lower(), len(body))
-        points, is_new = await service.large_or_small(len(body), grids.put, sha256.lower(), body)
-        stored.note(context.owner, "grid", sha256.lower(), len(body))
+        with stored.room(context.owner, "grid", sha256.lower(), len(body)):
+            points, is_new = await service.large_or_small(len(body), grids.put, sha256.lower(), body)
         return data_response(request, GridDocument(sha256.lower(), points), 201 if is_new else 200)
 
     @router.head("/v1/grids/{sha256}", responses=FOUND_OR_NOT)
