@@ -66,7 +66,16 @@ def _locked(path: Path) -> Iterator[None]:
         yield
     finally:
         with closing_descriptor(descriptor):
-            path.unlink(missing_ok=True)
+            if _is_at(path, descriptor):  # or it is another writer's, since somebody took ours for a ruin
+                path.unlink(missing_ok=True)
+
+
+def _is_at(path: Path, descriptor: int) -> bool:
+    """Whether an open file is the one at ``path``."""
+    try:
+        return os.path.samestat(os.fstat(descriptor), path.stat())
+    except FileNotFoundError:
+        return False
 
 
 def _acquire(path: Path) -> int:
@@ -75,7 +84,7 @@ def _acquire(path: Path) -> int:
         descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX)
-            if path.exists() and os.path.samestat(os.fstat(descriptor), path.stat()):
+            if _is_at(path, descriptor):
                 return descriptor
         except BaseException:
             os.close(descriptor)

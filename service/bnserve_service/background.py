@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import threading
 from typing import Any, Self
 
 from bnserve_service.app import create_app
-from bnserve_service.listening import address_of, open_listener, open_metrics_listener
+from bnserve_service.listening import address_of, listening, open_metrics_listener
 from bnserve_service.server import BnserveServer, check_one_process
 from bnserve_service.settings import Settings
 
@@ -57,13 +58,11 @@ class BackgroundServer:
         return not self._thread.is_alive()
 
     def __enter__(self) -> Self:
-        self._listener = open_listener(self.settings)
-        try:
+        with contextlib.ExitStack() as stack:
+            self._listener = stack.enter_context(listening(self.settings))
             self._metrics_listener = open_metrics_listener(self.settings)
-        except BaseException:
-            self._listener.close()
-            raise
-        self.address = address_of(self._listener)
+            self.address = address_of(self._listener)
+            self._sockets = stack.pop_all()
         self._thread.start()
         self._server.ready.wait()
         if self._failure is not None:
@@ -77,7 +76,7 @@ class BackgroundServer:
 
     def _run(self) -> None:
         try:
-            with self._listener:
+            with self._sockets:
                 self._server.run(self._listener, with_signals=False, metrics_listener=self._metrics_listener)
         except Exception as error:
             self._failure = error

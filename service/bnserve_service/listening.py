@@ -5,12 +5,15 @@ from __future__ import annotations
 import errno
 import logging
 import socket
+from collections.abc import Iterator
+from contextlib import contextmanager
 from ipaddress import ip_address
 from pathlib import Path
 from typing import Any
 
 from bnserve_protocol import BnserveError
 from bnserve_service.settings import Settings
+from bnserve_service.socket_file import SocketFile
 
 logger = logging.getLogger("bnserve.server")
 
@@ -40,6 +43,23 @@ def open_listener(settings: Settings) -> socket.socket:
             "Make tokens with `bnserve tokens new`, or listen on 127.0.0.1.", address_of(listener),
         )  # fmt: skip
     return listener
+
+
+@contextmanager
+def listening(settings: Settings) -> Iterator[socket.socket]:
+    """:func:`open_listener`, until the context ends; then the file of a Unix socket is gone, too.
+
+    Raises
+    ------
+    CannotListen
+    """
+    with open_listener(settings) as listener:
+        file = None if settings.uds is None else SocketFile(settings.uds)
+        try:
+            yield listener
+        finally:
+            if file is not None:
+                file.remove()
 
 
 def open_metrics_listener(settings: Settings) -> socket.socket | None:

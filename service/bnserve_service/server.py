@@ -15,7 +15,7 @@ import uvicorn
 
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
-from bnserve_service.listening import BACKLOG, address_of, open_listener, open_metrics_listener
+from bnserve_service.listening import BACKLOG, address_of, listening, open_metrics_listener
 from bnserve_service.loading import RefreshReport
 from bnserve_service.metrics_port import serving_metrics
 from bnserve_service.settings import Settings, SettingsInvalid
@@ -262,9 +262,7 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     """
     check_one_process(settings)
     with contextlib.ExitStack() as stack:
-        listener = stack.enter_context(open_listener(settings))
-        if settings.uds is not None:
-            stack.callback(settings.uds.unlink, missing_ok=True)
+        listener = stack.enter_context(listening(settings))
         metrics_listener = open_metrics_listener(settings)
         if metrics_listener is not None:
             stack.enter_context(metrics_listener)

@@ -8,10 +8,13 @@ import socket
 import msgpack
 import pytest
 
+from bnserve_service import BackgroundServer, Settings
 from bnserve_service.cpu import available_cpus, parse_cpu_max
 from bnserve_service.listening import CannotListen, address_of, listen_tcp, listen_unix
+from bnserve_service.socket_file import SocketFile
+from bnserve_service.workers.start import become_supervisor
 from tests.service.asking import MSGPACK, question, read_response
-from tests.service.chirp import ChirpModel
+from tests.service.chirp import ChirpModel, MemorySource, as_it_is
 
 
 def test_port_zero_takes_a_free_port():
@@ -47,6 +50,34 @@ def test_a_unix_socket_left_behind_is_replaced_and_a_living_one_is_not(tmp_path)
         listen_unix(tmp_path / "file")
 
 
+def test_a_unix_socket_is_removed_by_whoever_made_it_alone(tmp_path):
+    path = tmp_path / "bnserve.sock"
+    with listen_unix(path):
+        first = SocketFile(path)
+    with listen_unix(path):  # in place of the other, perhaps under the same number
+        first.remove()
+        assert path.is_socket()
+        SocketFile(path).remove()
+        assert not path.exists()
+        first.remove()
+    missing = SocketFile(path)
+    with listen_unix(path):
+        missing.remove()
+        assert path.is_socket()
+
+
+def test_nothing_is_left_of_a_unix_socket(tmp_path):
+    path = tmp_path / "bnserve.sock"
+    with BackgroundServer(
+        Settings(uds=path, drain_grace=0.0), source=MemorySource().add(ChirpModel()), factory=as_it_is
+    ):
+        assert path.is_socket()
+    assert not path.exists()
+    with listen_tcp("127.0.0.1", 0) as taken, pytest.raises(CannotListen):
+        become_supervisor(Settings(uds=path, workers=2, metrics_port=taken.getsockname()[1]), announce=print)
+    assert not path.exists()
+
+
 def test_serving_on_a_unix_socket(start, tmp_path):
     path = tmp_path / "bnserve.sock"
     server = start(ChirpModel(), uds=path)
@@ -71,7 +102,7 @@ def test_a_client_that_still_offers_memory_for_its_answer_gets_an_ordinary_answe
     body = msgpack.packb(question(grid={"f_min": 20.0, "f_max": 2000.0, "delta_f": 0.25}, output="factored"))
     answers = []
     for header in ("", f"X-Answer-Memory: fd={offered}; key={key.hex()}; size={2**21}\r\n"):
-        head = f"POST /v1/models/chirp/waveforms HTTP/1.1\r\nHost: x\r\nContent-Type: {MSGPACK}\r\n{header}"
+        head = f"POST /v1/models/chirp/waveforms HTTP/1.1\r\nHost: localhost\r\nContent-Type: {MSGPACK}\r\n{header}"
         with socket.socket(socket.AF_UNIX) as connection:
             connection.connect(str(path))
             connection.sendall(f"{head}Content-Length: {len(body)}\r\n\r\n".encode() + body)

@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -58,6 +59,21 @@ class TestFolder:
         assert not SharedFolder(other.path).remove_if_last(), "somebody else has it open"
         for folder in (living, other):
             folder.close()
+
+    def test_it_is_missed_when_it_is_gone_or_another_and_another_is_not_removed(self, tmp_path):
+        folder = SharedFolder.create(0, [tmp_path])
+        assert folder.is_there()
+        shutil.rmtree(folder.path)
+        assert not folder.is_there()
+        folder.path.mkdir()
+        other = SharedFolder(folder.path)
+        assert not folder.is_there()
+        folder.remove()
+        assert other.is_there()
+        other.remove()
+        assert not folder.path.exists()
+        for each in (folder, other):
+            each.close()
 
     def test_it_is_where_there_is_room(self, tmp_path):
         small, large = tmp_path / "small", tmp_path / "large"

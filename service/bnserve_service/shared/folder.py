@@ -72,9 +72,17 @@ class SharedFolder:
         self.remove()
         return True
 
+    def is_there(self) -> bool:
+        """Whether it still is where it was, and nobody has put another one there."""
+        try:
+            return os.path.samestat(os.fstat(self._lock), (self.path / _LOCK).stat())
+        except OSError:
+            return False
+
     def remove(self) -> None:
         """Remove the folder, whoever has it open."""
-        shutil.rmtree(self.path, ignore_errors=True)
+        if self.is_there():
+            shutil.rmtree(self.path, ignore_errors=True)
 
     def close(self) -> None:
         """Say that this process does not use it any more."""

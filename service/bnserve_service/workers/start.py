@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable
 from typing import NoReturn
 
-from bnserve_service.listening import address_of, open_listener, open_metrics_listener
+from bnserve_service.listening import address_of, listening, open_metrics_listener
 from bnserve_service.settings import Settings
 from bnserve_service.workers.template_keeper import NO_DESCRIPTOR
 
@@ -26,20 +26,20 @@ def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> No
     ------
     CannotListen
     """
-    listener = open_listener(settings)
-    metrics = open_metrics_listener(settings)
-    announce(f"bnserve listens on {address_of(listener)}")
-    if metrics is not None:
-        announce(f"bnserve metrics on {address_of(metrics)}/metrics")
-    file = os.memfd_create("bnserve-settings")  # nobody else can read it, and it needs no name
-    os.write(file, settings.model_dump_json().encode())
-    numbers = (listener.detach(), metrics.detach() if metrics is not None else NO_DESCRIPTOR, file)
-    for number in numbers:
-        if number != NO_DESCRIPTOR:
-            os.set_inheritable(number, True)
-    sys.stdout.flush()
-    sys.stderr.flush()
-    # Whatever found this package shall find it again; -P, because nothing of the current directory shall count as one.
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
-    command = [sys.executable, "-P", "-m", "bnserve_service.workers.supervisor", *map(str, numbers)]
-    os.execve(sys.executable, command, environment)
+    with listening(settings) as listener:  # which ends only if this fails
+        metrics = open_metrics_listener(settings)
+        announce(f"bnserve listens on {address_of(listener)}")
+        if metrics is not None:
+            announce(f"bnserve metrics on {address_of(metrics)}/metrics")
+        file = os.memfd_create("bnserve-settings")  # nobody else can read it, and it needs no name
+        os.write(file, settings.model_dump_json().encode())
+        numbers = (listener.fileno(), metrics.fileno() if metrics is not None else NO_DESCRIPTOR, file)
+        for number in numbers:
+            if number != NO_DESCRIPTOR:
+                os.set_inheritable(number, True)
+        sys.stdout.flush()
+        sys.stderr.flush()
+        # Whatever found this package shall find it again; -P: nothing of the current directory shall count as one.
+        environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+        command = [sys.executable, "-P", "-m", "bnserve_service.workers.supervisor", *map(str, numbers)]
+        os.execve(sys.executable, command, environment)

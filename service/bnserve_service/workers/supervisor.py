@@ -21,6 +21,7 @@ from typing import Any
 
 from bnserve_service.process_name import name_process
 from bnserve_service.shared.folder import SharedFolder
+from bnserve_service.socket_file import SocketFile
 from bnserve_service.workers.crew import Crew
 from bnserve_service.workers.events import Events, ended_children
 from bnserve_service.workers.roster import BackOff, Rules, Verdict, Worker, judge
@@ -198,20 +199,19 @@ def main(arguments: Sequence[str]) -> int:
     for number in (listener, metrics_listener, settings_file):
         if number != NO_DESCRIPTOR:
             os.set_inheritable(number, False)
-    try:
-        become_subreaper()
-        shared = SharedFolder.create(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
-    except OSError as error:
-        print(f"bnserve: Workers cannot be supervised: {error.strerror or error}.", file=sys.stderr)
-        return 2
-    try:
+    with contextlib.ExitStack() as stack:
+        if settings["uds"] is not None:
+            stack.callback(SocketFile(Path(settings["uds"])).remove)
+        try:
+            become_subreaper()
+            shared = SharedFolder.create(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
+        except OSError as error:
+            print(f"bnserve: Workers cannot be supervised: {error.strerror or error}.", file=sys.stderr)
+            return 2
+        stack.callback(shared.remove)
         inheritance = Inheritance(listener, metrics_listener, settings_file, shared.path)
         supervisor = Supervisor(settings, inheritance, lambda line: print(line, flush=True))
         supervisor.run()
-    finally:
-        shared.remove()
-        if settings["uds"] is not None:
-            Path(settings["uds"]).unlink(missing_ok=True)
     if supervisor.failure:
         print(f"bnserve: {supervisor.failure}", file=sys.stderr)
         return 2

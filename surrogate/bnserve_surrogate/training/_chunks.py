@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import secrets
 import zipfile
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
@@ -107,7 +108,8 @@ def write_chunk(path: Path, chunk: Chunk) -> None:
     DatasetUnwritable
         Disk full, no permission, and the like; nothing half-written is left.
     """
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    # Not by the number of the process: two containers that share a disk have the same.
+    temporary = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
     with unwritable_named(path.parent):
         try:
             with temporary.open("wb") as file:
