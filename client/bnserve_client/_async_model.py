@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
+from numpy.typing import DTypeLike
+
 from bnserve_client._connections import AsyncConnections
 from bnserve_client._drivers import run_async
 from bnserve_client._likelihood import AsyncLikelihood
@@ -19,7 +21,6 @@ from bnserve_protocol import (
     AmplitudePhase,
     Analysis,
     BatchLike,
-    DtypeName,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -104,7 +105,7 @@ class AsyncModel:
         parameters: ParametersWithExtrinsic,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """One waveform; see :meth:`.Model.predict`."""
         return await self._run(self._remote.predict(frequencies, parameters, options, dtype))
@@ -115,7 +116,7 @@ class AsyncModel:
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """N waveforms on one grid; see :meth:`.Model.predict_batch`."""
         return await self._run(self._remote.predict_batch(frequencies, batch, options, dtype))
@@ -126,7 +127,7 @@ class AsyncModel:
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out; see :meth:`.Model.predict_factored`."""
         return await self._run(self._remote.predict_factored(frequencies, batch, options, dtype))

@@ -10,7 +10,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import BnserveError, InvalidFrequencies
+from bnserve_protocol import BnserveError, InvalidFrequencies, TooLarge
 
 _ROW = re.compile(r"\b([Rr]ow) (\d+)")
 
@@ -30,8 +30,17 @@ class Assembly:
                 continue
             whole = self.arrays.get(name)
             if whole is None:
-                whole = self.arrays.setdefault(name, np.empty((self._rows, *array.shape[1:]), dtype=array.dtype))
+                whole = self.arrays.setdefault(name, self._room(array))
             whole[start : start + len(array)] = array
+
+    def _room(self, piece: NDArray[Any]) -> NDArray[Any]:
+        try:
+            return np.empty((self._rows, *piece.shape[1:]), dtype=piece.dtype)
+        except MemoryError as error:
+            raise TooLarge(
+                f"There is no memory here for the answers to all {self._rows} rows; ask for fewer rows at a time, for "
+                'fewer frequencies, or with dtype="complex64".'
+            ) from error
 
 
 def in_users_rows(error: BnserveError, start: int) -> BnserveError:

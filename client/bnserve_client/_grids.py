@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._addresses import Address
-from bnserve_protocol import Grid, GridDigest, GridLike, UniformGrid, as_frequencies, grid_digest
+from bnserve_protocol import Grid, GridDigest, GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
 
 IN_FULL_ONCE = 512
 """Grids of more points (4 KiB) are uploaded before their first use, smaller ones before their second."""
@@ -61,18 +61,20 @@ class GridMemory:
         ------
         InvalidFrequencies
         """
-        if isinstance(grid, UniformGrid):
-            return grid
-        if isinstance(grid, np.ndarray) and grid.dtype == np.float64 and grid.ndim == 1:
-            for known in self._recent:
-                if known.frequencies.shape == grid.shape and (known.frequencies == grid).all():
-                    return known
-        checked = ExplicitGrid(as_frequencies(grid))
+        plain = plain_grid(grid)
+        if isinstance(plain, UniformGrid):
+            return plain
+        for known in self._recent:
+            if known.frequencies.shape == plain.shape and (known.frequencies == plain).all():
+                return known
+        checked = ExplicitGrid(as_frequencies(plain))
         self._recent = (checked, *self._recent[: _REMEMBERED - 1])
         return checked
 
 
 def ends_of(grid: UniformGrid | ExplicitGrid) -> ExplicitGrid:
     """The first and the last frequency alone, on which the checks of a batch depend."""
-    frequencies = grid.frequencies if isinstance(grid, ExplicitGrid) else grid.frequencies()
-    return ExplicitGrid(frequencies[:1] if len(frequencies) == 1 else frequencies[[0, -1]])
+    places = [0] if len(grid) == 1 else [0, len(grid) - 1]
+    if isinstance(grid, UniformGrid):
+        return ExplicitGrid(grid.at(np.array(places)))
+    return ExplicitGrid(grid.frequencies[places])

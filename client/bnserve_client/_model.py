@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
+from numpy.typing import DTypeLike
+
 from bnserve_client._connections import Connections
 from bnserve_client._drivers import run
 from bnserve_client._likelihood import Likelihood
@@ -19,7 +21,6 @@ from bnserve_protocol import (
     AmplitudePhase,
     Analysis,
     BatchLike,
-    DtypeName,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -145,7 +146,7 @@ class Model:
         parameters: ParametersWithExtrinsic,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """One waveform: ``hp, hc``, complex ``(M,)`` in 1/Hz, on increasing frequencies in Hz.
 
@@ -164,7 +165,7 @@ class Model:
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. Raises as :meth:`predict`."""
         return self._run(self._remote.predict_batch(frequencies, batch, options, dtype))
@@ -175,7 +176,7 @@ class Model:
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
         return self._run(self._remote.predict_factored(frequencies, batch, options, dtype))

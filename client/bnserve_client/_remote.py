@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from numpy.typing import DTypeLike
+
 from bnserve_client._addresses import parse_addresses
 from bnserve_client._evaluation import Evaluator, Question
 from bnserve_client._grids import GridMemory
@@ -18,7 +20,6 @@ from bnserve_protocol import (
     AmplitudePhase,
     Analysis,
     BatchLike,
-    DtypeName,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -29,6 +30,7 @@ from bnserve_protocol import (
     Polarizations,
     RunManifest,
     check_dtype,
+    check_options,
 )
 
 _CONNECT_RETRIES = 3
@@ -69,7 +71,7 @@ class RemoteModel:
         return self._session.get("/v1/manifest", RunManifest, self._session.patience())
 
     def predict(
-        self, frequencies: GridLike, parameters: ParametersWithExtrinsic, options: EvaluationOptions, dtype: DtypeName
+        self, frequencies: GridLike, parameters: ParametersWithExtrinsic, options: EvaluationOptions, dtype: DTypeLike
     ) -> Conversation[Polarizations]:
         """One waveform."""
         batch = yield from self.predict_batch(frequencies, ParameterBatch.one(parameters), options, dtype)
@@ -81,7 +83,7 @@ class RemoteModel:
         )
 
     def predict_batch(
-        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DtypeName
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DTypeLike
     ) -> Conversation[Polarizations]:
         """N waveforms."""
         question = self._question(frequencies, batch, self._strain, options, dtype)
@@ -89,7 +91,7 @@ class RemoteModel:
         return Polarizations(**arrays)
 
     def predict_factored(
-        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DtypeName
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DTypeLike
     ) -> Conversation[Factored]:
         """N waveforms before the polarisations are multiplied out."""
         question = self._question(frequencies, batch, "factored", options, dtype)
@@ -119,8 +121,9 @@ class RemoteModel:
         return RemoteLikelihood(self._session, self.pinned, analysis)
 
     def _question(
-        self, frequencies: GridLike, batch: BatchLike, output: OutputName, options: EvaluationOptions, dtype: DtypeName
+        self, frequencies: GridLike, batch: BatchLike, output: OutputName, options: EvaluationOptions, dtype: DTypeLike
     ) -> Question:
-        check_dtype(dtype)
+        check_options(options)
+        precision = check_dtype(dtype)
         grid = self._grids.recall(frequencies)
-        return Question(ParameterBatch.coerce(batch), grid, output, dtype, options)
+        return Question(ParameterBatch.coerce(batch), grid, output, precision, options)

@@ -70,7 +70,7 @@ from bnserve_protocol._errors import (
     UntrustedAnswer,
     VersionExists,
 )
-from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest
+from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
 from bnserve_protocol._likelihood import InvalidRows, Likelihood, LikelihoodCounts, LikelihoodValues, check_invalid_rows
 from bnserve_protocol._likelihood_cost import likelihood_nodes, likelihood_samples
 from bnserve_protocol._likelihood_messages import (
@@ -106,11 +106,14 @@ from bnserve_protocol._model import (
     RowStatus,
     WaveformModel,
     check_dtype,
+    check_options,
 )
+from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number, as_real_numbers
 from bnserve_protocol._parameters import (
     INTRINSIC_NAMES,
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
+    PARAMETER_UNITS,
     BatchLike,
     ParameterBatch,
     ParametersWithExtrinsic,
@@ -139,6 +142,7 @@ __all__ = [
     "MSGPACK",
     "PARAMETER_DEFAULTS",
     "PARAMETER_NAMES",
+    "PARAMETER_UNITS",
     "PRIOR_NAMES",
     "PROBLEM_JSON",
     "SOLAR_MASS_SECONDS",
@@ -196,6 +200,7 @@ __all__ = [
     "NotAcceptable",
     "NotBnserve",
     "NotFound",
+    "NotNumbers",
     "OutOfBand",
     "OutOfDomain",
     "OutputName",
@@ -229,10 +234,14 @@ __all__ = [
     "__version__",
     "address_of",
     "as_frequencies",
+    "as_numbers",
+    "as_real_number",
+    "as_real_numbers",
     "check_dtype",
     "check_invalid_rows",
     "check_model_digest",
     "check_model_of",
+    "check_options",
     "content_digest",
     "decode_analysis",
     "decode_answer",
@@ -251,6 +260,7 @@ __all__ = [
     "grid_digest",
     "likelihood_nodes",
     "likelihood_samples",
+    "plain_grid",
     "refuse_rows",
     "request_digest",
     "result_memory",

@@ -24,10 +24,31 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._analysis_checks import check_arrays, check_settings
 from bnserve_protocol._arrays import decode_array, encode_array
-from bnserve_protocol._errors import AnalysisInvalid, UndecodableBody
+from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBody
 from bnserve_protocol._grids import UniformGrid
+from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number
 
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
+
+
+def _convert(struct: msgspec.Struct, **units: str) -> None:
+    """Make floats in these units of what a user gave for the fields of a structure.
+
+    Raises
+    ------
+    AnalysisInvalid
+    """
+    for name, unit in units.items():
+        value = getattr(struct, name)
+        if type(value) is float or value is None:
+            continue
+        try:
+            msgspec.structs.force_setattr(struct, name, as_real_number(value, unit))
+        except NotNumbers as error:
+            raise AnalysisInvalid(
+                f"'{name}' of {type(struct).__name__} must be a number in {unit}; it {error}.",
+                errors=[FieldError(reason=f"not a number: it {error}", parameter=name)],
+            ) from error
 
 
 class TimeGrid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -40,6 +61,9 @@ class TimeGrid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=
     start: float
     step: float
 
+    def __post_init__(self) -> None:
+        _convert(self, start="s", step="s")
+
 
 class TimeMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """A uniform prior of the coalescence time, summed over ``minimum + k * step``, below ``maximum`` (seconds)."""
@@ -47,6 +71,9 @@ class TimeMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=Tru
     minimum: float
     maximum: float
     step: float
+
+    def __post_init__(self) -> None:
+        _convert(self, minimum="s", maximum="s", step="s")
 
 
 class DistanceMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -56,6 +83,9 @@ class DistanceMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields
     maximum: float
     power: float = 2.0
 
+    def __post_init__(self) -> None:
+        _convert(self, minimum="Mpc", maximum="Mpc", power="1")
+
 
 class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """Calibration envelopes: ``nodes`` frequencies in every detector, logarithmic from ``f_min`` to ``f_max`` (Hz)."""
@@ -63,6 +93,9 @@ class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_on
     nodes: int
     f_min: float
     f_max: float
+
+    def __post_init__(self) -> None:
+        _convert(self, f_min="Hz", f_max="Hz")
 
 
 class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -123,9 +156,11 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
 
 
 def _plain(value: Any) -> Any:
-    if isinstance(value, np.floating | np.integer | np.bool_):
+    """A number, truth value or text of numpy as that of Python; what carries a unit is none of them."""
+    plain = isinstance(value, np.generic) or type(value) is np.ndarray
+    if plain and value.ndim == 0 and value.dtype.kind in "biufU":
         return value.item()
-    raise NotImplementedError(f"{type(value).__name__} does not travel")
+    raise NotImplementedError(f"{type(value).__name__} does not travel; give plain numbers in the units of the fields")
 
 
 _settings_encoder = msgspec.msgpack.Encoder(order="deterministic", enc_hook=_plain)
@@ -198,10 +233,18 @@ def _canonical(settings: AnalysisSettings) -> AnalysisSettings:
         raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
 
 
+_ARRAY_UNITS = {"response": "1", "location": "m", "linear_nodes": "Hz", "quadratic_nodes": "Hz"}
+"""Of the arrays of an analysis that may be given with one; weights are made by us, without."""
+
+
 def _frozen_array(name: str, value: NDArray[Any]) -> NDArray[Any]:
-    array = np.asarray(value)
-    if array.dtype.kind not in "iufc":
-        raise AnalysisInvalid(f"Array '{name}' of the analysis must hold numbers; got {array.dtype}.")
+    try:
+        array = as_numbers(value, _ARRAY_UNITS.get(name.split("/")[0]))
+    except NotNumbers as error:
+        raise AnalysisInvalid(
+            f"Array '{name[:80]}' of the analysis must hold numbers; it {error}.",
+            errors=[FieldError(reason=f"not numbers: it {error}", parameter=name[:80])],
+        ) from error
     dtype = "<c16" if array.dtype.kind == "c" else "<f8"
     frozen = np.require(array, dtype, ("C", "A"))  # aligned, because numpy sums what is not in other, slower ways
     if frozen.flags.writeable:

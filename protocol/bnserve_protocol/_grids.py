@@ -5,17 +5,26 @@ from __future__ import annotations
 import hashlib
 import math
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from bnserve_protocol._errors import FieldError, InvalidFrequencies
+from bnserve_protocol._errors import FieldError, InvalidFrequencies, TooLarge
+from bnserve_protocol._numbers import NotNumbers, as_real_number, as_real_numbers
 
 
 @dataclass(frozen=True, slots=True)
 class UniformGrid:
-    """``f_min, f_min + delta_f, ...`` up to and including ``f_max`` (to a millionth of a step), in Hz."""
+    """``f_min, f_min + delta_f, ...`` up to and including ``f_max`` (to a millionth of a step), in Hz.
+
+    An astropy ``Quantity`` is converted to Hz.
+
+    Raises
+    ------
+    InvalidFrequencies
+        What is no positive, finite frequency, or a step that is no step.
+    """
 
     f_min: float
     f_max: float
@@ -23,12 +32,7 @@ class UniformGrid:
 
     def __post_init__(self) -> None:
         for name in ("f_min", "f_max", "delta_f"):
-            value = getattr(self, name)
-            if not (isinstance(value, int | float) and math.isfinite(value) and value > 0):
-                raise InvalidFrequencies(
-                    f"'{name}' of a uniform grid must be a positive, finite number of Hz; got {value!r}.",
-                    errors=[FieldError(reason="not positive and finite", parameter=name)],
-                )
+            object.__setattr__(self, name, _positive(name, getattr(self, name)))
         if self.f_max < self.f_min:
             raise InvalidFrequencies(f"'f_max' ({self.f_max} Hz) is below 'f_min' ({self.f_min} Hz).")
         if not self.f_min + self.delta_f > self.f_min or (self.f_max - self.f_min) / self.delta_f > 2**53:
@@ -38,12 +42,42 @@ class UniformGrid:
         return int((self.f_max - self.f_min) / self.delta_f + 1e-6) + 1
 
     def frequencies(self) -> NDArray[np.float64]:
-        """The frequencies in Hz, shape ``(len(self),)``; the same bits on every machine."""
-        return self.f_min + self.delta_f * np.arange(len(self), dtype=np.float64)
+        """The frequencies in Hz, shape ``(len(self),)``; the same bits on every machine.
+
+        Raises
+        ------
+        TooLarge
+            More than there is memory for.
+        """
+        try:
+            return self.at(np.arange(len(self), dtype=np.float64))
+        except MemoryError as error:
+            raise TooLarge(
+                f"There is no memory for the {len(self)} frequencies of this grid ({8 * len(self) / 2**30:.1f} GiB); "
+                "use a larger 'delta_f' or a narrower band."
+            ) from error
+
+    def at(self, places: NDArray[Any]) -> NDArray[np.float64]:
+        """The frequencies in Hz at some places of the grid, counted from 0."""
+        return self.f_min + self.delta_f * places
+
+
+def _positive(name: str, value: Any) -> float:
+    why = ""
+    try:
+        number = as_real_number(value, "Hz")
+    except NotNumbers as error:
+        number, why = math.nan, f": it {error}"
+    if not (math.isfinite(number) and number > 0.0):
+        raise InvalidFrequencies(
+            f"'{name}' of a uniform grid must be a positive, finite number of Hz; got {repr(value)[:80]}{why}.",
+            errors=[FieldError(reason="not positive and finite", parameter=name)],
+        )
+    return number
 
 
 GridLike: TypeAlias = ArrayLike | UniformGrid
-"""What ``predict`` accepts as frequencies."""
+"""What ``predict`` accepts as frequencies: plain numbers are Hz; an astropy ``Quantity`` is converted."""
 
 
 def as_frequencies(grid: GridLike) -> NDArray[np.float64]:
@@ -52,16 +86,18 @@ def as_frequencies(grid: GridLike) -> NDArray[np.float64]:
     Raises
     ------
     InvalidFrequencies
-        Empty, not one-dimensional, not finite, not positive, unsorted or repeated frequencies.
+        Empty, not one-dimensional, not finite, not positive, unsorted or repeated frequencies; what counts as no
+        numbers, or is in a unit that is none of frequency.
     """
     if isinstance(grid, UniformGrid):
         return grid.frequencies()
     try:
-        frequencies = np.ascontiguousarray(grid, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidFrequencies("Frequencies must be a vector of numbers in Hz.") from error
-    if np.ndim(grid) != 1:
-        raise InvalidFrequencies(f"Frequencies must be a vector; got an array of shape {np.shape(grid)}.")
+        numbers = as_real_numbers(grid, "Hz")
+    except NotNumbers as error:
+        raise InvalidFrequencies(f"Frequencies must be a vector of numbers in Hz; what was given {error}.") from error
+    if numbers.ndim != 1:
+        raise InvalidFrequencies(f"Frequencies must be a vector; got an array of shape {numbers.shape}.")
+    frequencies = np.ascontiguousarray(numbers)
     if frequencies.size == 0:
         raise InvalidFrequencies("The frequency grid is empty; give at least one frequency.")
     if frequencies[0] > 0.0 and math.isfinite(frequencies[-1]) and (frequencies[1:] > frequencies[:-1]).all():
@@ -71,6 +107,22 @@ def as_frequencies(grid: GridLike) -> NDArray[np.float64]:
     _refuse_where(np.diff(frequencies, prepend=-np.inf) == 0.0, frequencies, "is repeated; give each frequency once")
     _refuse_where(np.diff(frequencies, prepend=-np.inf) < 0.0, frequencies, "is out of order; sort the frequencies")
     return frequencies
+
+
+def plain_grid(grid: GridLike) -> UniformGrid | NDArray[np.float64]:
+    """A grid without unit or mask, to compare with those that were checked before.
+
+    A vector of float64 is returned as it is, unchecked; every other but a :class:`UniformGrid` is made one and checked.
+
+    Raises
+    ------
+    InvalidFrequencies
+    """
+    if isinstance(grid, UniformGrid):
+        return grid
+    if type(grid) is np.ndarray and grid.dtype == np.float64 and grid.ndim == 1 and grid.size:
+        return grid
+    return as_frequencies(grid)
 
 
 def _refuse_where(bad: NDArray[np.bool_], frequencies: NDArray[np.float64], reason: str) -> None:

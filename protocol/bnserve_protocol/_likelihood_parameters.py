@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import difflib
 import math
+import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
@@ -13,7 +14,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
-from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch
+from bnserve_protocol._parameters import (
+    FLOATS,
+    PARAMETER_NAMES,
+    PARAMETER_UNITS,
+    ParameterBatch,
+    column_of_numbers,
+    one_number,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +43,11 @@ class LikelihoodParameters:
         marginalised.
     calibration_amplitude, calibration_phase:
         By detector: relative amplitude errors and phase errors (radians) at the calibration nodes; none is zero.
+
+    Raises
+    ------
+    InvalidParameters
+        As :class:`ParametersWithExtrinsic`.
     """
 
     mass_ratio: float
@@ -53,12 +66,18 @@ class LikelihoodParameters:
     calibration_amplitude: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)
     calibration_phase: Mapping[str, Sequence[float]] = dataclasses.field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        if not FLOATS.issuperset(map(type, _values_of(self))):
+            for name in LIKELIHOOD_NAMES:
+                object.__setattr__(self, name, one_number(name, getattr(self, name)))
+
 
 CALIBRATION_NAMES = ("calibration_amplitude", "calibration_phase")
 LIKELIHOOD_NAMES: tuple[str, ...] = tuple(
     field.name for field in dataclasses.fields(LikelihoodParameters) if field.name not in CALIBRATION_NAMES
 )
 """The parameters in the order of the columns of :attr:`LikelihoodBatch.values`."""
+_values_of = operator.attrgetter(*LIKELIHOOD_NAMES)
 _DEFAULTS = {"distance_mpc": math.nan, "coalescence_time": math.nan, "reference_phase": 0.0}
 _OPTIONAL = ("distance_mpc", "coalescence_time")
 """What has no default, and may yet be left out where it is marginalised."""
@@ -93,7 +112,7 @@ class LikelihoodBatch:
         calibration_phase: Mapping[str, ArrayLike] | None = None,
         absent: Iterable[str] = (),
     ) -> None:
-        array = np.ascontiguousarray(_as_floats("parameters", values))
+        array = np.ascontiguousarray(column_of_numbers("parameters", values, None))
         if array.ndim != 2 or array.shape[1] != len(LIKELIHOOD_NAMES):
             raise InvalidParameters(
                 f"A parameter array has shape (N, {len(LIKELIHOOD_NAMES)}), one column for each of "
@@ -159,7 +178,7 @@ class LikelihoodBatch:
             return cls._from_columns(batch)
         if isinstance(batch, Sequence) and all(isinstance(row, LikelihoodParameters) for row in batch):
             rows = [[getattr(row, name) for name in LIKELIHOOD_NAMES] for row in batch]
-            values = _as_floats("parameters", rows).reshape(len(rows), len(LIKELIHOOD_NAMES))
+            values = np.array(rows, np.float64).reshape(len(rows), len(LIKELIHOOD_NAMES))
             absent = [name for name in _OPTIONAL if batch and all(math.isnan(getattr(row, name)) for row in batch)]
             amplitude, phase = (_stacked(batch, name) for name in CALIBRATION_NAMES)
             return cls(values, amplitude, phase, absent)
@@ -216,18 +235,12 @@ def check_likelihood_names(names: Iterable[str]) -> None:
         raise InvalidParameters(f"Parameters of a likelihood: {sentences}{end}", errors=problems)
 
 
-def _as_floats(name: str, value: Any) -> NDArray[np.float64]:
-    try:
-        return np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise InvalidParameters(
-            f"Parameter '{name}' must be a number or a vector of numbers.",
-            errors=[FieldError(reason="not a number", parameter=name)],
-        ) from error
+def _calibration_errors(name: str, detector: str, value: Any) -> NDArray[np.float64]:
+    return column_of_numbers(f"{name}/{detector}"[:80], value, PARAMETER_UNITS[name])
 
 
 def _vector(name: str, value: Any) -> NDArray[np.float64]:
-    array = _as_floats(name, value)
+    array = column_of_numbers(name, value, PARAMETER_UNITS[name])
     if array.ndim > 1:
         raise InvalidParameters(
             f"Parameter '{name}' must be a number or a vector; got an array of shape {array.shape}.",
@@ -242,7 +255,7 @@ def _repeated(rows: int, name: str, by_detector: Any) -> dict[str, NDArray[np.fl
             f"'{name}' maps detectors to arrays (N, nodes); got {type(by_detector).__name__}.",
             errors=[FieldError(reason="not a mapping", parameter=name)],
         )
-    arrays = {detector: _as_floats(f"{name}/{detector}", value) for detector, value in by_detector.items()}
+    arrays = {detector: _calibration_errors(name, detector, value) for detector, value in by_detector.items()}
     return {detector: np.tile(array, (rows, 1)) if array.ndim == 1 else array for detector, array in arrays.items()}
 
 
@@ -251,7 +264,7 @@ def _stacked(batch: Sequence[LikelihoodParameters], name: str) -> dict[str, NDAr
     if any(set(getattr(row, name)) != detectors for row in batch):
         raise InvalidParameters(f"Every row must give '{name}' for the same detectors.")
     return {
-        detector: _as_floats(f"{name}/{detector}", [getattr(row, name)[detector] for row in batch])
+        detector: _calibration_errors(name, detector, [getattr(row, name)[detector] for row in batch])
         for detector in sorted(detectors)
     }
 
@@ -264,7 +277,7 @@ def _calibration(
     found: dict[str, dict[str, NDArray[np.float64]]] = {name: {} for name in CALIBRATION_NAMES}
     for detector in sorted({*amplitude, *phase}):
         given = {
-            name: np.ascontiguousarray(_as_floats(f"{name}/{detector}", arrays[detector]))
+            name: np.ascontiguousarray(_calibration_errors(name, detector, arrays[detector]))
             for name, arrays in named.items()
             if detector in arrays
         }

@@ -33,6 +33,11 @@ class MergerStencil:
     Whoever cannot call :func:`time_until_merger` (an asynchronous model) takes the stencil :meth:`within` the model's
     band, evaluates :attr:`phase` of ``unshifted(parameters)`` on :attr:`frequencies` with :attr:`options`, under which
     nothing above the band is answered, and hands it to :meth:`seconds`.
+
+    Raises
+    ------
+    InvalidFrequencies
+        The frequency is not positive and finite.
     """
 
     frequency: float
@@ -56,17 +61,13 @@ class MergerStencil:
         inside = highest * mass <= description.training_band[1] * description.reference_mass
         return cls(frequency, from_below=not inside)
 
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "frequency", float(as_frequencies([self.frequency])[0]))
+
     @property
     def frequencies(self) -> NDArray[np.float64]:
-        """The frequencies of the stencil in Hz: four around the one given, or five up to it.
-
-        Raises
-        ------
-        InvalidFrequencies
-            The frequency is not positive and finite.
-        """
-        centre = float(as_frequencies([self.frequency])[0])
-        return np.asarray(centre * (1.0 + _STEP * np.array(self._rule[0])))
+        """The frequencies of the stencil in Hz: four around the one given, or five up to it."""
+        return np.asarray(self.frequency * (1.0 + _STEP * np.array(self._rule[0])))
 
     @staticmethod
     def unshifted(parameters: ParametersWithExtrinsic) -> ParametersWithExtrinsic:
@@ -83,7 +84,7 @@ class MergerStencil:
     def slope(self, phase: NDArray[np.float64]) -> NDArray[np.float64]:
         """d phase / d f in radians per Hz, shape (...,), from the phase (radians) on the stencil, (..., n)."""
         weighted = [weight * phase[..., place] for place, weight in enumerate(self._rule[1])]
-        return np.asarray(sum(weighted) / (12.0 * _STEP * float(self.frequency)))
+        return np.asarray(sum(weighted) / (12.0 * _STEP * self.frequency))
 
     def seconds(self, phase: NDArray[np.float64]) -> float:
         """The time until merger in seconds from the phase (radians) on the stencil."""

@@ -8,7 +8,7 @@ from typing import Any, ClassVar, Literal, Protocol, TypeAlias, get_args, runtim
 
 import msgspec
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
@@ -17,18 +17,41 @@ from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
 
 ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
 DtypeName: TypeAlias = Literal["complex128", "complex64"]
-_DTYPES = get_args(DtypeName)
+_DTYPES: tuple[DtypeName, ...] = get_args(DtypeName)
 
 
-def check_dtype(dtype: str) -> None:
-    """Refuse a precision that is not offered.
+def check_dtype(dtype: DTypeLike) -> DtypeName:
+    """The name of a precision, which may be given as numpy takes it (``np.complex64``, ``np.dtype("c8")``).
+
+    Raises
+    ------
+    InvalidRequest
+        It is not offered.
+    """
+    if isinstance(dtype, str) and dtype in _DTYPES:
+        return dtype
+    try:
+        name = None if dtype is None else np.dtype(dtype).name
+    except (TypeError, ValueError):
+        name = None
+    for offered in _DTYPES:
+        if name == offered:
+            return offered
+    raise InvalidRequest(f"dtype must be one of {', '.join(_DTYPES)}; got {str(dtype)[:40]!r}.")
+
+
+def check_options(options: EvaluationOptions) -> None:
+    """Refuse what are no options.
 
     Raises
     ------
     InvalidRequest
     """
-    if dtype not in _DTYPES:
-        raise InvalidRequest(f"dtype must be one of {', '.join(_DTYPES)}; got {str(dtype)[:40]!r}.")
+    if not isinstance(options, EvaluationOptions):
+        raise InvalidRequest(
+            f"'options' must be EvaluationOptions; got {type(options).__name__}. Leave it out for the defaults, or "
+            'write for example options=EvaluationOptions(alignment="merger").'
+        )
 
 
 class RowStatus(enum.IntEnum):
@@ -66,9 +89,9 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
 
     def __post_init__(self) -> None:
         for name, known in _OPTION_VALUES.items():
-            if getattr(self, name) not in known:
-                value = str(getattr(self, name))[:40]
-                raise InvalidRequest(f"{name} must be one of {', '.join(known)}; got {value!r}.")
+            value = getattr(self, name)
+            if not (isinstance(value, str) and value in known):
+                raise InvalidRequest(f"{name} must be one of {', '.join(known)}; got {str(value)[:40]!r}.")
 
 
 _OPTION_VALUES = {
@@ -191,7 +214,7 @@ class WaveformModel(Protocol):
         parameters: ParametersWithExtrinsic,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """One waveform on M frequencies in Hz: complex arrays ``(M,)`` in 1/Hz."""
 
@@ -201,7 +224,7 @@ class WaveformModel(Protocol):
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """N waveforms on M common frequencies in Hz: complex arrays ``(N, M)`` in 1/Hz."""
 
@@ -211,7 +234,7 @@ class WaveformModel(Protocol):
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Factored:
         """As :meth:`predict_batch`, before the polarisations are multiplied out: half the memory."""
 

@@ -7,17 +7,21 @@ import difflib
 import operator
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
+from bnserve_protocol._numbers import NotNumbers, as_real_number, as_real_numbers
 
 
 @dataclass(frozen=True, slots=True)
 class ParametersWithExtrinsic:
     """One binary. The field names are those of mlgw_bns.
+
+    Every field is one number: a float, whatever numpy and pandas make of one, or an astropy ``Quantity``, which is
+    converted to the unit stated here.
 
     Parameters
     ----------
@@ -37,6 +41,11 @@ class ParametersWithExtrinsic:
         Added to the phase at every frequency, in radians.
     time_shift:
         2 pi f time_shift is added to the phase, in seconds; see ``docs/explanations/conventions.md``.
+
+    Raises
+    ------
+    InvalidParameters
+        A field is no number, more than one, or in a unit that cannot be converted.
     """
 
     mass_ratio: float
@@ -49,6 +58,11 @@ class ParametersWithExtrinsic:
     total_mass: float
     reference_phase: float = 0.0
     time_shift: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not FLOATS.issuperset(map(type, _values_of(self))):
+            for name in PARAMETER_NAMES:
+                object.__setattr__(self, name, one_number(name, getattr(self, name)))
 
     @classmethod
     def gw170817(cls) -> ParametersWithExtrinsic:
@@ -67,6 +81,30 @@ class ParametersWithExtrinsic:
 
 PARAMETER_NAMES: tuple[str, ...] = tuple(field.name for field in dataclasses.fields(ParametersWithExtrinsic))
 """The parameters in the order of the columns of :attr:`ParameterBatch.values`."""
+
+PARAMETER_UNITS: dict[str, str] = {
+    "mass_ratio": "1",
+    "lambda_1": "1",
+    "lambda_2": "1",
+    "chi_1": "1",
+    "chi_2": "1",
+    "distance_mpc": "Mpc",
+    "inclination": "rad",
+    "total_mass": "Msun",
+    "reference_phase": "rad",
+    "time_shift": "s",
+    "chirp_mass": "Msun",
+    "right_ascension": "rad",
+    "declination": "rad",
+    "polarization_angle": "rad",
+    "coalescence_time": "s",
+    "calibration_amplitude": "1",
+    "calibration_phase": "rad",
+}
+"""The unit of every parameter of a waveform or a likelihood, as astropy writes it; ``"1"`` for pure numbers."""
+
+FLOATS = frozenset({float, np.float64})
+"""Types of a field that need no conversion."""
 
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
 
@@ -93,7 +131,7 @@ class ParameterBatch:
     values: NDArray[np.float64]
 
     def __init__(self, values: ArrayLike) -> None:
-        array = np.ascontiguousarray(_as_floats("parameters", values))
+        array = np.ascontiguousarray(column_of_numbers("parameters", values, None))
         if array.ndim != 2 or array.shape[1] != len(PARAMETER_NAMES):
             raise InvalidParameters(
                 f"A parameter array has shape (N, {len(PARAMETER_NAMES)}), one column for each of "
@@ -120,12 +158,13 @@ class ParameterBatch:
         ----------
         batch:
             A :class:`ParameterBatch`, one or a sequence of :class:`ParametersWithExtrinsic`, or a mapping from names
-            to scalars and vectors of one common length N (a scalar counts for all rows).
+            to scalars and vectors of one common length N (a scalar counts for all rows). Those that carry a unit are
+            converted to the parameter's.
 
         Raises
         ------
         InvalidParameters
-            Unknown, missing or repeated names, or shapes that do not fit together.
+            Unknown, missing or repeated names, what counts as no numbers, or shapes that do not fit together.
         """
         if isinstance(batch, ParameterBatch):
             return batch
@@ -135,7 +174,7 @@ class ParameterBatch:
             return cls._from_columns(batch)
         if isinstance(batch, Sequence) and all(isinstance(row, ParametersWithExtrinsic) for row in batch):
             rows = [[getattr(row, name) for name in PARAMETER_NAMES] for row in batch]
-            return cls(_as_floats("parameters", rows).reshape(len(rows), len(PARAMETER_NAMES)))
+            return cls(np.array(rows, np.float64).reshape(len(rows), len(PARAMETER_NAMES)))
         raise InvalidParameters(
             "A batch is a list of ParametersWithExtrinsic or a mapping from parameter names to numbers and vectors; "
             f"got {type(batch).__name__}."
@@ -158,7 +197,7 @@ class ParameterBatch:
             Also for any other number of rows.
         """
         if type(parameters) is ParametersWithExtrinsic:
-            return cls.of_one(_as_floats("parameters", _values_of(parameters)))
+            return cls.of_one(np.array(_values_of(parameters), np.float64))
         batch = cls.coerce(parameters)
         if len(batch) != 1:
             raise InvalidParameters(f"predict takes one binary; got {len(batch)}. Use predict_batch for them.")
@@ -167,7 +206,7 @@ class ParameterBatch:
     @classmethod
     def _from_columns(cls, columns: Mapping[str, ArrayLike]) -> ParameterBatch:
         check_names(columns)
-        arrays = {name: _as_floats(name, column) for name, column in columns.items()}
+        arrays = {name: column_of_numbers(name, column, PARAMETER_UNITS[name]) for name, column in columns.items()}
         for name, array in arrays.items():
             if array.ndim > 1:
                 raise InvalidParameters(
@@ -194,13 +233,36 @@ BatchLike: TypeAlias = (
 """What ``predict_batch`` accepts."""
 
 
-def _as_floats(name: str, value: ArrayLike | list[list[float]] | tuple[float, ...]) -> NDArray[np.float64]:
+def column_of_numbers(name: str, value: Any, unit: str | None) -> NDArray[np.float64]:
+    """The numbers given for a parameter, as float64 in its unit.
+
+    Raises
+    ------
+    InvalidParameters
+    """
     try:
-        return np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
+        return as_real_numbers(value, unit)
+    except NotNumbers as error:
         raise InvalidParameters(
-            f"Parameter '{name}' must be a number or a vector of numbers.",
-            errors=[FieldError(reason="not a number", parameter=name)],
+            f"Parameter '{name}' must be a number or a vector of numbers; it {error}.",
+            errors=[FieldError(reason=f"not a number: it {error}", parameter=name)],
+        ) from error
+
+
+def one_number(name: str, value: Any) -> float:
+    """The number given for a parameter of one binary, in its unit.
+
+    Raises
+    ------
+    InvalidParameters
+    """
+    try:
+        return as_real_number(value, PARAMETER_UNITS[name])
+    except NotNumbers as error:
+        raise InvalidParameters(
+            f"Parameter '{name}' of one binary must be a number; it {error}. For many binaries, give predict_batch a "
+            "mapping from names to vectors.",
+            errors=[FieldError(reason=f"not a number: it {error}", parameter=name)],
         ) from error
 
 

@@ -9,12 +9,11 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import DTypeLike, NDArray
 
 from bnserve_protocol import (
     PARAMETER_NAMES,
     BatchLike,
-    DtypeName,
     EvaluationOptions,
     GridLike,
     ParameterBatch,
@@ -22,7 +21,9 @@ from bnserve_protocol import (
     ParametersWithExtrinsic,
     Polarizations,
     RowStatus,
+    TooLarge,
     address_of,
+    check_options,
     result_memory,
 )
 from bnserve_surrogate._continuation import continue_above
@@ -109,11 +110,17 @@ class Evaluator:
         frequencies: NDArray[Any],
         parameters: ParametersWithExtrinsic,
         options: EvaluationOptions,
-        dtype: DtypeName,
+        dtype: DTypeLike,
     ) -> Polarizations | None:
         """One waveform on a grid that is prepared already, the shortest way; None if anything about it is unusual."""
-        kind = _KINDS.get(dtype)
-        if kind is None or frequencies.dtype != np.float64 or frequencies.ndim != 1:
+        name = dtype if isinstance(dtype, str) else ""
+        kind = _KINDS.get(name)
+        if (
+            kind is None
+            or type(options) is not EvaluationOptions
+            or frequencies.dtype != np.float64
+            or frequencies.ndim != 1
+        ):
             return None
         points = len(frequencies)
         grid = self._grids.candidate(frequencies)
@@ -127,9 +134,9 @@ class Evaluator:
         few = points <= _FEW
         if few:
             room.frequencies[:points] = frequencies
-            given, results, first = room.frequencies_at, room.results[dtype], room.results_at
+            given, results, first = room.frequencies_at, room.results[name], room.results_at
         else:
-            given, results = address_of(frequencies), result_memory.empty((2, points + -points % _TILE), dtype)
+            given, results = address_of(frequencies), result_memory.empty((2, points + -points % _TILE), name)
             first = address_of(results)
         estimate = room.estimate if self._mode.estimates_mismatch else 0
         outputs = Outputs(kind, first, first + results.strides[0], room.plus, room.cross, room.status, estimate)
@@ -147,9 +154,22 @@ class Evaluator:
         Raises
         ------
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
+        InvalidRequest
+            ``options`` are none.
+        TooLarge
+            More than there is memory for.
         """
-        grid = self._grids.prepare(frequencies)
+        check_options(options)
         coerced = ParameterBatch.coerce(batch)
+        try:
+            return self._batch(self._grids.prepare(frequencies), coerced, options, kind)
+        except MemoryError as error:
+            raise TooLarge(
+                f"There is no memory for {len(coerced)} waveforms on so many frequencies; evaluate fewer rows at a "
+                'time, on fewer frequencies, or with dtype="complex64".'
+            ) from error
+
+    def _batch(self, grid: PreparedGrid, coerced: ParameterBatch, options: EvaluationOptions, kind: Output) -> Answer:
         rows, points = len(coerced), len(grid.frequencies)
         two = kind not in (Output.STRAIN, Output.STRAIN_SINGLE)
         arrays = [result_memory.empty((rows, points), _DTYPES[kind]) for _ in range(1 + two)]

@@ -6,7 +6,14 @@ from typing import Any, Literal
 
 import msgspec
 
-from bnserve_protocol import ArtifactCorrupted, ModelDescription, ParameterDescription
+from bnserve_protocol import (
+    PARAMETER_DEFAULTS,
+    PARAMETER_NAMES,
+    PARAMETER_UNITS,
+    ArtifactCorrupted,
+    ModelDescription,
+    ParameterDescription,
+)
 
 MODES = {"22": (2, 2)}
 """Modes whose baseline is implemented, by the prefix of their tensors."""
@@ -101,18 +108,20 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
     def parameters(self) -> list[ParameterDescription]:
         """Unit, range and default of every parameter, in the order of a batch's columns."""
 
-        def ranged(name: str, unit: str, limits: tuple[float, float]) -> ParameterDescription:
-            return ParameterDescription(name=name, unit=unit, minimum=limits[0], maximum=limits[1])
-
-        return [
-            ranged("mass_ratio", "1", self.mass_ratio),
-            ranged("lambda_1", "1", self.lambda_),
-            ranged("lambda_2", "1", self.lambda_),
-            ranged("chi_1", "1", self.chi),
-            ranged("chi_2", "1", self.chi),
-            ParameterDescription(name="distance_mpc", unit="Mpc", minimum=0.0),
-            ParameterDescription(name="inclination", unit="rad"),
-            ranged("total_mass", "Msun", self.total_mass),
-            ParameterDescription(name="reference_phase", unit="rad", default=0.0),
-            ParameterDescription(name="time_shift", unit="s", default=0.0),
-        ]
+        limited: dict[str, tuple[float | None, float | None]] = {
+            "mass_ratio": self.mass_ratio,
+            "lambda_1": self.lambda_,
+            "lambda_2": self.lambda_,
+            "chi_1": self.chi,
+            "chi_2": self.chi,
+            "distance_mpc": (0.0, None),
+            "total_mass": self.total_mass,
+        }
+        described = []
+        for name in PARAMETER_NAMES:
+            low, high = limited.get(name, (None, None))
+            default = PARAMETER_DEFAULTS.get(name)
+            described.append(
+                ParameterDescription(name=name, unit=PARAMETER_UNITS[name], minimum=low, maximum=high, default=default)
+            )
+        return described

@@ -6,13 +6,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import DTypeLike
 
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
     ArtifactIncomplete,
     BatchLike,
-    DtypeName,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -144,7 +144,7 @@ class Model:
         parameters: ParametersWithExtrinsic,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """One waveform: ``hp, hc``, complex ``(M,)`` in 1/Hz, on increasing frequencies in Hz.
 
@@ -170,11 +170,10 @@ class Model:
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. Raises as :meth:`predict`."""
-        check_dtype(dtype)
-        kind = Output.POLARIZATIONS if dtype == "complex128" else Output.POLARIZATIONS_SINGLE
+        kind = Output.POLARIZATIONS if check_dtype(dtype) == "complex128" else Output.POLARIZATIONS_SINGLE
         answer = self._evaluator.batch(frequencies, batch, options, kind)
         return Polarizations(
             plus=answer.first, cross=answer.second, status=answer.status, estimated_mismatch=answer.estimates
@@ -186,11 +185,10 @@ class Model:
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
-        check_dtype(dtype)
-        kind = Output.STRAIN if dtype == "complex128" else Output.STRAIN_SINGLE
+        kind = Output.STRAIN if check_dtype(dtype) == "complex128" else Output.STRAIN_SINGLE
         answer = self._evaluator.batch(frequencies, batch, options, kind)
         return Factored(
             h=answer.first,

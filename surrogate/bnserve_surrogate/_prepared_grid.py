@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import GridLike, UniformGrid, address_of, as_frequencies
+from bnserve_protocol import GridLike, UniformGrid, address_of, as_frequencies, plain_grid
 
 _PADDING = 8
 _MOST_BINS = 2**16
@@ -75,12 +75,11 @@ class GridCache:
         ------
         InvalidFrequencies
         """
-        key, known = self._find(grid)
+        plain = plain_grid(grid)
+        key, known = self._find(plain)
         if known is not None:
             return known
-        frequencies = as_frequencies(grid)
-        if not isinstance(grid, UniformGrid):
-            key = self._key(frequencies)
+        frequencies = as_frequencies(plain)
         prepared = PreparedGrid.of(frequencies)
         with self._lock:
             self._grids[key] = prepared
@@ -93,11 +92,9 @@ class GridCache:
         """The prepared grid that this one probably is: same length, first, middle and last frequency."""
         return self._grids.get(self._key(grid)) if grid.size else None
 
-    def _find(self, grid: GridLike) -> tuple[object, PreparedGrid | None]:
+    def _find(self, grid: UniformGrid | NDArray[np.float64]) -> tuple[object, PreparedGrid | None]:
         if isinstance(grid, UniformGrid):
             return grid, self._grids.get(grid)
-        if not isinstance(grid, np.ndarray) or grid.dtype != np.float64 or grid.ndim != 1 or grid.size == 0:
-            return None, None
         key = self._key(grid)
         known = self._grids.get(key)
         if known is None or _is_source(known, grid):

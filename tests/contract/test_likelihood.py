@@ -3,6 +3,7 @@
 import asyncio
 import functools
 
+import astropy.units as u
 import numpy as np
 import pytest
 
@@ -169,6 +170,20 @@ def test_every_form_of_a_batch_is_accepted(reach, local, batch):
     assert reach(small()).log_likelihood(batch).tobytes() == here.tobytes()
 
 
+KILOPARSECS, DEGREES = 40e3 * u.kpc, np.array([10.0, 20.0]) * u.deg
+IN_OTHER_UNITS = {"distance_mpc": KILOPARSECS, "polarization_angle": DEGREES, "coalescence_time": -2 * u.ms}
+IN_OURS = {
+    "distance_mpc": 40.0,
+    "polarization_angle": DEGREES.to_value("rad"),
+    "coalescence_time": (-2 * u.ms).to_value("s"),
+}
+
+
+def test_samples_that_carry_a_unit_are_converted(reach, local):
+    here = likelihood(local, small()).log_likelihood(SIGNAL | IN_OURS)
+    assert reach(small()).log_likelihood(SIGNAL | IN_OTHER_UNITS).tobytes() == here.tobytes()
+
+
 BAD = {
     "outside the prior": ("coalescence_time", 0.11, RowStatus.OUT_OF_PRIOR),
     "outside the model's range": ("mass_ratio", 0.5, RowStatus.OUT_OF_DOMAIN),
@@ -230,6 +245,11 @@ WRONG = {
     "unequal lengths": SIGNAL | {"chi_1": [0.0, 0.1], "chi_2": [0.0] * 3},
     "errors of no node": SIGNAL | {"calibration_phase": {"H1": [0.0] * 4}},
     "no batch": 3,
+    "another unit": SIGNAL | {"distance_mpc": 3.0 * u.s},
+    "a mask": SIGNAL | {"chi_1": np.ma.array([0.0, 0.1], mask=[False, True])},
+    "complex numbers": SIGNAL | {"chi_1": np.array([0.1j])},
+    "text": SIGNAL | {"chi_1": "0.1"},
+    "truth values": SIGNAL | {"chi_1": [True, False]},
 }
 
 

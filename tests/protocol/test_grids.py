@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bnserve_protocol import InvalidFrequencies, UniformGrid, as_frequencies, grid_digest
+from bnserve_protocol import InvalidFrequencies, TooLarge, UniformGrid, as_frequencies, grid_digest
 
 
 def refused(grid):
@@ -60,7 +60,7 @@ def test_the_first_bad_frequency_is_named(grid, says, row):
         (["a", "b"], "vector of numbers"),
         ([[1.0], [1.0, 2.0]], "vector of numbers"),
         ({"f": 1}, "vector of numbers"),
-        (None, "shape ()"),
+        (None, "vector of numbers"),
     ],
     ids=str,
 )
@@ -125,3 +125,10 @@ def test_the_digest_is_the_sha256_of_little_endian_float64():
     assert grid_digest(frequencies.astype(">f8")) == expected
     assert grid_digest(np.repeat(frequencies, 2)[::2]) == expected
     assert grid_digest(np.nextafter(frequencies, 1.0)) != expected
+
+
+def test_a_grid_that_no_memory_holds_is_an_error_that_says_so():
+    grid = UniformGrid(20.0, 2048.0, 1e-12)
+    with pytest.raises(TooLarge, match=r"no memory for the 20280000000000[0-9]* frequencies of this grid.*'delta_f'"):
+        grid.frequencies()
+    np.testing.assert_array_equal(grid.at(np.array([0, len(grid) - 1])), [20.0, 2048.0])

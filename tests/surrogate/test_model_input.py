@@ -189,7 +189,9 @@ def test_by_default_a_grid_may_leave_the_band_on_both_sides(model):
     assert (plus != 0.0).tolist() == [True, True, False]
 
 
-@pytest.mark.parametrize("dtype", ["complex32", "float64", complex, None, ""])
+@pytest.mark.parametrize(
+    "dtype", ["complex32", "float64", float, np.float32, None, "", 7, ["complex64"], np.dtype("V16")]
+)
 def test_an_unknown_precision_is_refused(model, dtype):
     error = refused(InvalidRequest, lambda: model.predict_batch(GRID, ONE, dtype=dtype))
     assert "dtype must be one of complex128, complex64" in error.detail

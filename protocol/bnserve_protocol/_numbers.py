@@ -1,0 +1,144 @@
+"""What counts as numbers, wherever a user gives some: units are converted, and nothing is dropped without a word.
+
+numpy takes much for numbers that is none or is more: it reads text and truth values, and drops units, masks and
+imaginary parts. Here, what carries a unit (an astropy ``Quantity``, or what looks like one: ``unit`` and ``to_value``)
+is converted to the unit that is wanted; lists, tuples, arrays of any numeric type, pandas ``Series``, arrays of objects
+that are numbers, and whatever else numpy makes numbers of, are taken; the rest is refused.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+_REAL = frozenset("iuf")
+_PLAIN = frozenset({float, int, np.float64, np.float32, np.int64, np.int32})
+"""Types of list entries that numpy may convert all at once; ``bool`` is not among them."""
+_FLOAT64 = np.dtype(np.float64)
+_WHY = {"b": "holds truth values", "U": "holds text", "S": "holds text", "T": "holds text", "c": "is complex"}
+"""By kind of a dtype, what is refused: completes "it ..."."""
+
+
+class NotNumbers(ValueError):
+    """What was given does not count as numbers; the message completes "it ...". Never leaves a public function."""
+
+
+def as_real_numbers(value: Any, unit: str | None) -> NDArray[np.float64]:
+    """Real numbers as a float64 array of their own shape; the same array where it is one already.
+
+    Parameters
+    ----------
+    value:
+        Numbers, with or without a unit.
+    unit:
+        That they are wanted in, as astropy writes it, ``"1"`` for a pure number; None where no unit can be converted.
+
+    Raises
+    ------
+    NotNumbers
+        Text, truth values, complex numbers, masked entries, ragged lists, other units.
+    """
+    if type(value) is np.ndarray and value.dtype == _FLOAT64:
+        return value
+    return np.asarray(_numbers(value, unit, complex_too=False), np.float64)
+
+
+def as_real_number(value: Any, unit: str | None) -> float:
+    """One real number; parameters and errors as :func:`as_real_numbers`, which an array with a length is one of."""
+    if type(value) is float:
+        return value
+    array = as_real_numbers(value, unit)
+    if array.ndim:
+        raise NotNumbers(f"is an array of shape {array.shape} and not one number")
+    return float(array)
+
+
+def as_numbers(value: Any, unit: str | None) -> NDArray[Any]:
+    """As :func:`as_real_numbers`, for numbers that may also be complex: float64 or complex128."""
+    array = _numbers(value, unit, complex_too=True)
+    return np.asarray(array, np.complex128 if array.dtype.kind == "c" else np.float64)
+
+
+def _numbers(value: Any, unit: str | None, *, complex_too: bool) -> NDArray[Any]:
+    try:
+        return _of_anything(value, unit, complex_too)
+    except RecursionError:
+        raise NotNumbers("is nested too deeply") from None
+
+
+def _of_anything(value: Any, unit: str | None, complex_too: bool) -> NDArray[Any]:
+    value = _unmasked(_without_unit(_unmasked(value), unit))
+    if isinstance(value, list | tuple):
+        return _of_list(value, unit, complex_too)
+    try:
+        array: NDArray[Any] = np.asarray(value)
+    except (TypeError, ValueError) as error:
+        raise NotNumbers(f"cannot be read as numbers ({type(value).__name__})") from error
+    if array.dtype.kind == "O":
+        return _of_objects(array, unit, complex_too)
+    if not (array.dtype.kind in _REAL or (complex_too and array.dtype.kind == "c")):
+        raise NotNumbers(_WHY.get(array.dtype.kind, f"holds {array.dtype.name} values"))
+    return array
+
+
+def _of_list(value: list[Any] | tuple[Any, ...], unit: str | None, complex_too: bool) -> NDArray[Any]:
+    if _PLAIN.issuperset(map(type, value)):
+        try:
+            return np.array(value, np.float64)
+        except OverflowError:
+            raise NotNumbers("holds an integer beyond double precision") from None
+    parts = [_of_anything(part, unit, complex_too) for part in value]
+    if len({part.shape for part in parts}) > 1:
+        raise NotNumbers("has entries of different lengths")
+    return np.array(parts)
+
+
+def _of_objects(array: NDArray[Any], unit: str | None, complex_too: bool) -> NDArray[Any]:
+    """Of an array of Python objects, each of which must be a number by the same rules."""
+    if array.ndim:
+        return _of_list(array.ravel().tolist(), unit, complex_too).reshape(array.shape)
+    try:
+        if not hasattr(array.item(), "__float__"):  # None has not, and would be NaN to numpy
+            raise TypeError
+        return np.array(float(array.item()))
+    except OverflowError:
+        raise NotNumbers("holds an integer beyond double precision") from None
+    except (TypeError, ValueError):
+        raise NotNumbers(f"holds {type(array.item()).__name__}") from None
+
+
+def _without_unit(value: Any, unit: str | None) -> Any:
+    carried = getattr(value, "unit", None)
+    if carried is None:
+        carried = getattr(value, "units", None)
+    if carried is None:
+        return value
+    convert = getattr(value, "to_value", None)
+    if unit is None or convert is None:
+        wanted = "" if unit is None else f" in {unit}" if unit != "1" else " without a unit"
+        raise NotNumbers(
+            f"carries a unit ({str(carried)[:40]}), which is not converted here: give plain numbers{wanted}"
+        )
+    try:
+        return convert(unit)
+    except Exception as error:  # whatever a library of units raises where units do not fit
+        raise NotNumbers(f"has the unit '{str(carried)[:40]}', which is not one of {_named(unit)}") from error
+
+
+def _named(unit: str) -> str:
+    return "a pure number" if unit == "1" else f"'{unit}'"
+
+
+def _unmasked(value: Any) -> Any:
+    """The data under a mask, numpy's or astropy's, that hides nothing."""
+    if isinstance(value, np.ma.MaskedArray):
+        mask, data = value.mask, value.data
+    elif hasattr(value, "unmasked"):
+        mask, data = value.mask, value.unmasked
+    else:
+        return value
+    if np.any(mask):
+        raise NotNumbers("has masked entries: leave them out or fill them")
+    return data
