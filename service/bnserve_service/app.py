@@ -51,6 +51,7 @@ from bnserve_service.shares import shares_of
 from bnserve_service.stored_shares import Keeping, StoredShares
 from bnserve_service.transport.access import AccessMiddleware
 from bnserve_service.transport.answers import plain_response
+from bnserve_service.transport.body import BodyReader
 from bnserve_service.transport.context import RequestContextMiddleware
 from bnserve_service.transport.hosts import HostCheck, HostMiddleware
 from bnserve_service.transport.quick import QuickLane
@@ -72,6 +73,7 @@ class Parts:
     health: Health
     maintenance: Maintenance
     metrics: Metrics
+    bodies: BodyReader
     shared: Path | None = None
     """What all worker processes of one server share, as :func:`create_app` says."""
 
@@ -102,9 +104,9 @@ class Application(FastAPI):
         self.parts = parts
         self.wait_for_models = wait_for_models
         self.follow = follow
-        evaluations = dict.fromkeys(PATHS, WaveformEndpoint(parts.waveforms, parts.settings)) | dict.fromkeys(
-            LIKELIHOOD_PATHS, LikelihoodEndpoint(parts.likelihoods, parts.settings)
-        )
+        evaluations = dict.fromkeys(
+            PATHS, WaveformEndpoint(parts.waveforms, parts.settings, parts.bodies)
+        ) | dict.fromkeys(LIKELIHOOD_PATHS, LikelihoodEndpoint(parts.likelihoods, parts.settings, parts.bodies))
         self._include_routers(evaluations)
         self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
         inner: ASGIApp = StraightWay(self._serve_by_router, evaluations)
@@ -131,8 +133,10 @@ class Application(FastAPI):
         self.include_router(limits_router(limits))
         self.include_router(manifest_router(parts.registry, limits, parts.maintenance))
         stored = _stored_shares(parts)
-        self.include_router(grid_router(parts.grids, parts.waveforms, parts.settings, stored))
-        self.include_router(analysis_router(parts.analyses, parts.likelihoods, parts.settings, stored))
+        largest_grid = min(parts.settings.max_body_bytes, 8 * parts.settings.max_frequencies)
+        largest_analysis = parts.settings.max_analysis_bytes
+        self.include_router(grid_router(parts.grids, parts.waveforms, parts.bodies, largest_grid, stored))
+        self.include_router(analysis_router(parts.analyses, parts.likelihoods, parts.bodies, largest_analysis, stored))
         self.include_router(health_router(parts.health))
         self.include_router(explorer_router())
         if parts.settings.metrics_port is None:
@@ -230,7 +234,8 @@ def create_app(
     metrics.watch(
         "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
     )
-    metrics.watch("bnserve_uploads_bytes", "Memory of analyses on their way", lambda: likelihoods.uploads.taken)
+    bodies = BodyReader(settings.incoming_bytes, settings.body_timeout)
+    metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: bodies.room.held_bytes)
     if shared is None:
         metrics.watch("bnserve_workers", "Worker processes", lambda: 1.0)
     parts = Parts(
@@ -245,6 +250,7 @@ def create_app(
         health,
         maintenance,
         metrics,
+        bodies,
         shared,
     )
     return Application(parts, wait_for_models, follow)

@@ -28,10 +28,6 @@ from bnserve_service.lifecycle import Lifecycle
 from bnserve_service.likelihood_evaluation import LikelihoodQuestion, LogLikelihoods
 from bnserve_service.registry import Registry
 from bnserve_service.settings import Settings
-from bnserve_service.transport.uploads import UploadRoom
-
-UPLOADS_AT_ONCE = 4
-"""So many bodies of the largest size may be on their way: what arrives is in memory before it counts as stored."""
 
 
 class LikelihoodService:
@@ -63,8 +59,6 @@ class LikelihoodService:
         self._queue: WorkQueue[LikelihoodQuestion, LogLikelihoods] = queue
         self._lifecycle = lifecycle
         self._workers = workers
-        self.uploads = UploadRoom(UPLOADS_AT_ONCE * settings.max_analysis_bytes)
-        """Memory of analyses on their way."""
         self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-analyses")
 
     async def large_or_small(self, size: int, function: Any, *arguments: Any) -> Any:

@@ -12,7 +12,7 @@ from typing import Any, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
-from bnserve_protocol import InvalidRequest, Limits
+from bnserve_protocol import JSON, InvalidRequest, Limits
 
 Scope: TypeAlias = Literal["evaluate", "upload", "admin"]
 USUAL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")
@@ -119,6 +119,9 @@ class Settings(BaseModel):
     """JSON is for requests of curl's size: parsing numbers holds the interpreter."""
     max_json_samples: int = Field(default=2**16, ge=1)
     """Rows times frequencies of a JSON answer, about 3 MB of text."""
+    max_incoming_bytes: int | None = Field(default=None, ge=1024)
+    """Memory of all bodies of one worker process that are on their way or not decoded yet, beyond the first 64 KiB of
+    each; None for four of the largest."""
     max_rows: int = Field(default=4096, ge=1)
     max_frequencies: int = Field(default=2**20, ge=1)
     max_samples: int = Field(default=2**24, ge=1)
@@ -188,11 +191,27 @@ class Settings(BaseModel):
         return self
 
     @model_validator(mode="after")
+    def _largest_body_fits(self) -> Settings:
+        largest = max(self.max_body_bytes, self.max_analysis_bytes)
+        if self.max_incoming_bytes is not None and self.max_incoming_bytes < largest:
+            raise ValueError(f"max_incoming_bytes must be at least {largest}, or the largest allowed body never fits")
+        return self
+
+    @model_validator(mode="after")
     def _largest_request_fits(self) -> Settings:
         largest = self.max_samples + self.max_rows * ROW_COST + REQUEST_COST
         if self.queue_samples < largest:
             raise ValueError(f"queue_samples must be at least {largest}, or the largest allowed request never fits")
         return self
+
+    @property
+    def incoming_bytes(self) -> int:
+        """``max_incoming_bytes``, or what stands for None."""
+        return self.max_incoming_bytes or 4 * max(self.max_body_bytes, self.max_analysis_bytes)
+
+    def body_limit(self, media_type: str) -> int:
+        """The largest body of a request for an evaluation."""
+        return self.max_json_body_bytes if media_type == JSON else self.max_body_bytes
 
     def limits(self) -> ServiceLimits:
         """What ``/v1/limits`` says."""
@@ -206,6 +225,7 @@ class Settings(BaseModel):
             max_json_body_bytes=self.max_json_body_bytes,
             max_json_samples=self.max_json_samples,
             queue_samples=self.queue_samples,
+            max_incoming_bytes=self.incoming_bytes,
         )
 
 
@@ -215,6 +235,7 @@ class ServiceLimits(Limits, frozen=True, kw_only=True):
     max_json_body_bytes: int
     max_json_samples: int
     queue_samples: int
+    max_incoming_bytes: int
 
 
 def load_settings(path: Path | None = None, overrides: Mapping[str, Any] | None = None) -> Settings:

@@ -2,7 +2,6 @@
 
 import json
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import ExitStack
 
 import msgpack
 import numpy as np
@@ -143,23 +142,6 @@ def test_bodies_are_capped_while_they_arrive(start):
         answer = read_response(connection)
     refusal(answer, 413, "too-large", str(2**16))
     assert upload(server.address, ANALYSIS).status == 201
-
-
-def test_uploads_on_their_way_are_bounded_together(start):
-    server = start(ChirpModel(), max_analysis_bytes=2**20, body_timeout=60.0)
-    head = f"PUT {AT} HTTP/1.1\r\nhost: localhost\r\ncontent-length: {2**20}\r\n\r\n".encode()
-    with ExitStack() as stack:
-        for _ in range(4):
-            connection = stack.enter_context(raw_connection(server.address))
-            connection.sendall(head + b"x" * (2**20 - 1))  # the last byte never comes
-        until(lambda: value(server, "bnserve_uploads_bytes") == 4 * (2**20 - 1), "all is there")
-        fifth = stack.enter_context(raw_connection(server.address))
-        fifth.sendall(head + b"x" * 2**10)
-        answer = read_response(fifth)
-    refusal(answer, 503, "overloaded", "try again")
-    assert answer.headers["retry-after"] == "1"
-    until(lambda: upload(server.address, ANALYSIS).status in (200, 201), "there is room again")
-    until(lambda: value(server, "bnserve_uploads_bytes") == 0, "nothing is held")
 
 
 BAD_CONTENT = {

@@ -10,20 +10,18 @@ from bnserve_service.documents import AnalysisDocument, analysis_document
 from bnserve_service.likelihood_answering import LikelihoodService
 from bnserve_service.openapi import FOUND_OR_NOT, GONE, answers_with
 from bnserve_service.openapi_likelihoods import ANALYSIS_BODY
-from bnserve_service.settings import Settings
 from bnserve_service.stored_shares import StoredShares
 from bnserve_service.transport.answers import data_response
-from bnserve_service.transport.body import read_body
+from bnserve_service.transport.body import BodyReader
 from bnserve_service.transport.context import context_of
 from bnserve_service.transport.negotiation import media_type_of, refuse_encoded
 
 
 def analysis_router(
-    analyses: AnalysisStore, service: LikelihoodService, settings: Settings, shares: StoredShares
+    analyses: AnalysisStore, service: LikelihoodService, bodies: BodyReader, limit: int, shares: StoredShares
 ) -> APIRouter:
     """The paths of uploaded analyses."""
     router = APIRouter(tags=["likelihoods"], default_response_class=Response)
-    limit = settings.max_analysis_bytes
 
     @router.put(
         "/v1/analyses/{sha256}",
@@ -37,8 +35,8 @@ def analysis_router(
         refuse_encoded(context.headers)
         if media_type_of(context.headers) not in ("", MSGPACK):
             raise UnsupportedMediaType(f"Send the analysis as {MSGPACK}.")
-        with service.uploads.counting(request.receive) as receive:
-            body = await read_body(context.headers, receive, limit, settings.body_timeout)
+        with bodies.of(context) as incoming:
+            body = await incoming.read(request.receive, limit)
             context.request_digest = await service.digest(body)
             with shares.room(context.owner, "analysis", sha256.lower(), len(body)):
                 stored, is_new = await service.keep(context.owner, sha256.lower(), body)

@@ -9,18 +9,18 @@ from bnserve_service.answering import WaveformService
 from bnserve_service.documents import GridDocument
 from bnserve_service.grids import GridCache
 from bnserve_service.openapi import FOUND_OR_NOT, GRID_BODY, answers_with
-from bnserve_service.settings import Settings
 from bnserve_service.stored_shares import StoredShares
 from bnserve_service.transport.answers import data_response
-from bnserve_service.transport.body import read_body
+from bnserve_service.transport.body import BodyReader
 from bnserve_service.transport.context import context_of
 from bnserve_service.transport.negotiation import OCTETS, media_type_of, refuse_encoded
 
 
-def grid_router(grids: GridCache, service: WaveformService, settings: Settings, stored: StoredShares) -> APIRouter:
+def grid_router(
+    grids: GridCache, service: WaveformService, bodies: BodyReader, limit: int, stored: StoredShares
+) -> APIRouter:
     """The paths of uploaded grids."""
     router = APIRouter(tags=["grids"], default_response_class=Response)
-    limit = min(settings.max_body_bytes, 8 * settings.max_frequencies)
 
     @router.put(
         "/v1/grids/{sha256}",
@@ -34,10 +34,11 @@ def grid_router(grids: GridCache, service: WaveformService, settings: Settings, 
         refuse_encoded(context.headers)
         if media_type_of(context.headers) not in ("", OCTETS):
             raise UnsupportedMediaType(f"Send the grid as {OCTETS}: raw little-endian float64.")
-        body = await read_body(context.headers, request.receive, limit, settings.body_timeout)
-        context.request_digest = await service.digest(body)
-        with stored.room(context.owner, "grid", sha256.lower(), len(body)):
-            points, is_new = await service.large_or_small(len(body), grids.put, sha256.lower(), body)
+        with bodies.of(context) as incoming:
+            body = await incoming.read(request.receive, limit)
+            context.request_digest = await service.digest(body)
+            with stored.room(context.owner, "grid", sha256.lower(), len(body)):
+                points, is_new = await service.large_or_small(len(body), grids.put, sha256.lower(), body)
         return data_response(request, GridDocument(sha256.lower(), points), 201 if is_new else 200)
 
     @router.head("/v1/grids/{sha256}", responses=FOUND_OR_NOT)

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from starlette.types import Receive, Scope, Send
 
-from bnserve_protocol import JSON
 from bnserve_service.likelihood_answering import LikelihoodService, pack
 from bnserve_service.routes.waiting import wait_for
 from bnserve_service.routes.waveforms import answer_headers
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import send_answer
-from bnserve_service.transport.body import read_body
-from bnserve_service.transport.context import RequestContext, context_of
+from bnserve_service.transport.body import BodyReader
+from bnserve_service.transport.context import context_of
 from bnserve_service.transport.negotiation import answer_media_type, request_media_type
 
 PATHS = ("/v1/models/{name}/likelihoods/{sha256}", "/v1/models/{name}/versions/{version}/likelihoods/{sha256}")
@@ -25,12 +24,15 @@ class LikelihoodEndpoint:
     service:
         The use case.
     settings:
-        Limits of size and time.
+        Limits of size.
+    bodies:
+        Reads the bodies.
     """
 
-    def __init__(self, service: LikelihoodService, settings: Settings) -> None:
+    def __init__(self, service: LikelihoodService, settings: Settings, bodies: BodyReader) -> None:
         self._service = service
         self._settings = settings
+        self._bodies = bodies
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Evaluate one request."""
@@ -39,19 +41,14 @@ class LikelihoodEndpoint:
         media_type = request_media_type(context.headers)
         answer_type = answer_media_type(context.headers, preferred=media_type)
         deadline = context.deadline
-        body = await self._read(context, receive, media_type)
         model, sha256 = (path["name"], path.get("version")), path["sha256"].lower()
-        question = await self._service.ask(context.owner, model, sha256, body, media_type)
-        del body
+        with self._bodies.of(context) as incoming:
+            body = await incoming.read(receive, self._settings.body_limit(media_type))
+            context.request_digest = await self._service.digest(body)
+            question = await self._service.ask(context.owner, model, sha256, body, media_type)
+            del body
         with context.paying(len(question.batch)):
             jobs = self._service.submit(question, deadline, context.owner)
             pieces = await wait_for(jobs, receive, self._service.withdraw)
         packed = pack(question, pieces, answer_type)
         await send_answer(send, 200, answer_headers(packed, answer_type, jobs[0].submitted), packed.parts)
-
-    async def _read(self, context: RequestContext, receive: Receive, media_type: str) -> bytes:
-        settings = self._settings
-        limit = settings.max_json_body_bytes if media_type == JSON else settings.max_body_bytes
-        body = await read_body(context.headers, receive, limit, settings.body_timeout)
-        context.request_digest = await self._service.digest(body)
-        return body

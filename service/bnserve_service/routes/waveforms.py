@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from starlette.types import Receive, Scope, Send
 
-from bnserve_protocol import JSON
 from bnserve_service.answering import WaveformService
 from bnserve_service.batching import Job
 from bnserve_service.evaluation import Packed, Question
 from bnserve_service.routes.waiting import wait_for
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import send_answer
-from bnserve_service.transport.body import read_body
-from bnserve_service.transport.context import RequestContext, context_of
+from bnserve_service.transport.body import BodyReader
+from bnserve_service.transport.context import context_of
 from bnserve_service.transport.negotiation import answer_digest, answer_media_type, request_media_type
 
 PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
@@ -26,12 +25,15 @@ class WaveformEndpoint:
     service:
         The use case.
     settings:
-        Limits of size and time.
+        Limits of size.
+    bodies:
+        Reads the bodies.
     """
 
-    def __init__(self, service: WaveformService, settings: Settings) -> None:
+    def __init__(self, service: WaveformService, settings: Settings, bodies: BodyReader) -> None:
         self._service = service
         self._settings = settings
+        self._bodies = bodies
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Evaluate one request."""
@@ -41,25 +43,20 @@ class WaveformEndpoint:
         answer_type = answer_media_type(context.headers, preferred=media_type)
         digest = answer_digest(context.headers)
         deadline = context.deadline
-        body = await self._read(context, receive, media_type, deadline)
-        question = await self._service.ask(
-            parameters["name"], parameters.get("version"), body, media_type, answer_type, digest
-        )
-        self._service.learn(len(body), question, context.owner)
-        del body
+        with self._bodies.of(context) as incoming:
+            body = await incoming.read(receive, self._settings.body_limit(media_type))
+            self._service.foresee(len(body), deadline, context.owner)
+            context.request_digest = await self._service.digest(body)
+            question = await self._service.ask(
+                parameters["name"], parameters.get("version"), body, media_type, answer_type, digest
+            )
+            self._service.learn(len(body), question, context.owner)
+            del body
         with context.paying(len(question.batch)), self._service.reserve(question, context.owner):
             job = self._service.submit(question, deadline, context.owner)
             packed = await self._wait(job, receive)
             headers = answer_headers(packed, answer_type, job.submitted)
             await send_answer(send, 200, headers, packed.parts)
-
-    async def _read(self, context: RequestContext, receive: Receive, media_type: str, deadline: float | None) -> bytes:
-        settings = self._settings
-        limit = settings.max_json_body_bytes if media_type == JSON else settings.max_body_bytes
-        body = await read_body(context.headers, receive, limit, settings.body_timeout)
-        self._service.foresee(len(body), deadline, context.owner)
-        context.request_digest = await self._service.digest(body)
-        return body
 
     async def _wait(self, job: Job[Question, Packed], receive: Receive) -> Packed:
         if job.quick:
