@@ -1,6 +1,7 @@
 """The vocabulary of bnserve: parameters, grids, results, wire messages, errors. Imports nothing else of bnserve."""
 
 from bnserve_protocol._analyses import (
+    DEFAULT_ERROR_BOUND,
     Analysis,
     AnalysisKind,
     AnalysisSettings,
@@ -133,6 +134,7 @@ from bnserve_protocol._requests import (
 from bnserve_protocol._version import __version__
 
 __all__ = [
+    "DEFAULT_ERROR_BOUND",
     "DEFAULT_OPTIONS",
     "ERRORS_BY_CODE",
     "INTRINSIC_NAMES",

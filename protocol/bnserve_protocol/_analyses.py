@@ -30,6 +30,9 @@ from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number
 
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
 
+DEFAULT_ERROR_BOUND = 0.05
+"""Of ln L: a posterior that is wrong by a twentieth of its density shows nowhere."""
+
 
 def _convert(struct: msgspec.Struct, **units: str) -> None:
     """Make floats in these units of what a user gave for the fields of a structure.
@@ -87,12 +90,19 @@ class DistanceMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields
         _convert(self, minimum="Mpc", maximum="Mpc", power="1")
 
 
-class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """Calibration envelopes: ``nodes`` frequencies in every detector, logarithmic from ``f_min`` to ``f_max`` (Hz)."""
+class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
+    """Calibration envelopes: ``nodes`` frequencies in every detector, logarithmic from ``f_min`` to ``f_max`` (Hz).
+
+    ``amplitude_width`` (relative) and ``phase_width`` (radians) are the standard deviations of the errors at the nodes
+    that an approximate likelihood has to stand. They are not a prior: what errors there are, a sample says. What equals
+    its default is not written: messages and digests without widths are as they were before there were any.
+    """
 
     nodes: int
     f_min: float
     f_max: float
+    amplitude_width: float = 0.05
+    phase_width: float = 0.05
 
     def __post_init__(self) -> None:
         _convert(self, f_min="Hz", f_max="Hz")
@@ -128,6 +138,9 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
         The only model this analysis may be evaluated with (a basis belongs to one), or None for any.
     noise_log_likelihood:
         Log-likelihood of no signal, -<d|d>/2 summed over detectors. Answers are ratios to it.
+    error_bound:
+        By how much ln L of an approximate analysis may differ from that on the full grid; not written where it is
+        :data:`DEFAULT_ERROR_BOUND`.
     """
 
     kind: AnalysisKind
@@ -147,6 +160,7 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     calibration: Calibration | None = None
     model_digest: str | None = None
     noise_log_likelihood: float = 0.0
+    error_bound: float | msgspec.UnsetType = msgspec.UNSET
     schema_version: Literal[1] = 1
 
     @property
@@ -226,11 +240,21 @@ class Analysis:
 
 
 def _canonical(settings: AnalysisSettings) -> AnalysisSettings:
-    """The same settings in the types of the schema: an integer is another message than the float of its value."""
+    """The same settings in the types of the schema: an integer is another message than the float of its value.
+
+    What equals its default and may be left out is left out: msgspec leaves out the very object that is the default.
+    """
     try:
-        return _settings_decoder.decode(_settings_encoder.encode(settings))
+        found = _settings_decoder.decode(_settings_encoder.encode(settings))
     except (msgspec.MsgspecError, TypeError, NotImplementedError) as error:
         raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
+    if found.error_bound == DEFAULT_ERROR_BOUND:
+        found = msgspec.structs.replace(found, error_bound=msgspec.UNSET)
+    if found.calibration is not None:
+        fields = {f.name: (getattr(found.calibration, f.name), f.default) for f in msgspec.structs.fields(Calibration)}
+        stated = {name: value for name, (value, default) in fields.items() if value != default}
+        found = msgspec.structs.replace(found, calibration=Calibration(**stated))
+    return found
 
 
 _ARRAY_UNITS = {"response": "1", "location": "m", "linear_nodes": "Hz", "quadratic_nodes": "Hz"}

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -96,6 +97,12 @@ def _check_marginalisations(settings: AnalysisSettings) -> None:
         _require(enough, "calibration.nodes", calibration.nodes, f"is 4 to {_MOST_CALIBRATION_NODES}")
         low, high = calibration.f_min, calibration.f_max
         _require(0.0 < low < high < math.inf, "calibration.f_min", low, "must be positive and below calibration.f_max")
+        for name in ("amplitude_width", "phase_width"):
+            width = getattr(calibration, name)
+            _require(0.0 <= width <= 1.0, f"calibration.{name}", width, "is 0 to 1")
+    bound = settings.error_bound
+    if not isinstance(bound, msgspec.UnsetType):
+        _require(0.0 < bound < math.inf, "error_bound", bound, "must be positive and finite")
 
 
 def _check_sum_over_times(times: TimeMarginalisation, settings: AnalysisSettings) -> None:

@@ -106,6 +106,25 @@ def test_arrays_are_read_only_and_are_not_copied_on_the_wire():
         analysis.digest = "sha256:0"
 
 
+def test_bounds_and_widths_that_are_the_default_are_not_written():
+    """So messages and digests from before there were any are what they were: this one is."""
+    calibration = Calibration(nodes=10, f_min=20.0, f_max=100.0)
+    before = Analysis(msgspec.structs.replace(SETTINGS, calibration=calibration), arrays())
+    assert before.digest == "sha256:04ac6c1ee681a363ef501064e38d2a87754adaa31033f44528120ce384b7296c"
+    assert (before.settings.calibration.amplitude_width, before.settings.calibration.phase_width) == (0.05, 0.05)
+    stated = msgspec.structs.replace(calibration, amplitude_width=0.1 / 2, phase_width=0.1 / 2)
+    again = Analysis(msgspec.structs.replace(SETTINGS, calibration=stated, error_bound=0.1 / 2), arrays())
+    assert again.digest == decode_analysis(body_of(again)).digest == before.digest
+
+
+def test_other_bounds_and_widths_travel():
+    calibration = Calibration(nodes=10, f_min=20.0, f_max=100.0, amplitude_width=0.02, phase_width=0.03)
+    analysis = Analysis(msgspec.structs.replace(SETTINGS, calibration=calibration, error_bound=0.2), arrays())
+    there = decode_analysis(body_of(analysis))
+    assert there.digest == analysis.digest
+    assert (there.settings.calibration, there.settings.error_bound) == (calibration, 0.2)
+
+
 def test_the_nodes_of_a_full_analysis_are_its_grid():
     settings, values = full()
     analysis = Analysis(settings, values)
@@ -154,6 +173,11 @@ BAD_SETTINGS = {
     "many times": ({"time_marginalisation": TimeMarginalisation(minimum=0.0, maximum=0.1, step=1e-9)}, "more than"),
     "distance": ({"distance_marginalisation": DistanceMarginalisation(minimum=0.0, maximum=10.0)}, "0 < minimum"),
     "calibration": ({"calibration": Calibration(nodes=2, f_min=20.0, f_max=100.0)}, "'calibration.nodes'"),
+    "a width of calibration errors": (
+        {"calibration": Calibration(nodes=4, f_min=20.0, f_max=100.0, phase_width=float("nan"))},
+        "'calibration.phase_width'",
+    ),
+    "an error bound": ({"error_bound": 0.0}, "'error_bound'"),
     "kind": ({"kind": "guess"}, "do not fit their schema"),
     "type": ({"f_min": "20"}, "do not fit their schema"),
 }
