@@ -60,8 +60,10 @@ class GeneratorModel:
             one = {name: float(coerced[name][row]) for name in ("total_mass", "distance_mpc", "mass_ratio")}
             seconds = one["total_mass"] * SOLAR_MASS_SECONDS
             inside = f * seconds <= self._band_top * (1.0 + 1e-9)  # a surrogate's allowance for rounding
-            if not inside.any() or (options.above_band == "error" and not inside.all()):
+            if options.above_band == "error" and not inside.all():
                 raise OutOfBand(f"Frequencies are above the band, which ends at {self._band_top / seconds:.6g} Hz.")
+            if not inside.any():
+                continue
             theta = np.array([coerced[name][row] for name in INTRINSIC_NAMES])
             size, psi = evaluate(self._generator, theta, f[inside] * seconds)
             nu = one["mass_ratio"] / (1.0 + one["mass_ratio"]) ** 2

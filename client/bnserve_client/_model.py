@@ -150,6 +150,10 @@ class Model:
     ) -> Polarizations:
         """One waveform: ``hp, hc``, complex ``(M,)`` in 1/Hz, on increasing frequencies in Hz.
 
+        ``dtype`` is ``"complex128"`` or ``"complex64"``, which has a relative error of 2.5e-8 and half the size. Strain
+        is so small (1e-24 1/Hz) that squares of ``complex64`` underflow in single precision: ``(abs(h) ** 2).sum()`` is
+        too small or zero. Convert to ``complex128``, or multiply by 1e22, before squaring.
+
         Raises
         ------
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
@@ -167,7 +171,7 @@ class Model:
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
-        """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. Raises as :meth:`predict`."""
+        """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
         return self._run(self._remote.predict_batch(frequencies, batch, options, dtype))
 
     def predict_factored(
@@ -178,7 +182,7 @@ class Model:
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Factored:
-        """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
+        """N waveforms before the polarisations are multiplied out. ``dtype`` and errors as :meth:`predict`."""
         return self._run(self._remote.predict_factored(frequencies, batch, options, dtype))
 
     def predict_amplitude_phase(

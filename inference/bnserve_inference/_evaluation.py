@@ -14,6 +14,7 @@ from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference.kernel import Contraction, Sky
 from bnserve_protocol import (
     Analysis,
+    ComplexArray,
     EvaluationOptions,
     Factored,
     InvalidRows,
@@ -134,6 +135,7 @@ class LocalLikelihood:
             self.frequencies, batch.waveform_batch(**self._fixed), options=self._options
         )
         status = np.array(factored.status)
+        status[_nowhere_inside(factored.h) & (status == RowStatus.OK)] = RowStatus.OUT_OF_BAND
         with np.errstate(invalid="ignore"):  # rows that the model flagged are NaN
             values = self._combine(factored, batch)
         values[status != RowStatus.OK] = -np.inf
@@ -203,6 +205,14 @@ class LocalLikelihood:
                 out_of_band=before.out_of_band + int(found[RowStatus.OUT_OF_BAND]),
                 out_of_prior=before.out_of_prior + int(found[RowStatus.OUT_OF_PRIOR]),
             )
+
+
+def _nowhere_inside(h: ComplexArray) -> NDArray[np.bool_]:
+    """The rows, (N,), that are zero at all frequencies (N, M): they lie above the model's band altogether."""
+    empty = np.asarray(h[:, 0] == 0.0)
+    for row in np.flatnonzero(empty):
+        empty[row] = not h[row].any()
+    return empty
 
 
 def likelihood(model: WaveformModel, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:

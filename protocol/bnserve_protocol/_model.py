@@ -73,10 +73,12 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
     out_of_domain:
         ``"error"`` raises; ``"flag"`` returns those rows as NaN with a :class:`RowStatus`.
     below_band:
-        ``"extend"`` continues the waveform with the post-Newtonian baseline; ``"error"`` raises ``OutOfBand``.
+        ``"extend"`` continues the waveform with the post-Newtonian baseline; ``"error"`` raises ``OutOfBand`` wherever
+        a frequency is below the band. So low that double precision leaves nothing of the phase (M f below 1e-9), a
+        frequency is an error in any case.
     above_band:
-        ``"zero"`` returns zeros above the trained band; ``"error"`` raises ``OutOfBand``. A grid that lies above the
-        band altogether is an error in any case.
+        ``"zero"`` returns zeros at every frequency above the band, also where the whole grid is; ``"error"`` raises
+        ``OutOfBand`` wherever a frequency is above it. Neither depends on what else is asked for at the same time.
     alignment:
         ``"post_newtonian"``: time and phase of the TaylorF2 baseline, as in the paper. ``"merger"``: the merger is
         at t = 0, as in TEOBResumS.
@@ -216,7 +218,11 @@ class WaveformModel(Protocol):
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
-        """One waveform on M frequencies in Hz: complex arrays ``(M,)`` in 1/Hz."""
+        """One waveform on M frequencies in Hz: complex arrays ``(M,)`` in 1/Hz.
+
+        Squares of ``complex64`` underflow in single precision, because strain is near 1e-24 1/Hz: convert to
+        ``complex128``, or multiply by 1e22, before squaring.
+        """
 
     def predict_batch(
         self,

@@ -190,15 +190,27 @@ _REQUEST = {
         "dtype": {
             "enum": ["complex128", "complex64"],
             "default": "complex128",
-            "description": "complex64 has a relative error of 2.5e-8; amplitude and phase are float64 in any case.",
+            "description": "complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square "
+            "underflows in single precision: convert to double precision, or multiply by 1e22, before squaring. "
+            "Amplitude and phase are float64 in any case.",
         },
         "out_of_domain": {
             "enum": ["error", "flag"],
             "default": "error",
             "description": "'flag': rows outside the trained range come back NaN, with a status.",
         },
-        "below_band": {"enum": ["extend", "error"], "default": "extend"},
-        "above_band": {"enum": ["zero", "error"], "default": "zero"},
+        "below_band": {
+            "enum": ["extend", "error"],
+            "default": "extend",
+            "description": "'extend': the post-Newtonian continuation at every frequency below the band; 'error': a "
+            "frequency below it is an error.",
+        },
+        "above_band": {
+            "enum": ["zero", "error"],
+            "default": "zero",
+            "description": "'zero': zeros at every frequency above the band, also where all are; 'error': a frequency "
+            "above it is an error.",
+        },
         "alignment": {"enum": ["post_newtonian", "merger"], "default": "post_newtonian"},
     },
 }  # fmt: skip

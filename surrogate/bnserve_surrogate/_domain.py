@@ -55,8 +55,7 @@ def refuse_rows(
     OutOfDomain
         A value is outside its range.
     OutOfBand
-        Frequencies outside the band where the options forbid it, or altogether above it, or so low that the phase is
-        lost to rounding.
+        Frequencies outside the band where the options forbid it, or so low that the phase is lost to rounding.
     """
     values = batch.values
     status = np.zeros(len(batch), dtype=np.uint8)
@@ -85,8 +84,7 @@ def _band_status(
     options: EvaluationOptions,
 ) -> NDArray[np.bool_]:
     with np.errstate(invalid="ignore", over="ignore"):
-        outside = frequencies[0] * mass > mf_band[1] * (1.0 + 1e-9)
-        outside |= frequencies[0] * mass < _LEAST_MF
+        outside = frequencies[0] * mass < _LEAST_MF
         if options.above_band == "error":
             outside |= frequencies[-1] * mass > mf_band[1] * (1.0 + 1e-9)
         if options.below_band == "error":

@@ -148,6 +148,10 @@ class Model:
     ) -> Polarizations:
         """One waveform: ``hp, hc``, complex ``(M,)`` in 1/Hz, on increasing frequencies in Hz.
 
+        ``dtype`` is ``"complex128"`` or ``"complex64"``, which has a relative error of 2.5e-8 and half the size. Strain
+        is so small (1e-24 1/Hz) that squares of ``complex64`` underflow in single precision: ``(abs(h) ** 2).sum()`` is
+        too small or zero. Convert to ``complex128``, or multiply by 1e22, before squaring.
+
         Raises
         ------
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
@@ -172,7 +176,7 @@ class Model:
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
-        """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. Raises as :meth:`predict`."""
+        """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
         kind = Output.POLARIZATIONS if check_dtype(dtype) == "complex128" else Output.POLARIZATIONS_SINGLE
         answer = self._evaluator.batch(frequencies, batch, options, kind)
         return Polarizations(
@@ -187,7 +191,7 @@ class Model:
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Factored:
-        """N waveforms before the polarisations are multiplied out. Raises as :meth:`predict`."""
+        """N waveforms before the polarisations are multiplied out. ``dtype`` and errors as :meth:`predict`."""
         kind = Output.STRAIN if check_dtype(dtype) == "complex128" else Output.STRAIN_SINGLE
         answer = self._evaluator.batch(frequencies, batch, options, kind)
         return Factored(

@@ -231,6 +231,14 @@ def failure(call):
     return type(error), error.code, error.detail, error.errors
 
 
+def test_a_signal_above_the_model_s_band_at_all_frequencies_is_minus_infinity(reach, local):
+    """At 4 solar masses the band ends at 2048 Hz; zeros would be a likelihood of one."""
+    analysis = small_analysis(local, f_min=2064.0, f_max=2080.0)
+    values, status = reach(analysis).evaluate(SIGNAL | {"total_mass": [2.5, 4.0]})
+    assert status.tolist() == [RowStatus.OK, RowStatus.OUT_OF_BAND]
+    assert np.isfinite(values).tolist() == [True, False]
+
+
 def test_they_raise_the_same_error_where_that_is_asked_for(reach, local):
     there = failure(lambda: reach(small(), "error").log_likelihood(bad_batch()))
     assert there == failure(lambda: likelihood(local, small(), invalid_rows="error").log_likelihood(bad_batch()))

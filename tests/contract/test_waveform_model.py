@@ -1,5 +1,6 @@
 """What holds for every waveform model: the remote ones equal the local one in bits, types and errors."""
 
+import functools
 from dataclasses import replace
 
 import numpy as np
@@ -279,9 +280,10 @@ def test_bad_frequencies_are_the_same_error(model, local, method, grid):
 
 
 OUT_OF_BAND = {
-    "all above the band": ([9000.0, 9001.0], EvaluationOptions()),
+    "all above the band, forbidden": ([9000.0, 9001.0], EvaluationOptions(above_band="error")),
     "some above, forbidden": ([100.0, 9000.0], EvaluationOptions(above_band="error")),
     "too low for a phase": ([1e-9, 100.0], EvaluationOptions()),
+    "all below, forbidden": ([0.5, 0.6], EvaluationOptions(below_band="error")),
     "some below, forbidden": ([0.5, 100.0], EvaluationOptions(below_band="error")),
 }
 
@@ -291,6 +293,61 @@ def test_frequencies_outside_the_band_are_the_same_error(model, local, grid, opt
     there = failure(lambda: model.predict_batch(grid, binaries(3), options=options))
     assert there == failure(lambda: local.predict_batch(grid, binaries(3), options=options))
     assert there[0] is OutOfBand
+
+
+WIDE = np.array([0.5, 1.0, 3.0, 100.0, 2000.0, 2047.9, 2048.1, 2100.0, 9000.0])
+HEAVY = TYPICAL | {"total_mass": [4.0, 3.9, 2.76]}
+"""Their bands end at 2048, 2100.5 and 2968.1 Hz, and begin at 2.5, 2.56 and 3.6 Hz."""
+
+
+def parts_of(answer):
+    return [np.atleast_2d(part) for part in answer if part.ndim > 1]
+
+
+@pytest.mark.parametrize("dtype", ["complex128", "complex64"])
+@pytest.mark.parametrize("method", ["predict_batch", "predict_factored"])
+def test_what_stands_at_a_frequency_does_not_depend_on_the_others(model, method, dtype):
+    """Zeros above the band, the continuation below it, however the grid is split."""
+    call = functools.partial(getattr(model, method), batch=HEAVY, dtype=dtype)
+    together, alone = parts_of(call(WIDE)), [parts_of(call([f])) for f in WIDE]
+    for part, whole in enumerate(together):
+        pieces = np.hstack([answer[part] for answer in alone])
+        np.testing.assert_array_equal(pieces == 0.0, whole == 0.0)
+        np.testing.assert_allclose(pieces, whole, rtol=1e-7)  # complex64 rounds
+        assert (whole[0] == 0.0).tolist() == [f > 2048.0 for f in WIDE]
+        assert (whole[1] == 0.0).tolist() == [f > 2100.0 + 0.5 for f in WIDE]
+    answer = call([9000.0])
+    assert answer.status.tolist() == [RowStatus.OK] * 3
+    assert np.isfinite(answer.estimated_mismatch).all()
+    assert not any(np.signbit(part.real).any() for part in parts_of(answer))
+
+
+def test_amplitudes_above_the_band_are_zero_however_the_grid_is_split(model):
+    together = model.predict_amplitude_phase(WIDE, HEAVY)
+    for place, f in enumerate(WIDE):
+        alone = model.predict_amplitude_phase([f], HEAVY)
+        np.testing.assert_array_equal(alone.amplitude[:, 0], together.amplitude[:, place])
+        np.testing.assert_allclose(alone.phase[:, 0], together.phase[:, place], rtol=1e-12)
+    assert not model.predict_amplitude_phase([8000.0, 9000.0], ONE).amplitude.any()
+
+
+@pytest.mark.parametrize(("option", "outside"), [("above_band", WIDE > 2048.0), ("below_band", WIDE < 2.5)])
+def test_what_is_forbidden_of_a_grid_is_forbidden_of_its_parts(model, option, outside):
+    heavy, options = TYPICAL | {"total_mass": 4.0}, EvaluationOptions(**{option: "error"})
+    for f in WIDE[outside]:
+        for grid in ([f], sorted([100.0, f])):
+            with pytest.raises(OutOfBand):
+                model.predict_batch(grid, heavy, options=options)
+    assert model.predict_batch(WIDE[~outside], heavy, options=options).plus.shape == (1, (~outside).sum())
+
+
+def test_squares_underflow_in_single_precision_as_the_pages_say(model):
+    h = model.predict(np.arange(20.0, 2049.0), ONE, dtype="complex64").plus
+    right = (np.abs(model.predict(np.arange(20.0, 2049.0), ONE).plus) ** 2).sum()
+    assert right == pytest.approx(4.77e-44, rel=1e-3)
+    assert (np.abs(h) ** 2).sum() < 0.7 * right
+    assert (np.abs(h.astype(complex)) ** 2).sum() == pytest.approx(right, rel=1e-7)
+    assert (np.abs(h * np.float32(1e22)) ** 2).sum(dtype=float) / 1e44 == pytest.approx(right, rel=1e-6)
 
 
 @pytest.mark.parametrize(

@@ -133,7 +133,7 @@ def test_what_is_flagged_is_what_is_refused(shipped, name, rows):
     [
         ([3.0, 100.0], {"below_band": "error"}),
         ([100.0, 4000.0], {"above_band": "error"}),
-        ([9000.0, 9001.0], {}),
+        ([9000.0, 9001.0], {"above_band": "error"}),
         ([1e-6, 100.0], {}),
     ],
 )

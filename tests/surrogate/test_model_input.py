@@ -134,7 +134,8 @@ def test_flagged_rows_are_nan_with_their_status_and_the_others_untouched(model, 
 
 def test_a_row_that_is_not_finite_and_out_of_band_is_not_finite(model):
     columns = batch_with(0, total_mass=math.nan)
-    answer = model.predict_batch([7000.0], columns, options=FLAG)
+    options = EvaluationOptions(out_of_domain="flag", above_band="error")
+    answer = model.predict_batch([7000.0], columns, options=options)
     assert answer.status.tolist() == [RowStatus.NOT_FINITE, *[RowStatus.OUT_OF_BAND] * 3]
 
 
@@ -158,7 +159,7 @@ def test_bad_frequencies_are_named(model, method, grid, says):
 
 
 BANDS = {
-    "all above": ([7000.0, 8000.0], EvaluationOptions()),
+    "all above": ([7000.0, 8000.0], EvaluationOptions(above_band="error")),
     "some above": ([100.0, 7000.0], EvaluationOptions(above_band="error")),
     "some below": ([1.0, 100.0], EvaluationOptions(below_band="error")),
     "nothing of the phase left": ([1e-9, 100.0], EvaluationOptions()),

@@ -78,7 +78,7 @@ def _status(row: Floats, first: float, last: float, limits: Floats, band: Floats
     if not inside:
         return c.OUT_OF_DOMAIN
     mass = row[c.TOTAL_MASS] * SOLAR_MASS_SECONDS
-    outside = (first * mass > band[1] * (1.0 + EDGE)) | (first * mass < LEAST_MF)
+    outside = first * mass < LEAST_MF
     if policy & c.ABOVE != 0:
         outside |= last * mass > band[1] * (1.0 + EDGE)
     if policy & c.BELOW != 0:

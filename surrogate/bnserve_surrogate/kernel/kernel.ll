@@ -1,4 +1,4 @@
-; sources: 55589397518481978f93b9e0be52d8ec1590bbd8aa923f3a0371997563668056
+; sources: e54ea0504204b6b172e150da28ac989c9f1e898db3068abe759c3b1919ad936a
 ; ModuleID = '<string>'
 source_filename = "<string>"
 
@@ -254,8 +254,8 @@ entry:
   %.219.le = fcmp contract ord double %.218.le, 0.000000e+00
   br i1 %.219.le, label %B142, label %common.ret
 
-common.ret:                                       ; preds = %B250, %entry, %B142, %B142.1, %B142.2, %B142.3, %B142.4, %B142.5, %B142.6, %B142.7, %B142.8, %B842
-  %..sink = phi i64 [ %., %B842 ], [ 1, %entry ], [ 1, %B142.8 ], [ 1, %B142.7 ], [ 1, %B142.6 ], [ 1, %B142.5 ], [ 1, %B142.4 ], [ 1, %B142.3 ], [ 1, %B142.2 ], [ 1, %B142.1 ], [ 1, %B142 ], [ 2, %B250 ]
+common.ret:                                       ; preds = %B250, %entry, %B142, %B142.1, %B142.2, %B142.3, %B142.4, %B142.5, %B142.6, %B142.7, %B142.8, %B788
+  %..sink = phi i64 [ %., %B788 ], [ 1, %entry ], [ 1, %B142.8 ], [ 1, %B142.7 ], [ 1, %B142.6 ], [ 1, %B142.5 ], [ 1, %B142.4 ], [ 1, %B142.3 ], [ 1, %B142.2 ], [ 1, %B142.1 ], [ 1, %B142 ], [ 2, %B250 ]
   store i64 %..sink, ptr %retptr, align 8
   ret void
 
@@ -415,37 +415,35 @@ B250:                                             ; preds = %B142.8
 B516:                                             ; preds = %B250
   %.565 = fmul contract double %.210.7, 0x3ED4A8B4A9ED04E3
   %.571 = fmul contract double %arg.first, %.565
-  %.600 = getelementptr i8, ptr %arg.band.4, i64 8
-  %.601 = load double, ptr %.600, align 8
-  %.603 = fmul contract double %.601, 0x3FF000000044B830
-  %.604 = fcmp contract ogt double %.571, %.603
-  %.608 = fcmp contract olt double %.571, 1.000000e-09
-  %.609 = or i1 %.608, %.604
-  %.618 = and i64 %arg.policy, 2
-  %.619.not = icmp eq i64 %.618, 0
-  br i1 %.619.not, label %B746, label %B688
+  %.572 = fcmp olt double %.571, 1.000000e-09
+  %.581 = and i64 %arg.policy, 2
+  %.582.not = icmp eq i64 %.581, 0
+  br i1 %.582.not, label %B692, label %B634
 
-B688:                                             ; preds = %B516
-  %.623 = fmul contract double %arg.last, %.565
-  %.658 = fcmp contract ogt double %.623, %.603
-  %.660 = or i1 %.658, %.609
-  br label %B746
+B634:                                             ; preds = %B516
+  %.586 = fmul contract double %arg.last, %.565
+  %.617 = getelementptr i8, ptr %arg.band.4, i64 8
+  %.618 = load double, ptr %.617, align 8
+  %.620 = fmul contract double %.618, 0x3FF000000044B830
+  %.621 = fcmp contract ogt double %.586, %.620
+  %.623 = or i1 %.572, %.621
+  br label %B692
 
-B746:                                             ; preds = %B688, %B516
-  %outside.3.0 = phi i1 [ %.660, %B688 ], [ %.609, %B516 ]
-  %.675 = and i64 %arg.policy, 1
-  %.678.not = icmp eq i64 %.675, 0
-  br i1 %.678.not, label %B842, label %B784
+B692:                                             ; preds = %B634, %B516
+  %outside.3.0 = phi i1 [ %.623, %B634 ], [ %.572, %B516 ]
+  %.638 = and i64 %arg.policy, 1
+  %.641.not = icmp eq i64 %.638, 0
+  br i1 %.641.not, label %B788, label %B730
 
-B784:                                             ; preds = %B746
-  %.716 = load double, ptr %arg.band.4, align 8
-  %.723 = fmul contract double %.716, 0x3FEFFFFFFF768FA1
-  %.724 = fcmp contract olt double %.571, %.723
-  %.726 = or i1 %outside.3.0, %.724
-  br label %B842
+B730:                                             ; preds = %B692
+  %.679 = load double, ptr %arg.band.4, align 8
+  %.686 = fmul contract double %.679, 0x3FEFFFFFFF768FA1
+  %.687 = fcmp contract olt double %.571, %.686
+  %.689 = or i1 %outside.3.0, %.687
+  br label %B788
 
-B842:                                             ; preds = %B784, %B746
-  %outside.4.0 = phi i1 [ %.726, %B784 ], [ %outside.3.0, %B746 ]
+B788:                                             ; preds = %B730, %B692
+  %outside.4.0 = phi i1 [ %.689, %B730 ], [ %outside.3.0, %B692 ]
   %. = select i1 %outside.4.0, i64 3, i64 0
   br label %common.ret
 }
