@@ -11,7 +11,7 @@ import sys
 import time
 
 from bnserve_surrogate.training.errors import TrainingError
-from bnserve_surrogate.training.generators import make_generator
+from bnserve_surrogate.training.generators import make_generator, mass_seconds
 from bnserve_surrogate.training.ranges import ParameterRanges
 from bnserve_surrogate.training.sampling_counts import SamplingCounts, sampling_counts
 
@@ -19,7 +19,10 @@ from bnserve_surrogate.training.sampling_counts import SamplingCounts, sampling_
 def main(arguments: list[str] | None = None) -> int:
     """Measure and print; returns the exit status."""
     options = _parser().parse_args(arguments)
-    generator_options = {"approximant": options.approximant} if options.generator == "lalsimulation" else {}
+    generator_options = {
+        "lalsimulation": {"approximant": options.approximant},
+        "teobresums": {"first_mf": options.f_min * mass_seconds()},
+    }.get(options.generator, {})
     started = time.perf_counter()
     try:
         counts = sampling_counts(

@@ -4,8 +4,9 @@
     bnserve serve --store my-models
 
 A generator is a function of one binary and a grid, in the convention h = amplitude * exp(-i psi). What it can depend on
-is ``theta`` = (mass ratio, chi_1, chi_2, Lambda_1, Lambda_2); ``mf`` is G M f / c^3. A function that raises loses that
-waveform, not the run.
+is ``theta`` = (mass ratio, chi_1, chi_2, Lambda_1, Lambda_2); ``mf`` is G M f / c^3. The value at a frequency may not
+depend on the other frequencies, and psi has to be continuous in ``theta``, its constant included: no ``np.unwrap`` of
+angles. A function that raises loses that waveform, not the run.
 """
 
 import numpy as np

@@ -19,9 +19,8 @@ from bnserve_surrogate import Model
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
-from bnserve_surrogate.training.generators import make_generator
+from bnserve_surrogate.training.generation import configured_generator, parameter_ranges, training_band
 from bnserve_surrogate.training.nodes import smooth_nodes
-from bnserve_surrogate.training.pipeline import parameter_ranges, training_band
 from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling
 from bnserve_surrogate.training.validation import Validation, validate
 
@@ -89,7 +88,7 @@ class Workspace:
         The box is that of a configuration, by default of the shipped model's.
         """
         trained = configuration or parse_configuration(self.metadata.provenance["configuration"])
-        generator = make_generator(trained.generator.name, **trained.generator.options)
+        generator = configured_generator(trained)
         nodes = smooth_nodes(*training_band(trained), 300, trained.ranges.reference_mass)  # as validate_artifact's
         specification = DatasetSpecification(
             generator, parameter_ranges(trained), _SAMPLINGS[kind], VALIDATION_SEED, f"validate {kind}", nodes, nodes

@@ -60,3 +60,26 @@ def sometimes_failing(theta, mf):
     if theta[0] > 2.95:
         raise RuntimeError("the iteration did not converge")
     return (amplitude * np.nan, psi) if theta[0] < 1.05 else (amplitude, psi)
+
+
+def modulo_two_pi(theta, mf):
+    """As of a user who unwraps the phase of complex numbers: its first value is known modulo 2 pi."""
+    amplitude, psi = waveform(theta, mf)
+    return amplitude, psi - 2.0 * np.pi * np.round(psi[0] / (2.0 * np.pi))
+
+
+def timed_by_the_grid(theta, mf):
+    """Its time is that at the last frequency asked for."""
+    amplitude, psi = waveform(theta, mf)
+    return amplitude, psi + 3e4 * mf[-1] * (mf - mf[-1])
+
+
+def louder_where_dense(theta, mf):
+    """Its amplitude depends on how many frequencies there are."""
+    amplitude, psi = waveform(theta, mf)
+    return amplitude * (1.0 + 1.0 / len(mf)), psi
+
+
+def failing(theta, mf):
+    """Has no waveform for anything."""
+    raise ValueError("there is none")

@@ -120,7 +120,7 @@ def strain_of_teobresums(frequencies, one):
         "M": one.total_mass, "q": one.mass_ratio, "distance": one.distance_mpc, "inclination": one.inclination,
         "chi1": one.chi_1, "chi2": one.chi_2, "chi1z": one.chi_1, "chi2z": one.chi_2,
         "LambdaAl2": one.lambda_1, "LambdaBl2": one.lambda_2, "use_geometric_units": "no", "domain": 1,
-        "initial_frequency": TEOBResumSPA().phase_start(frequencies[0] * mass) / mass, "use_mode_lm": [1],
+        "initial_frequency": TEOBResumSPA(first_mf=frequencies[0] * mass).phase_start / mass, "use_mode_lm": [1],
         "interp_uniform_grid": "no", "interp_freqs": "yes", "freqs": frequencies.tolist(), "srate_interp": 0.25 / mass,
         "time_shift_FD": "yes", "output_hpc": "no", "ode_tmax": 1e12, "postadiabatic_dynamics_dr": 0.2,
     }  # fmt: skip

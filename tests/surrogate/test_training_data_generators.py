@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
+from bnserve_surrogate.training._baseline import merger_phase
 from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown, PackageMissing, require
 from bnserve_surrogate.training.generators import (
     CallableGenerator,
@@ -136,12 +137,13 @@ def test_teobresums_is_aligned_at_its_merger(teobresums):
     assert np.diff(early)[0] < 0.0
 
 
-def test_teobresums_starts_low_enough(teobresums):
+@pytest.mark.usefixtures("teobresums")
+def test_teobresums_starts_low_enough():
     """A start 10 % below changes the first decade by less than 1e-6 rad once a shift of time and phase is removed."""
     first = 20.0 * mass_seconds()
     nodes = np.geomspace(first, 10 * first, 60)
-    early = np.concatenate([[0.9 * first], nodes])
-    difference = evaluate(teobresums, THETA, early)[1][1:] - evaluate(teobresums, THETA, nodes)[1]
+    early, late = (TEOBResumSPA(first_mf=start) for start in (0.9 * first, first))
+    difference = evaluate(early, THETA, nodes)[1] - evaluate(late, THETA, nodes)[1]
     trend = np.polynomial.Polynomial.fit(nodes, difference, 1)
     assert np.abs(difference - trend(nodes)).max() < 2e-5
     for start in (3.57, 5.0, 20.0, 100.0):
@@ -160,6 +162,99 @@ def test_teobresums_gives_the_same_bits_twice(teobresums):
     np.testing.assert_array_equal(first, second)
 
 
+def test_teobresums_refuses_what_is_below_its_start(teobresums):
+    with pytest.raises(GeneratorFailure, match="lower first_mf"):
+        evaluate(teobresums, THETA, smooth_nodes(3.0, 1000.0, 10))
+    low = TEOBResumSPA(first_mf=3.0 * mass_seconds())
+    assert np.isfinite(evaluate(low, THETA, smooth_nodes(3.0, 1000.0, 10))).all()
+
+
+APPROXIMANTS = ["TaylorF2", "IMRPhenomD_NRTidalv2", "IMRPhenomXAS_NRTidalv2", "IMRPhenomXAS_NRTidalv3"]
+GENERATORS = {
+    **{name: lambda name=name: LALSimulationGenerator(name) for name in APPROXIMANTS},
+    "TEOBResumSPA": TEOBResumSPA,
+    "a user's function": lambda: CallableGenerator.from_path("examples.own_generator:resonant_tides"),
+    "of the tests": lambda: CallableGenerator.from_path("tests.surrogate.smooth_waveforms:waveform"),
+}
+WHOLE = smooth_nodes(5.0, 1200.0, 161)
+PARTS = {
+    "cut at the top": WHOLE[:60],
+    "cut at the bottom": WHOLE[60:],
+    "cut at both ends": WHOLE[50:70],
+    "coarser": WHOLE[::8],
+    "finer": np.union1d(WHOLE, np.linspace(WHOLE[0], WHOLE[-1], 3000)),
+    "beyond": np.append(WHOLE, 1.05 * WHOLE[-1]),
+    "two frequencies": WHOLE[[40, 41]],
+}
+
+
+def generator_called(name):
+    if name == "TEOBResumSPA":
+        pytest.importorskip("EOBRun_module")
+    elif name in APPROXIMANTS:
+        pytest.importorskip("lalsimulation")
+    return GENERATORS[name]()
+
+
+@pytest.mark.parametrize("name", GENERATORS)
+@pytest.mark.parametrize("theta", [THETA, [1.0, 0.0, 0.0, 1200.0, 1200.0], [2.4, -0.3, 0.2, 30.0, 900.0]], ids=str)
+def test_a_waveform_does_not_depend_on_the_grid_asked_for(name, theta):
+    """Amplitude, time and constant at common frequencies."""
+    generator, theta = generator_called(name), np.array(theta)
+    amplitude, psi = evaluate(generator, theta, WHOLE)
+    for part in PARTS.values():
+        others = evaluate(generator, theta, part)
+        _, first, second = np.intersect1d(WHOLE, part, return_indices=True)
+        assert len(first) >= min(len(part) - 1, len(WHOLE), 2)
+        np.testing.assert_allclose(others[0][second], amplitude[first], rtol=1e-9)
+        np.testing.assert_allclose(others[1][second], psi[first], rtol=0.0, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", GENERATORS)
+def test_the_constant_of_the_phase_is_continuous_over_the_parameters(name):
+    """Steps of 1e-4 of a box change it by less than a tenth of a radian, many turns within the box or not."""
+    generator = generator_called(name)
+    theta = THETA + np.multiply.outer(np.linspace(0.0, 1e-2, 101), [2.0, 1.0, 1.0, 1000.0, 1000.0])
+    mf = smooth_nodes(20.0, 300.0, 12)
+    start = getattr(generator, "phase_start", 0.0)
+    psi = [evaluate(generator, row, mf)[1] for row in theta]
+    left = np.array([phase_difference(row, mf, own) for row, own in zip(theta, psi, strict=True)])
+    constant = left[:, 0] + (merger_phase(theta, start) if start else 0.0)
+    assert np.abs(np.diff(constant)).max() < 0.1
+
+
+@pytest.mark.usefixtures("lal")
+@pytest.mark.parametrize("approximant", APPROXIMANTS)
+def test_the_time_of_an_approximant_is_that_of_its_whole_waveform(approximant):
+    """On a grid that ends at 300 Hz IMRPhenomXAS_NRTidalv3 itself would be 107 ms late."""
+    import lal
+    import lalsimulation
+
+    options = lal.CreateDict()
+    lalsimulation.SimInspiralWaveformParamsInsertTidalLambda1(options, THETA[3])
+    lalsimulation.SimInspiralWaveformParamsInsertTidalLambda2(options, THETA[4])
+    lalsimulation.SimInspiralSetQuadMonParamsFromLambdas(options)
+    frequencies = lal.CreateREAL8Vector(4)
+    frequencies.data = np.array([20.0, 99.99, 100.01, 8192.0])
+    masses = 2.8 * lal.MSUN_SI * np.array([THETA[0], 1.0]) / (1.0 + THETA[0])
+    number = lalsimulation.GetApproximantFromString(approximant)
+    spins = (0.0, 0.0, THETA[1], 0.0, 0.0, THETA[2])
+    plus, _ = lalsimulation.SimInspiralChooseFDWaveformSequence(
+        0.0, *masses, *spins, 20.0, 1e22, 0.0, options, number, frequencies
+    )
+    step = np.angle(plus.data.data[1] / plus.data.data[2])
+    _, psi = evaluate(LALSimulationGenerator(approximant), THETA, np.array([99.99, 100.01]) * mass_seconds())
+    turns = (np.diff(psi)[0] - step) / (2.0 * np.pi)
+    assert turns == pytest.approx(np.round(turns), abs=1e-5)  # half a microsecond of 20 mHz
+
+
+@pytest.mark.usefixtures("lal")
+@pytest.mark.parametrize("options", [{"reference_mf": 0.0}, {"reference_mf": 0.5}, {"total_mass": -1.0}], ids=str)
+def test_lalsimulation_refuses_options_that_make_no_sense(options):
+    with pytest.raises(GeneratorUnknown, match=next(iter(options))):
+        make_generator("lalsimulation", approximant="TaylorF2", **options)
+
+
 @pytest.mark.usefixtures("lal")
 @pytest.mark.parametrize("approximant", ["TaylorF2", "IMRPhenomXAS_NRTidalv3"])
 def test_lalsimulation_gives_its_strain_with_a_continuous_phase(approximant):
@@ -171,8 +266,7 @@ def test_lalsimulation_gives_its_strain_with_a_continuous_phase(approximant):
     residual = phase_difference(THETA, sparse, psi)
     reference = phase_difference(THETA, dense, evaluate(generator, THETA, dense)[1])
     assert np.abs(np.diff(reference)).max() < 1.0
-    turns = (np.interp(sparse, dense, reference) - residual) / (2 * np.pi)
-    np.testing.assert_allclose(turns, np.round(turns[0]), atol=1e-3)
+    np.testing.assert_allclose(np.interp(sparse, dense, reference), residual, atol=1e-2)
 
 
 @pytest.mark.usefixtures("lal")

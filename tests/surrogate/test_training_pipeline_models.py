@@ -9,6 +9,7 @@ from bnserve_protocol import (
     SOLAR_MASS_SECONDS,
     AmplitudePhase,
     EvaluationOptions,
+    ModelDescription,
     ParameterBatch,
     ParametersWithExtrinsic,
     time_until_merger,
@@ -220,6 +221,17 @@ def test_aligned_with_the_baseline_only_a_line_is_missing(exact):
 
 class Generator:
     """The generator as a waveform model."""
+
+    description = ModelDescription(
+        name="smooth",
+        version="1",
+        digest="",
+        modes=[(2, 2)],
+        parameters=[],
+        frequency_band=(5.0, 2048.0),
+        training_band=(5.0 * 2.0 / 2.8, 2048.0 * 4.0 / 2.8),
+        reference_mass=2.8,
+    )
 
     def predict_amplitude_phase(self, frequencies, parameters, *, options):
         theta = np.array([getattr(parameters, name) for name in INTRINSIC_NAMES])

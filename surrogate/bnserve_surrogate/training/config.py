@@ -34,10 +34,15 @@ class _Section(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=
 
 
 class GeneratorSection(_Section, frozen=True, forbid_unknown_fields=True):
-    """Which waveforms: a name of ``GENERATORS`` and its options."""
+    """Which waveforms: a name of ``GENERATORS`` and its options.
+
+    ``phase_constant = "baseline"`` replaces the constant of the phase by the baseline's at the beginning of the band,
+    for a generator whose own is known modulo 2 pi.
+    """
 
     name: str = "teobresums"
     options: dict[str, Any] = {}
+    phase_constant: Literal["generator", "baseline"] = "generator"
 
 
 class RangesSection(_Section, frozen=True, forbid_unknown_fields=True):

@@ -7,6 +7,7 @@
         ├── PackageMissing        an optional dependency of training is not installed
         ├── GeneratorFailure      one waveform could not be computed
         ├── GeneratorUnknown      no generator of that name, or options that it does not take
+        ├── GeneratorDependsOnGrid a waveform changes with the frequencies asked for beside it
         ├── WorkersUnusable       worker processes cannot load the generator
         ├── TooManyFailures       more waveforms failed than allowed
         ├── DatasetInUse          another run writes to the same directory
@@ -47,6 +48,13 @@ class GeneratorUnknown(TrainingError):
 
     code = "generator-unknown"
     title = "Waveform generator unknown"
+
+
+class GeneratorDependsOnGrid(TrainingError):
+    """What the generator gives at a frequency depends on the other frequencies asked for."""
+
+    code = "generator-depends-on-grid"
+    title = "Waveforms depend on the grid"
 
 
 class WorkersUnusable(TrainingError):

@@ -8,29 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_surrogate._coordinates import CoordinateMap
-from bnserve_surrogate.baseline import PHASE_LOG_POWERS, PHASE_POWERS, phase_coefficients
+from bnserve_surrogate.training._baseline import merger_phase
 from bnserve_surrogate.training.generators import FloatArray
 from bnserve_surrogate.training.reduction import ReducedResiduals, Reduction
 from bnserve_surrogate.training.regressors import ExportedRegressor
 
 SCALARS = ("log_amplitude", "time_shift", "phase_shift")
 """Outputs of the regressor beside the components: what the match does not see."""
-
-
-def merger_phase(theta: FloatArray, mf: float) -> FloatArray:
-    """Psi - f dPsi/df of the baseline at ``mf`` for parameters (N, 5), in radians, (N,).
-
-    A generator whose phase starts from zero at ``mf`` has this, up to the sign, for a constant that varies by 1e5
-    radians over the box; without it a phase shift of hundreds remains, which is learnt to 1e-4.
-    """
-    series = np.empty((PHASE_LOG_POWERS, PHASE_POWERS, len(theta)))
-    phase_coefficients(*theta.T, series)
-    v = np.cbrt(np.pi * mf)
-    log_v = np.log(v)
-    powers = np.arange(PHASE_POWERS)[:, None] - 5.0
-    plain = series[0] + log_v * (series[1] + log_v * series[2])
-    slope = powers * plain + series[1] + 2.0 * log_v * series[2]
-    return np.asarray((v**powers * (plain - slope / 3.0)).sum(axis=0))
 
 
 def regression_targets(

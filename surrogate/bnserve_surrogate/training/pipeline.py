@@ -19,11 +19,18 @@ from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._model import Model
 from bnserve_surrogate.training._baseline import baseline_amplitude
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
-from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset, joined
+from bnserve_surrogate.training.dataset import ResidualDataset, joined
 from bnserve_surrogate.training.error_estimate import ErrorEstimate, fit_error_estimate, with_error_estimate
 from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
-from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, make_generator, mass_seconds
+from bnserve_surrogate.training.generation import (
+    Generation,
+    configured_generator,
+    mf_band,
+    parameter_ranges,
+    training_band,
+)
+from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, mass_seconds
 from bnserve_surrogate.training.greedy_nodes import greedy_nodes
 from bnserve_surrogate.training.metric import MismatchMetric
 from bnserve_surrogate.training.nodes import smooth_nodes
@@ -31,7 +38,6 @@ from bnserve_surrogate.training.noise import noise_curve
 from bnserve_surrogate.training.plausibility import check_plausible
 from bnserve_surrogate.training.publication import assemble, describe, estimating, provenance, with_results
 from bnserve_surrogate.training.quadrature import noise_weights, spline_matrix
-from bnserve_surrogate.training.ranges import ParameterRanges
 from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction, Reduction
 from bnserve_surrogate.training.regressors import MLP, Beside, ChebyshevPolynomial, Sum, export_regressor
 from bnserve_surrogate.training.residuals import flatten_phase
@@ -91,8 +97,8 @@ def train(
     if choice:
         say(choice)
     check_plausible(configuration)
-    generator = make_generator(configuration.generator.name, **configuration.generator.options)
-    generate = _Generation(configuration, generator, directory, n_jobs, backend, progress)
+    generator = configured_generator(configuration)
+    generate = Generation(configuration, generator, directory, n_jobs, backend, progress)
     dataset = training_dataset(
         configuration, generator, directory, n_jobs=n_jobs, backend=backend, progress=progress, say=say
     )
@@ -129,12 +135,13 @@ def training_dataset(
     say: Say = print,
 ) -> ResidualDataset:
     """The nodes and the waveforms of a configuration; parameters and errors are those of :func:`train`."""
-    generate = _Generation(configuration, generator, directory, n_jobs, backend, progress)
+    generate = Generation(configuration, generator, directory, n_jobs, backend, progress)
     section = configuration.dataset
     say(f"Nodes: {configuration.nodes.kind}")
     mf_amplitude, mf_phase = _nodes(configuration, generator, directory, n_jobs)
     say(f"  {len(mf_amplitude)} for the amplitude, {len(mf_phase)} for the phase")
     edges = f" and {section.edge_count} on faces and edges" if section.edge_count else ""
+    generate.check(mf_phase)
     say(f"Waveforms: {section.count}{edges} of {generator.name} {generator.version}")
     dataset = generate(_sampling(configuration), "train", section.seed, section.count, mf_amplitude, mf_phase)
     if section.edge_count:
@@ -212,8 +219,8 @@ def validate_artifact(
         )
     validation_frequencies(metadata, noise, total_mass, f_min)
     configuration = parse_configuration(metadata.provenance["configuration"])
-    generator = make_generator(configuration.generator.name, **configuration.generator.options)
-    generate = _Generation(configuration, generator, directory, n_jobs, "loky", None)
+    generator = configured_generator(configuration)
+    generate = Generation(configuration, generator, directory, n_jobs, "loky", None)
     model = Model.from_artifact(artifact)
     nodes = _validation_nodes(configuration)
     return {
@@ -246,46 +253,6 @@ def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfigurati
     return MismatchMetric.from_dense(dataset.mf_amplitude, dataset.mf_phase, dense, weights)
 
 
-@dataclass(frozen=True)
-class _Generation:
-    configuration: TrainingConfiguration
-    generator: WaveformGenerator
-    directory: Path
-    n_jobs: int
-    backend: str
-    progress: bool | None
-
-    def __call__(
-        self, sampling: Sampling, purpose: str, seed: int, count: int, mf_amplitude: FloatArray, mf_phase: FloatArray
-    ) -> ResidualDataset:
-        ranges = parameter_ranges(self.configuration)
-        specification = DatasetSpecification(self.generator, ranges, sampling, seed, purpose, mf_amplitude, mf_phase)
-        return build_dataset(
-            specification,
-            count,
-            self.directory,
-            n_jobs=self.n_jobs,
-            backend=self.backend,
-            progress=self.progress,
-            max_failed_fraction=self.configuration.dataset.max_failed_fraction,
-        )
-
-
-def parameter_ranges(configuration: TrainingConfiguration) -> ParameterRanges:
-    """The box of a configuration."""
-    ranges = configuration.ranges
-    return ParameterRanges(ranges.mass_ratio, ranges.chi, ranges.tidal_deformability)
-
-
-def training_band(configuration: TrainingConfiguration) -> tuple[float, float]:
-    """Hz at the reference mass: [f1 M1 / Mref, f2 M2 / Mref] (paper, section "Mass rescaling")."""
-    ranges = configuration.ranges
-    return (
-        ranges.frequency_band[0] * ranges.total_mass[0] / ranges.reference_mass,
-        ranges.frequency_band[1] * ranges.total_mass[1] / ranges.reference_mass,
-    )
-
-
 def _nodes(
     configuration: TrainingConfiguration, generator: WaveformGenerator, directory: Path, n_jobs: int
 ) -> tuple[FloatArray, FloatArray]:
@@ -297,7 +264,7 @@ def _nodes(
     return greedy_nodes(
         generator,
         parameter_ranges(configuration),
-        (band[0] * mass_seconds(mass), band[1] * mass_seconds(mass)),
+        mf_band(configuration),
         waveforms=section.waveforms,
         tolerance=section.tolerance,
         on=section.on,
@@ -317,9 +284,7 @@ def reduce_dataset(
 ) -> tuple[Reduction, FloatArray, float]:
     """The fitted reduction, the regressor's targets, and where the generator's phase starts from zero."""
     section = configuration.reduction
-    start_mf = float(
-        getattr(generator, "phase_start", lambda mf: 0.0)(min(dataset.mf_phase[0], dataset.mf_amplitude[0]))
-    )
+    start_mf = float(getattr(generator, "phase_start", 0.0))
     if section.kind == "metric":
         reduction: Reduction = MetricReduction(metric, section.components)
         phase = dataset.psi_residual
@@ -381,7 +346,7 @@ _VALIDATION_SAMPLING: dict[str, Sampling] = {"uniform": UniformSampling(), "edge
 
 
 def _validate(
-    configuration: TrainingConfiguration, generate: _Generation, model: Model, metadata: SurrogateMetadata
+    configuration: TrainingConfiguration, generate: Generation, model: Model, metadata: SurrogateMetadata
 ) -> dict[str, Validation]:
     section = configuration.validation
     nodes = _validation_nodes(configuration)

@@ -15,7 +15,8 @@ from sklearn.exceptions import ConvergenceWarning
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.dataset import ResidualDataset
 from bnserve_surrogate.training.errors import DatasetInUse, TrainingError
-from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, make_generator
+from bnserve_surrogate.training.generation import configured_generator
+from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator
 from bnserve_surrogate.training.metric import MismatchMetric
 from bnserve_surrogate.training.pipeline import (
     coordinate_map,
@@ -79,7 +80,7 @@ def load_search_data(configuration: TrainingConfiguration, directory: Path, **op
 
     Waits for another process that reads the same ones.
     """
-    generator = make_generator(configuration.generator.name, **configuration.generator.options)
+    generator = configured_generator(configuration)
     until = time.monotonic() + _PATIENCE_SECONDS
     while True:
         try:

@@ -12,7 +12,7 @@ import optuna
 from optuna.trial import TrialState
 
 from bnserve_surrogate.training.errors import DatasetUnwritable, TrainingError, require
-from bnserve_surrogate.training.generators import make_generator
+from bnserve_surrogate.training.generation import configured_generator
 from bnserve_surrogate.training.search import Search
 from bnserve_surrogate.training.search_pareto import Hyperparameters, ParetoCollection, ParetoEntry, ParetoSetup
 from bnserve_surrogate.training.search_study import failures, read_study
@@ -112,7 +112,7 @@ def _entry(search: Search, trial: optuna.trial.FrozenTrial) -> ParetoEntry:
 
 def _setup(search: Search, trials: int) -> ParetoSetup:
     configuration, ranges = search.configuration, search.configuration.ranges
-    generator = make_generator(configuration.generator.name, **configuration.generator.options)
+    generator = configured_generator(configuration)
     return ParetoSetup(
         regressor=configuration.regressor.kind,
         reduction=configuration.reduction.kind,

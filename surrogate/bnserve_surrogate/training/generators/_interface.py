@@ -35,7 +35,10 @@ class WaveformGenerator(Protocol):
     1), with
       nu the symmetric mass ratio; about 20 at M f = 0.02;
     * psi is continuous over ``mf`` with the sign of TaylorF2 (leading term + 3 / (128 nu) v**-5), in radians. The time
-      and phase of reference are the generator's own.
+      and phase of reference are the generator's own, and continuous functions of ``theta``, since they are learnt: a
+      number modulo 2 pi is not one. A generator whose signal has phase zero when it passes a frequency, that is psi - f
+      dpsi/df = 0 there, says so by an attribute ``phase_start``, this M f;
+    * what it gives at a frequency does not depend on the other frequencies asked for.
 
     It raises :class:`GeneratorFailure` when it has no waveform for ``theta``; the run then goes on without it.
     Instances travel to worker processes, so they must be picklable by cloudpickle, and the same arguments must give

@@ -30,6 +30,10 @@ the next (a mismatch of up to 5e-8), at 0.25 by a tenth of that for the same cos
 amplitudes are zero or NaN."""
 _LOWEST_MARGIN = 0.06 * mass_seconds()
 """At least 0.06 Hz at the reference mass below the first frequency."""
+_ROUNDING = 1e-9
+"""Relative width by which a frequency that was converted to M f may miss the first one."""
+_FIRST_MF = 5.0 * 2.0 / 2.8 * mass_seconds()
+"""Where the band of the shipped models begins: 5 Hz at 2 solar masses."""
 
 
 @dataclass(frozen=True)
@@ -40,6 +44,9 @@ class TEOBResumSPA:
     time, plus pi: amplitude times exp(-i psi) is the complex conjugate of its h_plus to 3e-8 rad (its time is 1e9 M
     long, and 2 pi f t is rounded to that), and nothing is ever unwrapped, however sparse the frequencies.
 
+    Where the signal starts decides where its phase is zero, and the last digits of its end. So it always starts a
+    little below ``first_mf``, whatever grid is asked for, and has nothing below.
+
     Not safe in threads (the C code keeps its state in globals), and some inputs end the process: use worker processes.
 
     Parameters
@@ -49,10 +56,14 @@ class TEOBResumSPA:
         changes waveforms by a mismatch of 6e-12.
     gravitomagnetic_tides
         "PN" (the code's default for neutron stars), "GSF", or "no".
+    first_mf
+        M f (dimensionless) of the lowest frequency that can be asked for: the lower, the longer it takes. A training
+        sets it to the beginning of its band; by default 5 Hz at 2 solar masses.
     """
 
     postadiabatic_dr: float = 0.2
     gravitomagnetic_tides: str = "PN"
+    first_mf: float = _FIRST_MF
 
     def __post_init__(self) -> None:
         if self.gravitomagnetic_tides not in _GRAVITOMAGNETIC:
@@ -61,6 +72,8 @@ class TEOBResumSPA:
             )
         if not 0.0 < self.postadiabatic_dr <= 1.0:
             raise GeneratorUnknown(f"postadiabatic_dr lies between 0 and 1; got {self.postadiabatic_dr!r}.")
+        if not 0.0 < self.first_mf < 1.0:
+            raise GeneratorUnknown(f"first_mf lies between 0 and 1; got {self.first_mf!r}.")
 
     @property
     def name(self) -> str:
@@ -81,11 +94,13 @@ class TEOBResumSPA:
             "gravitomagnetic_tides": self.gravitomagnetic_tides,
             "sampling_rate": _SAMPLING_RATE,
             "radial_steps_below": _RADIAL_STEPS_BELOW,
+            "first_mf": self.first_mf,
         }
 
-    def phase_start(self, first_mf: float) -> float:
-        """The M f at which the phase of a waveform whose first frequency is ``first_mf`` starts from zero."""
-        return start_frequency(first_mf, self.postadiabatic_dr)
+    @property
+    def phase_start(self) -> float:
+        """The M f at which the signal starts, and its phase from zero."""
+        return start_frequency(self.first_mf, self.postadiabatic_dr)
 
     def __call__(self, theta: FloatArray, mf: FloatArray) -> AmplitudePhasePair:
         """Amplitude and psi at ``mf``; see :class:`WaveformGenerator`.
@@ -93,11 +108,16 @@ class TEOBResumSPA:
         Raises
         ------
         GeneratorFailure
-            A mass ratio below 1, a Lambda of 1 or less (TEOBResumS would silently make it a black hole), or no result.
+            A mass ratio below 1, a Lambda of 1 or less (TEOBResumS would silently make it a black hole), frequencies
+            below ``first_mf``, or no result.
         PackageMissing
             ``teobresums`` is not installed.
         """
         self._check(theta)
+        if mf[0] < self.first_mf * (1.0 - _ROUNDING):
+            raise GeneratorFailure(
+                f"M f = {mf[0]:.6g} is below first_mf = {self.first_mf:.6g}, where the signal starts; lower first_mf."
+            )
         answer = require("EOBRun_module").EOBRunPy(self._request(theta, mf))
         frequencies, modes, time_domain = answer[0], answer[5], answer[6]
         if len(frequencies) != mf.size or "1" not in modes or len(time_domain["t"]) == 0:
@@ -130,7 +150,7 @@ class TEOBResumSPA:
             "distance": 1.0,
             "inclination": 0.0,
             "use_geometric_units": "yes",
-            "initial_frequency": start_frequency(float(mf[0]), self.postadiabatic_dr),
+            "initial_frequency": self.phase_start,
             "domain": 1,
             "interp_uniform_grid": "no",
             "interp_freqs": "yes",
