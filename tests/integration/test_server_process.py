@@ -2,16 +2,20 @@
 
 import http.client
 import json
+import os
 import random
 import signal
 import socket
+import sys
 
 import pytest
 
+from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_store import ModelStore
 from tests.integration.conftest import bnserve, serving
 from tests.integration.draining import stopped_under_load
 from tests.integration.workers import until
+from tests.running_server import free_port, is_ready, running
 from tests.service.asking import GW170817, ask, ask_on, closing_connection, evaluate_json, question
 
 CURL = question(GW170817, {"f_min": 20, "f_max": 2048, "delta_f": 4})
@@ -163,3 +167,21 @@ def test_mistakes_on_the_command_line_are_explained(arguments, word):
     assert done.returncode == 2
     assert word in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize("workers", ["1", "2"])
+@pytest.mark.parametrize("output", ["<&- >&- 2>&-", "> /dev/full 2> /dev/full", "> >(exit)", "2> >(exit)"])
+def test_a_server_whose_output_nobody_takes_serves_and_ends_as_any_other(tmp_path, workers, output):
+    port = free_port()
+    address = f"http://127.0.0.1:{port}"
+    line = f"exec '{sys.executable}' -m bnserve_service serve --port {port} --workers {workers} --model fast {output}"
+    environment = os.environ | {"PYTHONUNBUFFERED": ""}
+    command = ["bash", "-c", line]
+    with running(command, tmp_path / "log", lambda: is_ready(address), env=environment) as process:
+        with Model.connect(address, "fast") as model:
+            model.predict([20.0, 100.0], ParametersWithExtrinsic.gw170817())
+        process.terminate()
+        assert process.wait(60) == 0
+    said = (tmp_path / "log").read_text()
+    assert "Traceback" not in said
+    assert "Exception ignored" not in said

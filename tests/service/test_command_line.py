@@ -95,3 +95,42 @@ def test_a_published_copy_has_the_digest_of_its_original(tmp_path):
     assert copy.digest == original.digest
     assert copy.digest in done.stdout
     assert copy.digest in (tmp_path / "default" / copy.version / "report.html").read_text()  # the training's, beside it
+
+
+def shell(line, folder):
+    """What a shell says and returns for a command line with ``bnserve`` in it."""
+    line = line.replace("bnserve", f"'{sys.executable}' -m bnserve_service")
+    environment = room_environment() | {"PYTHONUNBUFFERED": ""}  # as from a shell, output waits to be written
+    done = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", line],
+        capture_output=True, text=True, check=False, env=environment, cwd=folder, timeout=120,
+    )  # fmt: skip
+    assert "Traceback" not in done.stderr
+    assert "Exception ignored" not in done.stderr
+    return done
+
+
+FULL = "bnserve: The output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize("command", ["models list", "models verify default", "tokens new --name me", "--help"])
+@pytest.mark.parametrize(
+    ("to", "status"), [(">&-", 0), ("> /dev/full", 2), ("| head -0", 0), ("2>&-", 0), ("<&- >&- 2>&-", 0)]
+)
+def test_output_that_is_closed_full_or_not_read_is_no_defect(command, to, status, tmp_path):
+    done = shell(f"bnserve {command} {to}", tmp_path)
+    assert done.returncode == status
+    assert done.stderr.endswith(FULL) is (to == "> /dev/full")
+
+
+@pytest.mark.parametrize(
+    "to", [">&-", "> /dev/full", "2>&-", "2> /dev/full", "<&- >&- 2>&-", "> /dev/full 2> /dev/full"]
+)
+def test_an_error_keeps_its_exit_code_whatever_the_output(to, tmp_path):
+    for command in ("models list --store missing", "no-such-command", "serve --port 0 --store missing"):
+        assert shell(f"bnserve {command} {to}", tmp_path).returncode == 2
+
+
+def test_a_token_that_nobody_can_read_is_not_made(tmp_path):
+    done = shell("bnserve tokens new --name me 2> /dev/full", tmp_path)
+    assert (done.returncode, done.stdout) == (2, "")

@@ -7,12 +7,12 @@ it are imported when the subcommand runs. To add one, write the module and name 
 from __future__ import annotations
 
 import argparse
+import errno
 import importlib
 import importlib.util
-import os
-import sys
 from collections.abc import Sequence
 
+from bnserve_service import output
 from bnserve_service._version import __version__
 
 __all__ = ["SUBCOMMANDS", "build_parser", "main"]
@@ -36,17 +36,20 @@ def build_parser() -> argparse.ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the command; what went wrong is one sentence on stderr and exit code 2."""
-    options = build_parser().parse_args(arguments)
     try:
-        return int(options.run(options) or 0)
+        with output.printing():
+            options = build_parser().parse_args(arguments)
+            return int(options.run(options) or 0)
     except KeyboardInterrupt:
         return 130
-    except BrokenPipeError:  # the reader of our output went away, as in `bnserve models list | head -1`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
+    except output.OutputLost as lost:
+        if lost.errno == errno.EPIPE:  # the reader has seen enough, as in `bnserve models list | head -1`
+            return 0
+        output.complain(f"bnserve: The output cannot be written: {lost.strerror}.")
+        return 2
     except Exception as error:
         detail = getattr(error, "detail", None)
         if detail is None:  # not an error made for users: a defect, which needs its traceback
             raise
-        print(f"bnserve: {detail}", file=sys.stderr)
+        output.complain(f"bnserve: {detail}")
         return 2

@@ -8,6 +8,8 @@ import os
 from pathlib import Path
 from typing import Any
 
+from bnserve_service.output import announce
+
 ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 """The service has its own worker threads; libraries that start more inside each of them only get in the way, and do
 not see a container's CPU quota."""
@@ -47,18 +49,18 @@ def run(options: argparse.Namespace) -> int:
     if settings.workers > 1:
         from bnserve_service.workers.start import become_supervisor
 
-        become_supervisor(settings, announce=_announce)
+        become_supervisor(settings, announce=announce)
     from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
     from bnserve_service.server import serve
 
     keep_freed_memory()
     forget_what_is_imported()
 
-    def announce(line: str) -> None:
+    def tell(line: str) -> None:
         forget_what_is_imported()  # again: until it is ready, it imports and loads, and all of that stays
-        _announce(line)
+        announce(line)
 
-    serve(settings, announce=announce)
+    serve(settings, announce=tell)
     return 0
 
 
@@ -91,7 +93,3 @@ def _tokens(options: argparse.Namespace) -> list[Any]:
         if not texts:
             raise SettingsInvalid(f"The token file '{options.token_file}' holds no token.")
     return [Token.of(text, name=f"token-{number}") for number, text in enumerate(texts, start=1)]
-
-
-def _announce(line: str) -> None:
-    print(line, flush=True)

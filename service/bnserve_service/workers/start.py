@@ -37,8 +37,6 @@ def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> No
         for number in numbers:
             if number != NO_DESCRIPTOR:
                 os.set_inheritable(number, True)
-        sys.stdout.flush()
-        sys.stderr.flush()
         # Whatever found this package shall find it again; -P: nothing of the current directory shall count as one.
         environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
         command = [sys.executable, "-P", "-m", "bnserve_service.workers.supervisor", *map(str, numbers)]

@@ -19,6 +19,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from bnserve_service.output import OutputLost, announce, complain, printing
 from bnserve_service.process_name import name_process
 from bnserve_service.shared.folder import SharedFolder
 from bnserve_service.socket_file import SocketFile
@@ -192,6 +193,13 @@ def become_subreaper() -> None:
 
 def main(arguments: Sequence[str]) -> int:
     """Supervise, as ``start`` asks: numbers of the listener, the metrics' listener and the settings."""
+    code = 2
+    with contextlib.suppress(OutputLost), printing():
+        code = _supervise(arguments)
+    return code
+
+
+def _supervise(arguments: Sequence[str]) -> int:
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
     name_process("bnserve-superv")
     listener, metrics_listener, settings_file = map(int, arguments)
@@ -206,14 +214,14 @@ def main(arguments: Sequence[str]) -> int:
             become_subreaper()
             shared = SharedFolder.create(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
         except OSError as error:
-            print(f"bnserve: Workers cannot be supervised: {error.strerror or error}.", file=sys.stderr)
+            complain(f"bnserve: Workers cannot be supervised: {error.strerror or error}.")
             return 2
         stack.callback(shared.remove)
         inheritance = Inheritance(listener, metrics_listener, settings_file, shared.path)
-        supervisor = Supervisor(settings, inheritance, lambda line: print(line, flush=True))
+        supervisor = Supervisor(settings, inheritance, announce)
         supervisor.run()
     if supervisor.failure:
-        print(f"bnserve: {supervisor.failure}", file=sys.stderr)
+        complain(f"bnserve: {supervisor.failure}")
         return 2
     return 0
 
