@@ -22,6 +22,7 @@ from bnserve_protocol import (
     WaveformAnswer,
     content_digest,
     decode_answer,
+    refuse_repeated_keys,
 )
 
 _GATEWAY_STATUSES = {429, 500, 502, 503, 504}
@@ -74,9 +75,11 @@ def read_json(body: bytes | memoryview, message: type[_Message], where: str) -> 
         It does not have the fields that bnserve's has.
     """
     try:
-        return msgspec.json.decode(body, type=message)
-    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        answer = msgspec.json.decode(body, type=message)
+        refuse_repeated_keys(body)
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, UndecodableBody) as error:
         raise not_bnserve(where, "its answer has not the fields that bnserve's has") from error
+    return answer
 
 
 def read_waveforms(body: bytes | memoryview, where: str, model: ModelIdentity) -> WaveformAnswer:

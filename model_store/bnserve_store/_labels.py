@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
-from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete
+from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, UndecodableBody, refuse_repeated_keys
 from bnserve_store._names import is_version
 from bnserve_store._roots import Root
 
@@ -33,7 +33,8 @@ def read_labels(root: Root, name: str) -> dict[str, str]:
         raise
     try:
         labels = _decoder.decode(data)
-    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+        refuse_repeated_keys(data, data)
+    except (msgspec.DecodeError, UnicodeDecodeError, RecursionError, UndecodableBody) as error:
         raise _corrupted(name) from error
     if not all(is_version(version) for version in labels.values()):
         raise _corrupted(name)

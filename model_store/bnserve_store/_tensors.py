@@ -15,7 +15,7 @@ import safetensors.numpy
 from numpy.typing import ArrayLike, NDArray
 from safetensors import SafetensorError
 
-from bnserve_protocol import InternalError, InvalidRequest
+from bnserve_protocol import InternalError, InvalidRequest, refuse_repeated_keys
 from bnserve_store._names import check_tensor_name
 
 DTYPES = ("<f8", "<f4", "<f2", "<i8", "<i4", "<i2", "|i1", "<u8", "<u4", "<u2", "|u1", "|b1")
@@ -87,6 +87,7 @@ def decode_tensors(data: bytes) -> dict[str, NDArray[Any]]:
     """
     try:
         arrays: dict[str, NDArray[Any]] = safetensors.numpy.load(data)
+        refuse_repeated_keys(data[8 : 8 + int.from_bytes(data[:8], "little")])  # its header
     except (SafetensorError, KeyError, ValueError, TypeError, OverflowError) as error:
         raise ValueError("not a complete safetensors file") from error
     for array in arrays.values():

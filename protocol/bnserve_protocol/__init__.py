@@ -72,6 +72,7 @@ from bnserve_protocol._errors import (
     VersionExists,
 )
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
+from bnserve_protocol._keys import refuse_repeated_keys, unique_keys
 from bnserve_protocol._likelihood import InvalidRows, Likelihood, LikelihoodCounts, LikelihoodValues, check_invalid_rows
 from bnserve_protocol._likelihood_cost import likelihood_nodes, likelihood_samples
 from bnserve_protocol._likelihood_messages import (
@@ -263,8 +264,10 @@ __all__ = [
     "likelihood_nodes",
     "likelihood_samples",
     "plain_grid",
+    "refuse_repeated_keys",
     "refuse_rows",
     "request_digest",
     "result_memory",
     "time_until_merger",
+    "unique_keys",
 ]

@@ -26,6 +26,7 @@ from bnserve_protocol._analysis_checks import check_arrays, check_settings
 from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBody
 from bnserve_protocol._grids import UniformGrid
+from bnserve_protocol._keys import read_map, read_maps
 from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number
 
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
@@ -316,6 +317,9 @@ def decode_analysis(body: bytes | memoryview) -> Analysis:
     """
     try:
         wire = _decoder.decode(body)
+        fields = read_map(body)
+        read_maps(fields["settings"])
+        read_map(fields["arrays"])
     except msgspec.ValidationError as error:
         raise UndecodableBody(f"The analysis does not fit its schema: {error}.") from error
     except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._arrays import array_header, decode_array, encode_array
 from bnserve_protocol._errors import UndecodableBody
+from bnserve_protocol._keys import read_map
 from bnserve_protocol._memory import address_of
 from bnserve_protocol._small_answers import Forms
 
@@ -45,7 +46,6 @@ class WaveformAnswer(msgspec.Struct, frozen=True):
     model: ModelIdentity
 
 
-_raw_map = msgspec.msgpack.Decoder(dict[str, msgspec.Raw])
 _identity = msgspec.msgpack.Decoder(ModelIdentity)
 _forms = Forms()
 
@@ -138,7 +138,8 @@ def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
 
 def _decode_whole(body: bytes | memoryview) -> WaveformAnswer:
     try:
-        fields = _raw_map.decode(body)
+        fields = read_map(body)
+        read_map(fields["model"])
         model = _identity.decode(fields["model"])
     except (msgspec.MsgspecError, RecursionError, KeyError, UnicodeDecodeError) as error:
         raise UndecodableBody("The answer is not a waveform answer of bnserve.") from error

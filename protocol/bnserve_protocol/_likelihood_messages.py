@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from bnserve_protocol._answers import ModelIdentity
 from bnserve_protocol._arrays import decode_array, encode_array, is_array
 from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBody
+from bnserve_protocol._keys import read_map, read_object, refuse_repeated_keys
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodBatch, check_likelihood_names
 from bnserve_protocol._requests import JSON, MSGPACK
 
@@ -68,6 +69,18 @@ class _Reader:
         self.columns = module.Decoder(_Named)
         self.numbers = module.Decoder(float | list[float | list[float]])
         self.arrays = arrays
+
+    def check_keys(self, body: bytes | memoryview, wire: _WireRequest) -> None:
+        """Refuse a message in which a map has a key twice."""
+        fields = read_map(body) if self.arrays else read_object(body)
+        objects = [fields[name] for name in ("calibration_amplitude", "calibration_phase") if name in fields]
+        if wire.names is None:
+            objects.append(wire.parameters)
+        if self.arrays:
+            for each in objects:
+                read_map(each)
+        else:
+            refuse_repeated_keys(body, body, *objects)
 
     def values(self, raw: msgspec.Raw) -> NDArray[np.float64]:
         """Numbers in any form that this media type has for them."""
@@ -141,6 +154,7 @@ def decode_likelihood_request(
     try:
         wire: _WireRequest = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
+        reader.check_keys(body, wire)
     except msgspec.ValidationError as error:
         raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
     except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
@@ -221,6 +235,7 @@ def decode_likelihood_answer(body: bytes | memoryview) -> LikelihoodAnswer:
     """
     try:
         wire = _answer_decoder.decode(body)
+        read_map(read_map(body)["model"])
     except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
         raise UndecodableBody("The answer is not a likelihood answer of bnserve.") from error
     values, status = decode_array(wire.log_likelihood), decode_array(wire.status)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from bnserve_protocol._arrays import decode_array, encode_array, is_array
 from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge, UndecodableBody
 from bnserve_protocol._grids import UniformGrid, as_frequencies
+from bnserve_protocol._keys import read_map, read_object, refuse_repeated_keys
 from bnserve_protocol._model import DtypeName, EvaluationOptions
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
 
@@ -86,6 +87,15 @@ class _Reader:
         self.vector = module.Decoder(_Vector)
         self.arrays = arrays
 
+    def check_keys(self, body: bytes | memoryview, wire: _WireRequest) -> None:
+        """Refuse a message in which a map has a key twice."""
+        named = [wire.parameters] if wire.names is None else []
+        if self.arrays:
+            for each in (read_map(body)["grid"], *named):
+                read_map(each)
+        else:
+            refuse_repeated_keys(body, body, read_object(body)["grid"], *named)
+
 
 _ONE_ROW = msgspec.msgpack.encode("parameters") + bytes(encode_array(np.zeros((1, len(PARAMETER_NAMES))))[0])
 """How our client's requests for one binary begin, after the number of fields and up to the numbers."""
@@ -141,6 +151,7 @@ def _decode_whole(body: bytes | memoryview, media_type: str, max_rows: int) -> W
         wire: _WireRequest = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
         grid = _grid(reader, wire.grid)
+        reader.check_keys(body, wire)
     except msgspec.ValidationError as error:
         raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
     except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:

@@ -97,3 +97,17 @@ def test_tensor_names_are_plain(store, name):
 def test_garbage_is_not_a_safetensors_file(data):
     with pytest.raises(ValueError, match="not a complete safetensors file"):
         decode_tensors(data)
+
+
+def test_a_tensor_that_is_there_twice_is_refused():
+    """Of two entries the library takes the last; here both fit the data, and say different things."""
+    entry = '"a": {"dtype": "%s", "shape": [1], "data_offsets": [0, 8]}'
+    for kinds, taken in ((("F64",), True), (("I64", "F64"), False)):
+        header = ("{" + ", ".join(entry % kind for kind in kinds) + "}").encode()
+        data = len(header).to_bytes(8, "little") + header + bytes(8)
+        if taken:
+            assert decode_tensors(data)["a"].dtype == np.float64
+        else:
+            assert safetensors.numpy.load(data)["a"].dtype == np.float64
+            with pytest.raises(ValueError, match="safetensors"):
+                decode_tensors(data)

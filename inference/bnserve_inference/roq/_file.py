@@ -19,7 +19,7 @@ from bnserve_inference.roq._errors import BasisFileInvalid, require
 from bnserve_inference.roq._interpolant import Term, WaveformInterpolant
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._storage import replacing
-from bnserve_protocol import PARAMETER_NAMES, ParameterBatch
+from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, unique_keys
 
 SCHEMA = "bnserve-roq-1"
 """Of this layout; another one is refused."""
@@ -85,13 +85,11 @@ def load_basis(path: Path | str) -> ReducedOrderQuadrature:
                 f_max=float(file.attrs["f_max"]),
                 duration=float(file.attrs["duration"]),
                 alignment=_alignment(file.attrs["alignment"]),
-                prior={
-                    name: (float(low), float(high)) for name, (low, high) in json.loads(file.attrs["prior"]).items()
-                },
+                prior={name: (float(low), float(high)) for name, (low, high) in _json(file.attrs["prior"]).items()},
                 model_name=str(file.attrs["model_name"]),
                 model_version=str(file.attrs["model_version"]),
                 model_digest=str(file.attrs["model_digest"]),
-                diagnostics=json.loads(file["diagnostics"].asstr()[()]),
+                diagnostics=_json(file["diagnostics"].asstr()[()]),
             )
     except (OSError, KeyError, TypeError, ValueError, AttributeError, RuntimeError) as error:
         raise BasisFileInvalid(
@@ -122,6 +120,10 @@ def _read_term(group: Any, term: Term) -> WaveformInterpolant:
     if [str(name) for name in group["binaries"].attrs["columns"]] != list(PARAMETER_NAMES):
         raise ValueError(f"the {term} binaries have other columns")
     return WaveformInterpolant(term, arrays["nodes"], ParameterBatch(arrays["binaries"]), arrays["coefficients"])
+
+
+def _json(text: str) -> Any:
+    return json.loads(text, object_pairs_hook=unique_keys)
 
 
 def _alignment(value: Any) -> Any:

@@ -85,6 +85,7 @@ def replaced(name, array):
         lambda file: file.attrs.__setitem__("schema", "bnserve-roq-99"),
         lambda file: file.attrs.__setitem__("alignment", "peak"),
         lambda file: file.attrs.__setitem__("prior", "[1"),
+        lambda file: file.attrs.__setitem__("prior", file.attrs["prior"][:-1] + ", " + file.attrs["prior"][1:]),
         lambda file: file["linear/nodes"].__setitem__(0, np.nan),
         lambda file: file["linear/nodes"].__setitem__(0, 1e9),
         lambda file: file["linear/coefficients"].__setitem__((0, 0), np.inf),
