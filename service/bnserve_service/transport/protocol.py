@@ -1,5 +1,5 @@
-"""uvicorn's HTTP protocol with the limits it lacks: time for headers, for bodies and for taking the answer, and the
-size of headers."""
+"""uvicorn's HTTP protocol with the limits it lacks: time for headers, for bodies and for taking the answer, the size of
+all that is not body, and a strict reading of what frames a request."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import asyncio
 import enum
 from typing import Any
 
+import httptools
 import msgspec
 from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 
@@ -14,18 +15,30 @@ from bnserve_protocol import PROBLEM_JSON, Problem, UndecodableBody
 from bnserve_service.digests import content_digest
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import Header
+from bnserve_service.transport.complaints import Complaints
+from bnserve_service.transport.framing import (
+    MAX_FRAME_BYTES,
+    MOST_PIPELINED,
+    Frame,
+    FramingError,
+    reason_of,
+    without_upgrade,
+)
 from bnserve_service.transport.quick import QUICK_BODY, QuickLane
 
-MAX_HEADER_BYTES = 2**16
-"""Request line and headers; browsers and proxies stay below 16 KiB."""
 _BODY_MARGIN = 2.0
 """Seconds after which a body is cut off that the application's own, politer limit has not ended."""
+_LINGER = 1.0
+_LINGER_BYTES = 2**20
+"""So long, and for so much, a peer that is refused may go on sending before it reads why: a connection that is closed
+meanwhile may take the answer along."""
 
 
 class _Waiting(enum.Enum):
     NOTHING = enum.auto()
     HEADERS = enum.auto()
     BODY = enum.auto()
+    END = enum.auto()
 
 
 _NOBODY_WAITS = asyncio.Event()
@@ -52,12 +65,16 @@ class BoundedProtocol(HttpToolsProtocol):
     body_timeout: float = 30.0
     write_timeout: float = 30.0
     lane: QuickLane | None = None
+    complaints: Complaints
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
         self._in_headers = False
         self._in_message = False
-        self._header_bytes = 0
+        self._frame = Frame()
+        self._refused = False
+        """What came was no request: what comes is not looked at."""
+        self._ignored = 0
         self._held: bytearray | None = None
         """The body of a request that is for the quick lane if it comes in one piece with its headers."""
         self._waiting = _Waiting.NOTHING
@@ -77,26 +94,56 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def data_received(self, data: bytes) -> None:
         """Bytes arrived."""
-        if self._in_headers or not self._in_message:
-            self._header_bytes += len(data)
-            if self._in_headers and self._header_bytes > MAX_HEADER_BYTES:
-                self.send_400_response("The headers are too large.")
-                return
-        super().data_received(data)
+        if self._refused:
+            self._ignored += len(data)
+            if self._ignored > _LINGER_BYTES:
+                self._abort()
+            return
+        self._unset_keepalive_if_required()
+        try:
+            self._parse(data)
+        except (httptools.HttpParserError, FramingError) as error:
+            self._refuse(error)
+            return
         if self._held is not None:
             self._go_the_other_way()
         if not self.transport.is_closing():
             self._watch()
 
+    def _parse(self, data: bytes) -> None:
+        start = 0
+        while start < len(data):
+            piece = data[start : start + MAX_FRAME_BYTES]
+            self._frame.pending += len(piece)
+            try:
+                self.parser.feed_data(piece)
+                start += len(piece)
+            except httptools.HttpParserUpgrade as stopped:
+                method, version = self.parser.get_method(), self.parser.get_http_version()
+                self.parser.feed_data(without_upgrade(method, self.url, version, self.headers))
+                start += stopped.args[0]
+            self._frame.check()
+
     def on_message_begin(self) -> None:
         """Parser: the first byte of a request."""
+        if len(self.pipeline) >= MOST_PIPELINED:
+            raise FramingError(f"More than {MOST_PIPELINED} requests were sent before their answers were read.")
         super().on_message_begin()
         self._in_headers = self._in_message = True
 
+    def on_header(self, name: bytes, value: bytes) -> None:
+        """Parser: a header, or a trailer, which is no header."""
+        if self._in_headers:
+            super().on_header(name, value)
+        else:
+            self._frame.trailer(name, value)
+
     def on_headers_complete(self) -> None:
         """Parser: the headers are there."""
+        self._frame.head_ends(self.url, self.headers, self.parser.get_http_version())
+        if self.parser.should_upgrade():  # it comes again, without
+            return
         self._in_headers = False
-        self._header_bytes = 0
         if self._may_be_quick():
             self._held = bytearray()
         else:
@@ -104,6 +151,7 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def on_body(self, body: bytes) -> None:
         """Parser: some of the body."""
+        self._frame.pending = 0
         if self._held is None:
             super().on_body(body)
         else:
@@ -111,6 +159,8 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def on_message_complete(self) -> None:
         """Parser: the body is there."""
+        if self._in_headers:  # an offer to upgrade ends its head like this
+            return
         self._in_message = False
         if self._held is None or not self._answer_quickly(bytes(self._held)):
             if self._held is not None:
@@ -125,7 +175,6 @@ class BoundedProtocol(HttpToolsProtocol):
             and self.parser.get_method() == b"POST"
             and self.parser.get_http_version() == "1.1"
             and self.parser.should_keep_alive()
-            and not self.parser.should_upgrade()
             and self.lane is not None
             and self.lane.offers(self.url)
         )
@@ -166,8 +215,11 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def on_response_complete(self) -> None:
         """An answer was handed to the transport."""
+        was_last = not self.pipeline
         super().on_response_complete()
-        if not self.transport.is_closing():
+        if self._refused and was_last:
+            self.transport.close()
+        elif not self.transport.is_closing():
             self._watch()
 
     def pause_writing(self) -> None:
@@ -181,16 +233,36 @@ class BoundedProtocol(HttpToolsProtocol):
         self._stop_write_timer()
         super().resume_writing()
 
+    def _refuse(self, error: Exception) -> None:
+        """Answer what is no request, unless others wait for answers: then end after the last of these."""
+        sentence = reason_of(error)
+        self.complaints.tell(self.client, sentence)
+        begun = self._in_message and not self._in_headers and self._held is None
+        self._refused, self._held = True, None
+        self._arm(_Waiting.NOTHING)
+        if begun and self.pipeline:
+            self.pipeline.popleft()  # it waits for its turn, which will not come
+        elif begun and self.cycle.response_started:
+            if self.cycle.response_complete:
+                self.transport.close()
+        elif begun or self._is_idle():
+            self.send_400_response(sentence)
+
     def send_400_response(self, msg: str) -> None:
-        """Answer what is not HTTP, in the form of every other error, and close."""
-        error = UndecodableBody(f"{msg} This is not a valid HTTP/1.1 request.")
+        """Answer what is no request, in the form of every other error, and close."""
+        error = UndecodableBody(f"This is not a valid HTTP/1.1 request. {msg}")
         body = msgspec.json.encode(Problem.from_error(error, 400))
         head = (
             f"HTTP/1.1 400 Bad Request\r\ncontent-type: {PROBLEM_JSON}\r\ncontent-length: {len(body)}\r\n"
             f"content-digest: {content_digest([body]).decode()}\r\nconnection: close\r\n\r\n"
         )
         self.transport.write(head.encode() + body)
-        self.transport.close()
+        if not self._is_idle():  # whoever waits for the rest of the body
+            self.cycle.disconnected = True
+            self.cycle.message_event.set()
+        self.flow.resume_reading()
+        self.transport.write_eof()
+        self._arm(_Waiting.END)
 
     def _watch(self) -> None:
         if self._in_headers:
@@ -213,7 +285,11 @@ class BoundedProtocol(HttpToolsProtocol):
             self._read_timer.cancel()
             self._read_timer = None
         if waiting is not _Waiting.NOTHING:
-            seconds = self.header_timeout if waiting is _Waiting.HEADERS else self.body_timeout + _BODY_MARGIN
+            seconds = {
+                _Waiting.HEADERS: self.header_timeout,
+                _Waiting.BODY: self.body_timeout + _BODY_MARGIN,
+                _Waiting.END: _LINGER,
+            }[waiting]
             self._read_timer = self.loop.call_later(seconds, self._abort)
 
     def _stop_write_timer(self) -> None:
@@ -229,6 +305,7 @@ def bounded_protocol(settings: Settings, lane: QuickLane | None = None) -> type[
     """The protocol class with the limits of ``settings`` and a quick lane; what uvicorn's ``http`` option takes."""
     limits = {
         "lane": lane,
+        "complaints": Complaints(),
         "header_timeout": settings.header_timeout,
         "body_timeout": settings.body_timeout,
         "write_timeout": settings.write_timeout,
