@@ -31,6 +31,13 @@ _MOST_ERRORS = 64
 """A batch may hold thousands of bad rows and a body a megabyte of field name; the answer stays small."""
 
 
+class SettingsInvalid(protocol.InvalidRequest):
+    """A configuration file or command line that cannot be used; says which entry and why."""
+
+    code = "settings-invalid"
+    title = "Invalid settings"
+
+
 class BodyTooSlow(protocol.UndecodableBody):
     """The body did not arrive in time; what may still come of it is not waited for."""
 

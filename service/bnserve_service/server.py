@@ -15,10 +15,11 @@ import uvicorn
 
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
+from bnserve_service.errors import SettingsInvalid
 from bnserve_service.listening import BACKLOG, address_of, listening, open_metrics_listener
 from bnserve_service.loading import RefreshReport
 from bnserve_service.metrics_port import serving_metrics
-from bnserve_service.settings import Settings, SettingsInvalid
+from bnserve_service.settings import Settings
 from bnserve_service.transport.protocol import bounded_protocol
 
 logger = logging.getLogger("bnserve.server")

@@ -12,7 +12,9 @@ from typing import Any, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
-from bnserve_protocol import JSON, InvalidRequest, Limits
+from bnserve_protocol import JSON, Limits
+from bnserve_service.errors import SettingsInvalid
+from bnserve_service.guarded_files import read_text
 
 Scope: TypeAlias = Literal["evaluate", "upload", "admin"]
 USUAL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")
@@ -29,11 +31,10 @@ ANY_HOST = "*"
 _HOST = re.compile(r"\*|[A-Za-z0-9._-]{1,253}|[0-9A-Fa-f:.]{2,45}")
 
 
-class SettingsInvalid(InvalidRequest):
-    """A configuration file or command line that cannot be used; says which entry and why."""
-
-    code = "settings-invalid"
-    title = "Invalid settings"
+_SHORTEST_TOKEN = 16
+"""Characters: shorter ones can be tried out. Those of ``bnserve tokens new`` have 47."""
+_NO_SECRETS = frozenset(hashlib.sha256(bytes(text)).hexdigest() for text in ([], *([code] for code in range(128))))
+"""Digests of no text at all, which a caller without a token would have, and of a single character."""
 
 
 class Token(BaseModel):
@@ -52,6 +53,13 @@ class Token(BaseModel):
     """Requests under way at the same time."""
     max_stored_bytes: int | None = Field(default=None, ge=1024)
     """Uploaded grids and analyses together."""
+
+    @field_validator("sha256")
+    @classmethod
+    def _is_of_a_secret(cls, sha256: str) -> str:
+        if sha256 in _NO_SECRETS:
+            raise ValueError("this is the digest of an empty text or of one character; `bnserve tokens new` makes one")
+        return sha256
 
     @model_validator(mode="after")
     def _burst_has_a_rate(self) -> Token:
@@ -76,11 +84,16 @@ class Token(BaseModel):
         Raises
         ------
         SettingsInvalid
-            No client could send it.
+            No client could send it, or it is so short that it can be guessed.
         """
         if not (text.isascii() and text.isprintable() and text.strip() == text != ""):
             raise SettingsInvalid(
                 "A token is printable ASCII without blanks at its ends; `bnserve tokens new` makes one."
+            )
+        if len(text) < _SHORTEST_TOKEN:
+            raise SettingsInvalid(
+                f"A token has at least {_SHORTEST_TOKEN} characters, and this one has {len(text)}: it can be guessed. "
+                "`bnserve tokens new` makes one."
             )
         return cls(name=name, sha256=hashlib.sha256(text.encode()).hexdigest(), scopes=scopes, **limits)
 
@@ -267,9 +280,11 @@ def _unknown_key(key: str) -> str:
 
 
 def _read_toml(path: Path) -> dict[str, Any]:
+    content = read_text(path, "settings file")
     try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise SettingsInvalid(f"The settings file '{path}' cannot be read: {error.strerror}.") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+        values = tomllib.loads(content.text)
+    except tomllib.TOMLDecodeError as error:
         raise SettingsInvalid(f"The settings file '{path}' is not valid TOML: {error}.") from error
+    if "tokens" in values:
+        content.check_access()
+    return values

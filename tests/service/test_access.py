@@ -17,8 +17,8 @@ from tests.service.asking import MSGPACK, ask, evaluate, question, raw_connectio
 from tests.service.chirp import ChirpModel
 
 SECRET = "correct horse battery staple"
-UPLOADER = "only uploads"
-OPERATOR = "runs the place"
+UPLOADER = "only uploads, never asks"
+OPERATOR = "runs the whole place"
 
 
 @pytest.fixture
@@ -72,9 +72,9 @@ def test_every_token_is_compared_also_after_one_was_found(monkeypatch):
         return hmac.compare_digest(one, other)
 
     monkeypatch.setattr(access, "hmac", SimpleNamespace(compare_digest=compare))
-    tokens = [Token.of(text) for text in ("first", "second", "third")]
+    tokens = [Token.of(text) for text in ("the first of three", "the second of three", "the third of three")]
     middleware = access.AccessMiddleware(None, tokens, {}, None)
-    for text in ("first", "third", "none of them"):
+    for text in ("the first of three", "the third of three", "none of them"):
         compared.clear()
         with suppress(Unauthorized):
             middleware.check(new_context([]), [(b"authorization", f"Bearer {text}".encode())], "GET", "/v1/models")

@@ -55,12 +55,16 @@ def test_digests_are_read_in_capitals_too(server):
 
 @pytest.fixture
 def of_two(start):
-    tokens = (Token.of("mine"), Token.of("yours"), Token.of("reads", scopes=("evaluate",)))  # all of one name
+    tokens = (
+        Token.of("the-token-of-mine"),
+        Token.of("the-token-of-yours"),
+        Token.of("the-token-of-reads", scopes=("evaluate",)),
+    )  # all of one name
     return start(ChirpModel(), tokens=tokens)
 
 
 def test_an_analysis_of_another_token_is_as_unknown(of_two):
-    mine, yours = {"authorization": "Bearer mine"}, {"authorization": "Bearer yours"}
+    mine, yours = {"authorization": "Bearer the-token-of-mine"}, {"authorization": "Bearer the-token-of-yours"}
     assert upload(of_two.address, ANALYSIS, **mine).status == 201
     for method in ("GET", "HEAD", "DELETE"):
         assert ask(of_two.address, method, AT, **yours).status == 404
@@ -72,7 +76,7 @@ def test_an_analysis_of_another_token_is_as_unknown(of_two):
 
 
 def test_a_token_that_may_not_upload_may_neither_put_nor_delete(of_two):
-    reads = {"authorization": "Bearer reads"}
+    reads = {"authorization": "Bearer the-token-of-reads"}
     assert upload(of_two.address, ANALYSIS, **reads).code == "forbidden"
     assert ask(of_two.address, "DELETE", AT, **reads).code == "forbidden"
 

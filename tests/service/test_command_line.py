@@ -87,6 +87,25 @@ def test_an_unreadable_token_file(tmp_path, capsys):
     assert "no token" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("given", ["--token", "--token-file"])
+def test_a_token_that_could_be_guessed(tmp_path, capsys, given):
+    (tmp_path / "tokens").write_text("a-long-enough-token\nshort\n")
+    assert main(["serve", given, "short" if given == "--token" else str(tmp_path / "tokens")]) == 2
+    said = capsys.readouterr().err
+    assert "at least 16 characters" in said
+    assert "bnserve tokens new" in said
+
+
+@pytest.mark.parametrize("mode", [0o620, 0o602, 0o666])
+@pytest.mark.parametrize("given", ["--config", "--token-file"])
+def test_a_file_of_tokens_that_others_can_write(tmp_path, capsys, given, mode):
+    path = tmp_path / "tokens"
+    path.write_text(f'[[tokens]]\nsha256 = "{"0" * 64}"\n' if given == "--config" else "a-long-enough-token\n")
+    path.chmod(mode)
+    assert main(["serve", given, str(path)]) == 2
+    assert f"chmod go-w '{path}'" in capsys.readouterr().err
+
+
 def test_a_published_copy_has_the_digest_of_its_original(tmp_path):
     shipped = Path(bnserve_store.SHIPPED_MODELS)
     done = run("models", "publish", "default", "--from", str(shipped), "--store", str(tmp_path))

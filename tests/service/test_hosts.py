@@ -10,8 +10,9 @@ import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import Forbidden
+from bnserve_service.errors import SettingsInvalid
 from bnserve_service.listening import is_loopback, open_listener
-from bnserve_service.settings import Settings, SettingsInvalid, Token, load_settings
+from bnserve_service.settings import Settings, Token, load_settings
 from bnserve_service.transport.hosts import HostCheck
 from tests.service.asking import MSGPACK, ask, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, QuickChirpModel
@@ -141,7 +142,11 @@ def test_which_addresses_only_this_machine_can_connect_to():
 
 @pytest.mark.parametrize(
     ("settings", "warns"),
-    [({"host": "0.0.0.0"}, True), ({}, False), ({"host": "0.0.0.0", "tokens": [Token.of("a token of ours")]}, False)],
+    [
+        ({"host": "0.0.0.0"}, True),
+        ({}, False),
+        ({"host": "0.0.0.0", "tokens": [Token.of("a token of our own")]}, False),
+    ],
 )
 def test_an_open_door_is_said_aloud(settings, warns, caplog):
     with caplog.at_level(logging.WARNING), open_listener(Settings(port=0, **settings)):

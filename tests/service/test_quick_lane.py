@@ -129,11 +129,14 @@ def test_a_caller_that_went_away_does_no_harm(start):
 
 
 def test_tokens_are_asked_for_here_too(start):
-    server = start(QuickChirpModel(), tokens=(Token.of("secret"), Token.of("reader", scopes=("upload",))))
+    server = start(
+        QuickChirpModel(),
+        tokens=(Token.of("the-token-of-secret"), Token.of("the-token-of-reader", scopes=("upload",))),
+    )
     assert in_one_piece(server).status == 401
-    assert in_one_piece(server, Authorization="Bearer wrong").status == 401
-    assert in_one_piece(server, Authorization="Bearer reader").status == 403
-    assert in_one_piece(server, Authorization="Bearer secret").status == 200
+    assert in_one_piece(server, Authorization="Bearer the-token-of-wrong").status == 401
+    assert in_one_piece(server, Authorization="Bearer the-token-of-reader").status == 403
+    assert in_one_piece(server, Authorization="Bearer the-token-of-secret").status == 200
 
 
 def test_a_deadline_that_has_passed_is_told(start):

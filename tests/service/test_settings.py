@@ -1,10 +1,13 @@
 """Settings are closed and typed: what is unknown or wrong is refused, with a hint."""
 
+import logging
+from hashlib import sha256
+
 import pytest
 from pydantic import ValidationError
 
 from bnserve_service import Settings, Token, load_settings
-from bnserve_service.settings import SettingsInvalid
+from bnserve_service.errors import SettingsInvalid
 
 
 def write(folder, text):
@@ -30,6 +33,7 @@ def test_a_file_sets_and_the_command_line_overrides(tmp_path):
         ("max_rows = 0", ["max_rows"]),
         ("queue_samples = 10", ["queue_samples"]),
         ('[[tokens]]\nsha256 = "plain text"', ["tokens", "sha256"]),
+        *((f'[[tokens]]\nsha256 = "{sha256(text).hexdigest()}"', ["tokens.0.sha256"]) for text in (b"", b"x", b"\n")),
         ("port =", ["TOML"]),
     ],
 )
@@ -54,3 +58,26 @@ def test_the_largest_allowed_request_always_fits_into_the_queue():
     settings = Settings()
     limits = settings.limits()
     assert limits.max_samples <= settings.queue_samples
+
+
+@pytest.mark.parametrize(("mode", "warns"), [(0o600, False), (0o640, False), (0o604, True), (0o644, True)])
+def test_a_file_of_tokens_that_others_can_read_is_told(tmp_path, caplog, mode, warns):
+    path = write(tmp_path, f'[[tokens]]\nsha256 = "{"0" * 64}"\n')
+    path.chmod(mode)
+    with caplog.at_level(logging.WARNING):
+        assert len(load_settings(path).tokens) == 1
+    assert (f"chmod o-r '{path}'" in caplog.text) is warns
+
+
+def test_a_file_without_tokens_may_be_anybodys(tmp_path, caplog):
+    path = write(tmp_path, "port = 1")
+    path.chmod(0o666)
+    assert load_settings(path).port == 1
+    assert caplog.text == ""
+
+
+@pytest.mark.parametrize("text", ["x", "fifteen letters"])
+def test_a_token_that_could_be_guessed_is_refused(text):
+    with pytest.raises(SettingsInvalid, match=f"at least 16 characters, and this one has {len(text)}"):
+        Token.of(text)
+    assert Token.of("sixteen letters.").sha256 == sha256(b"sixteen letters.").hexdigest()

@@ -11,7 +11,8 @@ from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import ShareExceeded
 from bnserve_service import Settings, Token
 from bnserve_service import shares as shares_module
-from bnserve_service.settings import SettingsInvalid, load_settings
+from bnserve_service.errors import SettingsInvalid
+from bnserve_service.settings import load_settings
 from bnserve_service.shared import cells as cells_module
 from bnserve_service.shared.cells import Cells
 from bnserve_service.shares import shares_of
@@ -35,8 +36,8 @@ def clock(monkeypatch):
 
 
 def share(shared=None, **limits):
-    token = Token.of("secret", "somebody", **limits)
-    return shares_of([Token.of("other", max_concurrent=1), token], shared)[token.sha256]
+    token = Token.of("the-token-of-secret", "somebody", **limits)
+    return shares_of([Token.of("the-token-of-other", max_concurrent=1), token], shared)[token.sha256]
 
 
 def rows_of(total_masses):
@@ -44,11 +45,11 @@ def rows_of(total_masses):
 
 
 def bearer(text):
-    return {"authorization": f"Bearer {text}"}
+    return {"authorization": f"Bearer the-token-of-{text}"}
 
 
 def test_a_token_without_limits_has_no_share_to_count():
-    assert shares_of([Token.of("secret", max_stored_bytes=2000)]) == {}
+    assert shares_of([Token.of("the-token-of-secret", max_stored_bytes=2000)]) == {}
 
 
 def test_rows_are_paid_from_an_account_that_fills_at_the_rate(clock):
@@ -160,7 +161,13 @@ def test_a_clock_that_was_set_back_by_a_restart_does_not_lock_anybody_out(clock,
 
 @pytest.mark.parametrize("model", [ChirpModel, QuickChirpModel])
 def test_over_its_rows_a_token_is_refused_with_the_time_to_wait_and_others_are_not(start, model):
-    server = start(model(), tokens=(Token.of("greedy", rows_per_second=0.5, burst_rows=4.0), Token.of("other")))
+    server = start(
+        model(),
+        tokens=(
+            Token.of("the-token-of-greedy", rows_per_second=0.5, burst_rows=4.0),
+            Token.of("the-token-of-other"),
+        ),
+    )
     assert evaluate(server.address, rows_of([2.5] * 8), **bearer("greedy")).status == 200
     answer = evaluate(server.address, rows_of(2.5), **bearer("greedy"))
     assert (answer.status, answer.code) == (429, "share-exceeded")
@@ -172,9 +179,9 @@ def test_over_its_rows_a_token_is_refused_with_the_time_to_wait_and_others_are_n
 
 
 def test_the_client_waits_as_long_as_it_is_told(start):
-    server = start(QuickChirpModel(), tokens=(Token.of("slow", rows_per_second=25.0, burst_rows=1.0),))
+    server = start(QuickChirpModel(), tokens=(Token.of("the-token-of-slow", rows_per_second=25.0, burst_rows=1.0),))
     frequencies, one = np.linspace(20.0, 100.0, 5), ParametersWithExtrinsic.gw170817()
-    with Model.connect(server.address, "chirp", token="slow") as model:
+    with Model.connect(server.address, "chirp", token="the-token-of-slow") as model:
         answers = [model.predict(frequencies, one).plus.tobytes() for _ in range(10)]
     assert len(set(answers)) == 1
     page = server.app.parts.metrics.exposition().decode()
@@ -183,7 +190,11 @@ def test_the_client_waits_as_long_as_it_is_told(start):
 
 def test_more_requests_at_the_same_time_than_allowed_are_refused(start):
     model = GatedModel()
-    server = start(model, threads=1, tokens=(Token.of("busy", max_concurrent=2), Token.of("other")))
+    server = start(
+        model,
+        threads=1,
+        tokens=(Token.of("the-token-of-busy", max_concurrent=2), Token.of("the-token-of-other")),
+    )
     model.gate.clear()
     with ThreadPoolExecutor(4) as callers:
         calls = [callers.submit(evaluate, server.address, question(), **bearer("busy")) for _ in range(2)]
@@ -200,14 +211,14 @@ def test_more_requests_at_the_same_time_than_allowed_are_refused(start):
 def test_a_limit_that_makes_no_sense_is_refused():
     for wrong in ({"burst_rows": 5.0}, {"rows_per_second": 0.0}, {"rows_per_second": float("inf")}):
         with pytest.raises(ValueError, match=r"burst_rows|rows_per_second"):
-            Token.of("secret", **wrong)
+            Token.of("the-token-of-secret", **wrong)
     with pytest.raises(SettingsInvalid, match="ASCII"):
         Token.of("se\u00e9cret")
 
 
 def test_two_tokens_of_one_text_are_refused_and_a_token_in_place_of_its_hash_is_not_shown(tmp_path):
     with pytest.raises(ValueError, match="same sha256"):
-        Settings(tokens=(Token.of("secret", "a"), Token.of("secret", "b")))
+        Settings(tokens=(Token.of("the-token-of-secret", "a"), Token.of("the-token-of-secret", "b")))
     file = tmp_path / "settings.toml"
     for line in ('sha256 = "bns_thetokenitself"', 'token = "bns_thetokenitself"'):
         file.write_text(f'[[tokens]]\nname = "a"\n{line}\n')

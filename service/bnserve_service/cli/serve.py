@@ -81,15 +81,15 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _tokens(options: argparse.Namespace) -> list[Any]:
-    from bnserve_service.settings import SettingsInvalid, Token
+    from bnserve_service.errors import SettingsInvalid
+    from bnserve_service.guarded_files import read_text
+    from bnserve_service.settings import Token
 
     texts = list(options.token or ())
     if options.token_file is not None:
-        try:
-            lines = options.token_file.read_text(encoding="utf-8").splitlines()
-        except (OSError, UnicodeDecodeError) as error:
-            raise SettingsInvalid(f"The token file '{options.token_file}' cannot be read: {error}.") from error
-        texts += [line.strip() for line in lines if line.strip()]
+        content = read_text(options.token_file, "token file")
+        content.check_access()
+        texts += [line.strip() for line in content.text.splitlines() if line.strip()]
         if not texts:
             raise SettingsInvalid(f"The token file '{options.token_file}' holds no token.")
     return [Token.of(text, name=f"token-{number}") for number, text in enumerate(texts, start=1)]
