@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -42,7 +43,8 @@ _TILE_TIMES = 2**16
 class LocalLikelihood:
     """A likelihood evaluated in this process; satisfies :class:`bnserve_protocol.Likelihood`.
 
-    A row's bits depend on the row, the analysis and the model alone. Safe to share between threads.
+    A row's bits depend on the row, the analysis and the model alone. Safe to share between threads. Can be pickled,
+    copied and sent to other processes wherever its model can; what arrives there counts its rows from zero.
 
     Parameters
     ----------
@@ -130,6 +132,9 @@ class LocalLikelihood:
         self._count(status)
         return LikelihoodValues(result, status)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _bind_again, (type(self), self._model, self._analysis, self._invalid_rows)
+
     def _evaluate_tile(self, batch: LikelihoodBatch) -> tuple[Floats, NDArray[np.uint8]]:
         factored = self._model.predict_factored(
             self.frequencies, batch.waveform_batch(**self._fixed), options=self._options
@@ -205,6 +210,13 @@ class LocalLikelihood:
                 out_of_band=before.out_of_band + int(found[RowStatus.OUT_OF_BAND]),
                 out_of_prior=before.out_of_prior + int(found[RowStatus.OUT_OF_PRIOR]),
             )
+
+
+def _bind_again(
+    cls: type[LocalLikelihood], model: WaveformModel, analysis: Analysis, invalid_rows: InvalidRows
+) -> LocalLikelihood:
+    """A likelihood that was pickled or copied."""
+    return cls(model, analysis, invalid_rows=invalid_rows)
 
 
 def _nowhere_inside(h: ComplexArray) -> NDArray[np.bool_]:

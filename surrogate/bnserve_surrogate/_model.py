@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import DTypeLike
@@ -16,6 +16,7 @@ from bnserve_protocol import (
     EvaluationOptions,
     Factored,
     GridLike,
+    InvalidRequest,
     ManifestModel,
     ModelDescription,
     ParameterBatch,
@@ -34,11 +35,23 @@ from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.kernel import KernelModel, Output
 
 
+class _Origin(NamedTuple):
+    """What finds the artifact of a model again in another process, beside its name, version and digest."""
+
+    store: ModelStore | None
+    """None for the models that ship with the package, wherever it is installed there."""
+    threads: int
+
+
 class Model:
     """A trained surrogate, evaluated in this process.
 
     Satisfies :class:`bnserve_protocol.WaveformModel`; instances are immutable, safe to share between threads, and
     release the GIL while they compute. A row's bits do not depend on the batch or thread it is evaluated in.
+
+    A model from a store (:meth:`load`, :meth:`default`) can be pickled and sent to other processes: it travels as
+    store, name, version and digest, without its weights, and is loaded again there, as the very same artifact or not
+    at all. One that was made in memory (:meth:`from_artifact`) refuses to be pickled. A copy of a model is the model.
 
     Parameters
     ----------
@@ -66,6 +79,7 @@ class Model:
         self._metadata = metadata
         self._description = description
         self._evaluator = Evaluator(modes["22"], description.parameters, threads)
+        self._origin: _Origin | None = None
 
     @classmethod
     def default(cls, *, threads: int = 1) -> Model:
@@ -104,12 +118,13 @@ class Model:
         DigestUnknown
             No version of this model has the ``digest``.
         """
-        if store is None:
-            store = ModelStore.default()
-        elif not isinstance(store, ModelStore):
+        if store is not None and not isinstance(store, ModelStore):
             store = ModelStore([store])
-        exact = version if digest is None else version_with_digest(store, name, version, digest)
-        return cls.from_artifact(store.load(name, exact), threads=threads)
+        there = ModelStore.default() if store is None else store
+        exact = version if digest is None else version_with_digest(there, name, version, digest)
+        model = cls.from_artifact(there.load(name, exact), threads=threads)
+        model._origin = _Origin(store, threads)
+        return model
 
     @classmethod
     def from_artifact(cls, artifact: Artifact, *, threads: int = 1) -> Model:
@@ -235,6 +250,22 @@ class Model:
         amplitude = np.allclose(answer.amplitude, check.amplitude, rtol=1e-9, atol=0.0)
         return amplitude and np.allclose(answer.phase, check.phase, rtol=1e-12, atol=1e-8)
 
+    def __copy__(self) -> Self:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._origin is None:
+            raise InvalidRequest(
+                f"The model '{self._description.name}' was made in memory and cannot be sent to another process, "
+                "because weights do not travel. Publish it in a store and load it from there: Model.load(name, "
+                "store=...)."
+            )
+        own = self._description
+        return _load_again, (type(self), own.name, own.version, own.digest, *self._origin)
+
     def _typical(self) -> ParametersWithExtrinsic:
         """A binary in the middle of the trained box."""
         values: dict[str, Any] = {"distance_mpc": 40.0, "inclination": 0.5}
@@ -242,3 +273,10 @@ class Model:
             if entry.minimum is not None and entry.maximum is not None:
                 values[entry.name] = 0.5 * (entry.minimum + entry.maximum)
         return ParametersWithExtrinsic(**values)
+
+
+def _load_again(
+    cls: type[Model], name: str, version: str, digest: str, store: ModelStore | None, threads: int
+) -> Model:
+    """A model that was pickled; the very same artifact, or an error."""
+    return cls.load(name, version, store, digest=digest, threads=threads)
