@@ -16,6 +16,7 @@ from bnserve_client._remote import RemoteModel, connecting, settings_from
 from bnserve_client._session import Pinned
 from bnserve_client._settings import Settings
 from bnserve_client._sources import Source
+from bnserve_client._tokens import Token, TokenLike
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
@@ -65,7 +66,7 @@ class AsyncModel:
         *,
         version: str = "stable",
         digest: str | None = None,
-        token: str | None = None,
+        token: TokenLike = None,
         timeout: float = 300.0,
         silence: float = 30.0,
         retries: int | None = None,
@@ -76,7 +77,7 @@ class AsyncModel:
     ) -> AsyncModel:
         """Find a model on a service; parameters and errors are those of :meth:`.Model.connect`."""
         settings = settings_from(
-            address, progress, token=token, timeout=timeout, silence=silence, retries=retries, parallel=parallel,
+            address, progress, token=Token(token), timeout=timeout, silence=silence, retries=retries, parallel=parallel,
             chunk_samples=chunk_samples, names=transport is None,
         )  # fmt: skip
         source = None if transport is None else Source(transport)

@@ -16,6 +16,7 @@ from bnserve_client._remote import RemoteModel, connecting, settings_from
 from bnserve_client._session import Pinned
 from bnserve_client._settings import Settings
 from bnserve_client._sources import Source
+from bnserve_client._tokens import Token, TokenLike
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
@@ -65,7 +66,7 @@ class Model:
         *,
         version: str = "stable",
         digest: str | None = None,
-        token: str | None = None,
+        token: TokenLike = None,
         timeout: float = 300.0,
         silence: float = 30.0,
         retries: int | None = None,
@@ -88,7 +89,10 @@ class Model:
             that the answers come from this very artifact or not at all, whatever the label stands for by then.
             A ``version`` that is not a label must be the one with this digest.
         token:
-            Sent as ``Authorization: Bearer``.
+            Sent as ``Authorization: Bearer``: the token, a ``pathlib.Path`` of a file that holds it, or a module-level
+            function that returns it. None for that of the environment variable ``BNSERVE_TOKEN``, where there is one.
+            A pickled model holds the path or the function, never the token, and takes it from there; a token that was
+            given itself is taken from ``BNSERVE_TOKEN`` in other processes.
         timeout:
             Seconds that one request may take with all its retries. A sampler that is to outlive an outage of ten
             minutes wants more than 600.
@@ -112,7 +116,7 @@ class Model:
         ConnectionFailed, NotBnserve, ModelUnknown, DigestUnknown, Unauthorized, InvalidRequest
         """
         settings = settings_from(
-            address, progress, token=token, timeout=timeout, silence=silence, retries=retries, parallel=parallel,
+            address, progress, token=Token(token), timeout=timeout, silence=silence, retries=retries, parallel=parallel,
             chunk_samples=chunk_samples, names=transport is None,
         )  # fmt: skip
         source = None if transport is None else Source(transport)

@@ -81,8 +81,7 @@ class Session:
         self.settings = settings
         names = names_among(settings.addresses) if settings.names else ()
         self._replicas = Replicas(settings.addresses, Names(settings.addresses, names) if names else None)
-        authorization = () if settings.token is None else (("Authorization", f"Bearer {settings.token}"),)
-        self._headers = (("User-Agent", f"bnserve-client/{__version__}"), *authorization)
+        self._headers = (("User-Agent", f"bnserve-client/{__version__}"),)
         self._post_headers = (
             *self._headers,
             ("Content-Type", MSGPACK),
@@ -166,7 +165,7 @@ class Session:
         self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, patience: Patience
     ) -> Conversation[_T]:
         """Ask until there is an answer that can be used, or patience ends."""
-        named = (*request.headers, ("X-Request-ID", os.urandom(16).hex()))
+        named = (*self.settings.token.headers(), *request.headers, ("X-Request-ID", os.urandom(16).hex()))
         while True:
             yield from self._tend()
             patience.follow()
@@ -192,7 +191,7 @@ class Session:
         resting = self._replicas.to_probe()
         if resting is None:
             return
-        request = HttpRequest("GET", "/v2/health/ready", self._headers)
+        request = HttpRequest("GET", "/v2/health/ready", (*self.settings.token.headers(), *self._headers))
         try:
             seconds = self._replicas.probe_seconds
             answer = yield Send(resting, request, seconds, time.monotonic() + seconds, _SMALL_ANSWER)

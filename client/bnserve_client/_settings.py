@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from bnserve_client._addresses import Address
-from bnserve_protocol import InvalidRequest
+from bnserve_client._tokens import Token
+from bnserve_protocol import InvalidRequest, NotNumbers, as_real_number
+
+_FOR_EVER = 1e9
+"""Seconds; sockets take no more, and certainly not infinity."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,7 +19,7 @@ class Settings:
     """Closed and immutable; :meth:`Model.connect` documents each field."""
 
     addresses: tuple[Address, ...]
-    token: str | None = field(default=None, repr=False)
+    token: Token = field(default_factory=Token)
     timeout: float = 300.0
     silence: float = 30.0
     retries: int | None = None
@@ -25,16 +31,31 @@ class Settings:
 
     def __post_init__(self) -> None:
         for name in ("timeout", "silence"):
-            if not getattr(self, name) > 0.0:
-                raise InvalidRequest(f"'{name}' must be a positive number of seconds; got {getattr(self, name)!r}.")
-        for name in ("parallel", "chunk_samples"):
-            if getattr(self, name) < 1:
-                raise InvalidRequest(f"'{name}' must be at least 1; got {getattr(self, name)!r}.")
-        if self.retries is not None and self.retries < 0:
-            raise InvalidRequest(f"'retries' must not be negative; got {self.retries!r}.")
-        if self.token is not None and not (self.token.isascii() and self.token.isprintable() and self.token.strip()):
-            raise InvalidRequest("The token must be printable ASCII without line breaks; check how it was read.")
+            object.__setattr__(self, name, _seconds(name, getattr(self, name)))
+        for name, least in (("parallel", 1), ("chunk_samples", 1), ("retries", 0)):
+            if name != "retries" or self.retries is not None:
+                object.__setattr__(self, name, _count(name, getattr(self, name), least))
 
     def with_retries(self, retries: int) -> Settings:
         """The same with another number of retries."""
         return replace(self, retries=retries)
+
+
+def _seconds(name: str, value: Any) -> float:
+    try:
+        seconds = as_real_number(value, "s")
+    except NotNumbers as error:
+        raise InvalidRequest(f"'{name}' must be a positive number of seconds; it {error}.") from error
+    if not seconds > 0.0:
+        raise InvalidRequest(f"'{name}' must be a positive number of seconds; got {value!r}.")
+    return min(seconds, _FOR_EVER)
+
+
+def _count(name: str, value: Any, least: int) -> int:
+    try:
+        count = operator.index(value)
+    except TypeError as error:
+        raise InvalidRequest(f"'{name}' must be a whole number; got {type(value).__name__}.") from error
+    if count < least:
+        raise InvalidRequest(f"'{name}' must be at least {least}; got {value!r}.")
+    return count

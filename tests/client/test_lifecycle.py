@@ -53,12 +53,6 @@ def test_a_token_is_sent_and_a_wrong_one_is_an_error(start_server, connect):
         connect(server.address, token="guess")
 
 
-def test_a_token_is_not_shown(start_server, connect):
-    server = start_server(ReferenceService(token="secret"))
-    model = connect(server.address, token="secret")
-    assert "secret" not in repr(model) + repr(model._remote.settings)
-
-
 def test_every_request_has_a_name_and_a_deadline(server, model):
     for _ in range(2):
         model.predict(FREQUENCIES, ONE)
