@@ -95,6 +95,7 @@ def test_a_sampler_outlives_a_server_that_is_killed_and_started_again(tmp_path, 
 def test_an_analysis_belongs_to_its_token(tmp_path, analysis, expected):
     tokens = tmp_path / "tokens"
     tokens.write_text("the-token-of-mine\nthe-token-of-yours\n")
+    tokens.chmod(0o600)
     with serving(tmp_path / "server.log", "--token-file", str(tokens)) as server:
         mine, yours = (
             Model.connect(server.address, token=token) for token in ("the-token-of-mine", "the-token-of-yours")

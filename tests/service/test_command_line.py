@@ -83,6 +83,7 @@ def test_an_unreadable_token_file(tmp_path, capsys):
     assert main(["serve", "--token-file", str(tmp_path / "none")]) == 2
     assert "cannot be read" in capsys.readouterr().err
     (tmp_path / "empty").write_text("\n")
+    (tmp_path / "empty").chmod(0o600)
     assert main(["serve", "--token-file", str(tmp_path / "empty")]) == 2
     assert "no token" in capsys.readouterr().err
 
@@ -90,6 +91,7 @@ def test_an_unreadable_token_file(tmp_path, capsys):
 @pytest.mark.parametrize("given", ["--token", "--token-file"])
 def test_a_token_that_could_be_guessed(tmp_path, capsys, given):
     (tmp_path / "tokens").write_text("a-long-enough-token\nshort\n")
+    (tmp_path / "tokens").chmod(0o600)
     assert main(["serve", given, "short" if given == "--token" else str(tmp_path / "tokens")]) == 2
     said = capsys.readouterr().err
     assert "at least 16 characters" in said

@@ -13,6 +13,7 @@ from bnserve_service.errors import SettingsInvalid
 def write(folder, text):
     path = folder / "bnserve.toml"
     path.write_text(text)
+    path.chmod(0o600)
     return path
 
 

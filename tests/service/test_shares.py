@@ -222,6 +222,7 @@ def test_two_tokens_of_one_text_are_refused_and_a_token_in_place_of_its_hash_is_
     file = tmp_path / "settings.toml"
     for line in ('sha256 = "bns_thetokenitself"', 'token = "bns_thetokenitself"'):
         file.write_text(f'[[tokens]]\nname = "a"\n{line}\n')
+        file.chmod(0o600)
         with pytest.raises(SettingsInvalid) as refused:
             load_settings(file)
         assert "bns_thetokenitself" not in refused.value.detail

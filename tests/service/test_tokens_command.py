@@ -18,6 +18,7 @@ def test_a_new_token_and_the_lines_that_let_it_in(capsys, tmp_path):
     assert text not in told.out
     file = tmp_path / "settings.toml"
     file.write_text("port = 0\n" + told.out)
+    file.chmod(0o600)
     [token] = load_settings(file).tokens
     assert token.sha256 == hashlib.sha256(text.encode()).hexdigest()
     assert (token.name, token.scopes) == ('Zo\u00eb "Z"', ("evaluate",))
