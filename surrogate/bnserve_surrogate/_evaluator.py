@@ -28,6 +28,7 @@ from bnserve_protocol import (
 )
 from bnserve_surrogate._continuation import continue_above
 from bnserve_surrogate._domain import refuse_rows
+from bnserve_surrogate._overflow import NEAR, is_any_near, refuse_overflow
 from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
 from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, evaluate
 
@@ -50,6 +51,7 @@ _PIECES = 4
 """Into so many pieces for each thread a batch is divided."""
 _ANY_MASS = 2.8
 """Solar masses, for a model that is made for all."""
+_DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
 
 
@@ -131,6 +133,8 @@ class Evaluator:
             room.parameters[:] = list(_values_of(parameters))
         except TypeError:
             return None
+        if room.parameters[_DISTANCE] < NEAR:
+            return None
         few = points <= _FEW
         if few:
             room.frequencies[:points] = frequencies
@@ -188,6 +192,9 @@ class Evaluator:
         bad = self._run(grid, coerced, options, outputs, points * arrays[0].itemsize)
         if bad and options.out_of_domain == "error":
             refuse_rows(coerced, grid.frequencies, self._ranges, self._mode.mf_band, options)
+        if is_any_near(coerced):
+            numbers = [plus, cross] if estimates is None else [plus, cross, estimates]
+            refuse_overflow(coerced, arrays, numbers, status, options)
         return Answer(arrays[0], second, plus, cross, status, estimates)
 
     def curves(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions) -> Answer:
