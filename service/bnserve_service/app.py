@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import msgspec
-from fastapi import FastAPI
-from fastapi.middleware.asyncexitstack import AsyncExitStackMiddleware
-from fastapi.responses import Response
-from starlette.types import ASGIApp, Receive, Scope, Send
+from fastapi import APIRouter, FastAPI
+from starlette.routing import Route
+from starlette.types import Receive, Scope, Send
 
 from bnserve_protocol import Analysis, Likelihood, WaveformModel, decode_analysis
 from bnserve_service.analyses import AnalysisStore, LikelihoodFactory
@@ -32,7 +31,7 @@ from bnserve_service.openapi import openapi_document
 from bnserve_service.openapi_likelihoods import with_likelihoods
 from bnserve_service.registry import ModelFactory, ModelSource, Registry
 from bnserve_service.routes.analyses import analysis_router
-from bnserve_service.routes.evaluations import StraightWay, evaluation_routes
+from bnserve_service.routes.dispatch import Dispatcher
 from bnserve_service.routes.explorer import explorer_router
 from bnserve_service.routes.grids import grid_router
 from bnserve_service.routes.health import health_router
@@ -50,7 +49,6 @@ from bnserve_service.shared.models import SharedModels
 from bnserve_service.shares import shares_of
 from bnserve_service.stored_shares import Keeping, StoredShares
 from bnserve_service.transport.access import AccessMiddleware
-from bnserve_service.transport.answers import plain_response
 from bnserve_service.transport.body import BodyReader
 from bnserve_service.transport.context import RequestContextMiddleware
 from bnserve_service.transport.hosts import HostCheck, HostMiddleware
@@ -107,14 +105,20 @@ class Application(FastAPI):
         evaluations = dict.fromkeys(
             PATHS, WaveformEndpoint(parts.waveforms, parts.settings, parts.bodies)
         ) | dict.fromkeys(LIKELIHOOD_PATHS, LikelihoodEndpoint(parts.likelihoods, parts.settings, parts.bodies))
-        self._include_routers(evaluations)
-        self._routing = AsyncExitStackMiddleware(self.router)  # the one middleware that FastAPI's routes rely on
-        inner: ASGIApp = StraightWay(self._serve_by_router, evaluations)
+        routers = self._routers()
+        routes = [route for router in routers for route in router.routes if isinstance(route, Route)]
+        dispatcher = Dispatcher(evaluations, routes)
         tokens = parts.settings.tokens
-        access = AccessMiddleware(inner, tokens, shares_of(tokens, parts.shared), parts.queue.turn) if tokens else None
+        access = (
+            AccessMiddleware(dispatcher, tokens, shares_of(tokens, parts.shared), parts.queue.turn) if tokens else None
+        )
         hosts = HostCheck.of(parts.settings)
         self._front = RequestContextMiddleware(
-            HostMiddleware(access or inner, hosts), parts.metrics, parts.lifecycle, parts.settings.access_log
+            HostMiddleware(access or dispatcher, hosts),
+            dispatcher.find,
+            parts.metrics,
+            parts.lifecycle,
+            parts.settings.access_log,
         )
         self.quick_lane = QuickLane(parts.waveforms, parts.lifecycle, self._front, hosts, access)
 
@@ -122,33 +126,30 @@ class Application(FastAPI):
         """Serve: HTTP through our own middlewares, the rest (the lifespan) through FastAPI's."""
         await (self._front if scope["type"] == "http" else super().__call__)(scope, receive, send)
 
-    async def _serve_by_router(self, scope: Scope, receive: Receive, send: Send) -> None:
-        # FastAPI's exception middlewares would answer errors in a form of their own; ours is further out.
-        scope["app"] = self
-        await self._routing(scope, receive, send)
+    def _routers(self) -> list[APIRouter]:
+        """The routers of all paths but those of evaluations, which FastAPI describes and does not serve.
 
-    def _include_routers(self, evaluations: Mapping[str, ASGIApp]) -> None:
+        Its router would match every path again, and its exception middlewares answer errors in a form of their own.
+        """
         parts, limits = self.parts, self.parts.settings.limits()
-        self.include_router(model_router(parts.registry, limits))
-        self.include_router(limits_router(limits))
-        self.include_router(manifest_router(parts.registry, limits, parts.maintenance))
         stored = _stored_shares(parts)
         largest_grid = min(parts.settings.max_body_bytes, 8 * parts.settings.max_frequencies)
         largest_analysis = parts.settings.max_analysis_bytes
-        self.include_router(grid_router(parts.grids, parts.waveforms, parts.bodies, largest_grid, stored))
-        self.include_router(analysis_router(parts.analyses, parts.likelihoods, parts.bodies, largest_analysis, stored))
-        self.include_router(health_router(parts.health))
-        self.include_router(explorer_router())
+        routers = [
+            model_router(parts.registry, limits),
+            limits_router(limits),
+            manifest_router(parts.registry, limits, parts.maintenance),
+            grid_router(parts.grids, parts.waveforms, parts.bodies, largest_grid, stored),
+            analysis_router(parts.analyses, parts.likelihoods, parts.bodies, largest_analysis, stored),
+            health_router(parts.health),
+        ]
         if parts.settings.metrics_port is None:
-            self.include_router(metrics_router(parts.metrics))
-        self.router.routes.extend(evaluation_routes(evaluations))
+            routers.append(metrics_router(parts.metrics))
+        for router in routers:
+            self.include_router(router)
         described = openapi_document(self, PATHS, bool(parts.settings.tokens))
         document = msgspec.json.encode(with_likelihoods(described, LIKELIHOOD_PATHS))
-
-        @self.get("/openapi.json", include_in_schema=False)
-        async def show_openapi() -> Response:
-            """The OpenAPI document."""
-            return plain_response(document, "application/json")
+        return [*routers, explorer_router(document)]
 
 
 @asynccontextmanager

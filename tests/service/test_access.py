@@ -77,7 +77,7 @@ def test_every_token_is_compared_also_after_one_was_found(monkeypatch):
     for text in ("the first of three", "the third of three", "none of them"):
         compared.clear()
         with suppress(Unauthorized):
-            middleware.check(new_context([]), [(b"authorization", f"Bearer {text}".encode())], "GET", "/v1/models")
+            middleware.check(new_context([]), [(b"authorization", f"Bearer {text}".encode())], "GET")
         assert compared == [token.sha256 for token in tokens]
 
 
@@ -85,8 +85,7 @@ def test_every_token_is_compared_also_after_one_was_found(monkeypatch):
 def test_what_concerns_everybody_needs_the_scope_admin(server, method, path):
     assert ask(server.address, method, path).status == 401
     assert ask(server.address, method, path, authorization=f"Bearer {SECRET}").status == 403
-    allowed = ask(server.address, method, path, authorization=f"Bearer {OPERATOR}").status
-    assert allowed == (405 if method == "HEAD" else 200)
+    assert ask(server.address, method, path, authorization=f"Bearer {OPERATOR}").status == 200
 
 
 def test_an_operator_evaluates_nothing(server):

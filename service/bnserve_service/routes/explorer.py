@@ -1,4 +1,5 @@
-"""``/`` and ``/docs``: two pages that need nothing from elsewhere, so that they work offline."""
+"""``/`` and ``/docs``: two pages that need nothing from elsewhere, so that they work offline; ``/openapi.json``, which
+the second draws."""
 
 from __future__ import annotations
 
@@ -11,8 +12,8 @@ from bnserve_service.transport.answers import plain_response
 _HTML = "text/html; charset=utf-8"
 
 
-def explorer_router() -> APIRouter:
-    """The paths of the pages."""
+def explorer_router(document: bytes) -> APIRouter:
+    """The paths of the pages and of the OpenAPI document."""
     router = APIRouter(include_in_schema=False)
     pages = files("bnserve_service") / "pages"
     explorer = (pages / "explorer.html").read_bytes()
@@ -27,6 +28,11 @@ def explorer_router() -> APIRouter:
     async def show_reference() -> Response:
         """The reference, drawn from ``/openapi.json``."""
         return _page(reference)
+
+    @router.get("/openapi.json")
+    async def show_openapi() -> Response:
+        """The OpenAPI document."""
+        return plain_response(document, "application/json")
 
     return router
 

@@ -15,9 +15,9 @@ from bnserve_service.shares import Share
 from bnserve_service.transport.answers import Header
 from bnserve_service.transport.context import RequestContext, context_of
 
-PUBLIC_PATHS = frozenset({"/", "/docs", "/openapi.json"})
+PUBLIC_ROUTES = frozenset({"/", "/docs", "/openapi.json"})
 """Pages without data of their own; what they show, they ask for with the visitor's token."""
-ADMIN_PATHS = frozenset({"/metrics", "/v1/reload"})
+ADMIN_ROUTES = frozenset({"/metrics", "/v1/reload"})
 """What concerns everybody who uses this server."""
 _SCOPES: dict[str, TokenScope] = {"POST": "evaluate", "PUT": "upload", "DELETE": "upload"}
 """By method; what only reads needs a token, whatever its scopes."""
@@ -52,11 +52,11 @@ class AccessMiddleware:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
-        if is_public(scope["path"]):
+        context = context_of(scope)
+        if is_public(context.route):
             await self._app(scope, receive, send)
             return
-        context = context_of(scope)
-        needed = self._identify(context, scope["headers"], scope["method"], scope["path"])
+        needed = self._identify(context, scope["headers"], scope["method"])
         await self._turn(context.owner)
         self._check_share(context, needed)
         if context.share is None:
@@ -68,20 +68,20 @@ class AccessMiddleware:
         finally:
             context.share.end()
 
-    def check(self, context: RequestContext, headers: Sequence[Header], method: str, path: str) -> None:
+    def check(self, context: RequestContext, headers: Sequence[Header], method: str) -> None:
         """Find out who asks, and whether he may, now.
 
         Raises
         ------
         Unauthorized, Forbidden, ShareExceeded
         """
-        self._check_share(context, self._identify(context, headers, method, path))
+        self._check_share(context, self._identify(context, headers, method))
 
-    def _identify(self, context: RequestContext, headers: Sequence[Header], method: str, path: str) -> str | None:
+    def _identify(self, context: RequestContext, headers: Sequence[Header], method: str) -> str | None:
         """Find out who asks; the scope that this needs, which he has."""
         token = self._find(headers)
         context.caller, context.owner = token.name, token.sha256
-        needed = "admin" if path in ADMIN_PATHS else _SCOPES.get(method)
+        needed = "admin" if context.route in ADMIN_ROUTES else _SCOPES.get(method)
         if needed is not None and needed not in token.scopes:
             raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")
         context.share = self._shares.get(token.sha256)
@@ -103,6 +103,6 @@ class AccessMiddleware:
         return found[0]
 
 
-def is_public(path: str) -> bool:
-    """Whether a path is answered without a token."""
-    return path in PUBLIC_PATHS or path.startswith("/v2/")
+def is_public(route: str) -> bool:
+    """Whether a route is answered without a token."""
+    return route in PUBLIC_ROUTES or route.startswith("/v2/")

@@ -6,7 +6,7 @@ import logging
 import os
 import re
 import time
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 
@@ -24,6 +24,7 @@ from bnserve_service.errors import (
 )
 from bnserve_service.lifecycle import Lifecycle
 from bnserve_service.metrics import Metrics
+from bnserve_service.printable import printable
 from bnserve_service.shares import Share
 from bnserve_service.transport.answers import Header, body_headers, send_answer
 
@@ -31,6 +32,8 @@ logger = logging.getLogger("bnserve.service")
 access_logger = logging.getLogger("bnserve.access")
 
 _REQUEST_ID = re.compile(rb"[\x21-\x7e]{1,128}")
+_METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "OPTIONS", "PATCH", "TRACE"})
+"""Others are one, in metrics and log: callers may invent them, too."""
 _KEY = "bnserve.request"
 NO_ROUTE = "none"
 _FREE = nullcontext()
@@ -45,7 +48,7 @@ class RequestContext:
     arrived: float
     """``time.monotonic()``."""
     route: str = NO_ROUTE
-    """The route's template, for metrics: a path would let callers invent label values."""
+    """The route's template: what access and metrics go by. A path would let callers invent label values."""
     caller: str = "anonymous"
     owner: str = ""
     """To whom belongs what this request uploads: the digest of the token; without tokens, everybody is one."""
@@ -99,14 +102,19 @@ class RequestContextMiddleware:
     ----------
     app:
         The rest of the service.
+    find:
+        Tells which route a request takes, by its template.
     metrics, lifecycle:
         Where to count, and whether connections are still kept open.
     log_requests:
         Write one line per request to the logger ``bnserve.access``.
     """
 
-    def __init__(self, app: ASGIApp, metrics: Metrics, lifecycle: Lifecycle, log_requests: bool) -> None:
+    def __init__(
+        self, app: ASGIApp, find: Callable[[Scope], str], metrics: Metrics, lifecycle: Lifecycle, log_requests: bool
+    ) -> None:
         self._app = app
+        self._find = find
         self._metrics = metrics
         self._lifecycle = lifecycle
         self._log_requests = log_requests
@@ -123,15 +131,14 @@ class RequestContextMiddleware:
             await send(message)
 
         try:
+            context.route = self._find(scope)
             await self._app(scope, receive, send_with_headers)
         except ClientDisconnected:
             context.status = 499  # the name nginx gave to "the client closed the request"
         except Exception as error:
             await self._answer_error(error, context, send_with_headers)
         finally:
-            if context.route == NO_ROUTE and "route" in scope:
-                context.route = getattr(scope["route"], "path", NO_ROUTE)
-            self.finish(scope["method"], context)
+            self.finish(scope["method"] if scope["method"] in _METHODS else "other", context)
 
     async def _answer_error(self, error: Exception, context: RequestContext, send: Send) -> None:
         if context.status:  # too late for an answer: break the connection, so that nobody takes half of it for a whole
@@ -176,7 +183,7 @@ class RequestContextMiddleware:
             access_logger.info(
                 "%s %s %s %d %.1f ms caller=%s traceparent=%s",
                 context.request_id, method, context.route, context.status, seconds * 1e3, context.caller,
-                context.headers.get(b"traceparent", b"-")[:64].decode("latin-1"),
+                printable(context.headers.get(b"traceparent", b"-")),
             )  # fmt: skip
 
 

@@ -52,7 +52,7 @@ class HostCheck:
             return cls(())
         return cls((settings.host,) if is_loopback(settings.host) else None)
 
-    def check(self, headers: Mapping[bytes, bytes], method: str, path: str) -> None:
+    def check(self, headers: Mapping[bytes, bytes], method: str, route: str) -> None:
         """Look at the headers of one request.
 
         Raises
@@ -61,7 +61,7 @@ class HostCheck:
             With what to configure if the caller is right.
         """
         host = headers.get(b"host", b"")
-        if host != self._known and not path.startswith(_HEALTH):
+        if host != self._known and not route.startswith(_HEALTH):
             self._check_host(host)
         if b"origin" in headers and method not in _READING:
             self._check_origin(headers[b"origin"], host)
@@ -104,7 +104,8 @@ class HostMiddleware:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
-        self._hosts.check(context_of(scope).headers, scope["method"], scope["path"])
+        context = context_of(scope)
+        self._hosts.check(context.headers, scope["method"], context.route)
         await self._app(scope, receive, send)
 
 

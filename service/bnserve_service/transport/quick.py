@@ -89,9 +89,9 @@ class QuickLane:
         assert found is not None, "only what was offered"
         name, version = found[1].decode(), found[2].decode() if found[2] else None
         context.route = PATHS[0] if version is None else PATHS[1]
-        self._hosts.check(context.headers, "POST", url.decode())
+        self._hosts.check(context.headers, "POST", context.route)
         if self._access is not None:
-            self._access.check(context, headers, "POST", url.decode())
+            self._access.check(context, headers, "POST")
         media_type = request_media_type(context.headers)
         answer_type = answer_media_type(context.headers, preferred=media_type)
         context.request_digest = self._service.digest_now(body)
