@@ -13,7 +13,9 @@ import numpy as np
 import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
-from bnserve_service import Settings
+from bnserve_service import Settings, create_app
+from bnserve_service.openapi import openapi_document
+from bnserve_service.routes.waveforms import PATHS
 from bnserve_surrogate import Model as LocalModel
 from tests.deploy.fake_servers import FakeServer, break_off, reply
 from tests.deploy.proxies import CONFIGURATION, haproxy, proxy_before, proxy_environment
@@ -138,7 +140,7 @@ def test_what_changes_nothing_is_asked_of_another_server(before, fault):
 def test_what_may_change_something_is_sent_once(before):
     broken, other = FakeServer(break_off), FakeServer(break_off)
     proxy = before(broken, other)
-    answer = ask(proxy.address, "POST", "/v1/admin/reload", b"{}")
+    answer = ask(proxy.address, "POST", "/v1/models/default", b"{}")
     assert (answer.status, answer.document["retryable"]) == (502, True)
     assert len(broken.requests + other.requests) == 1
 
@@ -175,6 +177,38 @@ def test_bodies_beyond_its_buffer_pass(proxy):
     with Model.connect(proxy.address) as model:
         plus, _ = model.predict(grid, ONE)
     assert plus.tobytes() == LocalModel.default().predict(grid, ONE).plus.tobytes()
+
+
+def test_what_callers_use_passes(before):
+    """Every path of the OpenAPI document but those of operators."""
+    document = openapi_document(create_app(Settings()), PATHS, False)
+    paths = {re.sub(r"{\w+}", "a.b_c-1", path) for path in document["paths"]} - {"/metrics", "/v1/reload"}
+    assert len(paths) > 10
+    server = FakeServer(reply(200))
+    proxy = before(server, states=("UP", "DOWN", "DOWN"))
+    for path in [*paths, "/", "/docs", "/openapi.json", "/v1/models/default/versions/sha256%3Aab/waveforms?x=/metrics"]:
+        assert ask(proxy.address, "GET", path).status == 200, path
+    assert {path for _, path in server.requests} > paths - {"/v2/health/ready"}  # which a fake server does not count
+
+
+OPERATORS = [
+    "/metrics", "/%6detrics", "/metrics%0A", "/metrics%0a%0a", "/metrics%00", "/metrics%20", "/metrics/", "//metrics",
+    "/metrics?x=/v2/health/live", "/METRICS", "/%256detrics", "/metrics;a", "/v2/../metrics",
+    "/v2/health/live/../metrics",
+    "/v2/health/live%0A", "/v2/health/live%00/metrics", "/./metrics", "/metrics%", "/v1/reload", "/v1/reload%0A",
+    "/v1/%72eload", "/v1/./reload", "/v1%2freload", "/v1//reload", "/v1/models%0A", "/docs%0D%0A", "/%0A",
+    "/v1/models/a%0A/waveforms", "/v1/models/a%2Fb%2Fc/waveforms",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["GET", "POST"])
+def test_what_operators_use_and_what_only_looks_like_a_path_does_not_pass(before, method):
+    server = FakeServer(reply(200))
+    proxy = before(server, states=("UP", "DOWN", "DOWN"))
+    for path in [*OPERATORS, *(f"http://localhost{path}" for path in OPERATORS)]:
+        answer = ask(proxy.address, method, path)
+        assert (answer.status, answer.document["code"]) == (404, "gateway"), path
+    assert server.requests == []
 
 
 def test_metrics_of_a_server_chosen_by_chance_are_not_offered(proxy):
