@@ -27,12 +27,13 @@ from tests.service.chirp import ChirpModel, MemorySource, QuickChirpModel, as_it
 ADMIN = [("GET", "/metrics"), ("HEAD", "/metrics"), ("POST", "/v1/reload")]
 CONTROLS = [*(f"%{number:02X}" for number in (*range(32), 127)), "%C2%85", "%C2%80", "%E2%80%A8", "%E2%80%A9"]
 NOT_UTF8 = ["%FF", "%C3", "%C0%AF", "%ED%A0%80"]
-TOKENS = {"none": None, "without scopes": "reader", "evaluate": "sampler", "admin": "operator"}
+READER, SAMPLER, OPERATOR = "the-token-of-a-reader", "the-token-of-a-sampler", "the-token-of-an-operator"
+TOKENS = {"none": None, "without scopes": READER, "evaluate": SAMPLER, "admin": OPERATOR}
 
 
 @pytest.fixture
 def server(start):
-    tokens = (Token.of("reader", scopes=()), Token.of("sampler"), Token.of("operator", scopes=("admin",)))
+    tokens = (Token.of(READER, scopes=()), Token.of(SAMPLER), Token.of(OPERATOR, scopes=("admin",)))
     return start(ChirpModel(), tokens=tokens)
 
 
@@ -79,22 +80,22 @@ def test_what_is_another_path_is_not_found(server, target):
 
 def test_an_encoded_slash_does_not_reach_another_route(server):
     for target in ("/v1/models/chirp%2Fversions", "/v1/models/%2E%2E/limits", "/v1/models/..%2Flimits"):
-        assert asked(server, "GET", target, "sampler").status == 404
+        assert asked(server, "GET", target, SAMPLER).status == 404
 
 
 @pytest.mark.parametrize("model", [ChirpModel, QuickChirpModel])
 def test_both_ways_of_a_question_go_by_the_same_route(start, model):
-    server = start(model(), tokens=(Token.of("sampler"), Token.of("reader", scopes=())))
+    server = start(model(), tokens=(Token.of(SAMPLER), Token.of(READER, scopes=())))
     body = msgpack.packb(question())
     for name, (token, status) in itertools.product(
-        ("chirp", "%63hirp", "%63%68irp"), ((None, 401), ("reader", 403), ("sampler", 200))
+        ("chirp", "%63hirp", "%63%68irp"), ((None, 401), (READER, 403), (SAMPLER, 200))
     ):
         headers = {"content_type": MSGPACK} | ({} if token is None else {"authorization": f"Bearer {token}"})
         assert ask(server.address, "POST", f"/v1/models/{name}/waveforms", body, **headers).status == status
 
 
 def test_routes_are_the_same_inside_another_application():
-    tokens = (Token.of("sampler"), Token.of("operator", scopes=("admin",)))
+    tokens = (Token.of(SAMPLER), Token.of(OPERATOR, scopes=("admin",)))
     inner = create_app(Settings(tokens=tokens), source=MemorySource().add(ChirpModel()), factory=as_it_is)
     transport = httpx.ASGITransport(Starlette(routes=[Mount("/waves", inner)]))
 
@@ -104,7 +105,7 @@ def test_routes_are_the_same_inside_another_application():
             return [
                 (await client.get(path, headers={"authorization": f"Bearer {token}"})).status_code
                 for path in ("/waves/metrics", "/waves/v1/limits", "/waves/nowhere", "/waves/metrics%0A")
-                for token in ("sampler", "operator")
+                for token in (SAMPLER, OPERATOR)
             ] + [(await client.get("/waves/v2/health/live")).status_code]
 
     assert asyncio.run(statuses()) == [403, 200, 200, 200, 404, 404, 400, 400, 200]
