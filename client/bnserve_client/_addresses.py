@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from urllib.parse import urlsplit
 
 from bnserve_protocol import InvalidRequest
 
 _DEFAULT_PORTS = {"http": 80, "https": 443}
+_HOST = re.compile(r"[A-Za-z0-9._~%:-]+")
+"""Names, with what container networks put into them, and addresses of both families, with their zones."""
+_PATH = re.compile(r"[!-~]*")
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +57,10 @@ def parse_addresses(addresses: str | Sequence[str]) -> tuple[Address, ...]:
     InvalidRequest
         Something that is not an address; says how one is written.
     """
-    texts = addresses.split(",") if isinstance(addresses, str) else list(addresses)
+    texts = addresses.split(",") if isinstance(addresses, str) else addresses
+    texts = [*texts] if isinstance(texts, Iterable) else [texts]
+    if not all(isinstance(text, str) for text in texts):
+        raise InvalidRequest("An address is a string such as 'http://localhost:8000'; several are a list of them.")
     parsed = tuple(dict.fromkeys(_parse(text.strip()) for text in texts if text.strip()))
     if not parsed:
         raise InvalidRequest("No address was given; write for example 'http://localhost:8000'.")
@@ -63,7 +70,7 @@ def parse_addresses(addresses: str | Sequence[str]) -> tuple[Address, ...]:
 def _parse(text: str) -> Address:
     if text.startswith("unix:"):
         path = text.removeprefix("unix:").removeprefix("//")
-        if not path:
+        if not path or "\0" in path:
             raise InvalidRequest("A Unix socket address is written 'unix:/path/to/socket'.")
         return Address(text=text, scheme="unix", socket_path=path)
     try:
@@ -79,10 +86,30 @@ def _parse(text: str) -> Address:
         raise InvalidRequest(
             f"The address of '{parts.hostname}' must not carry a query, fragment or password; pass token=... instead."
         )
+    if not _PATH.fullmatch(parts.path):
+        raise InvalidRequest(
+            f"The path '{parts.path}' of the address '{text}' must be percent-encoded ASCII, without spaces."
+        )
     return Address(
         text=text,
         scheme=parts.scheme,
-        host=parts.hostname,
+        host=_host(parts.hostname, text),
         port=port if port is not None else _DEFAULT_PORTS[parts.scheme],
         path_prefix=parts.path.rstrip("/"),
     )
+
+
+def _host(name: str, text: str) -> str:
+    """The name of a host as it is looked up and sent, in ASCII."""
+    try:
+        host = name.encode("idna").decode("ascii")
+    except UnicodeError as error:
+        host, reason = "", f": {error.__cause__ or error}"
+    else:
+        reason = ""
+    if not _HOST.fullmatch(host):
+        raise InvalidRequest(
+            f"'{name}' in the address '{text}' is not the name of a host{reason}. A name is made of labels of at most "
+            "63 letters, digits and '-', with a dot between two."
+        )
+    return host

@@ -22,6 +22,7 @@ from bnserve_protocol import (
     WaveformAnswer,
     content_digest,
     decode_answer,
+    printable,
     refuse_repeated_keys,
 )
 
@@ -106,8 +107,9 @@ def check_model(answered: ModelIdentity, where: str, model: ModelIdentity) -> No
     AnswerCorrupted
     """
     if answered != model:
+        other = printable(f"{answered.name} {answered.version} ({answered.digest})")
         raise AnswerCorrupted(
-            f"{where} answered with {answered.name} {answered.version} ({answered.digest}), but this model "
+            f"{where} answered with {other}, but this model "
             f"is pinned to {model.name} {model.version} ({model.digest}). Connect again to use the other one."
         )
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import time
+
 from bnserve_client._messages import Send
-from bnserve_protocol import BnserveError, ConnectionFailed, NotBnserve
+from bnserve_protocol import BnserveError, ConnectionFailed, NotBnserve, printable
 
 
 class TransportFailure(Exception):
@@ -31,6 +33,8 @@ def explain(failure: Exception, send: Send) -> BnserveError:
         return ConnectionFailed(f"{where} closed the connection without an answer; the server may be stopping.")
     if isinstance(failure, Broken | ConnectionResetError | BrokenPipeError):
         return ConnectionFailed(f"{where} closed the connection in the middle of an answer; it may have been stopped.")
+    if isinstance(failure, TimeoutError) and time.monotonic() >= send.deadline:
+        return ConnectionFailed(f"{where} did not finish its answer in that time; allow more with timeout=...")
     if isinstance(failure, TimeoutError):
         return ConnectionFailed(
             f"{where} gave no sign of life within {send.silence:g} s; check the server and the network, "
@@ -45,8 +49,8 @@ def explain(failure: Exception, send: Send) -> BnserveError:
 def not_bnserve(where: str, reason: str) -> NotBnserve:
     """What answered is something else; ``reason`` completes "The answer is not from bnserve: ..."."""
     return NotBnserve(
-        f"What answers at {where} is not bnserve: {reason}. Check the address, the port and any proxy in between "
-        "(and whether it is http:// or https://)."
+        f"What answers at {where} is not bnserve: {printable(reason)}. Check the address, the port and any proxy in "
+        "between (and whether it is http:// or https://)."
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import socket
 import time
@@ -10,12 +11,14 @@ from typing import Any
 
 import httpx
 
+from bnserve_client import _httpx_deadline
 from bnserve_client._addresses import Address
 from bnserve_client._failures import Broken, Malformed, Stale, TransportFailure, explain
 from bnserve_client._messages import HttpResponse, Send
 from bnserve_client._sources import Source
 
 _CONNECT_SECONDS = 5.0
+_FAILURES = (httpx.RequestError, httpx.InvalidURL, OSError, TransportFailure)
 
 
 class HttpxTransport:
@@ -35,13 +38,14 @@ class HttpxTransport:
     def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`."""
         try:
-            with self._client.stream(**_arguments(send)) as answer:
+            arguments = _arguments(send) | {"extensions": {"trace": _httpx_deadline.trace}}
+            with _httpx_deadline.until(send.deadline), self._client.stream(**arguments) as answer:
                 self._sockets.remember(answer)
                 collector = _Collector(send, answer)
                 for piece in answer.iter_bytes():
                     collector.add(piece)
                 return collector.response()
-        except (httpx.TransportError, OSError, TransportFailure) as failure:
+        except _FAILURES as failure:
             raise explain(_translated(failure), send) from failure
 
     def close(self) -> None:
@@ -71,13 +75,13 @@ class AsyncHttpxTransport:
     async def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`."""
         try:
-            async with self._client.stream(**_arguments(send)) as answer:
+            async with asyncio.timeout(_left(send)), self._client.stream(**_arguments(send)) as answer:
                 self._sockets.remember(answer)
                 collector = _Collector(send, answer)
                 async for piece in answer.aiter_bytes():
                     collector.add(piece)
                 return collector.response()
-        except (httpx.TransportError, OSError, TransportFailure) as failure:
+        except _FAILURES as failure:
             raise explain(_translated(failure), send) from failure
 
     async def close(self) -> None:
@@ -141,9 +145,7 @@ class _Collector:
 
 def _arguments(send: Send) -> dict[str, Any]:
     request = send.request
-    allowed = min(send.silence, send.deadline - time.monotonic())
-    if allowed <= 0.0:
-        raise TimeoutError
+    allowed = min(send.silence, _left(send))
     return {
         "method": request.method,
         "url": send.address.base_url + request.path,
@@ -152,6 +154,13 @@ def _arguments(send: Send) -> dict[str, Any]:
         "timeout": httpx.Timeout(allowed, connect=min(allowed, _CONNECT_SECONDS)),
         "follow_redirects": False,
     }
+
+
+def _left(send: Send) -> float:
+    left = send.deadline - time.monotonic()
+    if left <= 0.0:
+        raise TimeoutError
+    return left
 
 
 def _translated(failure: Exception) -> Exception:

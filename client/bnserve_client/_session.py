@@ -67,6 +67,10 @@ def model_path(name: str, version: str) -> str:
     return f"/v1/models/{quote(name, safe='')}/versions/{quote(version, safe=':')}"
 
 
+def _is_name(text: str) -> bool:
+    return isinstance(text, str) and bool(text) and text.isprintable()
+
+
 class _ModelDocument(ModelDescription, frozen=True, kw_only=True):
     """``GET /v1/models/{name}/versions/{version or label}``."""
 
@@ -100,7 +104,7 @@ class Session:
         ------
         ModelUnknown, DigestUnknown, NotBnserve, ConnectionFailed, Unauthorized, InvalidRequest
         """
-        if not name or not version:
+        if not (_is_name(name) and _is_name(version)):
             raise ModelUnknown("A model has a name and a version or label, such as 'default' and 'stable'.")
         if digest is not None:
             check_model_digest(digest)
@@ -109,7 +113,7 @@ class Session:
         if digest is not None and found.digest == digest and version not in (found.version, *found.labels):
             raise DigestUnknown(f"The digest {digest} is that of '{name}' {found.version}, not of {version}.")
         right = found.version == found.labels.get(version, version) if digest is None else found.digest == digest
-        if found.name != name or not right:
+        if found.name != name or not right or not (found.version.isprintable() and found.digest.isprintable()):
             raise not_bnserve(patience.address.text, f"asked for the model '{name}' {version}, it describes another")
         fields = {field: getattr(found, field) for field in ModelDescription.__struct_fields__}
         return Pinned(description=ModelDescription(**fields), limits=found.limits, by_digest=digest is not None)

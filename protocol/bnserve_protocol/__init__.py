@@ -120,6 +120,7 @@ from bnserve_protocol._parameters import (
     ParameterBatch,
     ParametersWithExtrinsic,
 )
+from bnserve_protocol._printable import printable
 from bnserve_protocol._problem import Problem
 from bnserve_protocol._requests import (
     JSON,
@@ -264,6 +265,7 @@ __all__ = [
     "likelihood_nodes",
     "likelihood_samples",
     "plain_grid",
+    "printable",
     "refuse_repeated_keys",
     "refuse_rows",
     "request_digest",

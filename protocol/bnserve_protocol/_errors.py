@@ -51,6 +51,8 @@ from typing import Any, ClassVar
 
 import msgspec
 
+from bnserve_protocol._printable import printable
+
 
 class FieldError(msgspec.Struct, frozen=True, omit_defaults=True):
     """One thing that is wrong: where it is, what it was, why it was refused."""
@@ -67,6 +69,9 @@ _LONGEST_DETAIL = 2000
 
 class BnserveError(Exception):
     """Base of every error raised by bnserve on purpose.
+
+    Its texts may quote anybody: a caller's names, a server's answer. What a terminal would not print as it is but obey
+    (escapes, control characters) is written out in them.
 
     Parameters
     ----------
@@ -94,14 +99,23 @@ class BnserveError(Exception):
     ) -> None:
         if len(detail) > _LONGEST_DETAIL:
             detail = detail[:_LONGEST_DETAIL] + " ..."
+        detail = printable(detail, keep="\n\t")
         super().__init__(detail)
         self.detail = detail
-        self.errors = tuple(errors)
+        self.errors = tuple(map(_harmless, errors))
         self.retry_after = retry_after
-        self.request_id = request_id
+        self.request_id = None if request_id is None else printable(request_id)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _rebuild, (type(self), self.detail, self.errors, self.retry_after, self.request_id)
+
+
+def _harmless(problem: FieldError) -> FieldError:
+    texts = {name: getattr(problem, name) for name in ("reason", "parameter", "value")}
+    changed = {
+        name: printable(text) for name, text in texts.items() if isinstance(text, str) and not text.isprintable()
+    }
+    return msgspec.structs.replace(problem, **changed) if changed else problem
 
 
 def _rebuild(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from bnserve_protocol._errors import ERRORS_BY_CODE, BnserveError, FieldError
+from bnserve_protocol._printable import printable
 
 
 class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
@@ -44,8 +45,9 @@ class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
     def to_error(self, retry_after: float | None = None) -> BnserveError:
         """Rebuild the exception; an unknown code (from a newer service) becomes plain ``BnserveError``.
 
-        ``retry_after`` is that of the header, for services that do not say it more exactly.
+        ``retry_after`` is that of the header, for services that do not say it more exactly. Line breaks in the detail
+        are written out: another's text cannot begin a line that looks like one of ours.
         """
         cls = ERRORS_BY_CODE.get(self.code, BnserveError)
         exact = self.retry_after if self.retry_after is not None and self.retry_after >= 0.0 else retry_after
-        return cls(self.detail, errors=self.errors, retry_after=exact, request_id=self.request_id)
+        return cls(printable(self.detail), errors=self.errors, retry_after=exact, request_id=self.request_id)

@@ -95,6 +95,31 @@ def hang(seconds):
     return fault
 
 
+class Drip:
+    """Sends the head, or the body after it, byte by byte, until the client is gone."""
+
+    def __init__(self, *, of_head, seconds=0.02):
+        self._of_head, self._seconds = of_head, seconds
+        self.begun, self.ended = threading.Event(), threading.Event()
+        self.was_cut_off = False
+
+    def __call__(self, handler, reply):
+        data = raw(handler, reply)
+        head = len(data) - len(reply.body)
+        start, stop = (0, head) if self._of_head else (head, len(data))
+        handler.close_connection = True
+        try:
+            handler.wfile.write(data[:start])
+            for byte in data[start:stop]:
+                handler.wfile.write(bytes([byte]))
+                self.begun.set()
+                time.sleep(self._seconds)
+            handler.wfile.write(data[stop:])
+        except OSError:
+            self.was_cut_off = True
+        self.ended.set()
+
+
 def flip_bit(position):
     """Flip one bit of the answer, counted from its first byte (negative: from its end)."""
 

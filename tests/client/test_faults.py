@@ -4,10 +4,11 @@ import msgspec
 import numpy as np
 import pytest
 
-from bnserve_client import BnserveError, ConnectionFailed, DeadlineExceeded, NotBnserve, Unavailable
+from bnserve_client import BnserveError, ConnectionFailed, DeadlineExceeded, Model, NotBnserve, Unavailable
 from bnserve_protocol import (
     AnswerCorrupted,
     Draining,
+    FieldError,
     InternalError,
     ModelUnknown,
     Overloaded,
@@ -17,6 +18,7 @@ from bnserve_protocol import (
     TooLarge,
     Unauthorized,
     UnsupportedMediaType,
+    encode_array,
 )
 from bnserve_protocol import DeadlineExceeded as LateAnswer
 from tests.client import scripted_server as faults
@@ -220,6 +222,41 @@ def test_an_unknown_problem_code_of_a_newer_service_is_an_error_of_ours(server, 
     server.faults.append(faults.instead(499, body, content_type="application/problem+json"))
     with pytest.raises(BnserveError, match=r"It is new\."):
         model.predict(FREQUENCIES, ONE)
+
+
+STATUS = msgspec.Raw(b"".join(encode_array(np.zeros(1, np.uint8))))
+ESCAPE = "\x1b]0;owned\x07\r\n\x9b2J"
+SPEAKING = {
+    "a problem": problem(ModelUnknown(ESCAPE, errors=[FieldError(reason=ESCAPE, parameter=ESCAPE)]), 404),
+    "a problem of a code of its own": faults.instead(
+        418, msgspec.json.encode({"type": ESCAPE, "title": ESCAPE, "status": 418, "detail": ESCAPE, "code": ESCAPE}),
+        content_type="application/problem+json",
+    ),
+    "a redirection": faults.send_bytes(b"HTTP/1.1 302 Found\r\nLocation: \x1b[2J\x9b\r\nContent-Length: 0\r\n\r\n"),
+    "a model of another name": faults.instead(200, msgspec.msgpack.encode(
+        {"model": {"name": ESCAPE, "version": ESCAPE, "digest": ""}, "status": STATUS}
+    )),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("fault", SPEAKING.values(), ids=SPEAKING)
+def test_nothing_that_a_server_says_reaches_the_terminal_as_an_escape(server, connect, fault):
+    model = connect(server.address, retries=0)
+    server.faults.extend([fault] * 6)
+    with pytest.raises(BnserveError) as raised:
+        model.predict(FREQUENCIES, ONE)
+    error = raised.value
+    assert "".join([str(error), repr(error), str(error.errors), error.request_id or ""]).isprintable()
+
+
+@pytest.mark.parametrize("field", ["version", "digest"])
+def test_a_model_whose_name_is_an_escape_is_not_bnserves(server, field):
+    described = server.service.model.description
+    server.service.model.description = msgspec.structs.replace(described, **{field: "\x1b[2J"})
+    server.service.labels["stable"] = server.service.model.description.version
+    with pytest.raises(NotBnserve) as raised:
+        Model.connect(server.address, retries=0)
+    assert str(raised.value).isprintable()
 
 
 def test_unavailability_has_one_name():

@@ -1,13 +1,24 @@
 """The same conversation over plain sockets, Unix sockets, httpx, and transports that the user injects."""
 
+import asyncio
+import socket
 import socketserver
 import threading
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import httpx
 import numpy as np
 import pytest
 
-from bnserve_client import ConnectionFailed, NotBnserve, ParametersWithExtrinsic
+from bnserve_client import (
+    AsyncModel,
+    ConnectionFailed,
+    DeadlineExceeded,
+    Model,
+    NotBnserve,
+    ParametersWithExtrinsic,
+)
 from bnserve_client._addresses import parse_addresses
 from bnserve_client._connections import uses_plain_sockets
 from tests.client import scripted_server as faults
@@ -126,3 +137,87 @@ def test_addresses_keep_their_prefix_and_their_port():
     first, second = parse_addresses("https://gateway/bnserve/, http://[::1]:8000")
     assert first.base_url == "https://gateway/bnserve"
     assert second.base_url == "http://[::1]:8000"
+
+
+WAYS = {
+    "plain sockets": None,
+    "httpx": httpx.HTTPTransport,
+    "a client of the user's": lambda: httpx.Client(http1=True),
+    "a transport around another": lambda: Around(httpx.HTTPTransport(retries=1)),
+}
+
+
+class Around(httpx.BaseTransport):
+    """What users put around a transport, to authenticate say."""
+
+    def __init__(self, inner):
+        self._inner = inner
+
+    def handle_request(self, request):
+        return self._inner.handle_request(request)
+
+    def close(self):
+        self._inner.close()
+
+
+@pytest.mark.parametrize("of_head", [True, False], ids=["the head", "the body"])
+@pytest.mark.parametrize("transport", WAYS.values(), ids=WAYS)
+def test_a_server_that_drips_is_given_up_at_the_timeout(server, connect, transport, of_head):
+    """Byte by byte it is never silent; without a limit of the whole it would have an answer in the end."""
+    model = connect(server.address, transport=transport, timeout=0.5, silence=0.3)
+    drip = faults.Drip(of_head=of_head)
+    server.faults.append(drip)
+    with pytest.raises(DeadlineExceeded, match=r"timeout of 0\.5 s.*did not finish its answer in that time"):
+        model.predict(FREQUENCIES, ONE)
+    assert same(model.predict(FREQUENCIES, ONE), RIGHT)
+    assert drip.ended.wait(60.0)
+    assert drip.was_cut_off
+
+
+@pytest.mark.parametrize("of_head", [True, False], ids=["the head", "the body"])
+@pytest.mark.parametrize("transport", [None, httpx.AsyncHTTPTransport, httpx.AsyncClient], ids=str)
+def test_asynchronous_models_give_up_a_server_that_drips(server, transport, of_head):
+    drip = faults.Drip(of_head=of_head)
+
+    async def run():
+        async with await AsyncModel.connect(server.address, transport=transport, timeout=0.5, silence=0.3) as model:
+            server.faults.append(drip)
+            with pytest.raises(DeadlineExceeded, match=r"timeout of 0\.5 s.*did not finish its answer in that time"):
+                await model.predict(FREQUENCIES, ONE)
+            assert same(await model.predict(FREQUENCIES, ONE), RIGHT)
+
+    asyncio.run(run())
+    assert drip.ended.wait(60.0)
+    assert drip.was_cut_off
+
+
+def test_a_server_that_drips_is_given_up_while_others_are_answered(server, connect):
+    """The deadline belongs to the request, not to the client that several threads share."""
+    with httpx.Client() as shared, ThreadPoolExecutor(2) as threads:
+        patient = connect(server.address, transport=shared, timeout=60.0)
+        hurried = connect(server.address, transport=shared, timeout=0.5)
+        drip = faults.Drip(of_head=True, seconds=0.003)
+        server.faults.append(drip)
+        slow = threads.submit(patient.predict, FREQUENCIES, ONE)
+        assert drip.begun.wait(60.0)
+        assert same(hurried.predict(FREQUENCIES, ONE), RIGHT)
+        assert same(slow.result(), RIGHT)
+        assert not drip.was_cut_off
+        server.faults.append(drip := faults.Drip(of_head=True))
+        with pytest.raises(DeadlineExceeded):
+            hurried.predict(FREQUENCIES, ONE)  # on a connection that the other may have opened
+        assert drip.ended.wait(60.0)
+        assert drip.was_cut_off
+
+
+def test_a_server_that_does_not_read_is_given_up_at_the_timeout(connect, server):
+    """A large request, written in pieces, each of which the server could take in time."""
+    grid = np.linspace(20.0, 1024.0, 200_000)
+    model = connect(server.address, transport=httpx.HTTPTransport, timeout=2.0)
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        address = "http://{}:{}".format(*listening.getsockname())
+        stuck = Model(replace(model._remote.settings, addresses=parse_addresses(address), timeout=0.5),
+                      model._remote.pinned, model._source)  # fmt: skip
+        with pytest.raises(DeadlineExceeded):
+            stuck.predict_batch(grid, binaries(3))
+        stuck.close()
