@@ -143,8 +143,8 @@ class WaveformService:
         return self._promised.total
 
     @contextmanager
-    def reserve(self, question: Question, owner: str = "") -> Iterator[None]:
-        """Hold memory for an answer until it has been sent.
+    def reserve(self, question: Question, owner: str = "") -> Iterator[Callable[[int], None]]:
+        """Hold memory for an answer until it has been sent, or so many bytes less as the yielded function is told.
 
         Raises
         ------
@@ -154,11 +154,19 @@ class WaveformService:
         size = question.answer_bytes
         if self._promised.total and not (self._promised.fits(size) or self._promised.may_displace(owner, size)):
             raise Overloaded("Too many large answers are under way; try again shortly.", retry_after=1.0)
+        left = size
+
+        def give_back(nbytes: int) -> None:
+            nonlocal left
+            nbytes = min(nbytes, left)
+            left -= nbytes
+            self._promised.remove(owner, nbytes)
+
         self._promised.add(owner, size)
         try:
-            yield
+            yield give_back
         finally:
-            self._promised.remove(owner, size)
+            give_back(left)
 
     def foresee(self, size: int, deadline: float | None, owner: str = "") -> None:
         """Refuse a body of ``size`` bytes before it is decoded, if others of its kind would be refused now.

@@ -160,6 +160,9 @@ class Settings(BaseModel):
     body_timeout: float = Field(default=30.0, gt=0)
     write_timeout: float = Field(default=30.0, gt=0)
     """A client that takes nothing for this long is cut off."""
+    write_rate: int = Field(default=2**19, ge=1)
+    """Bytes per second at which a client has to take its answer, on the whole: one of n bytes is taken within
+    write_timeout + n / write_rate, or the client is cut off. About as fast as the largest body has to come."""
     keep_alive: float = Field(default=75.0, gt=0)
     """Longer than the idle time of common client pools, so that they rarely meet a connection being closed."""
     drain_grace: float = Field(default=2.0, ge=0)

@@ -52,11 +52,11 @@ class WaveformEndpoint:
             )
             self._service.learn(len(body), question, context.owner)
             del body
-        with context.paying(len(question.batch)), self._service.reserve(question, context.owner):
+        with context.paying(len(question.batch)), self._service.reserve(question, context.owner) as give_back:
             job = self._service.submit(question, deadline, context.owner)
             packed = await self._wait(job, receive)
             headers = answer_headers(packed, answer_type, job.submitted)
-            await send_answer(send, 200, headers, packed.parts)
+            await send_answer(send, 200, headers, packed.parts, give_back)
 
     async def _wait(self, job: Job[Question, Packed], receive: Receive) -> Packed:
         if job.quick:

@@ -24,6 +24,7 @@ from bnserve_service.transport.framing import (
     reason_of,
     without_upgrade,
 )
+from bnserve_service.transport.pace import Pace
 from bnserve_service.transport.quick import QUICK_BODY, QuickLane
 
 _BODY_MARGIN = 2.0
@@ -64,8 +65,10 @@ class BoundedProtocol(HttpToolsProtocol):
     header_timeout: float = 10.0
     body_timeout: float = 30.0
     write_timeout: float = 30.0
+    write_rate: float = 2.0**19
     lane: QuickLane | None = None
     complaints: Complaints
+    _pace: Pace
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
@@ -79,17 +82,17 @@ class BoundedProtocol(HttpToolsProtocol):
         """The body of a request that is for the quick lane if it comes in one piece with its headers."""
         self._waiting = _Waiting.NOTHING
         self._read_timer: asyncio.TimerHandle | None = None
-        self._write_timer: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # as in uvicorn
         """A connection was opened: its first headers are due."""
         super().connection_made(transport)
+        self._pace = Pace(transport, self.write_timeout, self.write_rate)
         self._watch()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """The connection is gone."""
         self._arm(_Waiting.NOTHING)
-        self._stop_write_timer()
+        self._pace.stop()
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
@@ -219,18 +222,23 @@ class BoundedProtocol(HttpToolsProtocol):
         super().on_response_complete()
         if self._refused and was_last:
             self.transport.close()
-        elif not self.transport.is_closing():
+        if not self.transport.is_closing():
             self._watch()
+        self._pace.wait_if_closing()
+
+    def timeout_keep_alive_handler(self) -> None:
+        """Nothing was asked for too long."""
+        super().timeout_keep_alive_handler()
+        self._pace.wait_if_closing()
 
     def pause_writing(self) -> None:
-        """The peer does not take its answer as fast as it comes: it has ``write_timeout`` to go on."""
+        """The peer does not take its answer as fast as it comes."""
         super().pause_writing()
-        if self._write_timer is None:
-            self._write_timer = self.loop.call_later(self.write_timeout, self._abort)
+        self._pace.wait()
 
     def resume_writing(self) -> None:
         """The peer took what was waiting."""
-        self._stop_write_timer()
+        self._pace.go_on()
         super().resume_writing()
 
     def _refuse(self, error: Exception) -> None:
@@ -292,11 +300,6 @@ class BoundedProtocol(HttpToolsProtocol):
             }[waiting]
             self._read_timer = self.loop.call_later(seconds, self._abort)
 
-    def _stop_write_timer(self) -> None:
-        if self._write_timer is not None:
-            self._write_timer.cancel()
-            self._write_timer = None
-
     def _abort(self) -> None:
         self.transport.abort()
 
@@ -309,5 +312,6 @@ def bounded_protocol(settings: Settings, lane: QuickLane | None = None) -> type[
         "header_timeout": settings.header_timeout,
         "body_timeout": settings.body_timeout,
         "write_timeout": settings.write_timeout,
+        "write_rate": settings.write_rate,
     }
     return type("ConfiguredProtocol", (BoundedProtocol,), limits)
