@@ -12,6 +12,7 @@ from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Rang
 from bnserve_inference._calibrated_basis import CalibratedBasis, calibration_error, refuse_uncalibrated
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import FiducialBasis
+from bnserve_inference._units import in_units
 from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights, time_table
 from bnserve_protocol import (
     Analysis,
@@ -46,6 +47,7 @@ class Basis(Protocol):
         """Rows of abs(h)**2 on the grid, piece by piece, ``(Q, m)``."""
 
 
+@in_units(trigger_time="s", f_min="Hz", f_max="Hz")
 def full_analysis(
     data: Sequence[DetectorData],
     *,
@@ -83,6 +85,7 @@ def full_analysis(
     return Analysis(settings=band.settings("full", alignment, options), arrays=arrays)
 
 
+@in_units(trigger_time="s")
 def roq_analysis(
     data: Sequence[DetectorData],
     *,
@@ -128,6 +131,7 @@ def roq_analysis(
     return _reduced("roq", band, basis, model, alignment, options, reference, digest)
 
 
+@in_units(trigger_time="s", f_min="Hz", f_max="Hz", phase_tolerance="rad")
 def relative_binning_analysis(
     data: Sequence[DetectorData],
     *,

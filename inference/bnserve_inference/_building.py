@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import sidereal_time
+from bnserve_inference._units import real_ranges
 from bnserve_protocol import (
     AnalysisInvalid,
     AnalysisKind,
@@ -33,7 +34,8 @@ class LikelihoodOptions:
     Parameters
     ----------
     prior:
-        Ranges by name outside of which the log-likelihood is -inf. ``coalescence_time`` is relative to the trigger;
+        Ranges by name outside of which the log-likelihood is -inf, in the parameters' units, to which those that carry
+        another one are converted. ``coalescence_time`` is relative to the trigger;
         kinds other than the full one need it.
     phase_marginalisation:
         Over a uniform prior of the reference phase.
@@ -48,6 +50,9 @@ class LikelihoodOptions:
     time_marginalisation: TimeMarginalisation | None = None
     distance_marginalisation: DistanceMarginalisation | None = None
     calibration: Calibration | None = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "prior", real_ranges(self.prior))
 
 
 class Band:

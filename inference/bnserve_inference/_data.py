@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from bnserve_inference._detectors import Detector
+from bnserve_inference._units import ASD_UNIT, real, real_or_complex
 from bnserve_protocol import AnalysisInvalid, FieldError
 
 
@@ -44,7 +45,10 @@ class DetectorData:
     duration: float
 
     def __post_init__(self) -> None:
-        strain, asd = _vector("strain", self.strain, np.complex128), _vector("asd", self.asd, np.float64)
+        strain = _vector("strain", real_or_complex("strain", self.strain, "1/Hz"), np.complex128)
+        asd = _vector("asd", np.asarray(real("asd", self.asd, ASD_UNIT)), np.float64)
+        for name in ("start_time", "duration"):
+            object.__setattr__(self, name, real(name, getattr(self, name), "s"))
         if len(strain) != len(asd):
             raise AnalysisInvalid(
                 f"The strain of {self.name} has {len(strain)} frequencies and its ASD has {len(asd)}; both must be "
@@ -115,11 +119,7 @@ class DetectorData:
             )
 
 
-def _vector(name: str, value: ArrayLike, dtype: type) -> NDArray[Any]:
-    try:
-        array: NDArray[Any] = np.ascontiguousarray(value, dtype=dtype)
-    except (TypeError, ValueError) as error:
-        raise AnalysisInvalid(f"The {name} of a detector must be a vector of numbers.") from error
-    if np.ndim(value) != 1 or len(array) == 0:
-        raise AnalysisInvalid(f"The {name} of a detector must be a vector; got shape {np.shape(value)}.")
-    return array
+def _vector(name: str, array: NDArray[Any], dtype: type) -> NDArray[Any]:
+    if array.ndim != 1 or len(array) == 0:
+        raise AnalysisInvalid(f"The {name} of a detector must be a vector; got shape {array.shape}.")
+    return np.ascontiguousarray(array, dtype=dtype)

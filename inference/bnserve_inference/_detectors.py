@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._errors import DetectorsMissing
+from bnserve_inference._units import in_units, real
 from bnserve_protocol import AnalysisInvalid, FieldError
 
 
@@ -26,6 +27,10 @@ class Detector:
     name: str
     response: NDArray[np.float64]
     location: NDArray[np.float64]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "response", real("response", self.response, "1"))
+        object.__setattr__(self, "location", real("location", self.location, "m"))
 
     @classmethod
     def named(cls, name: str) -> Detector:
@@ -50,6 +55,7 @@ class Detector:
         return cls(name=name, response=response, location=np.array(known[name].location, dtype=np.float64))
 
 
+@in_units(gps="s")
 def sidereal_time(gps: float) -> tuple[float, float]:
     """Greenwich mean sidereal time at a GPS time in radians, within [0, 2 pi), and its rate in radians per second.
 

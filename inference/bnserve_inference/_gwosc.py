@@ -8,6 +8,7 @@ import h5py
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._units import in_units
 from bnserve_protocol import AnalysisInvalid
 
 ROLL_OFF = 0.4
@@ -37,6 +38,7 @@ def read_gwosc(path: str | Path) -> tuple[NDArray[np.float64], float, float]:
     return strain, start, interval
 
 
+@in_units(strain="1", interval="s", roll_off="s")
 def fourier_strain(strain: NDArray[np.float64], interval: float, roll_off: float = ROLL_OFF) -> NDArray[np.complex128]:
     """Fourier transform of windowed strain, ``(n // 2 + 1,)`` in 1/Hz: ``rfft(window * strain) * interval``.
 
@@ -71,6 +73,7 @@ def tukey_window(samples: int, flank: float) -> NDArray[np.float64]:
     return np.where(distance < flank, 0.5 * (1.0 - np.cos(np.pi * np.minimum(distance / flank, 1.0))), 1.0)
 
 
+@in_units(start_time="s", duration="s", roll_off="s")
 def gwosc_segment(
     path: str | Path, start_time: float, duration: float, roll_off: float = ROLL_OFF
 ) -> NDArray[np.complex128]:

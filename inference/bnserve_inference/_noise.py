@@ -7,9 +7,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bnserve_inference._units import ASD_UNIT, in_units
 from bnserve_protocol import AnalysisInvalid
 
 
+@in_units(frequencies="Hz", asd=ASD_UNIT, duration="s")
 def interpolate_asd(frequencies: ArrayLike, asd: ArrayLike, duration: float, points: int) -> NDArray[np.float64]:
     """An ASD at k / duration, k below ``points``: linear in log-log between the given frequencies, infinite outside.
 
@@ -40,6 +42,7 @@ def interpolate_asd(frequencies: ArrayLike, asd: ArrayLike, duration: float, poi
     return result
 
 
+@in_units(duration="s")
 def read_asd(path: str | Path, duration: float, points: int, *, psd: bool = False) -> NDArray[np.float64]:
     """An ASD (or, with ``psd``, a PSD) from a text file of two columns, Hz and value; see :func:`interpolate_asd`.
 
@@ -58,6 +61,7 @@ def read_asd(path: str | Path, duration: float, points: int, *, psd: bool = Fals
     return interpolate_asd(columns[:, 0], values, duration, points)
 
 
+@in_units(asd=ASD_UNIT, duration="s")
 def gaussian_noise(
     asd: NDArray[np.float64], duration: float, seed: int | np.random.Generator
 ) -> NDArray[np.complex128]:

@@ -12,6 +12,7 @@ from bnserve_inference._calibration import calibration_splines
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import Detector, sidereal_time
 from bnserve_inference._noise import gaussian_noise
+from bnserve_inference._units import in_units
 from bnserve_protocol import (
     AnalysisInvalid,
     Calibration,
@@ -25,6 +26,7 @@ LIGHT_SPEED = 299792458.0
 """Metres per second."""
 
 
+@in_units(right_ascension="rad", declination="rad", polarization_angle="rad", sidereal="rad")
 def antenna_pattern(
     detector: Detector, right_ascension: float, declination: float, polarization_angle: float, sidereal: float
 ) -> tuple[float, float]:
@@ -39,6 +41,7 @@ def antenna_pattern(
     return float(x @ response @ x - y @ response @ y), float(x @ response @ y + y @ response @ x)
 
 
+@in_units(right_ascension="rad", declination="rad", sidereal="rad")
 def time_delay(detector: Detector, right_ascension: float, declination: float, sidereal: float) -> float:
     """Seconds by which a signal arrives later at the detector than at the centre of the Earth."""
     hour_angle = sidereal - right_ascension
@@ -47,6 +50,7 @@ def time_delay(detector: Detector, right_ascension: float, declination: float, s
     return -float(direction @ detector.location) / LIGHT_SPEED
 
 
+@in_units(frequencies="Hz", trigger_time="s")
 def detector_strain(
     detector: Detector,
     frequencies: NDArray[np.float64],
@@ -84,6 +88,7 @@ def detector_strain(
     return result
 
 
+@in_units(trigger_time="s", start_time="s", duration="s", f_min="Hz")
 def simulate_data(
     detectors: Sequence[Detector | str],
     asds: Sequence[NDArray[np.float64]],

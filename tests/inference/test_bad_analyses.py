@@ -48,7 +48,7 @@ BAD_DATA = {
     ),
     "lengths": (lambda d: {"asd": d.asd[:-1]}, "8193 frequencies and its ASD has 8192"),
     "a matrix": (lambda d: {"strain": d.strain[None], "asd": d.asd}, "vector"),
-    "words": (lambda d: {"strain": ["a"] * len(d.strain)}, "vector of numbers"),
+    "words": (lambda d: {"strain": ["a"] * len(d.strain)}, "must be numbers in 1/Hz; it holds text"),
     "another duration": (lambda d: {"duration": 2.0 * DURATION}, "one duration"),
     "no duration": (lambda d: {"duration": 0.0}, "duration positive"),
     "an unknown detector": (lambda d: {"detector": "Q9"}, "LAL knows no detector 'Q9'"),
