@@ -1,0 +1,41 @@
+"""Import every module of every room, but for those that belong to an extra that is not installed; prints how many."""
+
+import importlib
+import pkgutil
+import sys
+
+ROOMS = (
+    "bnserve_protocol",
+    "bnserve_store",
+    "bnserve_surrogate",
+    "bnserve_inference",
+    "bnserve_service",
+    "bnserve_client",
+)
+EXTRAS = {"EOBRun_module", "joblib", "lal", "lalsimulation", "numba", "optuna", "ray", "scipy", "sklearn"}
+"""What only training, building bases and Ray import."""
+
+
+def main() -> int:
+    """Import them all; 1 when one needs what no extra brings."""
+    imported, left_out, failed = 0, 0, []
+    for room in ROOMS:
+        package = importlib.import_module(room)
+        for module in pkgutil.walk_packages(package.__path__, f"{room}.", onerror=lambda _: None):
+            if module.name.endswith(".__main__"):  # which would run
+                continue
+            try:
+                importlib.import_module(module.name)
+                imported += 1
+            except ModuleNotFoundError as error:
+                if error.name is not None and error.name.partition(".")[0] in EXTRAS:
+                    left_out += 1
+                else:
+                    failed.append(f"{module.name}: {error}")
+    print(f"{imported} modules imported, {left_out} left out: they are of extras that are not installed")
+    print(*failed, sep="\n")
+    return 1 if failed or imported < 100 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
