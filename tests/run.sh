@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Set up a test environment (.venv-test) and run every check: format, lint, types, import contracts, tests.
+# Set up a test environment (.venv-test) and run every check: format, lint, types, import contracts, tests, and that the
+# lowest versions of everything are enough (tests/lowest.sh).
 #
 #   bash tests/run.sh                      everything; needs Python >= 3.11 and installs missing system packages
 #   bash tests/run.sh -k store -x          further arguments go to pytest
@@ -91,6 +92,14 @@ check lint ruff check .
 check types mypy
 check imports lint-imports --no-logo
 check tests pytest --numprocesses 2 --dist loadfile "$@"
+# Once more, shortly, on the lowest versions that are declared; wheels of all of them are there for Python 3.11 alone.
+if [ "$#" -eq 0 ]; then
+    if command -v python3.11 >/dev/null; then
+        check "lowest versions" bash tests/lowest.sh
+    else
+        summary+=("  lowest versions    not checked: there is no python3.11")
+    fi
+fi
 
 say "Summary"
 printf '%s\n' "${summary[@]}"
