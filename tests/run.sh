@@ -95,7 +95,7 @@ check tests pytest --numprocesses 2 --dist loadfile "$@"
 # Once more, shortly, on the lowest versions that are declared; wheels of all of them are there for Python 3.11 alone.
 if [ "$#" -eq 0 ]; then
     if command -v python3.11 >/dev/null; then
-        check "lowest versions" bash tests/lowest.sh
+        check "lowest versions" env PYTHON=python3.11 bash tests/lowest.sh
     else
         summary+=("  lowest versions    not checked: there is no python3.11")
     fi
