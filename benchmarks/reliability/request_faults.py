@@ -46,14 +46,14 @@ def no_watch() -> None:
 
 def no_cap() -> None:
     """Bodies are read to their end, whatever their size."""
-    from bnserve_service.routes import analyses, grids, likelihoods, waveforms
-    from bnserve_service.transport import body
+    from bnserve_service.transport.body import IncomingBody
+    from bnserve_service.transport.body_room import BodyRoom
 
-    async def read_all(_headers: Any, receive: Any, _limit: int, _timeout: float) -> bytes:
-        return await body._collect(receive, 2**62)
+    async def read_all(self: IncomingBody, receive: Any, _limit: int) -> bytes:
+        return await self._collect(receive, 2**62)
 
-    for module in (analyses, grids, likelihoods, waveforms):
-        module.read_body = read_all  # type: ignore[attr-defined]
+    IncomingBody.read = read_all  # type: ignore[method-assign]
+    BodyRoom.take = lambda *_: None  # type: ignore[method-assign]
 
 
 def prefix_compare() -> None:
