@@ -18,6 +18,7 @@ from bnserve_protocol import (
     ArtifactError,
     BnserveError,
     InvalidRequest,
+    UndecodableBody,
     decode_analysis,
     decode_likelihood_answer,
     decode_likelihood_request,
@@ -28,8 +29,9 @@ from bnserve_store._artifact import MANIFEST_FILE, TENSORS_FILE, read_artifact
 from bnserve_store._labels import LABELS_FILE, read_labels
 from bnserve_store._manifest import decode_manifest
 from tests.client.reference_model import binaries
-from tests.fuzz import valid
+from tests.fuzz import http_requests, valid
 from tests.fuzz.conversation import ask
+from tests.fuzz.framing_server import read_from_server
 from tests.fuzz.mutations import damage, mutate_conversation, mutate_json, mutate_msgpack, mutate_safetensors
 from tests.service.asking import GW170817
 
@@ -127,5 +129,7 @@ TARGETS = {
         Target("likelihood_answer", read_likelihood_answer, (BnserveError,), valid.likelihood_answers, mutate_msgpack),
         Target("server", lambda data: ask(data, valid.FREQUENCIES, GW170817, binaries(5)), (BnserveError,),
                valid.conversations, mutate_conversation),
+        Target("framing", read_from_server, (UndecodableBody,),
+               http_requests.conversations, http_requests.mutate_requests),
     )
 }  # fmt: skip

@@ -170,6 +170,15 @@ def test_an_offer_to_upgrade_is_ignored_and_the_body_stays_a_body(server, offer,
     assert after.document["max_body_bytes"]
 
 
+@pytest.mark.parametrize(
+    "connection", ["upgrade, close", "upgrade\r\nConnection: close", "close\r\nConnection: upgrade"]
+)
+def test_an_offer_on_a_connection_that_is_to_end_is_answered_before(server, connection):
+    [answer] = asked(server, posted(f"Connection: {connection}", "Upgrade: h2c"))
+    assert (answer.status, answer.headers["connection"]) == (200, "close")
+    assert answer.body == evaluate(server.address, question()).body
+
+
 def test_an_offer_with_a_chunked_body_and_one_without_a_body(server):
     offer = b"Connection: Upgrade\r\nUpgrade: h2c\r\n\r\n"
     get = LIMITS[:-2] + offer
@@ -207,6 +216,8 @@ AMBIGUOUS = {
     "two hosts": b"GET /v1/limits HTTP/1.1\r\nHost: localhost\r\nHost: localhost\r\n\r\n",
     "two hosts in HTTP/1.0": b"GET /v1/limits HTTP/1.0\r\nHost: localhost\r\nHost: other\r\n\r\n",
     "no version": b"GET /v1/limits\r\n\r\n",
+    "no version, but a host": b"GET /v1/limits\r\nHost: localhost\r\n\r\n",
+    "another version": b"GET /v1/limits HTTP/2.0\r\nHost: localhost\r\n\r\n",
     "a fragment": b"GET /v1/limits#/docs HTTP/1.1\r\nHost: localhost\r\n\r\n",
     "an authority": b"GET localhost:80 HTTP/1.1\r\nHost: localhost\r\n\r\n",
     "a host without a path": b"GET http://localhost HTTP/1.1\r\nHost: localhost\r\n\r\n",

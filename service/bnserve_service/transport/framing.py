@@ -51,6 +51,8 @@ class Frame:
         FramingError
             It is too large, or not every recipient would understand the same by it (RFC 9112, 3.2 and 6.1).
         """
+        if version not in ("1.1", "1.0"):  # the parser also takes 2.0, and no version at all for 0.9
+            raise FramingError("Its version is none of HTTP/1.1 and HTTP/1.0.")
         names = [name for name, _ in headers]
         hosts = names.count(b"host")
         if hosts != 1 and (hosts or version != "1.0"):
@@ -80,6 +82,13 @@ class Frame:
 
 def _size(url: bytes, headers: Sequence[Header]) -> int:
     return len(url) + sum(len(name) + len(value) + _SEPARATORS for name, value in headers)
+
+
+def new_parser(protocol: object) -> httptools.HttpRequestParser:
+    """A parser as uvicorn's protocol makes it: requests that were pipelined behind the last one are no error."""
+    parser = httptools.HttpRequestParser(protocol)
+    parser.set_dangerous_leniencies(lenient_data_after_close=True)
+    return parser
 
 
 def without_upgrade(method: bytes, url: bytes, version: str, headers: Sequence[Header]) -> bytes:

@@ -21,6 +21,7 @@ from bnserve_service.transport.framing import (
     MOST_PIPELINED,
     Frame,
     FramingError,
+    new_parser,
     reason_of,
     without_upgrade,
 )
@@ -123,6 +124,7 @@ class BoundedProtocol(HttpToolsProtocol):
                 start += len(piece)
             except httptools.HttpParserUpgrade as stopped:
                 method, version = self.parser.get_method(), self.parser.get_http_version()
+                self.parser = new_parser(self)  # one that has seen `Connection: close` reads nothing more
                 self.parser.feed_data(without_upgrade(method, self.url, version, self.headers))
                 start += stopped.args[0]
             self._frame.check()
