@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 from fastapi import APIRouter, FastAPI
 from starlette.routing import Route
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Analysis, Likelihood, WaveformModel, decode_analysis
 from bnserve_service.analyses import AnalysisStore, LikelihoodFactory
@@ -120,6 +120,8 @@ class Application(FastAPI):
             parts.lifecycle,
             parts.settings.access_log,
         )
+        self.metrics = _metrics_alone(parts)
+        """The application of the metrics port, if there is one."""
         self.quick_lane = QuickLane(parts.waveforms, parts.lifecycle, self._front, hosts, access)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -150,6 +152,17 @@ class Application(FastAPI):
         described = openapi_document(self, PATHS, bool(parts.settings.tokens))
         document = msgspec.json.encode(with_likelihoods(described, LIKELIHOOD_PATHS))
         return [*routers, explorer_router(document)]
+
+
+def _metrics_alone(parts: Parts) -> ASGIApp:
+    dispatcher = Dispatcher({}, [route for route in metrics_router(parts.metrics).routes if isinstance(route, Route)])
+    return RequestContextMiddleware(
+        HostMiddleware(dispatcher, HostCheck.of_metrics(parts.settings)),
+        dispatcher.find,
+        parts.metrics,
+        parts.lifecycle,
+        parts.settings.access_log,
+    )
 
 
 @asynccontextmanager

@@ -72,7 +72,7 @@ def open_metrics_listener(settings: Settings) -> socket.socket | None:
     if settings.metrics_port is None:
         return None
     try:
-        return listen_tcp(settings.host, settings.metrics_port)
+        return listen_tcp(settings.metrics_host, settings.metrics_port)
     except CannotListen as error:
         raise CannotListen(
             f"The metrics port {settings.metrics_port} cannot be used; choose another with --metrics-port. "

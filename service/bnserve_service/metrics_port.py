@@ -1,64 +1,72 @@
-"""The metrics on a port of their own, answered by a thread of their own."""
+"""The metrics on a port of their own: the same protocol, limits and answers as of every other path."""
 
 from __future__ import annotations
 
+import asyncio
 import socket
-import threading
-from collections.abc import Callable, Generator, Iterable
-from contextlib import contextmanager
-from socketserver import ThreadingMixIn
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
 from typing import Any
-from wsgiref.simple_server import WSGIRequestHandler, WSGIServer
 
-from bnserve_service.listening import address_of
-from bnserve_service.metrics import CONTENT_TYPE
+import uvicorn
+from uvicorn.server import ServerState
+
+from bnserve_service.listening import BACKLOG, address_of
+
+_MOST_CONNECTIONS = 64
+"""In each process; one more, and the oldest is cut off. A Prometheus has one; what nobody uses ends by itself."""
 
 
-@contextmanager
-def serving_metrics(listener: socket.socket | None, text: Callable[[], bytes]) -> Generator[str | None, None, None]:
-    """Answer on ``listener`` with what ``text`` returns, whatever the path; yields the address.
+def metrics_address(listener: socket.socket) -> str:
+    """Where they are."""
+    return f"{address_of(listener)}/metrics"
 
-    Several processes may do so on one socket.
+
+@asynccontextmanager
+async def serving_metrics(config: uvicorn.Config, listener: socket.socket | None) -> AsyncIterator[None]:
+    """Answer on ``listener``, which several processes may share, until the context ends.
+
+    Parameters
+    ----------
+    config:
+        As for every other path, with an application that has the metrics alone.
+    listener:
+        None where they have no port of their own.
     """
     if listener is None:
-        yield None
+        yield
         return
+    config.load()
+    connections = _Connections(config)
     listener.setblocking(False)  # another process may be faster
-    server = _Server(listener, text)
-    thread = threading.Thread(target=server.serve_forever, name="bnserve-metrics", daemon=True)
-    thread.start()
+    server = await asyncio.get_running_loop().create_server(connections.add, sock=listener, backlog=BACKLOG)
     try:
-        yield f"{address_of(listener)}/metrics"
+        yield
     finally:
-        server.shutdown()
-        server.server_close()
-        thread.join()
+        server.close()
+        connections.abort()
 
 
-class _Handler(WSGIRequestHandler):
-    timeout = 10.0  # a caller that says nothing does not keep a thread
+class _Connections:
+    """Those that there are, the oldest first."""
 
-    def log_message(self, format: str, *args: Any) -> None:
-        """Say nothing."""
+    def __init__(self, config: uvicorn.Config) -> None:
+        self._config = config
+        self._state = ServerState()
+        self._all: list[Any] = []
 
+    def add(self) -> asyncio.Protocol:
+        """The protocol of a new connection."""
+        made: Any = self._config.http_protocol_class
+        self._all = [each for each in self._all if each.transport is None or not each.transport.is_closing()]
+        if len(self._all) >= _MOST_CONNECTIONS and self._all[0].transport is not None:
+            self._all.pop(0).transport.abort()
+        protocol: asyncio.Protocol = made(config=self._config, server_state=self._state, app_state={})
+        self._all.append(protocol)
+        return protocol
 
-class _Server(ThreadingMixIn, WSGIServer):
-    daemon_threads = True  # none is waited for at the end
-
-    def __init__(self, listener: socket.socket, text: Callable[[], bytes]) -> None:
-        host, port = listener.getsockname()[:2]
-        super().__init__((host, port), _Handler, bind_and_activate=False)
-        self.socket.close()
-        self.socket = listener
-        self.server_name, self.server_port = host, port
-        self.setup_environ()
-        self._text = text
-        self.set_app(self._answer)
-
-    def _answer(self, environ: dict[str, Any], start_response: Callable[..., Any]) -> Iterable[bytes]:
-        body = self._text()
-        start_response("200 OK", [("Content-Type", CONTENT_TYPE), ("Content-Length", str(len(body)))])
-        return [body]
-
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """A caller that went away is no error."""
+    def abort(self) -> None:
+        """End all of them."""
+        for each in self._all:
+            if each.transport is not None:
+                each.transport.abort()

@@ -18,9 +18,10 @@ from bnserve_service.app import Application, create_app
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.listening import BACKLOG, address_of, listening, open_metrics_listener
 from bnserve_service.loading import RefreshReport
-from bnserve_service.metrics_port import serving_metrics
+from bnserve_service.metrics_port import metrics_address, serving_metrics
 from bnserve_service.settings import Settings
 from bnserve_service.transport.protocol import bounded_protocol
+from bnserve_service.transport.quick import QuickLane
 
 logger = logging.getLogger("bnserve.server")
 
@@ -102,21 +103,7 @@ class BnserveServer:
         """Where the metrics are, when they have a port of their own."""
         self.ready = threading.Event()
         """Set when models are served."""
-        self._uvicorn = _Uvicorn(
-            uvicorn.Config(
-                app,
-                http=bounded_protocol(self._settings, app.quick_lane),
-                ws="none",
-                lifespan="on",
-                log_config=None,
-                access_log=False,
-                server_header=False,
-                proxy_headers=False,  # nothing here depends on who is behind a proxy
-                backlog=BACKLOG,
-                timeout_keep_alive=self._settings.keep_alive,  # type: ignore[arg-type]  # seconds; it takes fractions
-                timeout_graceful_shutdown=self._settings.drain_timeout,  # type: ignore[arg-type]  # as above
-            )
-        )
+        self._uvicorn = _Uvicorn(_configuration(app, self._settings, app.quick_lane))
 
     @property
     def accepts(self) -> bool:
@@ -142,16 +129,14 @@ class BnserveServer:
         ModelLoading
             Not one model could be loaded at start.
         """
-        factory = self._uvicorn.config.get_loop_factory()
-        with (
-            serving_metrics(metrics_listener, self._app.parts.metrics.exposition) as self.metrics_address,
-            asyncio.Runner(loop_factory=factory) as runner,
-        ):
-            runner.run(self._serve(listener, with_signals))
+        if metrics_listener is not None:
+            self.metrics_address = metrics_address(metrics_listener)
+        with asyncio.Runner(loop_factory=self._uvicorn.config.get_loop_factory()) as runner:
+            runner.run(self._serve(listener, metrics_listener, with_signals))
         if self._failed is not None:
             raise models_missing(self._failed)
 
-    async def _serve(self, listener: socket.socket, with_signals: bool) -> None:
+    async def _serve(self, listener: socket.socket, metrics_listener: socket.socket | None, with_signals: bool) -> None:
         loop = self._loop = asyncio.get_running_loop()
         if with_signals:
             for number in (signal.SIGTERM, signal.SIGINT):
@@ -167,7 +152,9 @@ class BnserveServer:
         if self._beside is not None:
             others.append(loop.create_task(self._beside()))
         try:
-            await self._uvicorn.serve(sockets=[listener])
+            metrics = _configuration(self._app.metrics, self._settings, None)
+            async with serving_metrics(metrics, metrics_listener):
+                await self._uvicorn.serve(sockets=[listener])
         finally:
             for task in others:
                 task.cancel()
@@ -213,6 +200,23 @@ class BnserveServer:
         await asyncio.sleep(grace)
         lifecycle.refuse()
         self._uvicorn.should_exit = True
+
+
+def _configuration(app: Any, settings: Settings, lane: QuickLane | None) -> uvicorn.Config:
+    """How whatever this server listens on is served."""
+    return uvicorn.Config(
+        app,
+        http=bounded_protocol(settings, lane),
+        ws="none",
+        lifespan="on",
+        log_config=None,
+        access_log=False,
+        server_header=False,
+        proxy_headers=False,  # nothing here depends on who is behind a proxy
+        backlog=BACKLOG,
+        timeout_keep_alive=settings.keep_alive,  # type: ignore[arg-type]  # seconds; it takes fractions
+        timeout_graceful_shutdown=settings.drain_timeout,  # type: ignore[arg-type]  # as above
+    )
 
 
 def models_missing(report: RefreshReport) -> ModelLoading:

@@ -118,6 +118,8 @@ class Settings(BaseModel):
     """``name`` or ``name@version``; empty serves everything in the stores."""
     metrics_port: int | None = Field(default=None, ge=0, le=65535)
     """Serve ``/metrics`` there and not beside the waveforms."""
+    metrics_host: str = "127.0.0.1"
+    """Address of the metrics port, which asks for no token: only this machine reaches it unless told otherwise."""
     threads: int | None = Field(default=None, ge=1, le=1024)
     """Worker threads of each process; None takes its part of the CPU quota."""
     workers: int = Field(default=1, ge=1, le=256)

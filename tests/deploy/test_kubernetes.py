@@ -66,6 +66,7 @@ def test_the_command_line_is_understood_and_means_the_ports_that_are_named():
     options = build_parser().parse_args(["serve", *CONTAINER["args"]])
     ports = {port["name"]: port["containerPort"] for port in CONTAINER["ports"]}
     assert ports == {"http": options.port, "metrics": options.metrics_port}
+    assert options.metrics_host == "0.0.0.0", "the Prometheus is in another pod"
     assert POD["metadata"]["annotations"]["prometheus.io/port"] == str(options.metrics_port)
 
 

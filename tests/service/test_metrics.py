@@ -1,13 +1,15 @@
 """What Prometheus reads: base units, true counts, labels that callers cannot invent."""
 
+import contextlib
 import json
+import threading
 import urllib.request
 
 import numpy as np
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
-from tests.service.asking import GW170817, ask, evaluate, question
+from tests.service.asking import GW170817, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, until
 
 
@@ -76,6 +78,34 @@ def test_on_a_port_of_its_own_the_metrics_are_not_beside_the_waveforms(start):
     with urllib.request.urlopen(server.metrics_address) as answer:
         assert b"bnserve_ready" in answer.read()
     assert "/metrics" not in json.loads(ask(server.address, "GET", "/openapi.json").body)["paths"]
+
+
+def test_the_port_of_the_metrics_is_no_wider_a_door_than_that_of_the_waveforms(start):
+    server = start(ChirpModel(), metrics_port=0, host="0.0.0.0", header_timeout=0.3, keep_alive=0.3)
+    address = server.metrics_address.removesuffix("/metrics")
+    assert address.startswith("http://127.0.0.1:"), "nobody asked for another, and it asks for no token"
+    assert ask(address, "GET", "/metrics", host="rebound.example").code == "forbidden"
+    assert ask(address, "GET", "/v1/limits").status == 404
+    assert ask(address, "POST", "/metrics", b"x").status == 405
+    threads = threading.active_count()
+    half_open = [raw_connection(address) for _ in range(200)]
+    for connection in half_open:
+        connection.sendall(b"GET /metrics HTTP/1.1\r\n")
+    assert ask(address, "GET", "/metrics").status == 200
+    assert threading.active_count() <= threads + 4, "none of them has a thread"
+    for connection in half_open:
+        with contextlib.suppress(ConnectionError):
+            assert connection.recv(100) == b"", "each is cut off"
+        connection.close()
+    with raw_connection(address) as connection:
+        connection.sendall(b"GET /metrics HTTP/1.1\r\nHost: localhost\r\nX: " + b"x" * 2**17 + b"\r\n\r\n")
+        assert read_response(connection).status == 400
+
+
+def test_the_port_of_the_metrics_listens_where_it_is_told_and_for_whoever_can_connect(start):
+    server = start(ChirpModel(), metrics_port=0, metrics_host="0.0.0.0")
+    port = server.metrics_address.removesuffix("/metrics").rpartition(":")[2]
+    assert ask(f"http://127.0.0.2:{port}", "GET", "/metrics", host="10.1.2.3:9090").status == 200
 
 
 def test_the_content_type_is_prometheus(server):

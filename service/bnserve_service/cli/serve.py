@@ -27,7 +27,8 @@ def add_parser(subparsers: Any) -> None:
         "(repeatable); * for every one")  # fmt: skip
     add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
     add("--model", action="append", metavar="NAME[@VERSION]", help="serve only this model (repeatable)")
-    add("--metrics-port", type=int, metavar="PORT", help="serve /metrics on a port of its own")
+    add("--metrics-port", type=int, metavar="PORT", help="serve /metrics on a port of its own, without a token")
+    add("--metrics-host", metavar="HOST", help="address of the metrics port (127.0.0.1)")
     add("--workers", type=int, metavar="N", help="worker processes (1); with more, one that dies or hangs is replaced")
     add("--workers-threads", type=int, metavar="N", help="threads of each worker (its part of the processors)")
     add("--token", action="append", metavar="TOKEN", help="require this bearer token (repeatable); visible in the "
@@ -73,6 +74,7 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "stores": options.store,
         "models": options.model,
         "metrics_port": options.metrics_port,
+        "metrics_host": options.metrics_host,
         "workers": options.workers,
         "threads": options.workers_threads,
         "tokens": _tokens(options) or None,

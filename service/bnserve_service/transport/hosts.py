@@ -52,6 +52,12 @@ class HostCheck:
             return cls(())
         return cls((settings.host,) if is_loopback(settings.host) else None)
 
+    @classmethod
+    def of_metrics(cls, settings: Settings) -> HostCheck:
+        """For the metrics port: by loopback names and ``allowed_hosts``, or every host where others can connect."""
+        everybody = ANY_HOST in settings.allowed_hosts or not is_loopback(settings.metrics_host)
+        return cls(None if everybody else (settings.metrics_host, *settings.allowed_hosts))
+
     def check(self, headers: Mapping[bytes, bytes], method: str, route: str) -> None:
         """Look at the headers of one request.
 
