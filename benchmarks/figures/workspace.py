@@ -19,8 +19,9 @@ from bnserve_surrogate import Model
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
-from bnserve_surrogate.training.generation import configured_generator, parameter_ranges, training_band
+from bnserve_surrogate.training.generation import configured_generator
 from bnserve_surrogate.training.nodes import smooth_nodes
+from bnserve_surrogate.training.ranges import parameter_ranges, training_band
 from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling
 from bnserve_surrogate.training.validation import Validation, validate
 

@@ -6,6 +6,7 @@ whole, or not at all.
 
 from bnserve_store._artifact import Artifact
 from bnserve_store._manifest import SCHEMA_VERSION, FileEntry, Manifest, TensorEntry
+from bnserve_store._staging import check_writable
 from bnserve_store._store import SHIPPED_MODELS, ModelStore
 
 __all__ = [
@@ -16,4 +17,5 @@ __all__ = [
     "Manifest",
     "ModelStore",
     "TensorEntry",
+    "check_writable",
 ]

@@ -43,8 +43,12 @@ def describe(
     )
 
 
-def publish_version(root: LocalRoot, manifest: Manifest, data: bytes, labels: Sequence[str]) -> None:
+def publish_version(
+    root: LocalRoot, manifest: Manifest, data: bytes, labels: Sequence[str], beside: Mapping[str, bytes]
+) -> None:
     """Write one version into a local root, read it back from there, move it into place, move the labels.
+
+    Files ``beside`` it are for people: no digest covers them.
 
     Raises
     ------
@@ -59,7 +63,7 @@ def publish_version(root: LocalRoot, manifest: Manifest, data: bytes, labels: Se
         with staging(model) as temporary:
             if labels:
                 stage_labels(root, name, dict.fromkeys(labels, version), temporary)
-            _stage_version(temporary / version, manifest, data)
+            _stage_version(temporary / version, manifest, data, beside)
             read_artifact(root, name, version, folder=(name, temporary.name, version))
             _rename(temporary / version, model / version)
             if labels:
@@ -81,8 +85,10 @@ def stage_labels(root: LocalRoot, name: str, changes: Mapping[str, str], tempora
     write_durably(temporary / LABELS_FILE, encode_labels(read_labels(root, name) | dict(changes)))
 
 
-def _stage_version(folder: Path, manifest: Manifest, data: bytes) -> None:
+def _stage_version(folder: Path, manifest: Manifest, data: bytes, beside: Mapping[str, bytes]) -> None:
     folder.mkdir()
+    for name, content in beside.items():
+        write_durably(folder / name, content)
     write_durably(folder / TENSORS_FILE, data)
     write_durably(folder / MANIFEST_FILE, encode_manifest(manifest))
     sync_folder(folder)

@@ -7,6 +7,7 @@ import fcntl
 import os
 import secrets
 import shutil
+import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,6 +16,8 @@ from bnserve_protocol import BnserveError
 
 _PREFIX = ".staging-"
 _LOCK = ".lock"
+_BLOCK = 512
+"""Bytes to find out with whether there is room at all."""
 
 _ADVICE = {
     errno.ENOSPC: "the disk is full: free some space and try again",
@@ -38,6 +41,28 @@ def explained(action: str) -> Iterator[None]:
     except OSError as error:
         reason = _ADVICE.get(error.errno or 0, f"{error.strerror or 'unknown error'}: check the store")
         raise BnserveError(f"{action} failed, {reason}. What was published before is untouched.") from error
+
+
+def check_writable(folder: Path, needed: int = 0) -> None:
+    """Find out by writing whether a folder, or the nearest above it that exists, can be written; nothing is left there.
+
+    Parameters
+    ----------
+    folder:
+        Need not exist.
+    needed:
+        Bytes that are to be written.
+
+    Raises
+    ------
+    OSError
+        It cannot, or its file system has not so much room.
+    """
+    nearest = next(place for place in (folder, *folder.absolute().parents) if place.exists())
+    with tempfile.TemporaryFile(dir=nearest, buffering=0) as stream:
+        stream.write(bytes(_BLOCK))
+    if shutil.disk_usage(nearest).free < needed:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(nearest))
 
 
 @contextmanager

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -18,7 +18,7 @@ from bnserve_store._manifest import Manifest, as_metadata
 from bnserve_store._names import check_label, check_name, check_version, is_name, is_version, version_key
 from bnserve_store._publish import describe, make_model_folder, publish_version, stage_labels, version_exists
 from bnserve_store._roots import LocalRoot, Root
-from bnserve_store._staging import explained, staging, sync_folder
+from bnserve_store._staging import check_writable, explained, staging, sync_folder
 from bnserve_store._tensors import encode_tensors, prepare_tensors
 
 SHIPPED_MODELS = Path(__file__).parent / "models"
@@ -136,6 +136,7 @@ class ModelStore:
         labels: Sequence[str] = ("stable",),
         root: Path | str | None = None,
         created: datetime | None = None,
+        beside: Callable[[Manifest], Mapping[str, bytes]] | None = None,
     ) -> Manifest:
         """Publish a version: it appears whole and at once, or not at all. Then the labels move to it.
 
@@ -153,6 +154,9 @@ class ModelStore:
             One of the roots of this store, by default the first; made if it does not exist.
         created:
             A time with a time zone, for the manifest. Without one there is none: the same content has the same digest.
+        beside:
+            Makes files for people, such as a report: contents by name. They appear in the version's folder with it, and
+            are no part of its digest. What it raises stops the publishing.
 
         Raises
         ------
@@ -171,13 +175,21 @@ class ModelStore:
         arrays = prepare_tensors(tensors)
         data = encode_tensors(arrays)
         manifest = describe(name, version, arrays, data, as_metadata(metadata), created)
-        publish_version(target, manifest, data, labels)
+        publish_version(target, manifest, data, labels, {} if beside is None else beside(manifest))
         return manifest
 
     def check_publishable(
-        self, name: str, version: str, labels: Sequence[str] = ("stable",), root: Path | str | None = None
+        self,
+        name: str,
+        version: str,
+        labels: Sequence[str] = ("stable",),
+        root: Path | str | None = None,
+        room: int = 0,
     ) -> None:
-        """Raise what :meth:`publish` would raise for these names: for who has hours of work before publishing."""
+        """Raise what :meth:`publish` would raise for these names: for who has hours of work before publishing.
+
+        With ``room`` also whether the store can be written, and has so many bytes left.
+        """
         check_name(name)
         check_version(version)
         for label in [labels] if isinstance(labels, str) else labels:
@@ -187,6 +199,9 @@ class ModelStore:
             raise InvalidRequest(f"'{target.title}' is a file; name a directory as the store to publish to.")
         if any(version in _versions(other, name) for other in self._roots if _is_there(other)):
             raise version_exists(name, version)
+        if room:
+            with explained(f"Publishing {name} {version}"):
+                check_writable(target.path / name, room)
 
     def set_label(self, name: str, label: str, version: str, root: Path | str | None = None) -> None:
         """Point a label to a version (or to the version of another label), atomically.

@@ -75,6 +75,33 @@ def test_nothing_but_the_published_files_remains(store, root):
     ]
 
 
+def test_files_for_people_appear_with_the_version_and_are_no_part_of_it(store, root, tensors):
+    told = []
+
+    def beside(manifest):
+        told.append(manifest.digest)
+        return {"report.html": b"<p>well"}
+
+    plain = store.publish("gw", "2.0.0", tensors(9), {}, labels=())
+    other = store.publish("other", "2.0.0", tensors(9), {}, beside=beside)
+    assert told == [other.digest]
+    assert (root / "other" / "2.0.0" / "report.html").read_bytes() == b"<p>well"
+    assert not (root / "gw" / "2.0.0" / "report.html").exists()
+    assert other.tensors == plain.tensors
+    assert store.verify("other").digest == other.digest
+
+
+def test_what_cannot_be_put_beside_a_version_stops_its_publishing(store, root, tensors):
+    before = contents(root)
+
+    def beside(manifest):
+        raise RuntimeError("no report")
+
+    with pytest.raises(RuntimeError, match="no report"):
+        store.publish("gw", "2.0.0", tensors(9), {}, beside=beside)
+    assert contents(root) == before
+
+
 def test_published_files_can_be_read_by_other_users(store, root):
     assert all(path.stat().st_mode & 0o044 == 0o044 for path in root.rglob("*"))
 
@@ -279,6 +306,19 @@ def test_a_read_only_store_serves_and_refuses_to_be_written(read_only, tensors):
         with pytest.raises(BnserveError, match=r"Setting label 'x' of gw failed, the store may not be written"):
             read_only.set_label("gw", "x", "1.0.0")
         assert read_only.versions("gw") == ["1.0.0"]
+
+
+def test_whether_a_store_can_be_written_can_be_asked_before(read_only, store, root, tmp_path):
+    before = contents(root)
+    store.check_publishable("gw", "2.0", room=1000)
+    with pytest.raises(BnserveError, match=r"Publishing gw 2\.0 failed, the disk is full"):
+        store.check_publishable("gw", "2.0", room=2**60)
+    assert contents(root) == before
+    ModelStore([tmp_path / "not" / "yet"]).check_publishable("gw", "2.0", room=1000)
+    assert not (tmp_path / "not").exists()
+    read_only.check_publishable("gw", "2.0")
+    with unprivileged(), pytest.raises(BnserveError, match=r"Publishing gw 2\.0 failed, the store may not be written"):
+        read_only.check_publishable("gw", "2.0", room=1)
 
 
 def test_what_may_not_be_read_is_said(read_only):

@@ -83,3 +83,21 @@ def louder_where_dense(theta, mf):
 def failing(theta, mf):
     """Has no waveform for anything."""
     raise ValueError("there is none")
+
+
+def baseline_itself(theta, mf):
+    """Nothing to learn."""
+    waveform(theta, mf[:1])  # which leaves a mark
+    return taylorf2_amplitude(mf, *theta[:3, None])[0], taylorf2_phase(mf, *theta[:, None])[0]
+
+
+def opposed(theta, mf):
+    """Nearly the baseline, but for what a smooth function of the parameters cannot follow."""
+    amplitude, psi = baseline_itself(theta, mf)
+    return amplitude, psi + 0.3 * np.sin(1e4 * theta.sum()) * np.cbrt(mf)
+
+
+def turned_at_random(theta, mf):
+    """The same constant on every grid, and another one for every binary."""
+    amplitude, psi = waveform(theta, mf)
+    return amplitude, psi + (1e6 * theta.sum()) % (2.0 * np.pi)

@@ -6,11 +6,12 @@ import resource
 import sys
 import threading
 from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from bnserve_protocol import VersionExists
+from bnserve_protocol import OutOfDomain, VersionExists
 from bnserve_service.cli import main
 from bnserve_store import ModelStore
 from bnserve_surrogate import Model, ParametersWithExtrinsic
@@ -79,9 +80,23 @@ def test_a_validation_that_cannot_be_done_says_why_before_any_work(published, tm
     assert not (tmp_path / "work").exists()
 
 
-def test_figures_that_cannot_be_saved_are_printed_all_the_same(published, tmp_path, capsys):
+def test_a_place_that_cannot_be_saved_to_is_found_before_any_work(published, tmp_path, capsys):
+    command = ["validate", "smooth", "--store", str(published / "store"), "--work", str(tmp_path / "work")]
+    for output in (tmp_path, tmp_path / "figures.json" / "within"):
+        (tmp_path / "figures.json").write_text("")
+        assert main([*command, "--count", "8", "--jobs", "1", "--output", str(output)]) == 2
+        printed = capsys.readouterr()
+        assert "Cannot write" in printed.err
+        assert printed.out == ""
+    assert not (tmp_path / "work").exists()
+
+
+def test_figures_that_cannot_be_saved_in_the_end_are_printed_all_the_same(published, tmp_path, capsys):
     command = ["validate", "smooth", "--store", str(published / "store"), "--work", str(published / "work")]
-    assert main([*command, "--count", "8", "--jobs", "1", "--output", str(tmp_path)]) == 2
+    arguments = [*command, "--count", "8", "--jobs", "1", "--output", str(tmp_path / "figures.json")]
+    assert main(arguments[:-2]) == 0
+    with no_file_larger_than(1_000):
+        assert main(arguments) == 2
     printed = capsys.readouterr()
     assert "uniform, 8 waveforms: mismatch" in printed.out
     assert "Cannot write" in printed.err
@@ -179,14 +194,90 @@ def test_a_full_disk_at_the_end_publishes_nothing_and_the_same_command_goes_on(p
     assert Model.load("smooth", store=store).self_check()
 
 
-def test_a_report_that_cannot_be_written_does_not_hide_that_the_model_is_published(tmp_path, capsys):
+def test_nothing_is_published_without_its_report(tmp_path, capsys):
     with no_file_larger_than(100_000):
         assert train_here(tmp_path, written(tmp_path, QUICK), report=True) == 2
-    assert not (tmp_path / "store" / "smooth" / "1.0.0" / "report.html").exists()
     printed = capsys.readouterr()
-    assert "Published smooth 1.0.0" in printed.out
-    assert "Cannot write" in printed.err
-    assert Model.load("smooth", store=tmp_path / "store").self_check()
+    assert "uniform, 4 waveforms: mismatch" in printed.out
+    assert "Published" not in printed.out
+    assert "Publishing smooth 1.0.0 failed" in printed.err
+    assert [path.name for path in (tmp_path / "store").rglob("*") if path.is_file()] == []
+    assert train_here(tmp_path, written(tmp_path, QUICK), report=True) == 0
+    assert (tmp_path / "store" / "smooth" / "1.0.0" / "report.html").exists()
+
+
+def test_a_report_that_cannot_be_made_stops_the_publishing(tmp_path, monkeypatch):
+    """Whatever is wrong with it: here, matplotlib has no figures to give."""
+    monkeypatch.setattr("matplotlib.figure.Figure", None)
+    with pytest.raises(TypeError):
+        train_here(tmp_path, written(tmp_path, QUICK), report=True)
+    assert not list(tmp_path.glob("store/*/*"))
+
+
+def of(function):
+    return {"generator": {"options": {"path": f"{smooth_waveforms.PATH}:{function}"}}}
+
+
+@pytest.mark.parametrize("function", ["baseline_itself", "opposed"])
+def test_a_model_no_better_than_its_baseline_gets_no_label_unless_forced(tmp_path, capsys, function):
+    configuration = written(tmp_path, QUICK, of(function))
+    assert train_here(tmp_path, configuration, report=True) == 2
+    printed = capsys.readouterr()
+    assert "uniform, 4 waveforms: mismatch of the baseline alone" in printed.out
+    assert "Nothing was published: the median mismatch (uniform)" in printed.err
+    assert "is not 10 times below that of the post-Newtonian baseline alone" in printed.err
+    assert "--force" in printed.err
+    assert not (tmp_path / "store").exists()
+    assert train_here(tmp_path, configuration, "--force", report=True) == 0
+    assert ModelStore([tmp_path / "store"]).labels("smooth") == {"stable": "1.0.0"}
+    page = (tmp_path / "store" / "smooth" / "1.0.0" / "report.html").read_text()
+    assert len(re.findall(r'<img src="data:image/png;base64,[A-Za-z0-9+/=]{10000,}"', page)) == 3
+
+
+def test_without_a_label_whatever_was_trained_is_published(tmp_path):
+    assert train_here(tmp_path, written(tmp_path, QUICK, of("opposed"), {"labels": []})) == 0
+    store = ModelStore([tmp_path / "store"])
+    assert store.versions("smooth") == ["1.0.0"]
+    assert store.labels("smooth") == {}
+
+
+def test_a_phase_that_was_not_learnt_stands_before_the_label(tmp_path, capsys):
+    """Everything else is: the mismatch does not see the constant, which is random here."""
+    assert train_here(tmp_path, written(tmp_path, of("turned_at_random"), {"validation": {"count": 64}})) == 2
+    error = capsys.readouterr().err
+    assert 'the phase with alignment="merger" (uniform) is off by' in error
+    assert "mismatch" not in error
+
+
+BOXES = {
+    "without spins": {"ranges": {"chi": [0.0, 0.0]}},
+    "of one mass ratio": {"ranges": {"mass_ratio": [1.5, 1.5]}},
+    "of raw parameters without spins": {"ranges": {"chi": [0.0, 0.0]}, "regressor": {"coordinates": "raw"}},
+    "pruned, without spins": {"ranges": {"chi": [0.0, 0.0]}, "regressor": {"polynomial": {"terms": 10}}},
+    "of one binary": {
+        "ranges": {"chi": [0.1, 0.1], "mass_ratio": [1.5, 1.5], "tidal_deformability": [400.0, 400.0]},
+        "validation": {"count": 120},
+    },
+    "of one total mass": {"ranges": {"total_mass": [2.8, 2.8]}},
+    "in a narrow band": {"ranges": {"frequency_band": [100.0, 110.0], "total_mass": [2.8, 2.8]}},
+    "in half an octave": {"ranges": {"frequency_band": [100.0, 150.0]}},
+    "with black holes": {"ranges": {"tidal_deformability": [0.0, 5000.0]}},
+}
+
+
+@pytest.mark.parametrize("box", BOXES.values(), ids=list(BOXES))
+def test_boxes_without_width_and_narrow_bands_can_be_trained(tmp_path, box):
+    assert train_here(tmp_path, written(tmp_path, QUICK, box), report=True) == 0
+    model = Model.load("smooth", store=tmp_path / "store")
+    assert model.self_check()
+    middle = {name: 0.5 * (r.minimum + r.maximum) for r in model.description.parameters[:5] for name in [r.name]}
+    mass = model.description.reference_mass
+    one = ParametersWithExtrinsic(**middle, total_mass=mass, distance_mpc=40.0, inclination=0.3)
+    f = np.geomspace(*model.description.frequency_band, 20)
+    assert np.isfinite(model.predict(f, one).plus).all()
+    if box["ranges"].get("chi") == [0.0, 0.0]:
+        with pytest.raises(OutOfDomain, match="chi_1"):
+            model.predict(f, replace(one, chi_1=0.1))
 
 
 def test_of_two_trainings_that_publish_one_version_at_once_one_wins(tmp_path):
@@ -212,7 +303,7 @@ def test_of_two_trainings_that_publish_one_version_at_once_one_wins(tmp_path):
     def compete(name):
         barrier.wait()
         try:
-            outcomes[name] = publish(configurations[name], results[name], tmp_path / "store").digest
+            outcomes[name] = publish(configurations[name], results[name], tmp_path / "store", force=True).digest
         except VersionExists as error:
             outcomes[name] = error
 

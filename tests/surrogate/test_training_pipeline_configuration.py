@@ -90,6 +90,9 @@ def test_values_of_a_wrong_type_are_named(change, says):
         ({"ranges": {"frequency_band": [100.0, 5.0]}}, "'frequency_band' in [ranges] must be two increasing"),
         ({"ranges": {"frequency_band": [-5.0, 100.0]}}, "frequency_band"),
         ({"ranges": {"frequency_band": [1e-6, 100.0]}}, "Hz"),
+        ({"ranges": {"frequency_band": [100.0, 100.5]}}, "'frequency_band' in [ranges] must be two increasing numbers"),
+        ({"ranges": {"total_mass": [2.0, float("inf")]}}, "'ranges.total_mass' is inf"),
+        ({"ranges": {"chi": [float("nan"), 0.5]}}, "'ranges.chi' is nan"),
         ({"ranges": {"total_mass": [4.0, 2.0]}}, "'total_mass' in [ranges] must be two increasing"),
         ({"ranges": {"reference_mass": 8.0}}, "must lie in total_mass"),
         ({"ranges": {"reference_mass": 0.0}}, "reference_mass"),
@@ -97,11 +100,16 @@ def test_values_of_a_wrong_type_are_named(change, says):
         ({"dataset": {"arcsine_fraction": 2.0}}, "arcsine_fraction"),
         ({"dataset": {"max_failed_fraction": -0.1}}, "max_failed_fraction"),
         ({"nodes": {"count": 3}}, "nodes.count"),
+        ({"nodes": {"count": 10**9}}, "nodes.count"),
+        ({"nodes": {"count": 3000}}, "3000 nodes of the amplitude are too many"),
         ({"nodes": {"tolerance": 0.0}}, "nodes.tolerance"),
         ({"nodes": {"waveforms": 0}}, "nodes.waveforms"),
         ({"reduction": {"components": 0}}, "reduction.components"),
         ({"reduction": {"components": 119}, "dataset": {"count": 100}}, "lower 'components' in [reduction] or raise"),
         ({"reduction": {"components": 121}}, "numbers at the nodes"),
+        ({"reduction": {"components": 199}, "nodes": {"count": 160}}, "in 200 waveforms, of which 2 may fail"),
+        ({"reduction": {"eigenvalue_exponent": 300.0}}, "reduction.eigenvalue_exponent"),
+        ({"reduction": {"eigenvalue_exponent": float("nan")}}, "reduction.eigenvalue_exponent"),
         ({"reduction": {"noise": "ETD"}}, "Unknown noise curve 'ETD'"),
         ({"regressor": {"polynomial": {"degree": 9}}}, "1097 terms of the polynomial cannot be determined by 200"),
         ({"dataset": {"edge_count": -1}}, "dataset.edge_count"),
@@ -109,6 +117,15 @@ def test_values_of_a_wrong_type_are_named(change, says):
             {"dataset": {"count": 7}, "regressor": {"kind": "network"}},
             "a network cannot be trained on 7 waveforms; raise 'count' in [dataset] to at least 8",
         ),
+        (
+            {"dataset": {"count": 10}, "regressor": {"kind": "network"}, "reduction": {"components": 4}},
+            "'validation_fraction' in [regressor.network], 0.075, sets aside 1 of 10 waveforms;",
+        ),
+        (
+            {"regressor": {"kind": "network", "network": {"validation_fraction": 0.999}}},
+            "sets aside 198 of 200 waveforms, of which 2 may fail;",
+        ),
+        ({"regressor": {"polynomial": {"degree": 64}}}, "terms of the polynomial cannot be determined by 200"),
         ({"regressor": {"polynomial": {"terms": 0}}}, "terms"),
         ({"regressor": {"polynomial": {"weights": [1.0, 1.0, 0.0, 1.0, 1.0]}}}, "positive weights"),
         ({"regressor": {"network": {"hidden_layer_sizes": [0]}}}, "hidden_layer_sizes"),
@@ -116,6 +133,8 @@ def test_values_of_a_wrong_type_are_named(change, says):
         ({"regressor": {"network": {"hidden_layer_sizes": [5000]}}}, "<= 1024"),
         ({"regressor": {"network": {"validation_fraction": 1.0}}}, "validation_fraction"),
         ({"regressor": {"network": {"alpha": -1.0}}}, "alpha"),
+        ({"regressor": {"network": {"alpha": float("inf")}}}, "alpha"),
+        ({"regressor": {"network": {"seed": 2**32}}}, "regressor.network.seed"),
         ({"validation": {"count": 0, "edge_count": 0}}, "'count' and 'edge_count' in [validation] are both 0"),
     ],
     ids=str,
@@ -137,6 +156,17 @@ def test_names_that_cannot_be_published_are_found_at_once(tmp_path, change, says
         check_publishable(parse_configuration(merged(SMOOTH, change)), tmp_path / "store")
 
 
+def test_a_greedy_choice_of_too_few_nodes_is_found_before_the_training_set(tmp_path, capsys, monkeypatch):
+    monkeypatch.setenv(smooth_waveforms.MARK, str(tmp_path / "marks"))
+    loose = {
+        "nodes": {"kind": "greedy", "waveforms": 2, "tolerance": 10.0},
+        "ranges": {"frequency_band": [200.0, 900.0]},
+    }
+    assert train_here(tmp_path, written(tmp_path, QUICK, loose)) == 2
+    assert "a spline needs 4; lower 'tolerance' in [nodes]" in capsys.readouterr().err
+    assert (tmp_path / "marks").stat().st_size == 2
+
+
 def test_a_store_that_is_a_file_is_found_at_once(tmp_path):
     (tmp_path / "store").write_text("")
     with pytest.raises(BnserveError, match="is a file"):
@@ -152,6 +182,19 @@ TOML = {
         "'tests.no_such:f' cannot be imported",
     ),
     "no path": ({"generator": {"options": {}}}, "It takes: path"),
+    "wrong type of an option": (
+        {"generator": {"name": "teobresums", "options": {"postadiabatic_dr": "small"}}},
+        "The generator 'teobresums' cannot be made with",
+    ),
+    "black holes": (
+        {"generator": {"name": "teobresums", "options": {}}, "ranges": {"tidal_deformability": [0.5, 5000.0]}},
+        "no waveforms for a Lambda of 1 or less",
+    ),
+    "a start within the band": (
+        {"generator": {"name": "teobresums", "options": {"first_mf": 0.001}}},
+        "The generator begins at first_mf = 0.001, above the band",
+    ),
+    "more than the disk holds": ({"dataset": {"count": 10**13}}, "No room left to write the data set"),
     "no sense": ({"reduction": {"components": 1000}}, "lower 'components'"),
     "bad version": ({"version": "one"}, "is not a version"),
 }
@@ -165,6 +208,27 @@ def test_the_command_says_what_to_change_and_does_no_work(tmp_path, capsys, monk
     assert error.startswith("bnserve: ")
     assert error.count("\n") == 1
     assert says in error
+    assert not (tmp_path / "marks").exists()
+    assert not (tmp_path / "store").exists()
+
+
+@pytest.mark.parametrize(
+    ("more", "says"),
+    [
+        (["--jobs", "0"], "0 processes at once"),
+        (["--backend", "nonsense"], "Invalid backend: nonsense"),
+        (["--store", "s3://bucket/models"], "s3://bucket/models"),
+        (["--store", "/proc/store"], "Publishing smooth 1.0.0 failed"),
+        (["--work", "/proc/work"], "The data set cannot be written in /proc/work"),
+    ],
+    ids=str,
+)
+def test_workers_and_places_that_cannot_be_used_are_found_before_any_waveform(
+    tmp_path, capsys, monkeypatch, more, says
+):
+    monkeypatch.setenv(smooth_waveforms.MARK, str(tmp_path / "marks"))
+    assert train_here(tmp_path, written(tmp_path, QUICK), *more) == 2
+    assert says in capsys.readouterr().err
     assert not (tmp_path / "marks").exists()
     assert not (tmp_path / "store").exists()
 

@@ -16,7 +16,7 @@ def add_parser(subparsers: Any) -> None:
         "waveforms are kept: run the same command again after an interruption and it goes on.",
     )
     parser.add_argument("configuration", type=Path, metavar="CONFIG.toml")
-    parser.add_argument("--store", type=Path, required=True, metavar="DIR", help="model store to publish to")
+    parser.add_argument("--store", required=True, metavar="DIR", help="model store to publish to")
     parser.add_argument(
         "--work", type=Path, default=Path("runs"), metavar="DIR", help="where waveforms are kept (runs)"
     )
@@ -25,6 +25,9 @@ def add_parser(subparsers: Any) -> None:
         "--backend", default="loky", metavar="NAME", help="joblib backend, or ray[:ADDRESS], a Ray cluster (loky)"
     )
     parser.add_argument("--version", metavar="VERSION", help="publish under this version instead of the configured")
+    parser.add_argument(
+        "--force", action="store_true", help="publish with the labels even if it is hardly better than the baseline"
+    )
     parser.add_argument("--no-progress", action="store_true", help="no progress bars")
     parser.add_argument("--no-report", action="store_true", help="no page with plots (it needs matplotlib)")
     parser.set_defaults(run=run)
@@ -48,11 +51,11 @@ def run(options: argparse.Namespace) -> int:
         backend=options.backend,
         progress=False if options.no_progress else None,
     )
-    manifest = pipeline.publish(configuration, trained, options.store)
     print(report.table(trained.validations))
+    manifest = pipeline.publish(
+        configuration, trained, options.store, with_report=not options.no_report, force=options.force
+    )
     print(f"Published {manifest.name} {manifest.version} ({manifest.digest}) to {options.store}")
     if not options.no_report:
-        page = options.store / manifest.name / manifest.version / report.REPORT_FILE
-        report.write_report(page, f"{manifest.name} {manifest.version}", manifest.digest, trained)
-        print(f"Report: {page}")
+        print(f"Report: {Path(options.store) / manifest.name / manifest.version / report.REPORT_FILE}")
     return 0

@@ -38,6 +38,8 @@ def run(options: argparse.Namespace) -> int:
     from bnserve_store import ModelStore
 
     pipeline, report = import_training("pipeline", "report")
+    if options.output:
+        report.check_output(options.output)
     name, _, version = options.model.partition("@")
     artifact = ModelStore.default(options.store or ()).load(name, version or "stable")
     validations = pipeline.validate_artifact(

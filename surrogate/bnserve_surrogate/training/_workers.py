@@ -37,8 +37,9 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
     Raises
     ------
     WorkersUnusable
-        The workers cannot load the generator.
+        The workers cannot load the generator; there is no such backend, or no number of processes like that.
     """
+    _check_workers(n_jobs, backend)
     if is_ray(backend):
         if tasks:
             yield from _on_ray(tasks, n_jobs, backend)
@@ -55,6 +56,17 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
             for start in suspects:
                 task = pending.pop(start)
                 yield task, one_by_one(task)
+
+
+def _check_workers(n_jobs: int, backend: str) -> None:
+    if n_jobs == 0:
+        raise WorkersUnusable("Nothing is computed by 0 processes at once; give a number of them, or -1 for all cores.")
+    if is_ray(backend):
+        return
+    try:
+        require("joblib").Parallel(n_jobs=1, backend=backend)
+    except ValueError as error:
+        raise WorkersUnusable(f"The workers cannot be used: {error}; or 'ray:ADDRESS', a Ray cluster.") from error
 
 
 def _on_ray(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterator[tuple[ChunkTask, Chunk]]:

@@ -60,7 +60,7 @@ class NodesSection(_Section, frozen=True, forbid_unknown_fields=True):
     """``smooth``: ``count`` nodes for both quantities. ``greedy``: the paper's, on residuals or on waveforms."""
 
     kind: Literal["smooth", "greedy"] = "smooth"
-    count: Annotated[int, Meta(ge=4)] = 160
+    count: Annotated[int, Meta(ge=4, le=4000)] = 160
     tolerance: Positive = 1e-5
     waveforms: Count = 128
     on: Literal["residuals", "waveforms"] = "residuals"
@@ -85,7 +85,7 @@ class ReductionSection(_Section, frozen=True, forbid_unknown_fields=True):
 
     kind: Literal["metric", "paper"] = "metric"
     components: Count = 26
-    eigenvalue_exponent: float = 0.37
+    eigenvalue_exponent: Annotated[float, Meta(ge=-2.0, le=2.0)] = 0.37
     noise: str = "ET-D"
 
 
@@ -109,7 +109,7 @@ class NetworkSection(_Section, frozen=True, forbid_unknown_fields=True):
     validation_fraction: Annotated[float, Meta(gt=0.0, lt=1.0)] = 0.075
     tol: NotNegative = 2e-15
     n_iter_no_change: Count = 91
-    seed: Natural = 0
+    seed: Annotated[int, Meta(ge=0, lt=2**32)] = 0
 
 
 class RegressorSection(_Section, frozen=True, forbid_unknown_fields=True):

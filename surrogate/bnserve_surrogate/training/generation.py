@@ -8,19 +8,24 @@ from pathlib import Path
 
 import numpy as np
 
+from bnserve_store import check_writable
+from bnserve_surrogate.training._chunks import unwritable_named
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
-from bnserve_surrogate.training.errors import GeneratorDependsOnGrid
+from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown
 from bnserve_surrogate.training.generators import (
     GENERATORS,
     FloatArray,
     WaveformGenerator,
     make_generator,
-    mass_seconds,
 )
-from bnserve_surrogate.training.ranges import ParameterRanges
-from bnserve_surrogate.training.sampling import Sampling, UniformSampling
+from bnserve_surrogate.training.greedy_nodes import greedy_nodes
+from bnserve_surrogate.training.nodes import smooth_nodes
+from bnserve_surrogate.training.plausibility import check_nodes
+from bnserve_surrogate.training.ranges import mf_band, parameter_ranges, training_band
+from bnserve_surrogate.training.sampling import Sampling, UniformSampling, make_sampling
 
+_VALIDATION_NODES = 300
 _CHECKED = 2
 """Binaries on which the generator is asked twice."""
 _SAME = 0.01
@@ -33,7 +38,7 @@ def configured_generator(configuration: TrainingConfiguration) -> WaveformGenera
     Raises
     ------
     GeneratorUnknown
-        As :func:`make_generator`.
+        As :func:`make_generator`; or it has no waveforms in a part of the box.
     PackageMissing
         The package behind it is not installed.
     """
@@ -41,29 +46,72 @@ def configured_generator(configuration: TrainingConfiguration) -> WaveformGenera
     options = dict(section.options)
     if section.name in GENERATORS and "first_mf" in inspect.signature(GENERATORS[section.name]).parameters:
         options.setdefault("first_mf", mf_band(configuration)[0])
-    return make_generator(section.name, **options)
+    generator = make_generator(section.name, **options)
+    first = getattr(generator, "first_mf", 0.0)
+    if first > mf_band(configuration)[0]:
+        raise GeneratorUnknown(
+            f"The generator begins at first_mf = {first:g}, above the band, which begins at "
+            f"{mf_band(configuration)[0]:g}; leave first_mf out of its options, or lower it."
+        )
+    ranges = parameter_ranges(configuration)
+    getattr(generator, "check_box", lambda lower, upper: None)(ranges.lower, ranges.upper)
+    return generator
 
 
-def parameter_ranges(configuration: TrainingConfiguration) -> ParameterRanges:
-    """The box of a configuration."""
-    ranges = configuration.ranges
-    return ParameterRanges(ranges.mass_ratio, ranges.chi, ranges.tidal_deformability)
+def configured_nodes(
+    configuration: TrainingConfiguration, generator: WaveformGenerator, directory: Path, n_jobs: int
+) -> tuple[FloatArray, FloatArray]:
+    """The amplitude's and the phase's nodes in M f; greedy ones are chosen on waveforms kept in the directory.
 
-
-def training_band(configuration: TrainingConfiguration) -> tuple[float, float]:
-    """Hz at the reference mass: [f1 M1 / Mref, f2 M2 / Mref] (paper, section "Mass rescaling")."""
-    ranges = configuration.ranges
-    return (
-        ranges.frequency_band[0] * ranges.total_mass[0] / ranges.reference_mass,
-        ranges.frequency_band[1] * ranges.total_mass[1] / ranges.reference_mass,
+    Raises
+    ------
+    ConfigurationInvalid
+        Too few or too many were chosen.
+    """
+    section = configuration.nodes
+    if section.kind == "smooth":
+        nodes = smooth_nodes(*training_band(configuration), section.count, configuration.ranges.reference_mass)
+        return nodes, nodes
+    amplitude, phase = greedy_nodes(
+        generator,
+        parameter_ranges(configuration),
+        mf_band(configuration),
+        waveforms=section.waveforms,
+        tolerance=section.tolerance,
+        on=section.on,
+        seed=configuration.dataset.seed,
+        directory=directory,
+        n_jobs=n_jobs,
     )
+    check_nodes(configuration, amplitude, phase)
+    return amplitude, phase
 
 
-def mf_band(configuration: TrainingConfiguration) -> tuple[float, float]:
-    """The training band in M f (dimensionless)."""
-    low, high = training_band(configuration)
-    mass = mass_seconds(configuration.ranges.reference_mass)
-    return low * mass, high * mass
+def configured_sampling(configuration: TrainingConfiguration) -> Sampling:
+    """The density from which the training set is drawn."""
+    section = configuration.dataset
+    return make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
+
+
+def validation_nodes(configuration: TrainingConfiguration) -> FloatArray:
+    """Not the nodes of the model: its interpolation between them is measured as well."""
+    return smooth_nodes(*training_band(configuration), _VALIDATION_NODES, configuration.ranges.reference_mass)
+
+
+def check_room(configuration: TrainingConfiguration, directory: Path) -> None:
+    """Find out whether the waveforms of a configuration can be written into a directory.
+
+    Raises
+    ------
+    DatasetUnwritable
+        It cannot be written, or has no room for those that are not there yet.
+    """
+    section, measured = configuration.dataset, configuration.validation
+    waveforms = (section.count + section.edge_count) * 2 * configuration.nodes.count
+    waveforms += (measured.count + measured.edge_count) * 2 * _VALIDATION_NODES
+    with unwritable_named(directory):
+        there = sum(path.stat().st_size for path in directory.glob("*/chunk-*.npz"))
+        check_writable(directory, max(0, 8 * waveforms - there))
 
 
 @dataclass(frozen=True)

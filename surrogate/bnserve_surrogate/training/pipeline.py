@@ -25,30 +25,34 @@ from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
 from bnserve_surrogate.training.generation import (
     Generation,
+    check_room,
     configured_generator,
-    mf_band,
-    parameter_ranges,
-    training_band,
+    configured_nodes,
+    configured_sampling,
+    validation_nodes,
 )
 from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, mass_seconds
-from bnserve_surrogate.training.greedy_nodes import greedy_nodes
 from bnserve_surrogate.training.metric import MismatchMetric
-from bnserve_surrogate.training.nodes import smooth_nodes
 from bnserve_surrogate.training.noise import noise_curve
 from bnserve_surrogate.training.plausibility import check_plausible
 from bnserve_surrogate.training.publication import assemble, describe, estimating, provenance, with_results
-from bnserve_surrogate.training.quadrature import noise_weights, spline_matrix
+from bnserve_surrogate.training.quadrature import dense_grid, noise_weights, spline_matrix
+from bnserve_surrogate.training.ranges import parameter_ranges
 from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction, Reduction
 from bnserve_surrogate.training.regressors import MLP, Beside, ChebyshevPolynomial, Sum, export_regressor
+from bnserve_surrogate.training.report import REPORT_FILE, page
 from bnserve_surrogate.training.residuals import flatten_phase
-from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
+from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling
 from bnserve_surrogate.training.search_lookup import with_best_hyperparameters
 from bnserve_surrogate.training.validation import Validation, validate, validation_frequencies
+from bnserve_surrogate.training.verdict import check_worth_a_label
 
 Say = Callable[[str], None]
 _SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 2e-3, "phase_shift": 1e-7}
 """What a squared error of a scalar costs against one of the components, when a polynomial is pruned: the match does not
 see it, but the merger's alignment does. That of the time shift multiplies its own part of the metric."""
+_ROOM = 2**24
+"""Bytes that must be free in the store: the shipped models have a tenth of it, with their reports."""
 _SCALAR_DEGREE = 4
 """Of the polynomial for the scalars beside a network, if there are five waveforms for four terms; lower if not."""
 _EDGES = EdgeSampling(most=4)
@@ -97,6 +101,7 @@ def train(
     if choice:
         say(choice)
     check_plausible(configuration)
+    check_room(configuration, directory)
     generator = configured_generator(configuration)
     generate = Generation(configuration, generator, directory, n_jobs, backend, progress)
     dataset = training_dataset(
@@ -138,12 +143,12 @@ def training_dataset(
     generate = Generation(configuration, generator, directory, n_jobs, backend, progress)
     section = configuration.dataset
     say(f"Nodes: {configuration.nodes.kind}")
-    mf_amplitude, mf_phase = _nodes(configuration, generator, directory, n_jobs)
+    mf_amplitude, mf_phase = configured_nodes(configuration, generator, directory, n_jobs)
     say(f"  {len(mf_amplitude)} for the amplitude, {len(mf_phase)} for the phase")
     edges = f" and {section.edge_count} on faces and edges" if section.edge_count else ""
     generate.check(mf_phase)
     say(f"Waveforms: {section.count}{edges} of {generator.name} {generator.version}")
-    dataset = generate(_sampling(configuration), "train", section.seed, section.count, mf_amplitude, mf_phase)
+    dataset = generate(configured_sampling(configuration), "train", section.seed, section.count, mf_amplitude, mf_phase)
     if section.edge_count:
         others = generate(_EDGES, "train edges", section.seed, section.edge_count, mf_amplitude, mf_phase)
         dataset = joined(dataset, others, section.count)
@@ -151,8 +156,32 @@ def training_dataset(
     return dataset
 
 
-def publish(configuration: TrainingConfiguration, trained: Trained, store: Path | str) -> Manifest:
-    """Publish a trained model into a store; raises ``VersionExists`` if its version is there already."""
+def publish(
+    configuration: TrainingConfiguration,
+    trained: Trained,
+    store: Path | str,
+    *,
+    with_report: bool = False,
+    force: bool = False,
+) -> Manifest:
+    """Publish a trained model into a store, with its labels and its report, or not at all.
+
+    Parameters
+    ----------
+    with_report:
+        A page with plots lies beside the manifest.
+    force:
+        Give it its labels whatever it is worth.
+
+    Raises
+    ------
+    NotBetter
+        It has labels to get, and is not better than its baseline by a factor of ten.
+    VersionExists, BnserveError
+        The version is there already, or the store cannot be written; nothing was published.
+    """
+    if configuration.labels and not force:
+        check_worth_a_label(trained.validations)
     return ModelStore([store]).publish(
         configuration.name,
         configuration.version,
@@ -160,20 +189,25 @@ def publish(configuration: TrainingConfiguration, trained: Trained, store: Path 
         trained.metadata.write(),
         labels=configuration.labels,
         created=datetime.now(UTC),
+        beside=(lambda manifest: _report(manifest, trained)) if with_report else None,
     )
 
 
+def _report(manifest: Manifest, trained: Trained) -> dict[str, bytes]:
+    return {REPORT_FILE: page(f"{manifest.name} {manifest.version}", manifest.digest, trained).encode()}
+
+
 def check_publishable(configuration: TrainingConfiguration, store: Path | str) -> None:
-    """Find out before hours are spent whether :func:`publish` will refuse the version, its name or its labels.
+    """Find out before hours are spent whether :func:`publish` will refuse the version, its name, labels or store.
 
     Raises
     ------
     VersionExists
         The version is there already.
     InvalidRequest, BnserveError
-        As :meth:`ModelStore.check_publishable`.
+        As :meth:`ModelStore.check_publishable`; the store cannot be written.
     """
-    ModelStore([store]).check_publishable(configuration.name, configuration.version, configuration.labels)
+    ModelStore([store]).check_publishable(configuration.name, configuration.version, configuration.labels, room=_ROOM)
 
 
 def validate_artifact(
@@ -222,7 +256,7 @@ def validate_artifact(
     generator = configured_generator(configuration)
     generate = Generation(configuration, generator, directory, n_jobs, "loky", None)
     model = Model.from_artifact(artifact)
-    nodes = _validation_nodes(configuration)
+    nodes = validation_nodes(configuration)
     return {
         kind: validate(
             model,
@@ -240,7 +274,7 @@ def validate_artifact(
 def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfiguration) -> MismatchMetric:
     """The metric with the mean weights |h|^2 / S_n of the data set, at its nodes."""
     mass = mass_seconds(configuration.ranges.reference_mass)
-    dense = np.geomspace(dataset.mf_amplitude[0], dataset.mf_amplitude[-1], 4000)
+    dense = dense_grid(dataset.mf_amplitude)
     to_dense = spline_matrix(dataset.mf_amplitude, dense).T
     every = max(1, len(dataset) // 1024)
     amplitudes = np.array(
@@ -251,32 +285,6 @@ def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfigurati
     )
     weights = noise_weights(dense / mass, amplitudes, noise_curve(configuration.reduction.noise)).mean(axis=0)
     return MismatchMetric.from_dense(dataset.mf_amplitude, dataset.mf_phase, dense, weights)
-
-
-def _nodes(
-    configuration: TrainingConfiguration, generator: WaveformGenerator, directory: Path, n_jobs: int
-) -> tuple[FloatArray, FloatArray]:
-    band, mass = training_band(configuration), configuration.ranges.reference_mass
-    section = configuration.nodes
-    if section.kind == "smooth":
-        nodes = smooth_nodes(*band, section.count, mass)
-        return nodes, nodes
-    return greedy_nodes(
-        generator,
-        parameter_ranges(configuration),
-        mf_band(configuration),
-        waveforms=section.waveforms,
-        tolerance=section.tolerance,
-        on=section.on,
-        seed=configuration.dataset.seed,
-        directory=directory,
-        n_jobs=n_jobs,
-    )
-
-
-def _sampling(configuration: TrainingConfiguration) -> Sampling:
-    section = configuration.dataset
-    return make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
 
 
 def reduce_dataset(
@@ -349,7 +357,7 @@ def _validate(
     configuration: TrainingConfiguration, generate: Generation, model: Model, metadata: SurrogateMetadata
 ) -> dict[str, Validation]:
     section = configuration.validation
-    nodes = _validation_nodes(configuration)
+    nodes = validation_nodes(configuration)
     return {
         kind: validate(
             model, metadata, generate(_VALIDATION_SAMPLING[kind], f"validate {kind}", section.seed, count, nodes, nodes)
@@ -357,8 +365,3 @@ def _validate(
         for kind, count in {"uniform": section.count, "edges": section.edge_count}.items()
         if count > 0
     }
-
-
-def _validation_nodes(configuration: TrainingConfiguration) -> FloatArray:
-    """Not the nodes of the model: its interpolation between them is measured as well."""
-    return smooth_nodes(*training_band(configuration), 300, configuration.ranges.reference_mass)

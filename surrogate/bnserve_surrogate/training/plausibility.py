@@ -2,15 +2,35 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import msgspec
 import numpy as np
 
-from bnserve_surrogate.training.config import ConfigurationInvalid, TrainingConfiguration
+from bnserve_surrogate.training.config import (
+    ConfigurationInvalid,
+    DatasetSection,
+    NetworkSection,
+    PolynomialSection,
+    TrainingConfiguration,
+)
+from bnserve_surrogate.training.generators import FloatArray
+from bnserve_surrogate.training.nodes import smooth_nodes
 from bnserve_surrogate.training.noise import noise_curve
-from bnserve_surrogate.training.ranges import ParameterRanges
+from bnserve_surrogate.training.quadrature import has_weight
+from bnserve_surrogate.training.ranges import parameter_ranges, training_band
 from bnserve_surrogate.training.regressors import weighted_exponents
 
 FEWEST_FOR_A_NETWORK = 8
 """They determine the least polynomial beside it, of degree one."""
+FEWEST_NODES = 4
+"""Of a cubic spline."""
+_MOST_LISTED = 100_000
+"""Terms of a polynomial whose exact number is worth the fraction of a second."""
+_NARROWEST_BAND = 1.01
+"""Between the ends of a band: less has no room for nodes, and no waveform to speak of."""
 
 
 def check_plausible(configuration: TrainingConfiguration) -> None:
@@ -19,55 +39,125 @@ def check_plausible(configuration: TrainingConfiguration) -> None:
     Raises
     ------
     ConfigurationInvalid
-        Intervals that are not increasing, more components or terms than waveforms determine, no validation.
+        Numbers that are not finite, intervals that decrease, more components or terms than waveforms determine, no
+        validation.
     InvalidParameters, InvalidFrequencies
         A box that is not physical; a noise curve that does not exist, or does not cover the band.
     """
+    _check_finite(configuration)
     _check_ranges(configuration)
     _check_sizes(configuration)
 
 
+def _check_finite(configuration: TrainingConfiguration) -> None:
+    for name, value in _numbers(msgspec.to_builtins(configuration)):
+        _require(math.isfinite(value), f"'{name}' is {value}, and must be a finite number")
+
+
+def _numbers(value: Any, name: str = "") -> Iterator[tuple[str, float]]:
+    if isinstance(value, dict):
+        for key, part in value.items():
+            yield from _numbers(part, f"{name}.{key}" if name else key)
+    elif isinstance(value, list | tuple):
+        for part in value:
+            yield from _numbers(part, name)
+    elif isinstance(value, float):
+        yield name, value
+
+
 def _check_ranges(configuration: TrainingConfiguration) -> None:
     ranges = configuration.ranges
-    ParameterRanges(ranges.mass_ratio, ranges.chi, ranges.tidal_deformability)
-    for name in ("total_mass", "frequency_band"):
-        low, high = getattr(ranges, name)
-        _require(low < high, f"'{name}' in [ranges] must be two increasing numbers; got {low:g} and {high:g}")
+    parameter_ranges(configuration)
     low, high = ranges.total_mass
+    _require(
+        low <= high, f"'total_mass' in [ranges] must be two increasing numbers, or one twice; got {low:g}, {high:g}"
+    )
     inside = low <= ranges.reference_mass <= high
     _require(inside, f"'reference_mass' in [ranges], {ranges.reference_mass:g}, must lie in total_mass")
-    band = np.array(ranges.frequency_band) * np.array(ranges.total_mass) / ranges.reference_mass
+    first, last = ranges.frequency_band
+    _require(
+        _NARROWEST_BAND * first <= last,
+        f"'frequency_band' in [ranges] must be two increasing numbers, at least 1 % apart; got {first:g} and {last:g}",
+    )
+    band = np.array(training_band(configuration))
     for noise in {configuration.reduction.noise, "ET-D"}:  # the second is that of the validation
         noise_curve(noise)(band)
 
 
 def _check_sizes(configuration: TrainingConfiguration) -> None:
-    waveforms = configuration.dataset.count + configuration.dataset.edge_count
+    waveforms, described = _waveforms(configuration.dataset)
     components = configuration.reduction.components
     _require(
         components <= waveforms,
-        f"{components} components cannot be found in {waveforms} waveforms; lower 'components' in [reduction] or raise "
-        "'count' in [dataset]",
+        f"{components} components cannot be found in {described}; lower 'components' in [reduction] or raise 'count' "
+        "in [dataset]",
     )
     if configuration.nodes.kind == "smooth":
-        numbers = 2 * configuration.nodes.count
-        _require(components <= numbers, f"{components} components cannot be found in {numbers} numbers at the nodes")
-    if configuration.regressor.kind == "network":
-        _require(
-            waveforms >= FEWEST_FOR_A_NETWORK,
-            f"a network cannot be trained on {waveforms} waveforms; raise 'count' in [dataset] to at least "
-            f"{FEWEST_FOR_A_NETWORK}, or choose another 'kind' in [regressor]",
-        )
-    else:
-        polynomial = configuration.regressor.polynomial
-        terms = len(weighted_exponents(polynomial.degree, polynomial.weights))
-        _require(
-            terms <= waveforms,
-            f"{terms} terms of the polynomial cannot be determined by {waveforms} waveforms; lower 'degree' in "
-            "[regressor.polynomial] or raise 'count' in [dataset]",
-        )
+        band, mass = training_band(configuration), configuration.ranges.reference_mass
+        nodes = smooth_nodes(*band, configuration.nodes.count, mass)
+        check_nodes(configuration, nodes, nodes)
+    if configuration.regressor.kind != "polynomial":
+        _check_network(configuration.regressor.network, waveforms, described)
+    if configuration.regressor.kind != "network":
+        _check_polynomial(configuration.regressor.polynomial, waveforms, described)
     validation = configuration.validation
     _require(validation.count + validation.edge_count > 0, "'count' and 'edge_count' in [validation] are both 0")
+
+
+def check_nodes(configuration: TrainingConfiguration, amplitude: FloatArray, phase: FloatArray) -> None:
+    """Refuse nodes of amplitude and phase in M f, from the configuration or from the greedy choice.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Too few for a spline or for the components, or denser than the grid of the metric.
+    """
+    for nodes, of in ((amplitude, "amplitude"), (phase, "phase")):
+        _require(
+            len(nodes) >= FEWEST_NODES,
+            f"{len(nodes)} nodes of the {of} were chosen, and a spline needs {FEWEST_NODES}; lower 'tolerance' in "
+            "[nodes], or widen 'frequency_band' in [ranges]",
+        )
+        _require(
+            has_weight(nodes),
+            f"{len(nodes)} nodes of the {of} are too many; lower 'count', or raise 'tolerance', in [nodes]",
+        )
+    components, numbers = configuration.reduction.components, len(amplitude) + len(phase)
+    _require(components <= numbers, f"{components} components cannot be found in {numbers} numbers at the nodes")
+
+
+def _waveforms(section: DatasetSection) -> tuple[int, str]:
+    """How many there will be at the least, and the words for it."""
+    failing = sum(int(section.max_failed_fraction * count) for count in (section.count, section.edge_count))
+    total = section.count + section.edge_count
+    return total - failing, f"{total} waveforms" + (f", of which {failing} may fail" if failing else "")
+
+
+def _check_network(network: NetworkSection, waveforms: int, described: str) -> None:
+    _require(
+        waveforms >= FEWEST_FOR_A_NETWORK,
+        f"a network cannot be trained on {described}; raise 'count' in [dataset] to at least "
+        f"{FEWEST_FOR_A_NETWORK}, or choose another 'kind' in [regressor]",
+    )
+    aside = math.ceil(network.validation_fraction * waveforms)
+    _require(
+        2 <= aside < waveforms,
+        f"'validation_fraction' in [regressor.network], {network.validation_fraction:g}, sets aside {aside} of "
+        f"{described}; it takes two to stop by, and others to learn from",
+    )
+
+
+def _check_polynomial(polynomial: PolynomialSection, waveforms: int, described: str) -> None:
+    weights = np.array(polynomial.weights)
+    # As many as the simplex of the degrees has volume, at the least: where these are very many, they are not listed.
+    least = polynomial.degree**5 / (120.0 * np.prod(weights)) if (weights > 0.0).all() else 0.0
+    listed = least <= max(waveforms, _MOST_LISTED)
+    terms = len(weighted_exponents(polynomial.degree, polynomial.weights)) if listed else least
+    _require(
+        terms <= waveforms,
+        f"{terms:.0f} terms of the polynomial cannot be determined by {described}; lower 'degree' in "
+        "[regressor.polynomial] or raise 'count' in [dataset]",
+    )
 
 
 def _require(holds: bool, complaint: str) -> None:

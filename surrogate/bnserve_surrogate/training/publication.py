@@ -97,7 +97,8 @@ def with_results(
         "by_parameter": by_parameter(validations),
     }
     binary = _typical(metadata)
-    frequencies = np.geomspace(metadata.frequency_band[0], 0.5 * metadata.frequency_band[1], 5)
+    low, high = metadata.frequency_band
+    frequencies = np.geomspace(low, 0.5 * high if 0.5 * high > low else high, 5)
     answer = model.predict_amplitude_phase(frequencies, binary)
     check = SelfCheck(
         parameters={name: getattr(binary, name) for name in binary.__slots__},

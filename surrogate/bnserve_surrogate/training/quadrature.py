@@ -17,6 +17,10 @@ from bnserve_surrogate.training.noise import NoiseCurve
 FloatArray: TypeAlias = NDArray[np.float64]
 
 
+_DENSE = 4000
+"""Points of the grid of a metric, as many as of the mismatch integral of a validation."""
+
+
 def trapezoid_weights(frequencies: ArrayLike) -> FloatArray:
     """Weights v, shape (J,), such that ``v @ y`` is the trapezoidal integral of y over ``frequencies``, shape (J,)."""
     grid = np.asarray(frequencies, dtype=np.float64)
@@ -72,6 +76,18 @@ def spline_matrix(nodes: ArrayLike, frequencies: ArrayLike) -> FloatArray:
             f"{grid.max():g}; splines must not be extrapolated."
         )
     return np.asarray(CubicSpline(np.log(knots), np.eye(len(knots)))(np.log(grid)))
+
+
+def dense_grid(nodes: FloatArray) -> FloatArray:
+    """The grid on which a metric's weights are given, from the first to the last node."""
+    return np.geomspace(nodes[0], nodes[-1], _DENSE)
+
+
+def has_weight(nodes: FloatArray) -> bool:
+    """Whether every node has frequencies of the dense grid between its neighbours, as :func:`node_weights` needs."""
+    dense = dense_grid(nodes)
+    first, stop = np.searchsorted(dense, nodes[:-2], side="right"), np.searchsorted(dense, nodes[2:], side="left")
+    return bool((stop > first).all())
 
 
 def node_weights(nodes: ArrayLike, frequencies: ArrayLike, weights: ArrayLike) -> FloatArray:

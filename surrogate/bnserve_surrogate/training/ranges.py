@@ -7,7 +7,8 @@ from dataclasses import asdict, dataclass
 import numpy as np
 
 from bnserve_protocol import InvalidParameters
-from bnserve_surrogate.training.generators import FloatArray
+from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.generators import FloatArray, mass_seconds
 
 Interval = tuple[float, float]
 
@@ -15,6 +16,8 @@ Interval = tuple[float, float]
 @dataclass(frozen=True)
 class ParameterRanges:
     """A box: every parameter in its interval, both spins in one and both tidal polarisabilities in one.
+
+    An interval may be one number twice: a box without spins is ``chi = (0, 0)``.
 
     Parameters
     ----------
@@ -28,7 +31,7 @@ class ParameterRanges:
     Raises
     ------
     InvalidParameters
-        An interval that is not increasing, or leaves what is physical.
+        An interval that decreases, or leaves what is physical.
     """
 
     mass_ratio: Interval = (1.0, 3.0)
@@ -39,9 +42,9 @@ class ParameterRanges:
         bounds = {"mass_ratio": (1.0, np.inf), "chi": (-1.0, 1.0), "tidal_deformability": (0.0, np.inf)}
         for name, (least, most) in bounds.items():
             interval = tuple(float(value) for value in getattr(self, name))
-            if len(interval) != 2 or not (least <= interval[0] < interval[1] <= most) or np.isinf(interval[1]):
+            if len(interval) != 2 or not (least <= interval[0] <= interval[1] <= most) or np.isinf(interval[1]):
                 raise InvalidParameters(
-                    f"The range of {name} is two increasing numbers between {least:g} and {most:g}; "
+                    f"The range of {name} is two numbers between {least:g} and {most:g}, the smaller one first; "
                     f"got {getattr(self, name)}."
                 )
             object.__setattr__(self, name, interval)
@@ -69,3 +72,25 @@ class ParameterRanges:
     def _corner(self, side: int) -> FloatArray:
         chi, tides = self.chi[side], self.tidal_deformability[side]
         return np.array([self.mass_ratio[side], chi, chi, tides, tides])
+
+
+def parameter_ranges(configuration: TrainingConfiguration) -> ParameterRanges:
+    """The box of a configuration."""
+    ranges = configuration.ranges
+    return ParameterRanges(ranges.mass_ratio, ranges.chi, ranges.tidal_deformability)
+
+
+def training_band(configuration: TrainingConfiguration) -> tuple[float, float]:
+    """Hz at the reference mass: [f1 M1 / Mref, f2 M2 / Mref] (paper, section "Mass rescaling")."""
+    ranges = configuration.ranges
+    return (
+        ranges.frequency_band[0] * ranges.total_mass[0] / ranges.reference_mass,
+        ranges.frequency_band[1] * ranges.total_mass[1] / ranges.reference_mass,
+    )
+
+
+def mf_band(configuration: TrainingConfiguration) -> tuple[float, float]:
+    """The training band in M f (dimensionless)."""
+    low, high = training_band(configuration)
+    mass = mass_seconds(configuration.ranges.reference_mass)
+    return low * mass, high * mass

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import errno
 import html
 import io
 import os
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from bnserve_store import check_writable
 from bnserve_surrogate.training.errors import DatasetUnwritable, require
 from bnserve_surrogate.training.validation import QUANTILES, Validation, quantiles
 
@@ -21,6 +24,8 @@ if TYPE_CHECKING:
 
 REPORT_FILE = "report.html"
 """Its name, beside the manifest of the model. It is for people: no part of the artifact, and of no digest."""
+_LEAST_MISMATCH = 1e-16
+"""Drawn for what is less, on axes that are logarithmic: rounding."""
 _ROWS = {
     "mismatch": lambda v: v.mismatch,
     "mismatch of the baseline alone": lambda v: v.baseline_mismatch,
@@ -52,14 +57,8 @@ def as_json(validation: Validation) -> dict[str, Any]:
     }
 
 
-def write_report(path: Path, title: str, digest: str, trained: Trained) -> None:
-    """Write a self-contained page: what was trained, the table, the plots.
-
-    Raises
-    ------
-    DatasetUnwritable
-        The page cannot be written; the published model is not affected.
-    """
+def page(title: str, digest: str, trained: Trained) -> str:
+    """A self-contained page in HTML: what was trained, the table, the plots."""
     figures = {
         "Mismatch on fresh waveforms, and of the baseline alone": _mismatch_figure(trained.validations),
         "Differences of 100 waveforms to the generator's": _residual_figure(next(iter(trained.validations.values()))),
@@ -79,7 +78,7 @@ def write_report(path: Path, title: str, digest: str, trained: Trained) -> None:
         "time": f"{origin['seconds']} s",
     }
     rows = "".join(f"<tr><th>{html.escape(k)}</th><td>{html.escape(str(v))}</td></tr>" for k, v in facts.items())
-    write_text(path, _PAGE.format(title=html.escape(title), rows=rows, table=table(trained.validations), images=images))
+    return _PAGE.format(title=html.escape(title), rows=rows, table=table(trained.validations), images=images)
 
 
 _PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title>
@@ -90,9 +89,23 @@ pre{{background:#f3f5f8;padding:1rem;overflow-x:auto}}</style>
 """
 
 
+def check_output(path: Path) -> None:
+    """Find out before the work whether :func:`write_text` will refuse a path; raises as it does."""
+    with _unwritable(path):
+        if path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+        check_writable(path.parent)
+
+
 def write_text(path: Path, text: str) -> None:
-    """Write a file whole or not at all."""
-    try:
+    """Write a file whole or not at all.
+
+    Raises
+    ------
+    DatasetUnwritable
+        It cannot be written.
+    """
+    with _unwritable(path):
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:
@@ -105,6 +118,12 @@ def write_text(path: Path, text: str) -> None:
             with contextlib.suppress(OSError):
                 Path(name).unlink()
             raise
+
+
+@contextlib.contextmanager
+def _unwritable(path: Path) -> Iterator[None]:
+    try:
+        yield
     except OSError as error:
         raise DatasetUnwritable(f"Cannot write {path}: {error.strerror}. Make room or choose another place.") from error
 
@@ -127,13 +146,15 @@ def _mismatch_figure(validations: dict[str, Validation]) -> str:
     figure, axes = _figure(1, 1, (9, 4.2))
     axis = axes[0, 0]
     everything = np.concatenate([np.r_[v.mismatch, v.baseline_mismatch] for v in validations.values()])
-    low, high = np.log10(np.maximum(everything.min(), 1e-16)), np.log10(everything.max())
-    bins = np.logspace(np.floor(low), np.ceil(high), 90)
+    low, high = (np.log10(max(value, _LEAST_MISMATCH)) for value in (everything.min(), everything.max()))
+    bins = np.logspace(np.floor(low), max(np.ceil(high), np.floor(low) + 1.0), 90)
     for number, (kind, validation) in enumerate(validations.items()):
-        axis.hist(validation.mismatch, bins, histtype="step", lw=2, color=f"C{number}", label=f"model, {kind}")
-        axis.hist(
-            validation.baseline_mismatch, bins, histtype="step", ls=":", color=f"C{number}", label=f"baseline, {kind}"
-        )
+        for who, values, style in (
+            ("model", validation.mismatch, "-"),
+            ("baseline", validation.baseline_mismatch, ":"),
+        ):
+            shown = np.maximum(values, bins[0])
+            axis.hist(shown, bins, histtype="step", lw=2, ls=style, color=f"C{number}", label=f"{who}, {kind}")
     axis.set(xscale="log", xlabel="mismatch", ylabel="waveforms")
     axis.legend(frameon=False)
     return _png(figure)
@@ -156,7 +177,8 @@ def _parameter_figure(validations: dict[str, Validation]) -> str:
     names = ("mass ratio", "chi 1", "chi 2", "Lambda 1", "Lambda 2")
     for column, (axis, name) in enumerate(zip(axes[0], names, strict=True)):
         for kind, validation in validations.items():
-            axis.plot(validation.theta[:, column], validation.mismatch, ".", ms=3, alpha=0.6, label=kind)
+            shown = np.maximum(validation.mismatch, _LEAST_MISMATCH)
+            axis.plot(validation.theta[:, column], shown, ".", ms=3, alpha=0.6, label=kind)
         axis.set(yscale="log", xlabel=name)
     axes[0, 0].set_ylabel("mismatch")
     axes[0, 0].legend(frameon=False)

@@ -55,7 +55,7 @@ class CallableGenerator:
             found: Any = importlib.import_module(module)
             for part in attribute.split("."):
                 found = getattr(found, part)
-        except (ImportError, AttributeError) as error:
+        except Exception as error:  # importing runs the user's module
             raise GeneratorUnknown(f"The generator function '{path}' cannot be imported: {error}.") from error
         function = found() if inspect.isclass(found) else found
         if not callable(function):

@@ -40,6 +40,9 @@ class WaveformGenerator(Protocol):
       dpsi/df = 0 there, says so by an attribute ``phase_start``, this M f;
     * what it gives at a frequency does not depend on the other frequencies asked for.
 
+    A generator that has no waveforms in a part of parameter space may have ``check_box(lower, upper)``, which raises
+    for a box of corners (5,) that reaches into it.
+
     It raises :class:`GeneratorFailure` when it has no waveform for ``theta``; the run then goes on without it.
     Instances travel to worker processes, so they must be picklable by cloudpickle, and the same arguments must give
     the same bits.

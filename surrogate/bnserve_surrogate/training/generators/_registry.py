@@ -8,6 +8,7 @@ from collections.abc import Callable
 from types import MappingProxyType
 from typing import Any
 
+from bnserve_protocol import BnserveError
 from bnserve_surrogate.training.errors import GeneratorUnknown
 from bnserve_surrogate.training.generators._callable import CallableGenerator
 from bnserve_surrogate.training.generators._interface import WaveformGenerator
@@ -31,7 +32,7 @@ def make_generator(name: str, **options: Any) -> WaveformGenerator:
     Raises
     ------
     GeneratorUnknown
-        No such generator, or an option that it does not take; the nearest name is suggested.
+        No such generator (the nearest name is suggested), an option that it does not take, or a value that does not go.
     """
     if name not in GENERATORS:
         near = difflib.get_close_matches(name, GENERATORS, n=1)
@@ -44,4 +45,9 @@ def make_generator(name: str, **options: Any) -> WaveformGenerator:
     except TypeError as error:
         known = ", ".join(signature.parameters)
         raise GeneratorUnknown(f"Options of the generator '{name}': {error}. It takes: {known}.") from error
-    return constructor(**options)
+    try:
+        return constructor(**options)
+    except BnserveError:
+        raise
+    except Exception as error:  # of options of a wrong type, or of a user's own class
+        raise GeneratorUnknown(f"The generator '{name}' cannot be made with {options}: {error}.") from error

@@ -75,6 +75,20 @@ class TEOBResumSPA:
         if not 0.0 < self.first_mf < 1.0:
             raise GeneratorUnknown(f"first_mf lies between 0 and 1; got {self.first_mf!r}.")
 
+    def check_box(self, lower: FloatArray, upper: FloatArray) -> None:
+        """Refuse a box of parameters, (5,) each in the order of theta, in which it has no waveforms.
+
+        Raises
+        ------
+        GeneratorUnknown
+            The box reaches to a Lambda of 1 or less.
+        """
+        if not (lower[3:] > 1.0).all():
+            raise GeneratorUnknown(
+                f"{self.name} has no waveforms for a Lambda of 1 or less, which it treats as a black hole; begin "
+                f"tidal_deformability in [ranges] above 1 (it begins at {lower[3:].min():g})."
+            )
+
     @property
     def name(self) -> str:
         """The model's name in the literature."""
