@@ -25,19 +25,19 @@ _PARTS = re.compile(r"([0-9.]*[0-9])(?:(a|b|rc)([0-9]+))?(?:\.post([0-9]+))?(?:\
 
 def is_name(text: str) -> bool:
     """Whether ``text`` may be the name of a model."""
-    return _NAME.fullmatch(text) is not None
+    return isinstance(text, str) and _NAME.fullmatch(text) is not None
 
 
 def is_version(text: str) -> bool:
     """Whether ``text`` may be a version."""
-    return _VERSION.fullmatch(text) is not None
+    return isinstance(text, str) and _VERSION.fullmatch(text) is not None
 
 
 def check_name(name: str) -> None:
     """Refuse a model name that could not be a folder: InvalidRequest."""
     if not is_name(name):
         raise InvalidRequest(
-            f"'{name[:80]}' cannot be the name of a model: use up to 64 letters, digits, '_' and '-', "
+            f"'{str(name)[:80]}' cannot be the name of a model: use up to 64 letters, digits, '_' and '-', "
             "beginning with a letter or digit."
         )
 
@@ -45,14 +45,15 @@ def check_name(name: str) -> None:
 def check_version(version: str) -> None:
     """Refuse a version that is not numbered: InvalidRequest."""
     if not is_version(version):
-        raise InvalidRequest(f"'{version[:80]}' is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
+        raise InvalidRequest(f"'{str(version)[:80]}' is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
 
 
 def check_label(label: str) -> None:
     """Refuse a label that could be mistaken for a version or a path: InvalidRequest."""
-    if _LABEL.fullmatch(label) is None:
+    if not isinstance(label, str) or _LABEL.fullmatch(label) is None:
         raise InvalidRequest(
-            f"'{label[:80]}' cannot be a label: use up to 64 letters, digits, '_' and '-', beginning with a letter."
+            f"'{str(label)[:80]}' cannot be a label: use up to 64 letters, digits, '_' and '-', beginning with a "
+            "letter."
         )
 
 

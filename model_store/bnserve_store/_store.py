@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import difflib
+import os
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from numpy.typing import ArrayLike
 
@@ -25,6 +26,10 @@ SHIPPED_MODELS = Path(__file__).parent / "models"
 """The models that come with this distribution."""
 
 
+Roots: TypeAlias = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
+"""One root of a store, or several in order."""
+
+
 class ModelStore:
     """Trained models in one or more roots; where two roots hold the same, the earlier one counts.
 
@@ -34,8 +39,8 @@ class ModelStore:
     Parameters
     ----------
     roots:
-        Directories, or URLs that fsspec understands (``s3://bucket/models``; read-only; needs
-        ``bnserve-store[fsspec]``). Directories need not exist before they are used.
+        Directories (as strings, or whatever has a path), or URLs that fsspec understands (``s3://bucket/models``;
+        read-only; needs ``bnserve-store[fsspec]``). Directories need not exist before they are used.
 
     Raises
     ------
@@ -45,16 +50,14 @@ class ModelStore:
         From the methods that read, for what must not be used: its subclasses say why.
     """
 
-    def __init__(self, roots: Sequence[Path | str]) -> None:
-        if isinstance(roots, str | Path):
-            roots = [roots]
-        self._roots = [_open(root) for root in roots]
+    def __init__(self, roots: Roots) -> None:
+        self._roots = [_open(root) for root in _several(roots)]
         self._shipped: Root | None = None
 
     @classmethod
-    def default(cls, extra_roots: Sequence[Path | str] = ()) -> ModelStore:
+    def default(cls, extra_roots: Roots = ()) -> ModelStore:
         """The extra roots first, then the models shipped with bnserve, which are only written when named as root."""
-        store = cls([*extra_roots, SHIPPED_MODELS])
+        store = cls([*_several(extra_roots), SHIPPED_MODELS])
         store._shipped = store._roots[-1]
         return store
 
@@ -91,6 +94,8 @@ class ModelStore:
             No such model (the nearest name is suggested), version or label; or a label whose version is gone.
         """
         versions = self.versions(name)
+        if not isinstance(version_or_label, str):
+            raise ModelUnknown(f"A version or label is a string; got {type(version_or_label).__name__}.")
         if version_or_label in versions:
             return version_or_label
         labels = self.labels(name)
@@ -134,7 +139,7 @@ class ModelStore:
         tensors: Mapping[str, ArrayLike],
         metadata: Mapping[str, Any],
         labels: Sequence[str] = ("stable",),
-        root: Path | str | None = None,
+        root: str | os.PathLike[str] | None = None,
         created: datetime | None = None,
         beside: Callable[[Manifest], Mapping[str, bytes]] | None = None,
     ) -> Manifest:
@@ -183,7 +188,7 @@ class ModelStore:
         name: str,
         version: str,
         labels: Sequence[str] = ("stable",),
-        root: Path | str | None = None,
+        root: str | os.PathLike[str] | None = None,
         room: int = 0,
     ) -> None:
         """Raise what :meth:`publish` would raise for these names: for who has hours of work before publishing.
@@ -203,7 +208,7 @@ class ModelStore:
             with explained(f"Publishing {name} {version}"):
                 check_writable(target.path / name, room)
 
-    def set_label(self, name: str, label: str, version: str, root: Path | str | None = None) -> None:
+    def set_label(self, name: str, label: str, version: str, root: str | os.PathLike[str] | None = None) -> None:
         """Point a label to a version (or to the version of another label), atomically.
 
         Parameters
@@ -234,12 +239,13 @@ class ModelStore:
 
     def _unknown(self, name: str) -> ModelUnknown:
         names = self.names()
-        near = difflib.get_close_matches(name[:80], names, n=1, cutoff=0.5)
+        shown = str(name)[:80]
+        near = difflib.get_close_matches(shown, names, n=1, cutoff=0.5)
         hint = f"Did you mean '{near[0]}'?" if near else f"Known models: {', '.join(names) or 'none'}."
-        return ModelUnknown(f"There is no model '{name[:80]}' in this store. {hint}")
+        return ModelUnknown(f"There is no model '{shown}' in this store. {hint}")
 
-    def _writable(self, root: Path | str | None) -> LocalRoot:
-        candidates = [known for known in self._roots if root is None or known.title == str(root)]
+    def _writable(self, root: str | os.PathLike[str] | None) -> LocalRoot:
+        candidates = [known for known in self._roots if root is None or known.title == os.fspath(root)]
         if not candidates:
             raise InvalidRequest(f"'{root}' is not one of the roots of this store ({', '.join(self.roots) or 'none'}).")
         target = candidates[0]
@@ -253,7 +259,15 @@ class ModelStore:
         return target
 
 
-def _open(root: Path | str) -> Root:
+def _several(roots: Roots) -> Sequence[str | os.PathLike[str]]:
+    if isinstance(roots, str | os.PathLike):
+        return [roots]
+    if not isinstance(roots, Sequence) or not all(isinstance(root, str | os.PathLike) for root in roots):
+        raise InvalidRequest("A root of a model store is a directory or a URL; several are a list of them.")
+    return roots
+
+
+def _open(root: str | os.PathLike[str]) -> Root:
     return BucketRoot(root) if isinstance(root, str) and "://" in root else LocalRoot(Path(root))
 
 

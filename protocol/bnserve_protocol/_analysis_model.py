@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bnserve_protocol._analyses import Analysis
 from bnserve_protocol._answers import ModelIdentity
-from bnserve_protocol._errors import AnalysisInvalid, FieldError
+from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest
 from bnserve_protocol._model import ModelDescription
 
 
@@ -14,7 +14,14 @@ def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) 
     Raises
     ------
     AnalysisInvalid
+    InvalidRequest
+        It is no analysis at all.
     """
+    if not isinstance(analysis, Analysis):
+        raise InvalidRequest(
+            f"A likelihood is that of an Analysis; got {type(analysis).__name__}. full_analysis, roq_analysis and "
+            "relative_binning_analysis of bnserve_inference build one."
+        )
     wanted = analysis.settings.model_digest
     if wanted not in (None, model.digest):
         raise AnalysisInvalid(

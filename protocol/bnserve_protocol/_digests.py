@@ -27,9 +27,10 @@ def check_model_digest(digest: str) -> None:
     ------
     InvalidRequest
     """
-    if _MODEL_DIGEST.fullmatch(digest) is None:
+    if not isinstance(digest, str) or _MODEL_DIGEST.fullmatch(digest) is None:
+        shown = repr(digest)[:80]
         raise InvalidRequest(
-            f"A model's digest is 'sha256:' and 64 hexadecimal digits, as its description has it; got {digest[:80]!r}."
+            f"A model's digest is 'sha256:' and 64 hexadecimal digits, as its description has it; got {shown}."
         )
 
 

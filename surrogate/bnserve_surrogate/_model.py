@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import operator
+import os
 from typing import Any, NamedTuple, Self
 
 import numpy as np
@@ -77,6 +78,7 @@ class Model:
         threads: int = 1,
     ) -> None:
         self._metadata = metadata
+        threads = _checked(threads)
         self._description = description
         self._evaluator = Evaluator(modes["22"], description.parameters, threads)
         self._origin: _Origin | None = None
@@ -91,7 +93,7 @@ class Model:
         cls,
         name: str,
         version: str = "stable",
-        store: str | Path | ModelStore | None = None,
+        store: str | os.PathLike[str] | ModelStore | None = None,
         *,
         digest: str | None = None,
         threads: int = 1,
@@ -115,11 +117,13 @@ class Model:
         Raises
         ------
         ModelUnknown, StoreUnknown, ArtifactError
+        InvalidRequest
+            ``threads`` is no positive number of threads, ``digest`` no digest or ``store`` none.
         DigestUnknown
             No version of this model has the ``digest``.
         """
         if store is not None and not isinstance(store, ModelStore):
-            store = ModelStore([store])
+            store = ModelStore(store)
         there = ModelStore.default() if store is None else store
         exact = version if digest is None else version_with_digest(there, name, version, digest)
         model = cls.from_artifact(there.load(name, exact), threads=threads)
@@ -273,6 +277,16 @@ class Model:
             if entry.minimum is not None and entry.maximum is not None:
                 values[entry.name] = 0.5 * (entry.minimum + entry.maximum)
         return ParametersWithExtrinsic(**values)
+
+
+def _checked(threads: int) -> int:
+    try:
+        count = operator.index(threads)
+    except TypeError:
+        count = 0
+    if count < 1:
+        raise InvalidRequest(f"'threads' must be a whole number of at least 1; got {threads!r}.")
+    return count
 
 
 def _load_again(

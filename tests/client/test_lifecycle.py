@@ -94,6 +94,12 @@ WRONG_SETTINGS = {
     "an empty Unix path": ("unix:", {}),
     "no time": ("http://host", {"timeout": 0.0}),
     "negative retries": ("http://host", {"retries": -1}),
+    "a time as text": ("http://host", {"timeout": "30"}),
+    "no number of seconds": ("http://host", {"silence": np.nan}),
+    "a time that is true": ("http://host", {"timeout": True}),
+    "a fraction of a retry": ("http://host", {"retries": 1.5}),
+    "half a chunk": ("http://host", {"parallel": 0.5}),
+    "a chunk as text": ("http://host", {"chunk_samples": "many"}),
     "a token with a line break": ("http://host", {"token": "secret\n"}),
 }
 
@@ -102,6 +108,13 @@ WRONG_SETTINGS = {
 def test_settings_that_cannot_work_are_refused(address, options):
     with pytest.raises(InvalidRequest):
         Model.connect(address, **options)
+
+
+def test_settings_may_be_numbers_of_any_kind(server, connect):
+    numbers = {"timeout": np.float32(30.0), "silence": np.array(30), "retries": np.int64(2), "parallel": np.uint8(2)}
+    assert same(connect(server.address, **numbers).predict(FREQUENCIES, ONE), RIGHT)
+    for_ever = connect(server.address, timeout=np.inf, silence=np.inf, chunk_samples=np.int64(100), progress=np.False_)
+    assert same(for_ever.predict(FREQUENCIES, ONE), RIGHT)
 
 
 def test_a_wrong_kind_of_transport_is_refused(server):

@@ -268,6 +268,13 @@ def test_a_wrong_batch_is_the_same_error(reach, local, batch):
     assert there[0] is InvalidParameters
 
 
+@pytest.mark.parametrize("analysis", [None, {}, "analysis"], ids=str)
+def test_what_is_no_analysis_is_the_same_error(reach, local, analysis):
+    there = failure(lambda: reach(analysis))
+    assert there == failure(lambda: likelihood(local, analysis))
+    assert there[0] is InvalidRequest
+
+
 def test_another_models_analysis_is_the_same_error(reach, local):
     analysis = with_nodes("roq", model_digest="sha256:another")
     assert failure(lambda: reach(analysis)) == failure(lambda: likelihood(local, analysis))

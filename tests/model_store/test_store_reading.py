@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from packaging.version import Version
 
-from bnserve_protocol import ArtifactCorrupted, ModelUnknown, StoreUnknown
+from bnserve_protocol import ArtifactCorrupted, InvalidRequest, ModelUnknown, StoreUnknown
 from bnserve_store import SHIPPED_MODELS, ModelStore
 from bnserve_store._names import is_version, version_key
 
@@ -160,3 +160,51 @@ def test_things_that_are_not_models_are_not_listed(store, root):
     (root / "gw" / "notes").mkdir()
     assert store.names() == ["gw"]
     assert store.versions("gw") == ["1.0.0", "1.1.0"]
+
+
+class Elsewhere:
+    """What has a path and is none of pathlib's."""
+
+    def __init__(self, path):
+        self._path = path
+
+    def __fspath__(self):
+        return str(self._path)
+
+
+ROOTS = {
+    "text": str,
+    "numpy's text": lambda path: np.str_(path),
+    "a path": lambda path: path,
+    "what has a path": Elsewhere,
+    "a list": lambda path: [Elsewhere(path)],
+    "a tuple": lambda path: (path,),
+}
+
+
+@pytest.mark.parametrize("given", ROOTS.values(), ids=ROOTS)
+def test_a_root_is_given_in_every_form_that_a_path_has(tmp_path, tensors, given):
+    for store in (ModelStore(given(tmp_path)), ModelStore.default(given(tmp_path))):
+        assert store.roots[0] == str(tmp_path)
+        version = f"{len(store.roots)}.0"
+        assert store.publish("gw", version, tensors(1), {}, root=Elsewhere(tmp_path)).version == version
+
+
+@pytest.mark.parametrize("roots", [None, 3, b"/store", [b"/store"], [None], {"/store"}], ids=str)
+def test_a_root_that_is_none_is_refused(roots):
+    for make in (ModelStore, ModelStore.default):
+        with pytest.raises(InvalidRequest, match="A root of a model store is a directory or a URL"):
+            make(roots)
+
+
+@pytest.mark.parametrize("name", [None, 3, b"gw"], ids=str)
+def test_names_and_versions_that_are_no_text_are_unknown(store, tensors, name):
+    with pytest.raises(ModelUnknown):
+        store.load(name)
+    with pytest.raises(ModelUnknown, match="A version or label is a string"):
+        store.load("gw", name)
+    for arguments in ((name, "3.0"), ("gw", name)):
+        with pytest.raises(InvalidRequest):
+            store.publish(*arguments, tensors(1), {})
+    with pytest.raises(InvalidRequest):
+        store.set_label("gw", name, "1.0.0")

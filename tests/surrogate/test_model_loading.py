@@ -11,6 +11,7 @@ import pytest
 from bnserve_protocol import (
     ArtifactCorrupted,
     ArtifactIncomplete,
+    InvalidRequest,
     ModelUnknown,
     ParameterBatch,
     ParametersWithExtrinsic,
@@ -246,3 +247,23 @@ def test_a_model_does_not_remember_the_row_before(model):
     before = model.predict(GRID, ONE).plus
     model.predict(GRID, other)
     np.testing.assert_array_equal(model.predict(GRID, ONE).plus, before)
+
+
+@pytest.mark.parametrize("threads", [1, np.int64(2), np.array(2), np.uint8(3)], ids=repr)
+def test_the_number_of_threads_is_any_whole_number(threads):
+    assert (
+        len(Model.load("fast", threads=threads).predict_batch(np.geomspace(20.0, 2000.0, 5000), random_batch(64))[0])
+        == 64
+    )
+
+
+@pytest.mark.parametrize("threads", [0, -1, 2.0, "2", None, np.float64(2.0)], ids=repr)
+def test_a_number_of_threads_that_is_none_is_refused(threads):
+    with pytest.raises(InvalidRequest, match="'threads' must be a whole number of at least 1"):
+        Model.load("fast", threads=threads)
+
+
+@pytest.mark.parametrize("digest", [3, b"sha256:", "sha256:0", ""], ids=repr)
+def test_a_digest_that_is_none_is_refused(digest):
+    with pytest.raises(InvalidRequest, match="A model's digest is 'sha256:' and 64 hexadecimal digits"):
+        Model.load("fast", digest=digest)
