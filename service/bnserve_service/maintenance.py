@@ -94,7 +94,9 @@ class Maintenance:
             except Exception:
                 logger.exception("looking at the model stores failed; what was served goes on being served")
                 self.last_report = RefreshReport(failures={"store": "it cannot be read; the log says why."})
-            self._first_look.set()
+            if not self._first_look.is_set():  # or what took long to load would be stale until the first check
+                await asyncio.get_running_loop().run_in_executor(self._threads, self._health.check_models)
+                self._first_look.set()
             try:
                 async with asyncio.timeout(self._poll_seconds):
                     await self._poked.wait()
@@ -107,8 +109,8 @@ class Maintenance:
         loop = asyncio.get_running_loop()
         await self._first_look.wait()
         while True:
-            await loop.run_in_executor(self._threads, self._health.check_models)
             await asyncio.sleep(self._check_seconds)
+            await loop.run_in_executor(self._threads, self._health.check_models)
 
     async def _give_memory_back(self) -> None:
         loop = asyncio.get_running_loop()

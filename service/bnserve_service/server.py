@@ -198,6 +198,8 @@ class BnserveServer:
         lifecycle.begin_grace()
         # In full, even when nobody is connected: a balancer that has not looked again yet still sends callers here.
         await asyncio.sleep(grace)
+        if self._uvicorn.acceptor is not None:
+            self._uvicorn.acceptor.stop()  # another worker, if there is one, takes who comes now, and does not refuse
         lifecycle.refuse()
         self._uvicorn.should_exit = True
 

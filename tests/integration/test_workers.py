@@ -17,7 +17,7 @@ from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import encode_analysis
 from bnserve_store import ModelStore
 from tests.architecture.rooms import run_python
-from tests.integration.conftest import COMMAND, bnserve
+from tests.integration.conftest import COMMAND
 from tests.integration.draining import stopped_under_load
 from tests.integration.workers import children, exists, own_memory, serving_with, until
 from tests.running_server import running
@@ -365,15 +365,6 @@ def test_sighup_has_all_of_them_look_at_the_stores(workers):
     before = looks()
     os.kill(workers.supervisor, signal.SIGHUP)
     until(lambda: looks() >= before + 3, "three workers have looked")
-
-
-def test_without_any_model_the_reason_is_said(tmp_path):
-    (tmp_path / "store").mkdir()
-    done = bnserve("serve", "--port", "0", "--workers", "2", "--model", "defualt", "--store", str(tmp_path / "store"))
-    assert done.returncode == 2
-    assert "defualt" in done.stderr
-    assert "Traceback" not in done.stderr
-    assert "is ready" not in done.stdout
 
 
 def test_the_supervisor_imports_nothing_heavy():

@@ -65,6 +65,13 @@ def test_one_that_is_being_replaced_has_the_time_to_drain_and_no_more():
     assert it.retired == "stuck"
 
 
+def test_one_that_greets_and_was_never_made_is_not_waited_for_without_end():
+    it = worker(heard=None, pid=None, greets=True)
+    it.retire("greeted", 200.0)
+    assert judge(it, RULES, 200.0 + COPY_SECONDS - 1, False) == (Verdict.KEEP, "")
+    assert judge(it, RULES, 200.0 + COPY_SECONDS + 1, False) == (Verdict.KILL, "silent")
+
+
 def test_time_in_which_nobody_ran_counts_for_nobody():
     it = worker()
     it.forgive(60.0)

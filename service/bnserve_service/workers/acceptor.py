@@ -61,8 +61,8 @@ class FairAcceptor:
         self._loop.add_reader(self._listener.fileno(), self._incoming)
 
     def stop(self) -> None:
-        """Take none any more, and close the socket."""
-        if self._loop is not None:
+        """Take none any more, and close the socket; once more is no harm."""
+        if self._loop is not None and self._listener.fileno() >= 0:
             self._loads.leave(self._place)
             if self._waiting is not None:
                 self._waiting.cancel()

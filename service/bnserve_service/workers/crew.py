@@ -83,6 +83,14 @@ class Crew:
         """Have the one made that says that the models are being loaded."""
         self._start(template, 2 * self._wanted, now, greets=True)
 
+    def is_greeting(self, now: float) -> bool:
+        """Whether there still is one that says that the models are being loaded, which they are: it is told to go."""
+        greeting = [worker for worker in self if worker.greets]
+        for worker in greeting:
+            if not worker.retired:
+                self.replace(worker, "greeted", now)
+        return bool(greeting)
+
     def _start(self, template: Template, place: int, now: float, greets: bool) -> None:
         ours, theirs = Channel.pair()
         if template.spawn(place, theirs, greets):
@@ -140,9 +148,6 @@ class Crew:
 
     def _got_ready(self, worker: Worker, models: str, now: float) -> None:
         logger.info("worker %d is ready (process %s)", worker.slot, worker.pid)
-        for other in self:
-            if other.greets and not other.retired:
-                self.replace(other, "greeted", now)
         self.report(now)
         self._on_ready(models)
 

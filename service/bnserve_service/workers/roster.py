@@ -54,7 +54,7 @@ class Worker:
     asked: float
     """When it was asked for (``time.monotonic()``, as all times here)."""
     greets: bool = False
-    """It only says that the models are being loaded, until the first that has them is ready."""
+    """It only says that the models are being loaded, until they are; workers are started when it is gone."""
     pid: int | None = None
     heard: float | None = None
     """The last sign of life of its event loop."""
@@ -103,7 +103,8 @@ def judge(worker: Worker, rules: Rules, now: float, others_serve: bool) -> tuple
         return Verdict.KEEP, ""
     if worker.heard is None:
         patience = COPY_SECONDS if worker.pid is None else START_SECONDS
-        is_late = now - worker.asked > patience and not worker.greets  # a template makes the latter when it comes to it
+        # Whoever greets is made when a template comes to it, with its models at the latest.
+        is_late = now - max(worker.asked, worker.retired_at) > patience and (not worker.greets or bool(worker.retired))
         return (Verdict.KILL, "silent") if is_late else (Verdict.KEEP, "")
     if worker.retired:
         return (Verdict.KILL, "slow") if now - worker.retired_at > rules.drain_seconds else (Verdict.KEEP, "")

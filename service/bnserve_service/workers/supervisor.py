@@ -137,6 +137,8 @@ class Supervisor:
             if now >= self._back_off.not_before:
                 self._start_template(now)
         elif template.loaded:
+            if self._crew.is_greeting(now):
+                return  # or its answers, 503, would come between those of workers; callers wait in the queue meanwhile
             for place in self._crew.vacancies(now):
                 self._crew.start(template, place, now)
         elif now - template.started > _TEMPLATE_SECONDS:

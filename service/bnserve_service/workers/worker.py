@@ -32,6 +32,8 @@ BEAT_SECONDS = 0.5
 _BEATS_PER_PUBLICATION = 2
 """The metrics are written down every second: as much is lost of them when a worker is killed."""
 _BEATS_PER_TIDYING = 10
+_FAREWELL_SECONDS = 1.0
+"""For bodies on their way to the worker that greets, which will be refused; the others are waited for meanwhile."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +112,8 @@ def work(channel: Channel, slot: int, belongings: Belongings, registry: Registry
     name_process(f"bnserve-work-{slot}")
     shared = SharedFolder(belongings.shared)
     greets = registry is None
-    settings = belongings.settings.model_copy(update={"drain_grace": 0.0} if greets else {})
+    hurry = {"drain_grace": 0.0, "drain_timeout": _FAREWELL_SECONDS}
+    settings = belongings.settings.model_copy(update=hurry if greets else {})
     app = create_app(
         settings, wait_for_models=not greets, shared=shared.path, worker=slot, registry=registry, follow=not greets
     )
