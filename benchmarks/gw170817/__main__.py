@@ -19,7 +19,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import results, setting
 from benchmarks.gw170817.analyses import kept
 from benchmarks.gw170817.annealing import Annealing
@@ -33,7 +32,6 @@ from bnserve_client import Model
 from bnserve_inference import likelihood
 from bnserve_protocol import BnserveError, Likelihood
 from bnserve_surrogate import Model as LocalModel
-from bnserve_surrogate.training.generators import TEOBResumSPA
 
 UNFINISHED = 3
 """Exit status of a run that ``--stop-after`` ended."""
@@ -82,7 +80,7 @@ def run(options: argparse.Namespace) -> int:
     if files:
         event = setting.read_event(asds, {name: Path(path) for name, path in files.items()})
     else:
-        event = setting.inject(asds, GeneratorModel(TEOBResumSPA()), options.snr)
+        event = setting.inject(asds, setting.effective_one_body(), options.snr)
     local, cube = LocalModel.default(), UnitCube()
     with ExitStack() as stack:
         url = options.url or stack.enter_context(bnserve_server())[0]

@@ -9,8 +9,17 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.generator_model import GeneratorModel
 from bnserve_inference import DetectorData, gwosc_segment, interpolate_asd, simulate_data
-from bnserve_protocol import BnserveError, LikelihoodBatch, LikelihoodParameters, ParameterBatch, WaveformModel
+from bnserve_protocol import (
+    SOLAR_MASS_SECONDS,
+    BnserveError,
+    LikelihoodBatch,
+    LikelihoodParameters,
+    ParameterBatch,
+    WaveformModel,
+)
+from bnserve_surrogate.training.generators import TEOBResumSPA
 
 DATA = Path(__file__).parents[1] / "data" / "gw170817"
 DETECTORS = ("H1", "L1", "V1")
@@ -93,6 +102,11 @@ def network_snr(data: list[DetectorData]) -> float:
         4.0 / DURATION * np.sum(np.abs(strain / asd) ** 2) for strain, asd in (d.checked(F_MIN, F_MAX) for d in data)
     ]
     return float(np.sqrt(sum(squares)))
+
+
+def effective_one_body() -> GeneratorModel:
+    """TEOBResumSPA from the first frequency of the analysis on, for the reference binary's total mass."""
+    return GeneratorModel(TEOBResumSPA(first_mf=F_MIN * (reference().total_mass * SOLAR_MASS_SECONDS)))
 
 
 def inject(asds: list[NDArray[np.float64]], generator: WaveformModel, snr: float = SNR, seed: int = SEED) -> Event:

@@ -32,7 +32,6 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import analyses, setting
 from benchmarks.inference import measuring
 from benchmarks.servers import bnserve_server
@@ -41,7 +40,6 @@ from bnserve_client import Model
 from bnserve_inference import likelihood
 from bnserve_inference.roq import load_basis, load_shipped_basis
 from bnserve_surrogate import Model as LocalModel
-from bnserve_surrogate.training.generators import TEOBResumSPA
 
 SHORT_POINTS, LONG_POINTS = 200, 1000
 SHORT_ROUNDS, LONG_ROUNDS = 9, 25
@@ -55,7 +53,7 @@ def log(text: str) -> None:
 def speed_and_accuracy(rounds: int, points: int) -> dict[str, Any]:
     """The figures of both forms."""
     started = time.perf_counter()
-    event = setting.inject(setting.read_asds(), GeneratorModel(TEOBResumSPA()))
+    event = setting.inject(setting.read_asds(), setting.effective_one_body())
     built = measuring.plain_analyses(event, LocalModel.default())
     log(f"analyses built in {time.perf_counter() - started:.1f} s")
     samples = measuring.prior_samples(measuring.ROWS)

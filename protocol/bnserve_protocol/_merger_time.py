@@ -56,10 +56,10 @@ class MergerStencil:
         InvalidFrequencies, InvalidParameters
             The frequency is not positive and finite; not one binary.
         """
-        highest = float(cls(frequency).frequencies[-1])
-        mass = ParameterBatch.one(parameters).row(0).total_mass
-        inside = highest * mass <= description.training_band[1] * description.reference_mass
-        return cls(frequency, from_below=not inside)
+        around = cls(frequency)
+        mass = float(ParameterBatch.one(parameters)["total_mass"][0])
+        inside = around.frequencies[-1] * mass <= description.training_band[1] * description.reference_mass
+        return around if inside else cls(frequency, from_below=True)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "frequency", float(as_frequencies([self.frequency])[0]))

@@ -49,6 +49,8 @@ def continue_above(
         Evaluates phases with the alignment of ``phase``.
     """
     top = mf_top / (mass * SOLAR_MASS_SECONDS)
+    if frequencies[-1] * batch.values[:, _TOTAL_MASS].max(initial=0.0) <= top * mass:  # nearly always, and quick
+        return
     scale = batch.values[:, _TOTAL_MASS] / mass
     rows = np.flatnonzero(evaluated & (frequencies[-1] * scale > top * (1.0 + _EDGE)))
     if not len(rows):
@@ -58,8 +60,10 @@ def continue_above(
     unshifted[:, _TOTAL_MASS] = mass
     unshifted[:, [_PHASE, _TIME]] = 0.0
     below = phases(stencil.frequencies, ParameterBatch(unshifted))
-    for row, value, slope in zip(rows, below[:, -1], stencil.slope(below), strict=True):
-        first = np.searchsorted(frequencies * scale[row], top * (1.0 + _EDGE), side="right")
-        f = frequencies[first:]
-        line = value + slope * (f * scale[row] - top) + 2.0 * np.pi * f * batch.values[row, _TIME]
-        phase[row, first:] = line + batch.values[row, _PHASE]
+    slope, own = stencil.slope(below), batch.values[rows]
+    constant = below[:, -1] - slope * top + own[:, _PHASE]
+    gradient = slope * scale[rows] + 2.0 * np.pi * own[:, _TIME]
+    firsts = np.searchsorted(frequencies, top * (1.0 + _EDGE) / scale[rows], side="right")
+    for row, first, offset, factor in zip(rows, firsts, constant, gradient, strict=True):
+        line = np.multiply(frequencies[first:], factor, out=phase[row, first:])
+        line += offset

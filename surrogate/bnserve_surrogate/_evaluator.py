@@ -195,19 +195,24 @@ class Evaluator:
         if is_any_near(coerced):
             numbers = [plus, cross] if estimates is None else [plus, cross, estimates]
             refuse_overflow(coerced, arrays, numbers, status, options)
+        if kind is Output.AMPLITUDE_PHASE:
+            self._continue(arrays[1], grid.frequencies, coerced, options, status == RowStatus.OK)
         return Answer(arrays[0], second, plus, cross, status, estimates)
 
-    def curves(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions) -> Answer:
-        """Amplitudes and phases of N binaries, the phases continued above the band. Raises as :meth:`batch`."""
-        coerced = ParameterBatch.coerce(batch)
-        answer = self.batch(frequencies, coerced, options, Output.AMPLITUDE_PHASE)
+    def _continue(
+        self,
+        phase: NDArray[np.float64],
+        f: NDArray[np.float64],
+        batch: ParameterBatch,
+        options: EvaluationOptions,
+        evaluated: NDArray[np.bool_],
+    ) -> None:
+        """Phases above the band; what is evaluated for it ends at its top, and is not continued again."""
 
-        def phases(f: NDArray[np.float64], rows: ParameterBatch) -> NDArray[np.float64]:
-            return np.asarray(self.batch(f, rows, options, Output.AMPLITUDE_PHASE).second)
+        def phases(below: NDArray[np.float64], rows: ParameterBatch) -> NDArray[np.float64]:
+            return np.asarray(self._batch(self._grids.prepare(below), rows, options, Output.AMPLITUDE_PHASE).second)
 
-        grid, evaluated = self._grids.prepare(frequencies).frequencies, answer.status == RowStatus.OK
-        continue_above(answer.second, grid, coerced, evaluated, self._mode.mf_band[1], self._mass, phases)
-        return answer
+        continue_above(phase, f, batch, evaluated, self._mode.mf_band[1], self._mass, phases)
 
     def _run(
         self, grid: PreparedGrid, batch: ParameterBatch, options: EvaluationOptions, outputs: Outputs, row_bytes: int

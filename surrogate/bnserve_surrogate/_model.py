@@ -228,7 +228,7 @@ class Model:
 
         Above the band the amplitude is zero and the phase goes on as a straight line. Raises as :meth:`predict`.
         """
-        answer = self._evaluator.curves(frequencies, batch, options)
+        answer = self._evaluator.batch(frequencies, batch, options, Output.AMPLITUDE_PHASE)
         amplitude, phase = answer.first, answer.second
         if isinstance(batch, ParametersWithExtrinsic):
             amplitude, phase = amplitude[0], phase[0]
