@@ -22,7 +22,7 @@ from bnserve_inference import (
 from bnserve_protocol import LikelihoodBatch
 
 DETECTORS, DURATION, TRIGGER = ("H1", "L1", "V1"), 16.0, 1187008882.4
-F_MIN, F_MAX, SAMPLING = 32.0, 1024.0, 4096.0
+F_MIN, F_MAX, SAMPLING = 50.0, 1024.0, 4096.0  # Hz; from 50 Hz on, the binary lives for less than DURATION
 
 
 def advanced_ligo_asd(frequencies: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from benchmarks.gw170817.priors import DISTANCES
 from benchmarks.gw170817.setting import DATA, DETECTORS
-from bnserve_inference import calibration_nodes
+from bnserve_inference import read_envelope
 from bnserve_protocol import LIKELIHOOD_NAMES, Calibration, Likelihood, LikelihoodBatch
 
 Floats = NDArray[np.float64]
@@ -64,22 +64,21 @@ class CalibrationPrior:
     """The event's calibration envelopes at the nodes of an analysis: independent normal errors at each."""
 
     def __init__(self, calibration: Calibration) -> None:
-        nodes = np.log(calibration_nodes(calibration))
-        self._amplitude: dict[str, tuple[Floats, Floats]] = {}
-        self._phase: dict[str, tuple[Floats, Floats]] = {}
-        for name in DETECTORS:
-            envelope = np.loadtxt(DATA / f"{name}_CalEnv.txt")
-            f, amplitude, phase, amplitude_low, phase_low, amplitude_high, phase_high = envelope.T
-            at = [np.interp(nodes, np.log(f), column) for column in (
-                amplitude - 1.0, 0.5 * (amplitude_high - amplitude_low), phase, 0.5 * (phase_high - phase_low),
-            )]  # fmt: skip
-            self._amplitude[name], self._phase[name] = (at[0], at[1]), (at[2], at[3])
+        # bajes, whose files these are, multiplies the template with them.
+        self._envelopes = {
+            name: read_envelope(DATA / f"{name}_CalEnv.txt", calibration, correction="template") for name in DETECTORS
+        }
 
     def draw(self, count: int, random: np.random.Generator) -> tuple[Mapping[str, Floats], Mapping[str, Floats]]:
         """Amplitude and phase errors by detector, ``(count, nodes)``."""
+        parts = ([(e.amplitude, e.amplitude_width) for e in self._envelopes.values()],
+                 [(e.phase, e.phase_width) for e in self._envelopes.values()])  # fmt: skip
         amplitude, phase = (
-            {name: mean + width * random.standard_normal((count, len(mean))) for name, (mean, width) in part.items()}
-            for part in (self._amplitude, self._phase)
+            {
+                name: mean + width * random.standard_normal((count, len(mean)))
+                for name, (mean, width) in zip(self._envelopes, part, strict=True)
+            }
+            for part in parts
         )
         return amplitude, phase
 

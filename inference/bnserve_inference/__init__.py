@@ -5,6 +5,7 @@ from bnserve_inference._building import LikelihoodOptions
 from bnserve_inference._calibration import calibration_nodes
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import Detector, sidereal_time
+from bnserve_inference._envelopes import Envelope, read_envelope
 from bnserve_inference._errors import DetectorsMissing
 from bnserve_inference._evaluation import LocalLikelihood, likelihood
 from bnserve_inference._gwosc import fourier_strain, gwosc_segment, read_gwosc
@@ -16,6 +17,7 @@ __all__ = [
     "Detector",
     "DetectorData",
     "DetectorsMissing",
+    "Envelope",
     "LikelihoodOptions",
     "LikelihoodValues",
     "LocalLikelihood",
@@ -29,6 +31,7 @@ __all__ = [
     "interpolate_asd",
     "likelihood",
     "read_asd",
+    "read_envelope",
     "read_gwosc",
     "relative_binning_analysis",
     "roq_analysis",

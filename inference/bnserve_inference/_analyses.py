@@ -12,6 +12,7 @@ from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Rang
 from bnserve_inference._calibrated_basis import CalibratedBasis, calibration_error, refuse_uncalibrated
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import FiducialBasis
+from bnserve_inference._rows import chirp_mass
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights, time_table
 from bnserve_protocol import (
@@ -80,7 +81,7 @@ def full_analysis(
         LAL is not installed.
     """
     band = Band(data, trigger_time, f_min, f_max)
-    band.check_times(options.prior.get("coalescence_time", (0.0, 0.0)))
+    options = band.timed(options)
     arrays = band.arrays([row[None, :] for row in band.data], band.densities)
     return Analysis(settings=band.settings("full", alignment, options), arrays=arrays)
 
@@ -118,7 +119,7 @@ def roq_analysis(
             f"The basis is for data of {basis.duration} s and the data last {band.duration} s; build a basis for them.",
             errors=[FieldError(reason="not that of the data", parameter="duration", value=basis.duration)],
         )
-    options = _covered(options, basis.prior)
+    options = band.timed(_covered(options, basis.prior))
     if model is not None:
         basis.check_model(model)
     reference = _middle(basis.prior)
@@ -167,8 +168,9 @@ def relative_binning_analysis(
     """
     band = Band(data, trigger_time, f_min, f_max)
     one = ParameterBatch.one(fiducial)
+    options = band.timed(_covered(options, {}), float(chirp_mass(one)[0]))
     basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment)
-    return _reduced("relative_binning", band, basis, model, alignment, _covered(options, {}), one, None)
+    return _reduced("relative_binning", band, basis, model, alignment, options, one, None)
 
 
 def _reduced(
@@ -182,7 +184,6 @@ def _reduced(
     model_digest: str | None,
 ) -> Analysis:
     times = options.prior["coalescence_time"]
-    band.check_times(times)
     arrivals = TimeRange(times[0] - ARRIVAL_MARGIN, times[1] + ARRIVAL_MARGIN)
     quadratic = quadratic_weights(basis.quadratic_chunks(model), band.densities)
     weights = Weights(basis.linear_chunks(model), basis.linear_nodes, band.frequencies, band.data, arrivals)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import sidereal_time
+from bnserve_inference._extent import heaviest, refuse_short
 from bnserve_inference._units import real_ranges
 from bnserve_protocol import (
     AnalysisInvalid,
@@ -21,6 +23,7 @@ from bnserve_protocol import (
     FieldError,
     TimeGrid,
     TimeMarginalisation,
+    check_prior,
 )
 
 Alignment = Literal["post_newtonian", "merger"]
@@ -86,6 +89,38 @@ class Band:
             self.data.append(density * strain.conj() * turn)
             self.noise_log_likelihood -= 0.5 * float(np.sum(density * np.abs(strain) ** 2))
 
+    def timed(self, options: LikelihoodOptions, chirp_mass: float | None = None) -> LikelihoodOptions:
+        """The options with the range of the coalescence time stated, which is that of the data where they are silent.
+
+        Parameters
+        ----------
+        chirp_mass:
+            Of the signal, in solar masses; None for the largest of the prior.
+
+        Raises
+        ------
+        AnalysisInvalid
+            Prior ranges that are none or hold what cannot be, coalescence times outside the data, or a signal that
+            lasts much longer in the band than the data before it.
+        """
+        check_prior(options.prior)
+        times = options.prior.get("coalescence_time")
+        self.check_times((0.0, 0.0) if times is None else times)
+        if times is None:
+            starts = [detector.start_time - self.trigger_time for detector in self.detectors]
+            times = max(starts), min(starts) + self.duration
+        integrated = options.time_marginalisation
+        if integrated is not None:
+            self.check_times((integrated.minimum, integrated.maximum))
+        first = int(np.argmax(np.any([density > 0.0 for density in self.densities], axis=0)))
+        start = min(detector.start_time for detector in self.detectors)
+        refuse_short(
+            float(self.frequencies[first]),
+            heaviest(options.prior) if chirp_mass is None else chirp_mass,
+            self.trigger_time - start + (times[1] if "coalescence_time" in options.prior else 0.0),
+        )
+        return dataclasses.replace(options, prior={**options.prior, "coalescence_time": times})
+
     def check_times(self, times: tuple[float, float]) -> None:
         """Refuse coalescence times outside the data.
 
@@ -95,7 +130,7 @@ class Band:
         """
         for detector in self.detectors:
             low, high = (self.trigger_time + time - detector.start_time for time in times)
-            if low < 0.0 or high > detector.duration:
+            if not (low >= 0.0 and high <= detector.duration):  # NaN is no time either
                 raise AnalysisInvalid(
                     f"Coalescence times from {times[0]} to {times[1]} s around the trigger reach beyond the data of "
                     f"{detector.name}, GPS {detector.start_time} to {detector.start_time + detector.duration}.",

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._detectors import Detector
+from bnserve_inference._noise import LARGEST_ASD, LEAST_ASD
 from bnserve_inference._units import ASD_UNIT, real, real_or_complex
 from bnserve_protocol import AnalysisInvalid, FieldError
 
@@ -25,8 +26,8 @@ class DetectorData:
         Fourier transform of the strain, complex ``(K,)`` in 1/Hz, with LAL's sign (that of ``numpy.fft.rfft`` times
         the time step), whose time zero is ``start_time``.
     asd:
-        One-sided amplitude spectral density, ``(K,)`` in 1/sqrt(Hz). Infinite where there is no data, which is allowed
-        outside of the analysis' band alone.
+        One-sided amplitude spectral density, ``(K,)`` in 1/sqrt(Hz). Infinite or zero where there is no data: these
+        frequencies have no weight, so that a detector may have notches and a band of its own.
     start_time:
         GPS seconds of the first sample.
     duration:
@@ -93,20 +94,30 @@ class DetectorData:
         return slice(first, last + 1)
 
     def checked(self, f_min: float, f_max: float) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
-        """Strain and ASD in a band.
+        """Strain and ASD in a band: zero and infinite where there is no data.
 
         Raises
         ------
         AnalysisInvalid
-            As :meth:`band`, NaN or infinite strain, or an ASD that is not positive and finite throughout.
+            As :meth:`band`; NaN or infinite strain, an ASD that is negative or NaN, a PSD in its place, or no data.
         """
         band = self.band(f_min, f_max)
         strain, asd = self.strain[band], self.asd[band]
-        self._refuse_where(~np.isfinite(strain), band.start, "strain", "is not finite; remove the gap before windowing")
         self._refuse_where(np.isnan(asd), band.start, "ASD", "is not a number; estimate it from other data")
-        self._refuse_where(asd <= 0.0, band.start, "ASD", "is not positive; zeros would weigh infinitely")
-        self._refuse_where(np.isinf(asd), band.start, "ASD", "is a gap (infinite); narrow the band or fill it")
-        return strain, asd
+        self._refuse_where(asd < 0.0, band.start, "ASD", "is not positive but negative; estimate it from other data")
+        weighted = (asd > 0.0) & np.isfinite(asd)
+        if not weighted.any():
+            raise AnalysisInvalid(
+                f"The ASD of {self.name} is zero or infinite from {f_min} to {f_max} Hz: there is no data in the band. "
+                "Leave the detector out, or choose another band.",
+                errors=[FieldError(reason="no data in the band", parameter="ASD")],
+            )
+        low, high = weighted & (asd < LEAST_ASD), weighted & (asd > LARGEST_ASD)
+        self._refuse_where(low, band.start, "ASD", f"is below {LEAST_ASD:g}: it is a PSD; take its square root")
+        self._refuse_where(high, band.start, "ASD", f"is above {LARGEST_ASD:g} 1/sqrt(Hz): it is no ASD of strain")
+        gap = weighted & ~np.isfinite(strain)
+        self._refuse_where(gap, band.start, "strain", "is not finite; remove the gap before windowing")
+        return np.where(weighted, strain, 0.0), np.where(weighted, asd, np.inf)
 
     def _refuse_where(self, bad: NDArray[np.bool_], first: int, what: str, reason: str) -> None:
         if bad.any():

@@ -17,20 +17,40 @@ from numpy.typing import NDArray
 
 from bnserve_inference._errors import DetectorsMissing
 from bnserve_inference._units import in_units, real
-from bnserve_protocol import AnalysisInvalid, FieldError
+from bnserve_protocol import AnalysisInvalid, FieldError, check_location
+
+_LEAST_RADIUS = 6.25e6
+"""Metres; the poles are at 6.357e6."""
 
 
 @dataclass(frozen=True, eq=False)
 class Detector:
-    """Name, response tensor ``(3, 3)`` and location ``(3,)`` in metres, in the Earth-fixed frame of LAL."""
+    """Name, response tensor ``(3, 3)`` and location ``(3,)`` in metres, in the Earth-fixed frame of LAL.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Other shapes, numbers that are not finite, or a place that is neither on the Earth nor its centre.
+    """
 
     name: str
     response: NDArray[np.float64]
     location: NDArray[np.float64]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "response", real("response", self.response, "1"))
-        object.__setattr__(self, "location", real("location", self.location, "m"))
+        for name, shape, unit in (("response", (3, 3), "1"), ("location", (3,), "m")):
+            array = real(name, getattr(self, name), unit)
+            if array.shape != shape or not np.isfinite(array).all():
+                raise AnalysisInvalid(f"The {name} of {self.name} must be finite numbers of shape {shape}.")
+            object.__setattr__(self, name, array)
+        check_location(self.name, self.location)
+        radius = math.hypot(*self.location.tolist())
+        if 0.0 < radius < _LEAST_RADIUS:
+            raise AnalysisInvalid(
+                f"The detector {self.name} is {radius:.7g} m from the centre of the Earth, far below its surface; give "
+                "its location in metres.",
+                errors=[FieldError(reason="not on Earth", parameter="location", value=radius)],
+            )
 
     @classmethod
     def named(cls, name: str) -> Detector:

@@ -9,9 +9,9 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._chirp_z import ChirpZ
-from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0, log_mean_over_times
+from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
 from bnserve_inference._rows import check_batch, row_statuses
+from bnserve_inference._time_integral import TimeIntegral
 from bnserve_inference.kernel import Contraction, Sky
 from bnserve_protocol import (
     Analysis,
@@ -72,15 +72,11 @@ class LocalLikelihood:
         self._fixed = {"reference_phase": 0.0} if settings.phase_marginalisation else {}
         if self._distance is not None:
             self._fixed["distance_mpc"] = self._distance.reference
-        self._times = 1
         points = len(self._contraction.frequencies)
         self._tile = min(_MOST_ROWS, max(1, _TILE_POINTS // points))
-        sums = settings.time_marginalisation
-        if sums is not None:
-            self._times = max(1, int(np.ceil((sums.maximum - sums.minimum) / sums.step - 1e-9)))
-            self._tile = min(self._tile, max(1, _TILE_TIMES // self._times))
-            if settings.kind == "full":
-                self._chirp_z = ChirpZ(points, self._times, sums.step / settings.duration)
+        self._times = None if settings.time_marginalisation is None else TimeIntegral(settings, points)
+        if self._times is not None:
+            self._tile = min(self._tile, max(1, _TILE_TIMES // self._times.times))
         self._counts = LikelihoodCounts()
         self._lock = threading.Lock()
 
@@ -141,55 +137,31 @@ class LocalLikelihood:
         )
         status = np.array(factored.status)
         status[_nowhere_inside(factored.h) & (status == RowStatus.OK)] = RowStatus.OUT_OF_BAND
-        with np.errstate(invalid="ignore"):  # rows that the model flagged are NaN
+        # Rows that the model flagged are NaN, and so is what numbers without end make of others.
+        with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
             values = self._combine(factored, batch)
+        status[(status == RowStatus.OK) & ~np.isfinite(values)] = RowStatus.NOT_FINITE
         values[status != RowStatus.OK] = -np.inf
         return values, status
 
     def _combine(self, factored: Factored, batch: LikelihoodBatch) -> Floats:
-        settings, contraction = self._analysis.settings, self._contraction
-        sky, sums = self._sky(factored, batch), settings.time_marginalisation
-        h, errors = np.asarray(factored.h, dtype=np.complex128), contraction.calibration_of(batch)
-        if sums is None:
-            inner = contraction(h, sky, errors)
-            products = inner.data
-        elif settings.kind == "full":
-            inner = contraction(h, sky, errors, spectrum=True)
-            products = self._over_times(inner.spectrum)
-        else:
-            inner = contraction(h, sky, errors, times=self._times, step=sums.step)
-            products = inner.data
-        norms = np.repeat(inner.norm, products.shape[1])
-        values = self._marginalised(products.reshape(-1), norms).reshape(products.shape)
-        if sums is None:
-            return values[:, 0]
-        return log_mean_over_times(values, sums.step, sums.maximum - sums.minimum)
+        sky, errors = self._sky(factored, batch), self._contraction.calibration_of(batch)
+        h = np.asarray(factored.h, dtype=np.complex128)
+        if self._times is not None:
+            return self._times.log_likelihood(self._contraction, h, sky, errors, self._marginalised)
+        inner = self._contraction(h, sky, errors)
+        return self._marginalised(inner.data[:, 0], inner.norm)
 
     def _sky(self, factored: Factored, batch: LikelihoodBatch) -> Floats:
         """Places and times of the rows, columns as in :class:`Sky`."""
-        settings = self._analysis.settings
         sky = np.empty((len(batch), len(Sky)))
         sky[:, Sky.RIGHT_ASCENSION] = batch["right_ascension"]
         sky[:, Sky.DECLINATION] = batch["declination"]
         sky[:, Sky.POLARIZATION] = batch["polarization_angle"]
-        sums = settings.time_marginalisation
-        if sums is None:
-            sky[:, Sky.TIME] = batch["coalescence_time"]
-        else:  # the Earth stands as it does in the middle of the prior, at all times that are summed over
-            sky[:, Sky.TIME] = sums.minimum
-            sky[:, Sky.RIGHT_ASCENSION] -= settings.sidereal_rate * 0.5 * (sums.maximum - sums.minimum)
+        sky[:, Sky.TIME] = batch["coalescence_time"]
         sky[:, Sky.PLUS] = factored.plus
         sky[:, Sky.CROSS_REAL], sky[:, Sky.CROSS_IMAGINARY] = factored.cross.real, factored.cross.imag
         return sky
-
-    def _over_times(self, spectrum: NDArray[np.complex128] | None) -> NDArray[np.complex128]:
-        """<d|h> at the times that are summed over, from the terms of its sum over frequencies at the first of them."""
-        assert spectrum is not None
-        settings = self._analysis.settings
-        sums = settings.time_marginalisation
-        assert sums is not None
-        turns = np.exp(-2j * np.pi * settings.f_min * sums.step * np.arange(self._times))
-        return np.array([self._chirp_z(row) * turns for row in spectrum])
 
     def _marginalised(self, products: NDArray[np.complex128], norms: Floats) -> Floats:
         phase = self._analysis.settings.phase_marginalisation

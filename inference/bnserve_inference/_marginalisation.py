@@ -12,6 +12,12 @@ Floats = NDArray[np.float64]
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(64)
 _DEPTH = 40.0
 """Where the integrand is below its maximum by exp(-40), nothing is left to integrate."""
+_WIDEST_PIECE = 32.0
+"""Ratio of the ends of a piece: the nodes follow the power of u, which has a pole at zero, to rounding."""
+_FLAT = 1e-6
+"""A norm at the nearest distance below which the likelihood does not fall with u."""
+_ROWS_AT_ONCE = 1024
+"""Each with 64 numbers of several arrays: what fits the cache."""
 
 
 def _bessel_series() -> Floats:
@@ -51,8 +57,9 @@ class DistanceIntegral:
     """The likelihood integrated over the prior of the distance.
 
     At distance D the products are those at ``reference`` times u = reference / D, and u^2: the exponent is a parabola
-    in u (to which ln I0 comes close). It is integrated by 64 Gauss-Legendre nodes where it matters, so that nothing is
-    tabulated and no signal is too loud.
+    in u (to which ln I0 comes close), times a power of u. It is integrated by 64 Gauss-Legendre nodes where it matters,
+    or, where that is a wide range of u, by as many on each of several pieces: nothing is tabulated, no signal is too
+    loud, and none too weak.
 
     Attributes
     ----------
@@ -61,15 +68,12 @@ class DistanceIntegral:
     """
 
     def __init__(self, prior: DistanceMarginalisation) -> None:
-        self.reference = float(np.sqrt(prior.minimum * prior.maximum))
+        self.reference = float(np.sqrt(prior.minimum) * np.sqrt(prior.maximum))
         self._power = prior.power
         self._ends = self.reference / prior.maximum, self.reference / prior.minimum
-        power = prior.power + 1.0
-        if power == 0.0:
-            self._log_norm = float(np.log(np.log(prior.maximum / prior.minimum)))
-        else:
-            ends = np.array([prior.maximum, prior.minimum]) / self.reference
-            self._log_norm = float(np.log((ends[0] ** power - ends[1] ** power) / power))
+        power, ratio = prior.power + 1.0, float(np.log(prior.maximum / prior.minimum))
+        self._depth = _DEPTH + abs(power) * ratio  # what is left out has that much more, or less, of the prior
+        self._log_norm = _log_integral_of_power(power, ratio)
 
     def log_likelihood(self, products: Floats, norms: Floats, phase: bool) -> Floats:
         """ln of the integral, ``(N,)``.
@@ -79,15 +83,40 @@ class DistanceIntegral:
         products:
             Re <d|h>, or abs <d|h> where the phase is integrated as well, at the reference distance, ``(N,)``.
         norms:
-            <h|h> there, positive, ``(N,)``.
+            <h|h> there, not negative, ``(N,)``.
         phase:
             Whether to integrate over the phase too.
         """
+        result = np.empty(len(products))
+        for start in range(0, len(products), _ROWS_AT_ONCE):
+            rows = slice(start, start + _ROWS_AT_ONCE)
+            result[rows] = self._of_rows(products[rows], norms[rows], phase)
+        return result
+
+    def _of_rows(self, products: Floats, norms: Floats, phase: bool) -> Floats:
+        start, stop = self._window(products, norms)
+        widths = np.log(stop / start) / np.log(_WIDEST_PIECE)
+        pieces = np.ceil(np.where(np.isfinite(widths), np.maximum(widths, 1.0), 1.0)).astype(np.int64)
+        result = np.full(len(products), -np.inf)
+        for piece in range(int(pieces.max(initial=0))):
+            rows = np.flatnonzero(pieces > piece)
+            growth = (stop[rows] / start[rows]) ** (1.0 / pieces[rows])
+            low = start[rows] * growth**piece
+            high = np.where(pieces[rows] == piece + 1, stop[rows], low * growth)
+            part = self._over_piece(products[rows], norms[rows], low, high, phase)
+            result[rows] = np.logaddexp(result[rows], part) if piece else part
+        return result - self._log_norm
+
+    def _window(self, products: Floats, norms: Floats) -> tuple[Floats, Floats]:
+        """The u outside of which nothing is left to integrate."""
         low, high = self._ends
+        norms = np.maximum(norms, _FLAT / high**2)
         peak = products / norms
         nearest = np.clip(peak, low, high)
-        reach = np.sqrt((nearest - peak) ** 2 + 2.0 * _DEPTH / norms)
-        start, stop = np.maximum(low, peak - reach), np.minimum(high, peak + reach)
+        reach = np.sqrt((nearest - peak) ** 2 + 2.0 * self._depth / norms)
+        return np.maximum(low, peak - reach), np.minimum(high, peak + reach)
+
+    def _over_piece(self, products: Floats, norms: Floats, start: Floats, stop: Floats, phase: bool) -> Floats:
         half = 0.5 * (stop - start)
         u = (start + half)[:, None] + half[:, None] * _NODES
         amplitude = products[:, None] * u
@@ -98,11 +127,12 @@ class DistanceIntegral:
         total = np.zeros(len(top))
         for node in range(len(_NODES)):  # in a fixed order, whatever the number of rows
             total += _WEIGHTS[node] * np.exp(exponent[:, node] - top)
-        return top + np.log(total * half) - self._log_norm
+        return np.asarray(top + np.log(total * half))
 
 
-def log_mean_over_times(log_likelihoods: Floats, step: float, width: float) -> Floats:
-    """ln of sum over the last axis times step / width: the integral over a uniform prior of that width, ``(N,)``."""
-    top = log_likelihoods.max(axis=-1, keepdims=True)
-    total = np.array([np.exp(row - peak).sum() for row, peak in zip(log_likelihoods, top, strict=True)])
-    return top[:, 0] + np.log(total) + np.log(step / width)
+def _log_integral_of_power(power: float, log_ratio: float) -> float:
+    """ln of the integral of x^(power - 1) between two ends around one, whose ratio is given."""
+    reach = 0.5 * abs(power) * log_ratio
+    if reach < 1e-6:  # 2 sinh(reach) / power, to a part in 10^13
+        return float(np.log(log_ratio))
+    return float(reach + np.log(-np.expm1(-2.0 * reach) / abs(power)))

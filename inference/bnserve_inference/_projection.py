@@ -17,6 +17,7 @@ from bnserve_protocol import (
     AnalysisInvalid,
     Calibration,
     EvaluationOptions,
+    FieldError,
     LikelihoodBatch,
     LikelihoodParameters,
     WaveformModel,
@@ -88,6 +89,17 @@ def detector_strain(
     return result
 
 
+def _check_inside(coalescence: float, duration: float) -> None:
+    if not (np.isfinite(duration) and duration > 0.0):
+        raise AnalysisInvalid(f"Data last for a positive number of seconds; got {duration!r}.")
+    if not 0.0 <= coalescence <= duration:
+        raise AnalysisInvalid(
+            f"The coalescence is {coalescence:.6g} s after the start of data that last {duration:g} s: choose "
+            "'trigger_time', 'start_time' and 'coalescence_time' such that it is inside.",
+            errors=[FieldError(reason="outside the data", parameter="coalescence_time")],
+        )
+
+
 @in_units(trigger_time="s", start_time="s", duration="s", f_min="Hz")
 def simulate_data(
     detectors: Sequence[Detector | str],
@@ -121,8 +133,9 @@ def simulate_data(
     Raises
     ------
     AnalysisInvalid
-        Detectors and ASDs that are not as many.
+        Detectors and ASDs that are not as many, or a coalescence outside the data, into which it would wrap around.
     """
+    _check_inside(trigger_time + parameters.coalescence_time - start_time, duration)
     if len(detectors) != len(asds):
         raise AnalysisInvalid(f"There are {len(detectors)} detectors and {len(asds)} ASDs; give one for each.")
     seeds = [None] * len(asds) if seed is None else np.random.default_rng(seed).spawn(len(asds))

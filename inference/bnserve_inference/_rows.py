@@ -11,6 +11,7 @@ from bnserve_protocol import (
     FieldError,
     InvalidParameters,
     LikelihoodBatch,
+    ParameterBatch,
     RowStatus,
 )
 
@@ -83,7 +84,7 @@ def row_statuses(batch: LikelihoodBatch, settings: AnalysisSettings) -> NDArray[
     return status
 
 
-def chirp_mass(batch: LikelihoodBatch) -> NDArray[np.float64]:
+def chirp_mass(batch: LikelihoodBatch | ParameterBatch) -> NDArray[np.float64]:
     """In solar masses, ``(N,)``."""
     q = batch["mass_ratio"]
     return np.asarray(batch["total_mass"] * (q / (1.0 + q) ** 2) ** 0.6)

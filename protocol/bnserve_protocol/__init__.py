@@ -12,7 +12,7 @@ from bnserve_protocol._analyses import (
     decode_analysis,
     encode_analysis,
 )
-from bnserve_protocol._analysis_checks import PRIOR_NAMES
+from bnserve_protocol._analysis_checks import check_location
 from bnserve_protocol._analysis_model import check_model_of
 from bnserve_protocol._answers import (
     ModelIdentity,
@@ -121,6 +121,7 @@ from bnserve_protocol._parameters import (
     ParametersWithExtrinsic,
 )
 from bnserve_protocol._printable import printable
+from bnserve_protocol._prior_checks import PRIOR_NAMES, check_prior
 from bnserve_protocol._problem import Problem
 from bnserve_protocol._requests import (
     JSON,
@@ -133,6 +134,7 @@ from bnserve_protocol._requests import (
     decode_request,
     encode_request,
 )
+from bnserve_protocol._time_sums import time_steps
 from bnserve_protocol._version import __version__
 
 __all__ = [
@@ -243,9 +245,11 @@ __all__ = [
     "as_real_numbers",
     "check_dtype",
     "check_invalid_rows",
+    "check_location",
     "check_model_digest",
     "check_model_of",
     "check_options",
+    "check_prior",
     "content_digest",
     "decode_analysis",
     "decode_answer",
@@ -270,6 +274,7 @@ __all__ = [
     "refuse_rows",
     "request_digest",
     "result_memory",
+    "time_steps",
     "time_until_merger",
     "unique_keys",
 ]

@@ -28,6 +28,7 @@ from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBod
 from bnserve_protocol._grids import UniformGrid
 from bnserve_protocol._keys import read_map, read_maps
 from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number
+from bnserve_protocol._time_sums import time_steps
 
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
 
@@ -70,11 +71,15 @@ class TimeGrid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=
 
 
 class TimeMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """A uniform prior of the coalescence time, summed over ``minimum + k * step``, below ``maximum`` (seconds)."""
+    """A uniform prior of the coalescence time from ``minimum`` to ``maximum``, which is integrated over (seconds).
+
+    The longest ``step`` between evaluations is chosen from the band where it is None, and an analysis always states it.
+    A longer one than the band asks for is shortened (:func:`time_steps`): the integral does not depend on it.
+    """
 
     minimum: float
     maximum: float
-    step: float
+    step: float | None = None
 
     def __post_init__(self) -> None:
         _convert(self, minimum="s", maximum="s", step="s")
@@ -97,6 +102,9 @@ class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_on
     ``amplitude_width`` (relative) and ``phase_width`` (radians) are the standard deviations of the errors at the nodes
     that an approximate likelihood has to stand. They are not a prior: what errors there are, a sample says. What equals
     its default is not written: messages and digests without widths are as they were before there were any.
+
+    The errors at the nodes are corrections of the template: the waveform is multiplied by
+    ``(1 + amplitude) exp(i phase)`` (see ``bnserve_inference.read_envelope`` for files that correct the data).
     """
 
     nodes: int
@@ -210,6 +218,7 @@ class Analysis:
     def __post_init__(self) -> None:
         object.__setattr__(self, "settings", _canonical(self.settings))
         check_settings(self.settings)
+        object.__setattr__(self, "settings", _with_step(self.settings))
         arrays = {name: _frozen_array(name, self.arrays[name]) for name in sorted(self.arrays)}
         check_arrays(self.settings, arrays)
         object.__setattr__(self, "arrays", MappingProxyType(arrays))
@@ -260,6 +269,15 @@ def _canonical(settings: AnalysisSettings) -> AnalysisSettings:
 
 _ARRAY_UNITS = {"response": "1", "location": "m", "linear_nodes": "Hz", "quadratic_nodes": "Hz"}
 """Of the arrays of an analysis that may be given with one; weights are made by us, without."""
+
+
+def _with_step(settings: AnalysisSettings) -> AnalysisSettings:
+    """The same settings with the step between coalescence times stated, as it always travels."""
+    times = settings.time_marginalisation
+    if times is None or times.step is not None:
+        return settings
+    stated = msgspec.structs.replace(times, step=time_steps(settings)[1])
+    return msgspec.structs.replace(settings, time_marginalisation=stated)
 
 
 def _frozen_array(name: str, value: NDArray[Any]) -> NDArray[Any]:

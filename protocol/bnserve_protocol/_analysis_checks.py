@@ -11,18 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidFrequencies
-from bnserve_protocol._parameters import PARAMETER_NAMES
+from bnserve_protocol._prior_checks import check_integrals, check_prior, require
 
 if TYPE_CHECKING:
-    from bnserve_protocol._analyses import AnalysisSettings, TimeMarginalisation
-
-PRIOR_NAMES = (*(name for name in PARAMETER_NAMES if name != "time_shift"), "chirp_mass", "coalescence_time")
-"""The parameters whose range an analysis may state."""
+    from bnserve_protocol._analyses import AnalysisSettings, Calibration
 
 _MOST_DETECTORS = 16
 _MOST_CALIBRATION_NODES = 64
-_MOST_TIMES = 2**22
-"""More would let a small body ask for any amount of work; no network or analysis comes near."""
 
 
 def check_settings(settings: AnalysisSettings) -> None:
@@ -35,16 +30,21 @@ def check_settings(settings: AnalysisSettings) -> None:
     _check_detectors(settings.detectors)
     for name in ("f_min", "f_max", "duration"):
         value = getattr(settings, name)
-        _require(math.isfinite(value) and value > 0.0, name, value, "must be positive and finite")
+        require(math.isfinite(value) and value > 0.0, name, value, "must be positive and finite")
     for name in ("trigger_time", "sidereal_time", "sidereal_rate", "noise_log_likelihood"):
-        _require(math.isfinite(getattr(settings, name)), name, getattr(settings, name), "must be finite")
+        require(math.isfinite(getattr(settings, name)), name, getattr(settings, name), "must be finite")
     try:
         settings.grid  # noqa: B018  (made for its checks)
     except InvalidFrequencies as error:
         raise AnalysisInvalid(f"The band of the analysis is not a grid: {error.detail}", errors=error.errors) from error
-    _check_prior(settings.prior)
-    _check_times(settings)
-    _check_marginalisations(settings)
+    check_prior(settings.prior)
+    _check_time_grid(settings)
+    check_integrals(settings)
+    if settings.calibration is not None:
+        _check_calibration(settings.calibration)
+    bound = settings.error_bound
+    if not isinstance(bound, msgspec.UnsetType):
+        require(0.0 < bound < math.inf, "error_bound", bound, "must be positive and finite")
 
 
 def _check_detectors(detectors: tuple[str, ...]) -> None:
@@ -56,76 +56,25 @@ def _check_detectors(detectors: tuple[str, ...]) -> None:
             raise AnalysisInvalid("Detectors have distinct names of at most 32 letters, digits, '-' and '_'.")
 
 
-def _check_prior(prior: Mapping[str, tuple[float, float]]) -> None:
-    for name, (low, high) in prior.items():
-        if name not in PRIOR_NAMES:
-            raise AnalysisInvalid(
-                f"Unknown parameter '{name[:80]}' in the prior ranges of the analysis. "
-                f"Known names: {', '.join(PRIOR_NAMES)}.",
-                errors=[FieldError(reason="unknown", parameter=name[:80])],
-            )
-        if not (math.isfinite(low) and math.isfinite(high) and low <= high):
-            raise AnalysisInvalid(
-                f"The prior range of '{name}' is [{low}, {high}]; it must be finite and increasing.",
-                errors=[FieldError(reason="not a range", parameter=name)],
-            )
-
-
-def _check_times(settings: AnalysisSettings) -> None:
+def _check_time_grid(settings: AnalysisSettings) -> None:
     grid, times = settings.time_grid, settings.prior.get("coalescence_time")
     if grid is not None:
-        _require(math.isfinite(grid.start), "time_grid.start", grid.start, "must be finite")
-        _require(math.isfinite(grid.step) and grid.step > 0.0, "time_grid.step", grid.step, "must be positive")
+        require(math.isfinite(grid.start), "time_grid.start", grid.start, "must be finite")
+        require(math.isfinite(grid.step) and grid.step > 0.0, "time_grid.step", grid.step, "must be positive")
         if times is None:
             raise AnalysisInvalid("With a time grid, 'prior' must state the range of 'coalescence_time'.")
     elif settings.kind == "roq":
         raise AnalysisInvalid("An analysis of kind 'roq' needs a time grid: its weights depend on the time of arrival.")
 
 
-def _check_marginalisations(settings: AnalysisSettings) -> None:
-    times = settings.time_marginalisation
-    if times is not None:
-        _check_sum_over_times(times, settings)
-    distances = settings.distance_marginalisation
-    if distances is not None:
-        low, high = distances.minimum, distances.maximum
-        _require(0.0 < low < high < math.inf, "distance_marginalisation", low, "must have 0 < minimum < maximum")
-        _require(abs(distances.power) <= 10.0, "distance_marginalisation.power", distances.power, "is at most 10")
-    calibration = settings.calibration
-    if calibration is not None:
-        enough = 4 <= calibration.nodes <= _MOST_CALIBRATION_NODES
-        _require(enough, "calibration.nodes", calibration.nodes, f"is 4 to {_MOST_CALIBRATION_NODES}")
-        low, high = calibration.f_min, calibration.f_max
-        _require(0.0 < low < high < math.inf, "calibration.f_min", low, "must be positive and below calibration.f_max")
-        for name in ("amplitude_width", "phase_width"):
-            width = getattr(calibration, name)
-            _require(0.0 <= width <= 1.0, f"calibration.{name}", width, "is 0 to 1")
-    bound = settings.error_bound
-    if not isinstance(bound, msgspec.UnsetType):
-        _require(0.0 < bound < math.inf, "error_bound", bound, "must be positive and finite")
-
-
-def _check_sum_over_times(times: TimeMarginalisation, settings: AnalysisSettings) -> None:
-    low, high, step = times.minimum, times.maximum, times.step
-    finite = all(map(math.isfinite, (low, high, step)))
-    _require(finite and low < high and step > 0.0, "time_marginalisation", low, "must have minimum < maximum, step > 0")
-    count = (high - low) / step
-    _require(count <= _MOST_TIMES, "time_marginalisation.step", step, f"gives more than {_MOST_TIMES} times")
-    inside = settings.prior.get("coalescence_time", (-0.5 * settings.duration, 0.5 * settings.duration))
-    _require(
-        inside[0] <= low and high <= inside[1],
-        "time_marginalisation",
-        low,
-        f"must lie within [{inside[0]}, {inside[1]}] s, where the analysis is made for",
-    )
-
-
-def _require(condition: bool, name: str, value: float, reason: str) -> None:
-    if not condition:
-        raise AnalysisInvalid(
-            f"'{name}' of the analysis {reason}; got {value!r}.",
-            errors=[FieldError(reason=reason, parameter=name, value=str(value))],
-        )
+def _check_calibration(calibration: Calibration) -> None:
+    enough = 4 <= calibration.nodes <= _MOST_CALIBRATION_NODES
+    require(enough, "calibration.nodes", calibration.nodes, f"is 4 to {_MOST_CALIBRATION_NODES}")
+    low, high = calibration.f_min, calibration.f_max
+    require(0.0 < low < high < math.inf, "calibration.f_min", low, "must be positive and below calibration.f_max")
+    for name in ("amplitude_width", "phase_width"):
+        width = getattr(calibration, name)
+        require(0.0 <= width <= 1.0, f"calibration.{name}", width, "is 0 to 1")
 
 
 def check_arrays(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]]) -> None:
@@ -156,6 +105,7 @@ def check_arrays(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]])
             shape = {"response": (3, 3), "location": (3,)}.get(kind, array.shape)
         _check_array(name, array, shape, "c" if kind == "linear_weights" else "f")
     for name in settings.detectors:
+        check_location(name, arrays[f"location/{name}"])
         _check_knots(settings, len(arrays[f"linear_weights/{name}"]))
 
 
@@ -202,12 +152,32 @@ def _check_array(name: str, array: NDArray[Any], shape: tuple[int | None, ...], 
 
 _EARTH_CROSSING = 0.0213
 """No detector on Earth is further from its centre, in light seconds (6,378.2 km)."""
+_LARGEST_RADIUS = _EARTH_CROSSING * 299792458.0
+_KILOMETRES = 6.3e3, 6.4e3
+"""Distances from the centre of the Earth that are in kilometres."""
+
+
+def check_location(name: str, location: NDArray[np.float64]) -> None:
+    """Refuse a detector that is not on Earth, or whose place is in kilometres.
+
+    Raises
+    ------
+    AnalysisInvalid
+    """
+    radius = math.hypot(*location.tolist())
+    far = not radius <= _LARGEST_RADIUS
+    if far or _KILOMETRES[0] <= radius <= _KILOMETRES[1]:
+        said = "beyond the surface of the Earth" if far else "the radius of the Earth in kilometres"
+        raise AnalysisInvalid(
+            f"The detector {name} is {radius:.7g} m from the centre of the Earth, {said}; give its location in metres.",
+            errors=[FieldError(reason="not on Earth", parameter=f"location/{name}", value=radius)],
+        )
 
 
 def _check_knots(settings: AnalysisSettings, rows: int) -> None:
     grid = settings.time_grid
     if grid is None:
-        _require(rows == 1, "linear_weights", rows, "have one row without a time grid")
+        require(rows == 1, "linear_weights", rows, "have one row without a time grid")
         return
     low, high = settings.prior["coalescence_time"]
     first, last = grid.start + 2.0 * grid.step, grid.start + (rows - 3) * grid.step

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bnserve_protocol._analyses import Analysis
+from bnserve_protocol._time_sums import time_steps
 
 
 def likelihood_nodes(analysis: Analysis) -> int:
@@ -20,7 +21,6 @@ def likelihood_samples(analysis: Analysis) -> int:
     """
     settings = analysis.settings
     samples = likelihood_nodes(analysis) * (1 + len(settings.detectors))
-    times = settings.time_marginalisation
-    if times is not None:
-        samples += len(settings.detectors) * int((times.maximum - times.minimum) / times.step + 1.0)
+    if settings.time_marginalisation is not None:
+        samples += len(settings.detectors) * (time_steps(settings)[0] + 1)
     return samples

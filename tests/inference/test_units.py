@@ -63,7 +63,10 @@ def test_data_that_carries_units_is_the_same_data(data):
 
 def test_an_analysis_of_what_carries_units_is_the_same_analysis(data):
     options = LikelihoodOptions(
-        prior={"coalescence_time": np.array([-50.0, 50.0]) * 1e-3 * u.s, "distance_mpc": (0.0 * u.kpc, 250.0 * u.Mpc)},
+        prior={
+            "coalescence_time": np.array([-50.0, 50.0]) * 1e-3 * u.s,
+            "total_mass": (2.0 * u.solMass, 4.0 * u.solMass),
+        },
         phase_marginalisation=np.True_,
         distance_marginalisation=DistanceMarginalisation(minimum=np.int64(10), maximum=0.25 * u.Gpc),
         calibration=Calibration(nodes=np.int64(5), f_min=np.float32(40), f_max=0.5 * u.kHz),
@@ -74,7 +77,7 @@ def test_an_analysis_of_what_carries_units_is_the_same_analysis(data):
     )  # fmt: skip
     here = full(
         data,
-        prior=PRIOR | {"distance_mpc": (0.0, 250.0)},
+        prior=PRIOR | {"total_mass": (2.0, 4.0)},
         phase_marginalisation=True,
         distance_marginalisation=DistanceMarginalisation(minimum=10.0, maximum=250.0),
         calibration=Calibration(nodes=5, f_min=40.0, f_max=500.0),
