@@ -4,6 +4,7 @@ import json
 import logging
 import shutil
 import subprocess
+import time
 
 import msgpack
 import pytest
@@ -262,6 +263,22 @@ def test_garbage_after_a_request_does_not_overtake_its_answer(start):
         connection.sendall(b"\0garbage")
         model.gate.set()
         assert read_response(connection).status == 200
+        assert connection.recv(1) == b""
+
+
+@pytest.mark.parametrize("bad", [b"\0garbage", b"GET / HTTP/1.1\r\nbad header\r\n", CHUNKED + b"\r\nnot a chunk\r\n"])
+def test_answers_to_requests_before_it_may_take_their_time(start, bad):
+    class SlowModel(ChirpModel):
+        def predict_factored(self, *arguments, **options):
+            time.sleep(0.5)
+            return super().predict_factored(*arguments, **options)
+
+    server = start(SlowModel(), header_timeout=0.2, body_timeout=0.2, keep_alive=0.2)
+    with raw_connection(server.address) as connection:
+        connection.sendall(posted() + posted("X-Request-ID: second") + bad)
+        first, second = read_responses(connection, 2)
+        assert (first.status, second.status) == (200, 200)
+        assert second.headers["x-request-id"] == "second"
         assert connection.recv(1) == b""
 
 

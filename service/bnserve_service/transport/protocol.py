@@ -224,7 +224,7 @@ class BoundedProtocol(HttpToolsProtocol):
         super().on_response_complete()
         if self._refused and was_last:
             self.transport.close()
-        if not self.transport.is_closing():
+        if not (self._refused or self.transport.is_closing()):
             self._watch()
         self._pace.wait_if_closing()
 
