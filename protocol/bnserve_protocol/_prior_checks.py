@@ -27,7 +27,6 @@ _POSSIBLE = {
     "total_mass": (_LEAST_MASS, math.inf, "masses are positive"),
     "chirp_mass": (_LEAST_MASS, math.inf, "masses are positive"),
     "distance_mpc": (0.0, math.inf, "distances are positive"),
-    "declination": (-0.5 * math.pi, 0.5 * math.pi, "it is in radians"),
 }
 _SLACK = 1e-9
 """By which a range may exceed what is possible through rounding."""

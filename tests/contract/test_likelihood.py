@@ -224,6 +224,24 @@ def test_an_unknown_choice_for_invalid_rows_is_the_same_error(reach, local, choi
     assert there[0] is InvalidRequest
 
 
+def test_what_overflows_is_never_all_right(reach, analysis, local):
+    """A distance of 1e-300 Mpc, and calibration errors of 1e200: NaN with the status OK they were."""
+    batch = batch_for(analysis, 6)
+    ignored = analysis.settings.distance_marginalisation is not None
+    if not ignored:
+        batch["distance_mpc"][1] = 1e-300
+    for name, array in batch.calibration_amplitude.items():
+        array[2], batch.calibration_phase[name][3] = 1e200, 1e200
+    values, status = reach(analysis).evaluate(batch)
+    spoilt = {1} if not ignored else set()
+    spoilt |= {2, 3} if batch.calibration_amplitude else set()
+    assert {row for row in range(6) if status[row] == RowStatus.NOT_FINITE} == spoilt
+    assert (np.isfinite(values) == (status == RowStatus.OK)).all()
+    assert (values[status != RowStatus.OK] == -np.inf).all()
+    here = likelihood(local, analysis).evaluate(batch)
+    assert (values.tobytes(), status.tobytes()) == (here[0].tobytes(), here[1].tobytes())
+
+
 def failure(call):
     with pytest.raises(BnserveError) as raised:
         call()

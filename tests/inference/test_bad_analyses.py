@@ -17,6 +17,7 @@ from bnserve_inference import (
 from bnserve_inference.roq import BasisMismatch, ReducedOrderQuadrature, TabulatedInterpolant
 from bnserve_protocol import (
     AnalysisInvalid,
+    DistanceMarginalisation,
     InvalidParameters,
     OutOfDomain,
     RowStatus,
@@ -24,6 +25,8 @@ from bnserve_protocol import (
 )
 from tests.inference.networks import DURATION, F_MAX, F_MIN, PRIOR, START, TRIGGER, columns, full, without
 from tests.inference.test_kinds_agree import FIDUCIAL
+
+FAR = DistanceMarginalisation(minimum=10.0, maximum=75.0)
 
 
 def spoilt(array, index, value):
@@ -212,3 +215,45 @@ def test_a_detector_may_be_anywhere(model, data):
     moved = Detector("X1", response=np.eye(3) - 0.5, location=np.array([0.0, 0.0, 6.3e6]))
     one = DetectorData(moved, data[0].strain, data[0].asd, start_time=START, duration=DURATION)
     assert np.isfinite(likelihood(model, full([one])).log_likelihood(columns(3))).all()
+
+
+NOWHERE = {
+    "at the Moon": (np.eye(3), [3.844e8, 0.0, 0.0], "beyond the surface of the Earth"),
+    "in kilometres": (np.eye(3), [-2161.4149, -3834.6952, 4600.3502], "radius of the Earth in kilometres"),
+    "in feet": (np.eye(3), [-709.0, -1258.0, 1509.0], "far below its surface"),
+    "nowhere": (np.eye(3), [np.nan, 0.0, 6.3e6], "finite numbers of shape"),
+    "in a plane": (np.eye(3), [6.3e6, 0.0], "finite numbers of shape"),
+    "with two arms and no tensor": (np.ones((2, 3)), [6.3e6, 0.0, 0.0], "finite numbers of shape"),
+}
+
+
+@pytest.mark.parametrize(("response", "location", "reason"), NOWHERE.values(), ids=NOWHERE)
+def test_a_detector_that_is_not_on_earth_is_refused(response, location, reason):
+    with pytest.raises(AnalysisInvalid, match=reason):
+        Detector("X1", response=response, location=np.array(location))
+
+
+def test_a_detector_may_be_at_the_centre_of_the_earth():
+    assert Detector("X1", response=np.eye(3), location=np.zeros(3)).location.tolist() == [0.0, 0.0, 0.0]
+
+
+TWICE = {
+    "a distance prior beside an integral": (
+        {"prior": PRIOR | {"distance_mpc": (10.0, 75.0)}, "distance_marginalisation": FAR}, "distance_mpc"
+    ),
+    "a mass ratio from zero": ({"prior": PRIOR | {"mass_ratio": (0.0, 1.0)}}, "heavier mass over the lighter"),
+    "times outside of the prior": (
+        {"time_marginalisation": TimeMarginalisation(minimum=-0.2, maximum=0.2)}, "must lie within"
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("options", "reason"), TWICE.values(), ids=TWICE)
+def test_options_that_contradict_themselves_make_no_analysis(model, data, options, reason):
+    with pytest.raises(AnalysisInvalid, match=reason):
+        full(data, **options)
+    with pytest.raises(AnalysisInvalid, match=reason):
+        relative_binning_analysis(
+            data, trigger_time=TRIGGER, f_min=F_MIN, f_max=F_MAX, fiducial=FIDUCIAL, model=model,
+            options=LikelihoodOptions(**({"prior": PRIOR} | options)),
+        )  # fmt: skip

@@ -18,6 +18,7 @@ from bnserve_protocol import (
     UndecodableBody,
     decode_analysis,
     encode_analysis,
+    time_steps,
 )
 
 SETTINGS = AnalysisSettings(
@@ -145,6 +146,8 @@ BAD_ARRAYS = {
     "unsorted nodes": ({"linear_nodes": np.array([20.0, 50.0, 40.0])}, "increasing frequencies"),
     "nodes beyond the band": ({"quadratic_nodes": np.array([50.0, 101.0])}, "between f_min"),
     "no nodes": ({"quadratic_nodes": np.zeros(0)}, "increasing frequencies"),
+    "a detector at the Moon": ({"location/H1": np.array([3.8e8, 0.0, 0.0])}, "beyond the surface of the Earth"),
+    "a detector in kilometres": ({"location/H1": np.array([0.0, 6378.0, 0.0])}, "give its location in metres"),
     "words": ({"linear_nodes": np.array(["a", "b", "c"])}, "must hold numbers"),
 }
 
@@ -157,6 +160,9 @@ def test_arrays_that_do_not_fit_are_refused(case):
         Analysis(SETTINGS, values)
 
 
+FAR = DistanceMarginalisation(minimum=10.0, maximum=75.0)
+AGES = TimeMarginalisation(minimum=-9e5, maximum=9e5)
+ENDLESS = TimeMarginalisation(minimum=-1e308, maximum=1e308)
 BAD_SETTINGS = {
     "no detectors": ({"detectors": ()}, "1 to 16 detectors"),
     "a detector twice": ({"detectors": ("H1", "H1")}, "distinct names"),
@@ -178,6 +184,33 @@ BAD_SETTINGS = {
         "'calibration.phase_width'",
     ),
     "an error bound": ({"error_bound": 0.0}, "'error_bound'"),
+    "a mass ratio from zero": ({"prior": SETTINGS.prior | {"mass_ratio": (0.0, 3.0)}}, "heavier mass over the lighter"),
+    "a mass of nothing": ({"prior": SETTINGS.prior | {"total_mass": (0.0, 3.0)}}, "masses are positive"),
+    "a negative tide": ({"prior": SETTINGS.prior | {"lambda_1": (-1.0, 3.0)}}, "not negative"),
+    "a spin beyond one": ({"prior": SETTINGS.prior | {"chi_2": (-1.5, 1.0)}}, "no spin exceeds one"),
+    "a distance before here": ({"prior": SETTINGS.prior | {"distance_mpc": (-1.0, 9.0)}}, "distances are positive"),
+    "a reversed range of times": ({"prior": {"coalescence_time": (0.1, -0.1)}}, "finite and increasing"),
+    "NaN for a range of times": ({"prior": {"coalescence_time": (float("nan"), 0.1)}}, "finite and increasing"),
+    "a distance prior beside an integral": (
+        {"prior": SETTINGS.prior | {"distance_mpc": (10.0, 75.0)}, "distance_marginalisation": FAR},
+        "'prior' states a range of 'distance_mpc' as well",
+    ),
+    "a phase prior beside an integral": (
+        {"prior": SETTINGS.prior | {"reference_phase": (0.0, 1.0)}, "phase_marginalisation": True},
+        "over the whole circle",
+    ),
+    "distances without end": (
+        {"distance_marginalisation": DistanceMarginalisation(minimum=1e-9, maximum=1e9)},
+        "more than a factor",
+    ),
+    "a range of times that no band resolves": (
+        {"prior": {"coalescence_time": (-1e6, 1e6)}, "time_marginalisation": AGES, "f_max": 1e4},
+        "asks for .* times",
+    ),
+    "a range of times without end": (
+        {"prior": {"coalescence_time": (-1e308, 1e308)}, "time_marginalisation": ENDLESS},
+        "minimum < maximum",
+    ),
     "kind": ({"kind": "guess"}, "do not fit their schema"),
     "type": ({"f_min": "20"}, "do not fit their schema"),
 }
@@ -188,6 +221,29 @@ def test_settings_that_contradict_themselves_are_refused(case):
     change, reason = BAD_SETTINGS[case]
     with pytest.raises(AnalysisInvalid, match=reason):
         Analysis(msgspec.structs.replace(SETTINGS, **change), arrays())
+
+
+def test_the_whole_circle_beside_an_integral_over_the_phase_is_nothing_said_twice():
+    circle = SETTINGS.prior | {"reference_phase": (0.0, 2.0 * np.pi)}
+    Analysis(msgspec.structs.replace(SETTINGS, prior=circle, phase_marginalisation=True), arrays())
+
+
+def test_the_step_between_times_is_chosen_by_the_band_and_travels():
+    times = TimeMarginalisation(minimum=-0.05, maximum=0.05)
+    analysis = Analysis(msgspec.structs.replace(SETTINGS, time_marginalisation=times), arrays())
+    stated = analysis.settings.time_marginalisation.step
+    assert time_steps(analysis.settings) == (pytest.approx(0.1 / stated), stated)
+    assert 0.1 / stated == pytest.approx(np.ceil(0.1 * 10.0 * 80.25))
+    message = msgpack.unpackb(body_of(analysis), strict_map_key=False)
+    assert message["settings"]["time_marginalisation"]["step"] == stated
+    again = msgspec.structs.replace(times, step=stated)
+    assert Analysis(msgspec.structs.replace(SETTINGS, time_marginalisation=again), arrays()).digest == analysis.digest
+
+
+@pytest.mark.parametrize(("step", "steps"), [(None, 81), (1.0, 81), (1.0 / 2048.0, 205), (1e-4, 1000)])
+def test_a_step_that_the_band_does_not_allow_is_shortened(step, steps):
+    times = TimeMarginalisation(minimum=-0.05, maximum=0.05, step=step)
+    assert time_steps(msgspec.structs.replace(SETTINGS, time_marginalisation=times)) == (steps, 0.1 / steps)
 
 
 @pytest.mark.parametrize("body", [b"", b"\x80", b"\xc1", msgpack.packb({"settings": {}, "arrays": {}}), b"\x91" * 5000])
