@@ -23,6 +23,7 @@ from bnserve_inference import (
     simulate_data,
     time_delay,
 )
+from bnserve_inference.roq import PriorNotCovered, load_shipped_basis
 from bnserve_protocol import (
     Analysis,
     AnalysisInvalid,
@@ -201,3 +202,12 @@ def test_arrays_of_an_analysis_are_numbers(data):
     for name, change in changes.items():
         with pytest.raises(AnalysisInvalid, match=f"Array '{name}' of the analysis must hold numbers; it"):
             with_(name, change)
+
+
+def test_ranges_that_a_basis_is_to_cover_take_units_too():
+    basis = load_shipped_basis("gw170817")
+    basis.check_prior({"chirp_mass": [1.197, 1.198] * u.M_sun, "lambda_1": (5.0, 1e5 * u.percent)})
+    with pytest.raises(PriorNotCovered, match=r"'chirp_mass' needs 1\.197 to 1\.2, "):
+        basis.check_prior({"chirp_mass": (1.197 * u.M_sun, (1.2 * u.M_sun).to(u.kg))})
+    with pytest.raises(AnalysisInvalid, match="'chirp_mass' must be numbers in Msun; it has the unit"):
+        basis.check_prior({"chirp_mass": (1.197 * u.Hz, 1.198 * u.Hz)})

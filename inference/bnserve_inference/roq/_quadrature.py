@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._units import real_ranges
 from bnserve_inference.roq._errors import BasisMismatch, PriorNotCovered
 from bnserve_inference.roq._interpolant import Alignment, FloatArray, Interpolant
 from bnserve_protocol import UniformGrid, WaveformModel
@@ -125,10 +126,12 @@ class ReducedOrderQuadrature:
         ------
         PriorNotCovered
             Names every parameter that is not covered.
+        AnalysisInvalid
+            Ranges that are none.
         """
         gaps = [
             f"'{name}' needs {lowest:.10g} to {highest:.10g}, the basis has {least:.10g} to {most:.10g}"
-            for name, (lowest, highest) in ranges.items()
+            for name, (lowest, highest) in real_ranges(ranges).items()
             for least, most in [self.prior.get(name, (-math.inf, math.inf))]
             if not (least <= lowest and highest <= most)
         ]
