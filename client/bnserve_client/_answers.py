@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from email.utils import parsedate_to_datetime
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import msgspec
 
@@ -81,6 +82,31 @@ def read_json(body: bytes | memoryview, message: type[_Message], where: str) -> 
     except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError, UndecodableBody) as error:
         raise not_bnserve(where, "its answer has not the fields that bnserve's has") from error
     return answer
+
+
+def read_description(body: bytes | memoryview, message: type[_Message], where: str) -> _Message:
+    """As :func:`read_json`, for what users print: models, limits, manifests.
+
+    Raises
+    ------
+    NotBnserve
+        Also where its texts hold characters that a terminal would obey; line breaks and tabs may be there.
+    """
+    found = read_json(body, message, where)
+    if not all(text == printable(text, keep="\n\t") for text in _texts(msgspec.to_builtins(found))):
+        raise not_bnserve(where, "its answer holds control characters")
+    return found
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, dict):
+        for entry in value.items():
+            yield from _texts(entry)
+    elif isinstance(value, list | tuple):
+        for entry in value:
+            yield from _texts(entry)
 
 
 def read_waveforms(body: bytes | memoryview, where: str, model: ModelIdentity) -> WaveformAnswer:

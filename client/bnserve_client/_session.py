@@ -10,7 +10,7 @@ from urllib.parse import quote
 
 import msgspec
 
-from bnserve_client._answers import read_json, trusted_body
+from bnserve_client._answers import read_description, trusted_body
 from bnserve_client._failures import not_bnserve
 from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, LookUp, Send, Sleep
 from bnserve_client._names import Names, names_among
@@ -113,7 +113,7 @@ class Session:
         if digest is not None and found.digest == digest and version not in (found.version, *found.labels):
             raise DigestUnknown(f"The digest {digest} is that of '{name}' {found.version}, not of {version}.")
         right = found.version == found.labels.get(version, version) if digest is None else found.digest == digest
-        if found.name != name or not right or not (found.version.isprintable() and found.digest.isprintable()):
+        if found.name != name or not right:
             raise not_bnserve(patience.address.text, f"asked for the model '{name}' {version}, it describes another")
         fields = {field: getattr(found, field) for field in ModelDescription.__struct_fields__}
         return Pinned(description=ModelDescription(**fields), limits=found.limits, by_digest=digest is not None)
@@ -123,7 +123,7 @@ class Session:
         request = HttpRequest("GET", path, (*self._headers, ("Accept", f"{JSON}, {PROBLEM_JSON}")))
 
         def read(response: HttpResponse, where: str) -> _T:
-            return read_json(trusted_body(response, where, None), message, where)
+            return read_description(trusted_body(response, where, None), message, where)
 
         return self._ask(request, read, _SMALL_ANSWER, patience)
 

@@ -249,14 +249,30 @@ def test_nothing_that_a_server_says_reaches_the_terminal_as_an_escape(server, co
     assert "".join([str(error), repr(error), str(error.errors), error.request_id or ""]).isprintable()
 
 
-@pytest.mark.parametrize("field", ["version", "digest"])
-def test_a_model_whose_name_is_an_escape_is_not_bnserves(server, field):
+DESCRIBED = {
+    "version": "\x1b[2J",
+    "digest": "sha256:\x9b",
+    "citation": "Somebody \x1b]0;owned\x07 (2024)",
+    "provenance": {"notes": ["fine", {"host": "\b\b"}]},
+    "accuracy": {"\u202e": 1.0},
+}
+
+
+@pytest.mark.parametrize(("field", "value"), DESCRIBED.items())
+def test_a_description_that_a_terminal_would_obey_is_not_bnserves(server, field, value):
     described = server.service.model.description
-    server.service.model.description = msgspec.structs.replace(described, **{field: "\x1b[2J"})
+    server.service.model.description = msgspec.structs.replace(described, **{field: value})
     server.service.labels["stable"] = server.service.model.description.version
-    with pytest.raises(NotBnserve) as raised:
+    with pytest.raises(NotBnserve, match="control characters") as raised:
         Model.connect(server.address, retries=0)
     assert str(raised.value).isprintable()
+
+
+def test_a_description_may_have_lines(server, connect):
+    server.service.model.description = msgspec.structs.replace(
+        server.service.model.description, citation="Ünal\n\tet al."
+    )
+    assert connect(server.address).description.citation == "Ünal\n\tet al."
 
 
 def test_unavailability_has_one_name():

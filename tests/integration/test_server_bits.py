@@ -7,7 +7,7 @@ import msgpack
 import numpy as np
 import pytest
 
-from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, UniformGrid
+from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, UniformGrid, decode_answer
 from tests.service.asking import MSGPACK, as_array, ask, ask_on, closing_connection, read_msgpack
 
 BINARIES = 1000
@@ -138,6 +138,10 @@ def test_what_the_local_model_refuses_the_server_refuses(bnserve_server, local, 
 def test_a_grid_above_the_band(bnserve_server):
     from tests.service.asking import GW170817
 
-    body = msgpack.packb({"parameters": GW170817, "grid": {"frequencies": [50_000.0, 60_000.0]}})
-    answer = ask(bnserve_server.address, "POST", PATH, body, content_type=MSGPACK)
+    question = {"parameters": GW170817, "grid": {"frequencies": [50_000.0, 60_000.0]}}
+    answer = ask(bnserve_server.address, "POST", PATH, msgpack.packb(question), content_type=MSGPACK)
+    assert answer.status == 200
+    assert not decode_answer(answer.body).arrays["h_plus"].any()
+    forbidden = msgpack.packb(question | {"above_band": "error"})
+    answer = ask(bnserve_server.address, "POST", PATH, forbidden, content_type=MSGPACK)
     assert (answer.status, answer.code) == (422, "out-of-band")

@@ -129,7 +129,7 @@ def test_the_client_tries_again_until_there_is_room(server):
     with ThreadPoolExecutor(1) as callers, Model.connect(server.address, "chirp") as model:
         with bodies_without_end(server, 4):
             answer = callers.submit(model.predict, frequencies, ParametersWithExtrinsic.gw170817())
-            until(lambda: value(server, "bnserve_errors_total", code="overloaded") > 0, "it was refused")
+            until(lambda: value(server, "bnserve_errors_total", code="overloaded"), "it was refused")
         assert answer.result().plus.shape == (2**14,)
 
 
