@@ -155,3 +155,26 @@ def test_an_error_keeps_its_exit_code_whatever_the_output(to, tmp_path):
 def test_a_token_that_nobody_can_read_is_not_made(tmp_path):
     done = shell("bnserve tokens new --name me 2> /dev/full", tmp_path)
     assert (done.returncode, done.stdout) == (2, "")
+
+
+ROOT = Path(__file__).parents[2]
+PLACES = {
+    "validate": ["validate", "default", "--count", "8", "--output"],
+    "roq build": ["roq", "build", str(ROOT / "configs" / "roq_gw170817.toml"), "--no-report", "--output"],
+    "bench": ["bench", "--plot"],
+}
+
+
+@pytest.mark.parametrize("arguments", PLACES.values(), ids=list(PLACES))
+def test_a_place_that_cannot_be_written_is_found_before_the_work(tmp_path, monkeypatch, capsys, arguments):
+    """Below a file there is no folder; what would take hours has not even begun."""
+    pytest.importorskip("sklearn")
+    pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").write_text("")
+    place = tmp_path / "file" / "results.json"
+    assert main([*arguments, str(place)]) == 2
+    printed = capsys.readouterr()
+    assert f"Cannot write {place}" in printed.err
+    assert printed.out == ""
+    assert [path.name for path in tmp_path.iterdir()] == ["file"]

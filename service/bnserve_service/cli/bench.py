@@ -35,8 +35,11 @@ def add_parser(subparsers: Any) -> None:
 def run(options: argparse.Namespace) -> int:
     """Measure, print, draw."""
     from bnserve_service.bench.extra import import_bench
+    from bnserve_service.cli.places import check_place
 
     _check(options)
+    if options.plot:
+        check_place(options.plot / "bench.png", "--plot")
     plots = import_bench("plots") if options.plot else None  # what is missing is said before anything is measured
     document = _measure(options, import_bench)
     if options.json:

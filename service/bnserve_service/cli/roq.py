@@ -83,10 +83,13 @@ def run_build(options: argparse.Namespace) -> int:
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):  # before numpy: the workers are many
         os.environ.setdefault(name, "1")
     from bnserve_inference.roq import build_basis, describe, read_roq_configuration, require, write_roq_report
+    from bnserve_service.cli.places import check_place
 
     if not options.no_report:
         require("matplotlib")  # better missed now than at the end
     configuration = read_roq_configuration(options.configuration)
+    output = options.output or options.work / f"{configuration.name}.h5"
+    check_place(output, "--output")
     opener = partial(_open_model, configuration.model.name, configuration.model.version, options.store)
     built = build_basis(
         configuration,
@@ -97,7 +100,6 @@ def run_build(options: argparse.Namespace) -> int:
         opener=opener,
         progress=False if options.no_progress else None,
     )
-    output = options.output or options.work / f"{configuration.name}.h5"
     built.quadrature.save(output)
     print(describe(built.quadrature))
     print(f"time        {sum(built.seconds.values()) / 60.0:.1f} minutes\nBasis: {output}")

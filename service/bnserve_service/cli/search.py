@@ -52,7 +52,10 @@ def run(options: argparse.Namespace) -> int:
     """Search, print, save."""
     from bnserve_service.training_extra import import_training
 
-    config, search, results, pareto = import_training("config", "search", "search_results", "search_pareto")
+    config, search, results, pareto, errors = import_training(
+        "config", "search", "search_results", "search_pareto", "errors"
+    )
+    errors.require("matplotlib")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)
     study = options.study or options.work / f"search-{configuration.name}.jsonl"
     wanted = search.Search(configuration, study, options.waveforms, options.waveform_seconds)

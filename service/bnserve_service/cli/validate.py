@@ -34,12 +34,13 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Validate, print, save."""
+    from bnserve_service.cli.places import check_place
     from bnserve_service.training_extra import import_training
     from bnserve_store import ModelStore
 
     pipeline, report = import_training("pipeline", "report")
     if options.output:
-        report.check_output(options.output)
+        check_place(options.output, "--output")
     name, _, version = options.model.partition("@")
     artifact = ModelStore.default(options.store or ()).load(name, version or "stable")
     validations = pipeline.validate_artifact(

@@ -4,18 +4,15 @@ from __future__ import annotations
 
 import base64
 import contextlib
-import errno
 import html
 import io
 import os
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from bnserve_store import check_writable
 from bnserve_surrogate.training.errors import DatasetUnwritable, require
 from bnserve_surrogate.training.validation import QUANTILES, Validation, quantiles
 
@@ -89,14 +86,6 @@ pre{{background:#f3f5f8;padding:1rem;overflow-x:auto}}</style>
 """
 
 
-def check_output(path: Path) -> None:
-    """Find out before the work whether :func:`write_text` will refuse a path; raises as it does."""
-    with _unwritable(path):
-        if path.is_dir():
-            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
-        check_writable(path.parent)
-
-
 def write_text(path: Path, text: str) -> None:
     """Write a file whole or not at all.
 
@@ -105,7 +94,7 @@ def write_text(path: Path, text: str) -> None:
     DatasetUnwritable
         It cannot be written.
     """
-    with _unwritable(path):
+    try:
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:
@@ -118,12 +107,6 @@ def write_text(path: Path, text: str) -> None:
             with contextlib.suppress(OSError):
                 Path(name).unlink()
             raise
-
-
-@contextlib.contextmanager
-def _unwritable(path: Path) -> Iterator[None]:
-    try:
-        yield
     except OSError as error:
         raise DatasetUnwritable(f"Cannot write {path}: {error.strerror}. Make room or choose another place.") from error
 
