@@ -117,8 +117,11 @@ class AnalysisStore:
         ------
         AnalysisUnknown
             Never uploaded by this owner, or dropped since.
+        Unavailable
+            What the workers share is gone, and no worker can know.
         """
         if self._shelf is not None and not self._shelf.use(owner, sha256):
+            self._shelf.check()
             self._let_go(owner, sha256)
         with self._lock:
             found = self._find(owner, sha256)

@@ -235,7 +235,14 @@ def create_app(
         metrics=metrics,
     )
     loader = loader_of(settings, registry, source, factory)
-    health = Health(registry, lifecycle, queue.longest_evaluation, settings.self_check_seconds, settings.stuck_seconds)
+    health = Health(
+        registry,
+        lifecycle,
+        queue.longest_evaluation,
+        settings.self_check_seconds,
+        settings.stuck_seconds,
+        shared.is_dir if shared is not None else lambda: True,
+    )
     maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
     if shared is not None:
         registry.join(SharedModels(shared, worker), maintenance.poke)

@@ -62,8 +62,11 @@ class GridCache:
         ------
         GridUnknown
             Never uploaded, or dropped since.
+        Unavailable
+            What the workers share is gone, and no worker can know.
         """
         if self._shelf is not None and not self._shelf.use(_EVERYBODY, sha256):
+            self._shelf.check()
             self._forget(sha256)
         with self._lock:
             found = self._grids.get(sha256)

@@ -129,8 +129,11 @@ class Metrics:
         if self._shared is None:
             return generate_latest(self.registry)
         self.publish()  # or a number read here could be larger than the one that another worker tells next
+        merged = self._shared.merged(self._largest)
+        if not merged:  # the folder that workers share is gone: better one's own numbers than none
+            return generate_latest(self.registry)
         together = CollectorRegistry()
-        together.register(_Merged(self._shared.merged(self._largest)))
+        together.register(_Merged(merged))
         return generate_latest(together)
 
 

@@ -19,6 +19,7 @@ from pathlib import Path
 
 from bnserve_protocol import ShareExceeded, TooLarge
 from bnserve_service.settings import Token
+from bnserve_service.shared.files import gone
 from bnserve_service.upload_records import LEFT_BEHIND, Kind, OwnRecords, SharedRecords, Upload, UploadRecords
 from bnserve_service.upload_records import coming as about_to_store
 from bnserve_service.upload_records import kept as stored
@@ -76,7 +77,17 @@ class StoredShares:
             Not now; ``retry_after`` says when.
         TooLarge
             It alone is larger than the share.
+        Unavailable
+            The folder that workers share is gone.
         """
+        try:
+            with self._room(owner, kind, sha256, nbytes):
+                yield
+        except FileNotFoundError as error:
+            raise gone() from error
+
+    @contextmanager
+    def _room(self, owner: str, kind: Kind, sha256: str, nbytes: int) -> Generator[None, None, None]:
         if not self._most or not _DIGEST.fullmatch(sha256):  # what is no digest is refused by whoever stores it
             yield
             return

@@ -110,11 +110,12 @@ class SharedRecords:
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, exist_ok=True)
 
     @contextmanager
     def alone(self) -> Generator[None, None, None]:
         """See :class:`UploadRecords`; a process that dies lets go."""
+        self._folder.mkdir(mode=0o700, exist_ok=True)
         lock = os.open(self._folder / "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
         try:
             fcntl.flock(lock, fcntl.LOCK_EX)

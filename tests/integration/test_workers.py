@@ -4,7 +4,6 @@ import hashlib
 import json
 import os
 import signal
-import socket
 import sys
 import threading
 import time
@@ -321,39 +320,6 @@ def test_over_a_unix_socket(tmp_path, expected):
                 until(lambda victim=victim: not exists(victim), "it is gone")
         process.terminate()
         assert process.wait(60) == 0
-    assert not path.exists()
-
-
-@pytest.mark.parametrize("workers", ["1", "2"])
-def test_a_server_that_drains_leaves_its_path_to_the_next(tmp_path, workers):
-    path, log = tmp_path / "bnserve.sock", tmp_path / "log"
-    command = [*COMMAND, "serve", "--uds", str(path), "--workers", workers, "--model", "fast"]
-
-    def is_ready():
-        return "bnserve is ready" in log.read_text()
-
-    with running(command, log, is_ready) as old, socket.socket(socket.AF_UNIX) as connection:
-        connection.connect(str(path))
-        body = json.dumps(CURL).encode()
-        head = f"POST /v1/models/fast/waveforms HTTP/1.1\r\nHost: localhost\r\nContent-Type: {JSON}\r\nAccept: {JSON}"
-        connection.sendall(f"{head}\r\nContent-Length: {len(body)}\r\n\r\n".encode() + body[:-1])
-        old.terminate()
-
-        def is_free():
-            with socket.socket(socket.AF_UNIX) as probe:
-                return probe.connect_ex(str(path)) != 0
-
-        until(is_free, "the old server listens no more")
-        log = tmp_path / "next"
-        with running(command, log, is_ready) as new:
-            connection.sendall(body[-1:])
-            assert connection.recv(9) == b"HTTP/1.1 "
-            connection.close()
-            assert old.wait(60) == 0
-            with Model.connect(f"unix:{path}", "fast") as model:
-                model.predict(GRID, PARAMETERS)
-            new.terminate()
-            assert new.wait(60) == 0
     assert not path.exists()
 
 

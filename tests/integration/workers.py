@@ -63,9 +63,13 @@ class Workers:
 
     @property
     def shared(self) -> Path:
-        """The folder that they share."""
-        command = Path(f"/proc/{self.template}/cmdline").read_bytes().split(b"\0")
-        return Path(os.fsdecode(command[-2]))
+        """The folder that they share, or shared before somebody removed it."""
+        for descriptor in Path(f"/proc/{self.supervisor}/fd").iterdir():
+            with suppress(OSError):
+                file = descriptor.readlink()
+                if file.name.removesuffix(" (deleted)") == "alive":
+                    return file.parent
+        raise FileNotFoundError
 
     @property
     def template(self) -> int | None:

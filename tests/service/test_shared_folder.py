@@ -12,7 +12,7 @@ import pytest
 from prometheus_client import CollectorRegistry, Counter, Gauge
 
 from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, encode_analysis
-from bnserve_service import Settings
+from bnserve_service import BackgroundServer, Settings, Token
 from bnserve_service.analyses import AnalysisStore
 from bnserve_service.grids import GridCache
 from bnserve_service.shared.files import Shelf
@@ -20,6 +20,9 @@ from bnserve_service.shared.folder import SharedFolder
 from bnserve_service.shared.loads import SharedLoads
 from bnserve_service.shared.metrics import SharedMetrics
 from tests.architecture.rooms import room_environment
+from tests.service.asking import ask, evaluate, question
+from tests.service.chirp import ChirpModel, MemorySource, as_it_is
+from tests.service.conftest import SMALL_LIMITS
 from tests.service.injections import name_of, small_analysis
 
 
@@ -275,3 +278,40 @@ def test_the_least_busy_worker_is_found(tmp_path):
     assert loads.least() == 5
     loads.close()
     other.close()
+
+
+class TestWithoutIt:
+    """Somebody has removed what the workers share, as systemd does when a user logs out."""
+
+    @pytest.fixture(params=[{}, {"tokens": [Token.of("a token of a sampler", max_stored_bytes=10_000)]}])
+    def worker(self, request, tmp_path):
+        folder = tmp_path / "shared"
+        folder.mkdir()
+        settings = Settings(**(SMALL_LIMITS | request.param))
+        source = MemorySource().add(ChirpModel())
+        with BackgroundServer(settings, source=source, factory=as_it_is, shared=folder) as server:
+            yield server, folder, {"authorization": "Bearer a token of a sampler"}
+
+    def test_a_worker_is_unready_and_asks_to_be_asked_again(self, worker):
+        server, folder, token = worker
+        body = grid(30.0)
+        path, by_digest = f"/v1/grids/{digest(body)}", question(grid={"sha256": digest(body)})
+        assert ask(server.address, "PUT", path, body, **token).status == 201
+        assert evaluate(server.address, by_digest, **token).status == 200
+        shutil.rmtree(folder)
+        for answer in (
+            ask(server.address, "GET", "/v2/health/ready"),
+            ask(server.address, "PUT", path, body, **token),
+            ask(server.address, "HEAD", path, **token),
+            evaluate(server.address, by_digest, **token),
+        ):
+            assert (answer.status, answer.headers["retry-after"]) == (503, "1")
+        assert evaluate(server.address, question(), **token).status == 200
+        assert b"bnserve_ready 0.0" in server.app.parts.metrics.exposition()
+
+    def test_a_part_of_it_is_made_again(self, worker):
+        server, folder, token = worker
+        body = grid(30.0)
+        shutil.rmtree(folder / "grids")
+        assert ask(server.address, "PUT", f"/v1/grids/{digest(body)}", body, **token).status == 201
+        assert ask(server.address, "GET", "/v2/health/ready").status == 200

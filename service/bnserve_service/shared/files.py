@@ -16,12 +16,20 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from bnserve_protocol import Overloaded
+from bnserve_protocol import Overloaded, Unavailable
 
 _NAME = re.compile(r"[0-9a-f]{64}")
 _EVERYBODY = "everybody"
 _LEFT_BEHIND = 60.0
 """Seconds after which an unfinished file belongs to a worker that did not live to finish it."""
+
+
+def gone() -> Unavailable:
+    """The error for what needs the folder that workers share, while there is none."""
+    return Unavailable(
+        "The memory that the workers of this server share is gone and is made anew; ask again in a moment.",
+        retry_after=0.5,
+    )
 
 
 def no_room() -> Overloaded:
@@ -63,7 +71,17 @@ class Shelf:
         self._max_files = max_files
         self._max_owner_bytes = max_owner_bytes
         self._max_bytes = max_bytes
-        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, exist_ok=True)
+
+    def check(self) -> None:
+        """Find out why a file is not there: because nothing is.
+
+        Raises
+        ------
+        Unavailable
+        """
+        if not self._folder.parent.is_dir():
+            raise gone()
 
     def use(self, owner: str, name: str) -> bool:
         """Whether a file is there; it counts as used now."""
@@ -104,6 +122,11 @@ class Shelf:
         """Keep a file, making room for it; false when there is none: it is not kept then.
 
         The caller has checked that ``name`` is its digest.
+
+        Raises
+        ------
+        FileNotFoundError
+            The folder that workers share is gone.
         """
         path = self._path(owner, name)
         if path is None:
@@ -134,7 +157,10 @@ class Shelf:
 
     def usage(self) -> tuple[int, int]:
         """Files and their bytes, those of several owners once."""
-        sizes = {file.number: file.size for file in self._files()}
+        try:
+            sizes = {file.number: file.size for file in self._files()}
+        except FileNotFoundError:  # all of it is gone
+            sizes = {}
         return len(sizes), sum(sizes.values())
 
     def _path(self, owner: str, name: str) -> Path | None:
@@ -145,6 +171,7 @@ class Shelf:
     @contextmanager
     def _locked(self) -> Generator[None, None, None]:
         """Alone among all threads and processes; a process that dies lets go."""
+        self._folder.mkdir(mode=0o700, exist_ok=True)
         lock = os.open(self._folder / "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
         try:
             fcntl.flock(lock, fcntl.LOCK_EX)

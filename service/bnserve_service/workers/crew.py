@@ -32,7 +32,7 @@ class Crew:
     events:
         What they say comes through these.
     shared:
-        The folder of the server.
+        The folder of the server at this time.
     wanted:
         How many there should be. There are twice as many places, since one that drains keeps its own.
     on_ready, on_change, on_failure:
@@ -65,6 +65,15 @@ class Crew:
     def __iter__(self) -> Iterator[Worker]:
         return iter(list(self._workers.values()))
 
+    def move(self, shared: Path, now: float) -> None:
+        """Have all workers replaced by others that share another folder, since the one before is gone."""
+        self._shared = shared
+        self._loads.close()
+        self._loads = SharedLoads(shared, 2 * self._wanted + 1)
+        for worker in self:
+            if not worker.retired and not worker.greets:
+                self.replace(worker, "unready", now)
+
     def serving(self) -> int:
         """How many are ready and wanted."""
         return sum(worker.serves for worker in self)
@@ -93,7 +102,7 @@ class Crew:
 
     def _start(self, template: Template, place: int, now: float, greets: bool) -> None:
         ours, theirs = Channel.pair()
-        if template.spawn(place, theirs, greets):
+        if template.spawn(place, theirs, self._shared, greets):
             worker = self._workers[place] = Worker(place, ours, now, greets)
             self._events.listen(ours, lambda message: self._hear(worker, message), lambda: self._lost(worker))
         else:

@@ -39,6 +39,8 @@ _TEMPLATE_SECONDS = 600.0
 """Loading from a slow bucket takes minutes; a template that takes longer hangs."""
 _HOPELESS = 5
 """Workers or templates in a row that never became ready, while none is, before the supervisor gives up."""
+_FOLDER_PAUSE = 1.0
+"""Seconds between two attempts to make a folder, so that whatever removes them does not keep the workers away."""
 _SUBREAPER = 36
 """``PR_SET_CHILD_SUBREAPER`` of Linux."""
 
@@ -52,11 +54,19 @@ class Supervisor:
         Those of the server, as JSON gives them.
     inheritance:
         What the workers get.
+    shared:
+        The folder that they share; when somebody removes it, another is made.
     announce:
         Gets a line when the first worker is ready.
     """
 
-    def __init__(self, settings: dict[str, Any], inheritance: Inheritance, announce: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        settings: dict[str, Any],
+        inheritance: Inheritance,
+        shared: SharedFolder,
+        announce: Callable[[str], None],
+    ) -> None:
         drain = settings["drain_grace"] + settings["drain_timeout"] + _DRAIN_MARGIN
         self._rules = Rules(settings["hung_seconds"], settings["stuck_seconds"], drain)
         self._inheritance = inheritance
@@ -64,8 +74,11 @@ class Supervisor:
         self._announced = False
         self._events = Events()
         self._crew = Crew(
-            self._events, inheritance.shared, settings["workers"], self._is_ready, self._have_all_look, self._lose_hope
+            self._events, shared.path, settings["workers"], self._is_ready, self._have_all_look, self._lose_hope
         )
+        self.shared = shared
+        self._room = room_needed(settings)
+        self._next_folder = 0.0
         self._template: Template | None = None
         self._back_off = BackOff()
         self._never_ready = 0
@@ -87,6 +100,8 @@ class Supervisor:
                 self._ended(pid, code, now)
             for number in self._events.signals():
                 self._obey(number, now)
+            if not self._stopping and not self.shared.is_there() and now >= self._next_folder:
+                self._move(now)
             self._judge_all(now)
             self._fill(now)
             self._crew.report(now, at_most_every=1.0)
@@ -115,6 +130,19 @@ class Supervisor:
         self._crew.tell({"refresh": True}, but)
         if self._template is not None:
             self._template.look_at_stores()
+
+    def _move(self, now: float) -> None:
+        """Make another folder for the workers to share, and have them replaced by others that do."""
+        self._next_folder = now + _FOLDER_PAUSE
+        try:
+            fresh = SharedFolder.create(self._room)
+        except OSError as error:
+            logger.error("%s is gone, and no other folder can be made: %s", self.shared.path, error.strerror or error)
+            return
+        logger.error("%s was removed; the workers are replaced and share %s", self.shared.path, fresh.path)
+        self.shared.close()
+        self.shared = fresh
+        self._crew.move(fresh.path, now)
 
     def _judge_all(self, now: float) -> None:
         serving = self._crew.serving()
@@ -187,6 +215,11 @@ class Supervisor:
                 os.waitpid(-1, 0)
 
 
+def room_needed(settings: dict[str, Any]) -> int:
+    """Bytes that the folder that workers share should have room for."""
+    return int(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
+
+
 def become_subreaper() -> None:
     """Have workers whose own parent ends become children of this process."""
     if ctypes.CDLL(None, use_errno=True).prctl(_SUBREAPER, 1, 0, 0, 0) != 0:
@@ -214,13 +247,12 @@ def _supervise(arguments: Sequence[str]) -> int:
             stack.callback(SocketFile(Path(settings["uds"])).remove)
         try:
             become_subreaper()
-            shared = SharedFolder.create(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
+            shared = SharedFolder.create(room_needed(settings))
         except OSError as error:
             complain(f"bnserve: Workers cannot be supervised: {error.strerror or error}.")
             return 2
-        stack.callback(shared.remove)
-        inheritance = Inheritance(listener, metrics_listener, settings_file, shared.path)
-        supervisor = Supervisor(settings, inheritance, announce)
+        supervisor = Supervisor(settings, Inheritance(listener, metrics_listener, settings_file), shared, announce)
+        stack.callback(lambda: supervisor.shared.remove())
         supervisor.run()
     if supervisor.failure:
         complain(f"bnserve: {supervisor.failure}")

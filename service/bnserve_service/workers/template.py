@@ -45,7 +45,7 @@ def main(arguments: Sequence[str]) -> int:
     name_process("bnserve-templat")
     supervisor = Channel.inherited(channel)
     try:
-        return _serve_template(supervisor, listener, metrics_listener, settings_file, Path(arguments[4]))
+        return _serve_template(supervisor, listener, metrics_listener, settings_file)
     except Closed:
         return 0
     except Exception as error:
@@ -56,12 +56,12 @@ def main(arguments: Sequence[str]) -> int:
         return 2
 
 
-def _serve_template(supervisor: Channel, listener: int, metrics_listener: int, settings_file: int, shared: Path) -> int:
+def _serve_template(supervisor: Channel, listener: int, metrics_listener: int, settings_file: int) -> int:
     from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
     from bnserve_service.workers.worker import Belongings, Models, work
 
     keep_freed_memory()
-    belongings = Belongings.inherited(listener, metrics_listener, settings_file, shared)
+    belongings = Belongings.inherited(listener, metrics_listener, settings_file)
     models = Models(belongings.settings)
 
     def obey(message: dict[str, Any], descriptors: list[int]) -> None:
@@ -70,7 +70,8 @@ def _serve_template(supervisor: Channel, listener: int, metrics_listener: int, s
             forget_what_is_imported()
         if descriptors:
             registry = None if message["greets"] else models.registry
-            _copy(supervisor, descriptors[0], lambda end: work(end, message["spawn"], belongings, registry))
+            slot, shared = message["spawn"], Path(message["shared"])
+            _copy(supervisor, descriptors[0], lambda end: work(end, slot, belongings, shared, registry))
 
     with contextlib.suppress(BlockingIOError):
         obey(*supervisor.receive())  # the one that says meanwhile that the models are being loaded

@@ -26,7 +26,6 @@ class Inheritance:
     """:data:`NO_DESCRIPTOR` when the metrics have no port of their own."""
     settings: int
     """A file with the settings as JSON."""
-    shared: Path
 
 
 class Template:
@@ -59,7 +58,6 @@ class Template:
                 "-m",
                 "bnserve_service.workers.template",
                 *map(str, numbers),
-                str(inheritance.shared),
             ],
             os.environ,
             setsigmask=(),
@@ -72,9 +70,10 @@ class Template:
         self.loaded = self.loaded or "loaded" in message
         self.reason = message.get("failed", self.reason)
 
-    def spawn(self, slot: int, worker_end: Channel, greets: bool = False) -> bool:
+    def spawn(self, slot: int, worker_end: Channel, shared: Path, greets: bool = False) -> bool:
         """Ask for a worker that has ``worker_end``; false when the template is gone."""
-        return self.channel.send({"spawn": slot, "greets": greets}, worker_end.fileno())
+        message: Message = {"spawn": slot, "greets": greets, "shared": str(shared)}
+        return self.channel.send(message, worker_end.fileno())
 
     def look_at_stores(self) -> None:
         """Have workers that are started from now on begin with the models that are in the stores now."""

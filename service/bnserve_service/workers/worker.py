@@ -44,10 +44,9 @@ class Belongings:
     """With the threads of one worker."""
     listener: socket.socket
     metrics_listener: socket.socket | None
-    shared: Path
 
     @classmethod
-    def inherited(cls, listener: int, metrics_listener: int, settings_file: int, shared: Path) -> Self:
+    def inherited(cls, listener: int, metrics_listener: int, settings_file: int) -> Self:
         """From the descriptors that the supervisor left open."""
         text = os.pread(settings_file, os.fstat(settings_file).st_size, 0)
         settings = Settings.model_validate_json(text)
@@ -56,7 +55,6 @@ class Belongings:
             settings.model_copy(update={"threads": threads}),
             socket.socket(fileno=listener),
             socket.socket(fileno=metrics_listener) if metrics_listener >= 0 else None,
-            shared,
         )
 
 
@@ -95,7 +93,7 @@ class Models:
         return self._loader.refresh(force=True)
 
 
-def work(channel: Channel, slot: int, belongings: Belongings, registry: Registry | None) -> int:
+def work(channel: Channel, slot: int, belongings: Belongings, folder: Path, registry: Registry | None) -> int:
     """Serve as a worker; returns the exit status of its process.
 
     Parameters
@@ -106,11 +104,17 @@ def work(channel: Channel, slot: int, belongings: Belongings, registry: Registry
         Its place among the workers; it goes on counting where the one before it ended.
     belongings:
         What it works with.
+    folder:
+        What it shares with the others.
     registry:
         Models that are loaded already; None for one that only says that they are being loaded.
     """
     name_process(f"bnserve-work-{slot}")
-    shared = SharedFolder(belongings.shared)
+    try:
+        shared = SharedFolder(folder)
+    except OSError as error:  # the supervisor will see it, too
+        channel.send({"failed": f"The folder that the workers share cannot be opened: {error.strerror or error}."})
+        return 2
     greets = registry is None
     hurry = {"drain_grace": 0.0, "drain_timeout": _FAREWELL_SECONDS}
     settings = belongings.settings.model_copy(update=hurry if greets else {})
