@@ -199,7 +199,7 @@ class Model:
         return self._run(self._remote.predict_amplitude_phase(frequencies, batch, options))
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
-        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger; ``OutOfBand`` above the band."""
         return self._run(self._remote.time_until_merger(frequency, parameters))
 
     def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:

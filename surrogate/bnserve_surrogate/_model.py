@@ -237,7 +237,7 @@ class Model:
         )
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
-        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger; ``OutOfBand`` above the band."""
         return time_until_merger(self, frequency, parameters)
 
     def warm_up(self) -> None:

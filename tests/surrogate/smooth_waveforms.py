@@ -9,8 +9,10 @@ import time
 
 import numpy as np
 
+from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
+from bnserve_surrogate.training.errors import GeneratorUnknown
 
 PATH = "tests.surrogate.smooth_waveforms"
 PAUSE = "SMOOTH_WAVEFORMS_PAUSE"
@@ -101,3 +103,22 @@ def turned_at_random(theta, mf):
     """The same constant on every grid, and another one for every binary."""
     amplitude, psi = waveform(theta, mf)
     return amplitude, psi + (1e6 * theta.sum()) % (2.0 * np.pi)
+
+
+class ZeroAt30Hz:
+    """A generator that says where the phase of its signal is zero, and for which boxes it is made."""
+
+    phase_start = 30.0 * 2.8 * SOLAR_MASS_SECONDS
+
+    def check_box(self, lower, upper):
+        if (upper[1:3] > 0.4).any():
+            raise GeneratorUnknown("There are no spins above 0.4.")
+
+    def __call__(self, theta, mf):
+        amplitude, psi = waveform(theta, mf)
+        around = self.phase_start * np.array([0.999, 1.0, 1.001])
+        lower, middle, upper = waveform(theta, around)[1]
+        return amplitude, psi - (middle - (upper - lower) / 0.002)
+
+
+zero_at_30_hz = ZeroAt30Hz()

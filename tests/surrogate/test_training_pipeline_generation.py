@@ -5,7 +5,7 @@ import pytest
 
 from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate.training.config import parse_configuration
-from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, TooManyFailures
+from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown, TooManyFailures
 from bnserve_surrogate.training.generation import configured_generator, mf_band, training_band
 from bnserve_surrogate.training.pipeline import train
 from tests.surrogate import smooth_waveforms
@@ -44,6 +44,17 @@ def test_a_constant_modulo_two_pi_is_replaced_by_that_of_the_baseline(tmp_path):
 def test_the_baselines_constant_does_not_hide_another_time(tmp_path):
     with pytest.raises(GeneratorDependsOnGrid):
         train(configured("timed_by_the_grid", phase_constant="baseline"), tmp_path, **QUIETLY)
+
+
+def test_a_users_generator_may_say_where_its_phase_is_zero_and_what_boxes_it_has(tmp_path):
+    """Its signal's phase is zero at 30 Hz; by this the constant varies by thousands of radians, and it is learnt."""
+    trained = train(configured("zero_at_30_hz"), tmp_path, **QUIETLY)
+    start = trained.metadata.modes["22"].merger_start_mf
+    assert start == pytest.approx(30.0 * 2.8 * SOLAR_MASS_SECONDS)
+    for validation in trained.validations.values():
+        assert np.abs(validation.merger_phase).max() < 1e-2
+    with pytest.raises(GeneratorUnknown, match="no spins"):
+        configured_generator(configured("zero_at_30_hz", {"ranges": {"chi": [0.0, 0.5]}}))
 
 
 def test_teobresums_starts_where_the_band_begins_unless_told_otherwise():

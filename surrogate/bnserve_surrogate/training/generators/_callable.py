@@ -17,7 +17,8 @@ from bnserve_surrogate.training.generators._interface import AmplitudePhasePair,
 class CallableGenerator:
     """Wraps ``function(theta, mf) -> (amplitude, psi)``, in the conventions of :class:`WaveformGenerator`.
 
-    Any exception that the function raises loses that waveform, not the run.
+    Any exception that the function raises loses that waveform, not the run. If it has the attributes ``phase_start``
+    and ``check_box`` of that interface, they count.
 
     Parameters
     ----------
@@ -79,9 +80,22 @@ class CallableGenerator:
         """Nothing beyond the version."""
         return {}
 
+    @property
+    def phase_start(self) -> float:
+        """The function's, or 0: its signal's phase is not said to be zero anywhere."""
+        return float(getattr(self.function, "phase_start", 0.0))
+
+    def check_box(self, lower: FloatArray, upper: FloatArray) -> None:
+        """The function's; without one, every box will do."""
+        getattr(self.function, "check_box", _any_box)(lower, upper)
+
     def __call__(self, theta: FloatArray, mf: FloatArray) -> AmplitudePhasePair:
         """What the function returns."""
         return self.function(theta, mf)
+
+
+def _any_box(lower: FloatArray, upper: FloatArray) -> None:
+    """Nothing is known against it."""
 
 
 def _source_digest(function: Callable[..., Any]) -> str:
