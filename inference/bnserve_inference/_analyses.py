@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._box import Box
 from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Ranges
-from bnserve_inference._calibrated_basis import CalibratedBasis, calibration_error, refuse_uncalibrated
+from bnserve_inference._calibrated_basis import CalibratedBasis
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import FiducialBasis
+from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
 from bnserve_inference._rows import chirp_mass
 from bnserve_inference._units import in_units
-from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights, time_table
+from bnserve_inference._weights import time_table
 from bnserve_protocol import (
+    INTRINSIC_NAMES,
     Analysis,
     AnalysisInvalid,
     AnalysisKind,
@@ -119,17 +123,21 @@ def roq_analysis(
             f"The basis is for data of {basis.duration} s and the data last {band.duration} s; build a basis for them.",
             errors=[FieldError(reason="not that of the data", parameter="duration", value=basis.duration)],
         )
+    if model is None:
+        raise AnalysisInvalid("Give the model: a basis is held to its waveforms.")
     options = band.timed(_covered(options, basis.prior))
-    if model is not None:
-        basis.check_model(model)
+    band.check(options)
+    basis.check_model(model)
     reference = _middle(basis.prior)
-    if options.calibration is not None and model is not None and reference is not None:
-        density = np.sum(band.densities, axis=0)
-        refuse_uncalibrated(*calibration_error(basis, model, reference, band.frequencies, density, options.calibration))
-    digest, alignment = basis.model_digest or None, basis.alignment
-    if options.calibration is not None and model is not None and reference is not None:
-        basis = CalibratedBasis.around(basis, reference, band.frequencies, model)
-    return _reduced("roq", band, basis, model, alignment, options, reference, digest)
+    fitting = Fitting(band, model, basis.alignment, options, None)
+    if options.calibration is not None or basis.tabulated:
+        _refuse_missing_ranges(options.prior)
+    weighted = fitted_quadrature(fitting, basis) if basis.tabulated else fitting.weighted(basis)
+    if options.calibration is not None:
+        around = reference or Box.of(options.prior, model).middle()
+        calibrated = CalibratedBasis.around(basis, around, band.frequencies, model)
+        weighted = fitted_calibrated_quadrature(fitting, calibrated)
+    return _reduced("roq", band, weighted, model, basis.alignment, options, reference, basis.model_digest or None)
 
 
 @in_units(trigger_time="s", f_min="Hz", f_max="Hz", phase_tolerance="rad")
@@ -169,26 +177,25 @@ def relative_binning_analysis(
     band = Band(data, trigger_time, f_min, f_max)
     one = ParameterBatch.one(fiducial)
     options = band.timed(_covered(options, {}), float(chirp_mass(one)[0]))
+    band.check(options)
     basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment)
-    return _reduced("relative_binning", band, basis, model, alignment, options, one, None)
+    weighted = fitted_bins(Fitting(band, model, alignment, options, one), basis)
+    return _reduced("relative_binning", band, weighted, model, alignment, options, one, None)
 
 
 def _reduced(
     kind: AnalysisKind,
     band: Band,
-    basis: Basis,
-    model: WaveformModel | None,
+    weighted: Weighted,
+    model: WaveformModel,
     alignment: Alignment,
     options: LikelihoodOptions,
     reference: ParameterBatch | None,
     model_digest: str | None,
 ) -> Analysis:
-    times = options.prior["coalescence_time"]
-    arrivals = TimeRange(times[0] - ARRIVAL_MARGIN, times[1] + ARRIVAL_MARGIN)
-    quadratic = quadratic_weights(basis.quadratic_chunks(model), band.densities)
-    weights = Weights(basis.linear_chunks(model), basis.linear_nodes, band.frequencies, band.data, arrivals)
+    basis, quadratic = weighted.basis, weighted.quadratic
     amplitudes = _amplitudes(basis, quadratic, model, reference, alignment)
-    grid, table, _ = time_table(weights, amplitudes, TIME_TOLERANCE)
+    grid, table, _ = time_table(weighted.weights, amplitudes, TIME_TOLERANCE)
     arrays = band.arrays(list(table), list(quadratic))
     arrays |= {"linear_nodes": basis.linear_nodes, "quadratic_nodes": basis.quadratic_nodes}
     return Analysis(settings=band.settings(kind, alignment, options, grid, model_digest), arrays=arrays)
@@ -197,13 +204,13 @@ def _reduced(
 def _amplitudes(
     basis: Basis,
     quadratic: NDArray[np.float64],
-    model: WaveformModel | None,
+    model: WaveformModel,
     reference: ParameterBatch | None,
     alignment: Alignment,
 ) -> NDArray[np.float64]:
     """Size of a typical strain at the linear nodes, ``(D, L)``, of norm one in every detector."""
     f, q = basis.linear_nodes, basis.quadratic_nodes
-    if model is None or reference is None:
+    if reference is None:
         at_linear, at_quadratic = f ** (-7.0 / 6.0), q ** (-7.0 / 6.0)
     else:
         options = EvaluationOptions(alignment=alignment)
@@ -229,13 +236,19 @@ def _covered(options: LikelihoodOptions, ranges: Ranges) -> LikelihoodOptions:
                 "Narrow the prior or build a wider basis.",
                 errors=[FieldError(reason="not covered by the basis", parameter=name)],
             )
-    return LikelihoodOptions(
-        prior=prior,
-        phase_marginalisation=options.phase_marginalisation,
-        time_marginalisation=options.time_marginalisation,
-        distance_marginalisation=options.distance_marginalisation,
-        calibration=options.calibration,
-    )
+    return replace(options, prior=prior)
+
+
+def _refuse_missing_ranges(prior: Ranges) -> None:
+    """Refuse a prior that does not say what binaries there are, as that of a basis of another program need not."""
+    missing = [name for name in INTRINSIC_NAMES if name not in prior]
+    if "chirp_mass" not in prior and "total_mass" not in prior:
+        missing.insert(0, "chirp_mass")
+    if missing:
+        raise AnalysisInvalid(
+            f"State the prior ranges of {', '.join(missing)}: the basis does not, and is held to the waveforms there.",
+            errors=[FieldError(reason="missing", parameter=name) for name in missing],
+        )
 
 
 def _middle(prior: Ranges) -> ParameterBatch | None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -15,6 +16,7 @@ from bnserve_inference._detectors import sidereal_time
 from bnserve_inference._extent import heaviest, refuse_short
 from bnserve_inference._units import real_ranges
 from bnserve_protocol import (
+    DEFAULT_ERROR_BOUND,
     AnalysisInvalid,
     AnalysisKind,
     AnalysisSettings,
@@ -24,6 +26,7 @@ from bnserve_protocol import (
     TimeGrid,
     TimeMarginalisation,
     check_prior,
+    check_settings,
 )
 
 Alignment = Literal["post_newtonian", "merger"]
@@ -45,7 +48,9 @@ class LikelihoodOptions:
     time_marginalisation, distance_marginalisation:
         Over the priors they state; None for none.
     calibration:
-        The nodes of calibration envelopes; None for perfect detectors.
+        The nodes of calibration envelopes, and the width of the errors; None for perfect detectors.
+    error_bound:
+        By how much ln L of an approximate analysis may differ from that on the full grid, within 25 of the maximum.
     """
 
     prior: Ranges = field(default_factory=dict)
@@ -53,6 +58,7 @@ class LikelihoodOptions:
     time_marginalisation: TimeMarginalisation | None = None
     distance_marginalisation: DistanceMarginalisation | None = None
     calibration: Calibration | None = None
+    error_bound: float = DEFAULT_ERROR_BOUND
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "prior", real_ranges(self.prior))
@@ -137,6 +143,15 @@ class Band:
                     errors=[FieldError(reason="outside the data", parameter="coalescence_time")],
                 )
 
+    def check(self, options: LikelihoodOptions) -> None:
+        """Refuse options before an approximation is fitted to them, which takes seconds.
+
+        Raises
+        ------
+        AnalysisInvalid
+        """
+        check_settings(self.settings("relative_binning", "merger", options))
+
     def settings(
         self,
         kind: AnalysisKind,
@@ -165,6 +180,7 @@ class Band:
             calibration=options.calibration,
             model_digest=model_digest,
             noise_log_likelihood=self.noise_log_likelihood,
+            error_bound=msgspec.UNSET if kind == "full" else options.error_bound,
         )
 
     def arrays(

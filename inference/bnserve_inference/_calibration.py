@@ -13,6 +13,25 @@ def calibration_nodes(calibration: Calibration) -> NDArray[np.float64]:
     return np.geomspace(calibration.f_min, calibration.f_max, calibration.nodes)
 
 
+def calibration_factors(
+    calibration: Calibration,
+    amplitude: NDArray[np.float64],
+    phase: NDArray[np.float64],
+    frequencies: NDArray[np.float64],
+) -> NDArray[np.complex128]:
+    """What errors at the nodes, each ``(..., nodes)``, multiply a signal by: (1 + dA)(2 + i dphi) / (2 - i dphi).
+
+    Complex ``(..., M)`` for ``frequencies`` in Hz, ``(M,)``.
+    """
+    splines = calibration_splines(calibration, frequencies)
+    turned = phase @ splines
+    square = np.square(turned)
+    size = (1.0 + amplitude @ splines) / (4.0 + square)
+    factors = np.empty(turned.shape, dtype=np.complex128)
+    factors.real, factors.imag = size * (4.0 - square), size * 4.0 * turned
+    return factors
+
+
 def calibration_splines(calibration: Calibration, frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
     """The nodes' cardinal functions, ``(nodes, M)``: errors at the nodes times these are errors at ``frequencies``.
 

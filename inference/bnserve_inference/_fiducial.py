@@ -21,6 +21,8 @@ Floats = NDArray[np.float64]
 PHASE_POWERS = (-5.0 / 3.0, -2.0 / 3.0, 1.0, 5.0 / 3.0, 7.0 / 3.0)
 """Of frequency, in the phases by which fitting waveforms differ: masses, spins, time, tides (Zackay et al., eq. 10)."""
 _FEWEST_BINS = 8
+MOST_BINS = 2048
+"""Rows of so many edges take 300 MB while the weights are made; a reduced-order basis takes far fewer nodes."""
 _CHUNK = 8192
 
 
@@ -61,8 +63,13 @@ class FiducialBasis:
         if len(present) < 2:
             raise AnalysisInvalid("The fiducial waveform vanishes in the band; choose another one or another band.")
         top = float(frequencies[present[-1]])
-        nodes = bin_edges(float(frequencies[0]), top, phase_tolerance)
+        nodes = bin_edges(float(frequencies[0]), top, phase_tolerance, most=len(present))
         return cls(nodes, frequencies, fiducial, options, cardinal_spline(spread(nodes, nodes[0], top)))
+
+    def through(self, nodes: Floats) -> FiducialBasis:
+        """The same with other edges, whose first and last are those of this."""
+        curvatures = cardinal_spline(spread(nodes, float(nodes[0]), float(nodes[-1])))
+        return FiducialBasis(nodes, self.frequencies, self.fiducial, self.options, curvatures)
 
     def linear_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
         """Rows of h on the grid, piece by piece."""
@@ -100,11 +107,35 @@ def spread(f: Floats, f_min: float, f_max: float) -> Floats:
     return 2.0 * np.pi * total
 
 
-def bin_edges(f_min: float, f_max: float, phase_tolerance: float) -> Floats:
-    """Edges of bins across which :func:`spread` grows by ``phase_tolerance`` at most, in Hz, ends included."""
+def bin_edges(f_min: float, f_max: float, phase_tolerance: float, most: int) -> Floats:
+    """Edges of bins across which :func:`spread` grows by ``phase_tolerance`` at most, in Hz, ends included.
+
+    Raises
+    ------
+    AnalysisInvalid
+        As :func:`refuse_too_many`, where the data have ``most`` frequencies.
+    """
     f = np.geomspace(f_min, f_max, 20001)
     x = spread(f, f_min, f_max)
-    bins = max(_FEWEST_BINS, int(np.ceil(x[-1] / phase_tolerance)))
+    bins = max(_FEWEST_BINS, int(np.ceil(min(x[-1] / phase_tolerance, 1e9))))
+    refuse_too_many(bins, most, f"A phase tolerance of {phase_tolerance:.3g} radians", "Use a larger one")
     edges = np.interp(np.linspace(0.0, x[-1], bins + 1), x, f)
     edges[0], edges[-1] = f_min, f_max
     return edges
+
+
+def refuse_too_many(bins: int, frequencies: int, what: str, cure: str) -> None:
+    """Refuse more bins than :data:`MOST_BINS`, or than half of the ``frequencies`` of the data.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Beginning with ``what`` asks for them, and with the ``cure``.
+    """
+    most = max(_FEWEST_BINS, min(MOST_BINS, frequencies // 2))
+    if bins > most:
+        raise AnalysisInvalid(
+            f"{what} takes {bins} bins, where {most} are the most for data of {frequencies} frequencies. {cure}, or "
+            "take the full analysis, which needs no bins.",
+            errors=[FieldError(reason="too many bins", parameter="phase_tolerance", value=bins)],
+        )

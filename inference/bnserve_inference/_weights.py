@@ -96,6 +96,17 @@ class Weights:
         times, sums = self._sums.transform(per_period, -half, 2 * half + 1)
         return float(times[0]), step, sums * np.exp(2j * np.pi * self.nodes * times[:, None])
 
+    def products(self, step: float) -> tuple[Floats, Complex]:
+        """What turns strain at the nodes into <d|h>, at times at most ``step`` seconds apart over the range.
+
+        Returns
+        -------
+        The times ``(n,)`` and the sums ``w_j(t) exp(-2 pi i F_j t)``, ``(D, n, L)``.
+        """
+        per_period = max(self._sums.points, int(np.ceil(self._sums.period / step)))
+        half = int(np.ceil(0.5 * self.times.width * per_period / self._sums.period))
+        return self._sums.transform(per_period, -half, 2 * half + 1)
+
 
 def time_table(weights: Weights, amplitudes: Floats, tolerance: float) -> tuple[TimeGrid, Complex, float]:
     """B-spline coefficients of the weights on the coarsest grid of times that is good enough.

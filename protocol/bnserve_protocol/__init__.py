@@ -12,6 +12,7 @@ from bnserve_protocol._analyses import (
     decode_analysis,
     encode_analysis,
 )
+from bnserve_protocol._analysis_checks import check_settings
 from bnserve_protocol._analysis_checks import check_location
 from bnserve_protocol._analysis_model import check_model_of
 from bnserve_protocol._answers import (
@@ -250,6 +251,7 @@ __all__ = [
     "check_model_of",
     "check_options",
     "check_prior",
+    "check_settings",
     "content_digest",
     "decode_analysis",
     "decode_answer",

@@ -14,7 +14,7 @@ from bnserve_inference import (
     relative_binning_analysis,
     roq_analysis,
 )
-from bnserve_inference.roq import BasisMismatch, ReducedOrderQuadrature, TabulatedInterpolant
+from bnserve_inference.roq import BasisMismatch
 from bnserve_protocol import (
     AnalysisInvalid,
     DistanceMarginalisation,
@@ -23,6 +23,7 @@ from bnserve_protocol import (
     RowStatus,
     TimeMarginalisation,
 )
+from tests.inference.bases import RANGES, WIDTH, made_basis
 from tests.inference.networks import DURATION, F_MAX, F_MIN, PRIOR, START, TRIGGER, columns, full, without
 from tests.inference.test_kinds_agree import FIDUCIAL
 
@@ -103,23 +104,14 @@ def test_a_time_marginalisation_beyond_the_prior_is_refused(data):
         full(data, time_marginalisation=TimeMarginalisation(minimum=-0.2, maximum=0.2, step=1e-4))
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def basis(model):
-    nodes = np.array([50.0, 100.0, 300.0])
-    count = int((F_MAX - F_MIN) * DURATION) + 1
-    linear, quadratic = (
-        TabulatedInterpolant.in_order(term, nodes, np.ones((3, count), dtype), rows=True)
-        for term, dtype in (("linear", complex), ("quadratic", float))
-    )
-    ranges = {"chirp_mass": (1.19, 1.21), "mass_ratio": (1.0, 2.0)}
-    return ReducedOrderQuadrature(
-        linear, quadratic, F_MIN, F_MAX, DURATION, prior=ranges, model_digest=model.description.digest
-    )
+    return made_basis(model)
 
 
 def test_a_basis_that_does_not_cover_the_prior_is_refused_by_name(model, data, basis):
-    options = LikelihoodOptions(prior=PRIOR | {"chirp_mass": (1.195, 1.205), "mass_ratio": (1.0, 3.0)})
-    with pytest.raises(AnalysisInvalid, match=r"'mass_ratio' from 1\.0 to 2\.0") as caught:
+    options = LikelihoodOptions(prior=PRIOR | {"chirp_mass": RANGES["chirp_mass"], "mass_ratio": (1.0, 3.0)})
+    with pytest.raises(AnalysisInvalid, match=r"'mass_ratio' from 1\.27 to 1\.33") as caught:
         roq_analysis(data, trigger_time=TRIGGER, basis=basis, model=model, options=options)
     assert caught.value.errors[0].parameter == "mass_ratio"
 
@@ -138,10 +130,10 @@ def test_the_ranges_of_a_basis_hold_where_the_prior_is_silent(model, data, basis
     analysis = roq_analysis(
         data, trigger_time=TRIGGER, basis=basis, model=model, options=LikelihoodOptions(prior=PRIOR)
     )
-    assert analysis.settings.prior["chirp_mass"] == (1.19, 1.21)
+    assert analysis.settings.prior["chirp_mass"] == RANGES["chirp_mass"]
     ours = likelihood(model, analysis)
-    batch = columns(3) | {"mass_ratio": np.array([1.2, 2.5, 1.2])}
-    batch["total_mass"] = 1.2 * ((1.0 + batch["mass_ratio"]) ** 2 / batch["mass_ratio"]) ** 0.6
+    batch = columns(3, width=WIDTH)
+    batch["mass_ratio"][1] = 1.5
     batch["total_mass"][2] *= 1.1
     assert ours.evaluate(batch).status.tolist() == [0, RowStatus.OUT_OF_PRIOR, RowStatus.OUT_OF_PRIOR]
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference._units import real_ranges
 from bnserve_inference.roq._errors import BasisMismatch, PriorNotCovered
-from bnserve_inference.roq._interpolant import Alignment, FloatArray, Interpolant
+from bnserve_inference.roq._interpolant import Alignment, FloatArray, Interpolant, TabulatedInterpolant
 from bnserve_protocol import UniformGrid, WaveformModel
 
 
@@ -74,6 +74,11 @@ class ReducedOrderQuadrature:
     def quadratic_nodes(self) -> FloatArray:
         """Increasing frequencies in Hz at which abs(h)**2 is needed, ``(n_quadratic,)``; points of the full grid."""
         return self.quadratic.nodes
+
+    @property
+    def tabulated(self) -> bool:
+        """Whether rows come from a table, which may be any program's, and not from the model itself."""
+        return isinstance(self.linear, TabulatedInterpolant) or isinstance(self.quadratic, TabulatedInterpolant)
 
     def linear_chunks(self, model: WaveformModel | None = None) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
         """The linear rows B_j(f) piece by piece: ``(place in the full grid, (n_linear, piece) complex128)``.
