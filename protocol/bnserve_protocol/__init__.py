@@ -12,8 +12,7 @@ from bnserve_protocol._analyses import (
     decode_analysis,
     encode_analysis,
 )
-from bnserve_protocol._analysis_checks import check_settings
-from bnserve_protocol._analysis_checks import check_location
+from bnserve_protocol._analysis_checks import check_location, check_settings
 from bnserve_protocol._analysis_model import check_model_of
 from bnserve_protocol._answers import (
     ModelIdentity,
