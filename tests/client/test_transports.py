@@ -15,7 +15,6 @@ from bnserve_client import (
     AsyncModel,
     ConnectionFailed,
     DeadlineExceeded,
-    Model,
     NotBnserve,
     ParametersWithExtrinsic,
 )
@@ -160,15 +159,24 @@ class Around(httpx.BaseTransport):
         self._inner.close()
 
 
+def hurried(model, **settings):
+    """The same model with so little time that only what takes for ever is sure to fail."""
+    settings = replace(model._remote.settings, timeout=0.5, **settings)
+    return type(model)(settings, model._remote.pinned, model._source)
+
+
 @pytest.mark.parametrize("of_head", [True, False], ids=["the head", "the body"])
 @pytest.mark.parametrize("transport", WAYS.values(), ids=WAYS)
 def test_a_server_that_drips_is_given_up_at_the_timeout(server, connect, transport, of_head):
     """Byte by byte it is never silent; without a limit of the whole it would have an answer in the end."""
-    model = connect(server.address, transport=transport, timeout=0.5, silence=0.3)
+    model = connect(server.address, transport=transport)
     drip = faults.Drip(of_head=of_head)
     server.faults.append(drip)
-    with pytest.raises(DeadlineExceeded, match=r"timeout of 0\.5 s.*did not finish its answer in that time"):
-        model.predict(FREQUENCIES, ONE)
+    with (
+        hurried(model) as twin,
+        pytest.raises(DeadlineExceeded, match=r"timeout of 0\.5 s.*did not finish its answer in that time"),
+    ):
+        twin.predict(FREQUENCIES, ONE)
     assert same(model.predict(FREQUENCIES, ONE), RIGHT)
     assert drip.ended.wait(60.0)
     assert drip.was_cut_off
@@ -180,10 +188,10 @@ def test_asynchronous_models_give_up_a_server_that_drips(server, transport, of_h
     drip = faults.Drip(of_head=of_head)
 
     async def run():
-        async with await AsyncModel.connect(server.address, transport=transport, timeout=0.5, silence=0.3) as model:
+        async with await AsyncModel.connect(server.address, transport=transport) as model, hurried(model) as twin:
             server.faults.append(drip)
             with pytest.raises(DeadlineExceeded, match=r"timeout of 0\.5 s.*did not finish its answer in that time"):
-                await model.predict(FREQUENCIES, ONE)
+                await twin.predict(FREQUENCIES, ONE)
             assert same(await model.predict(FREQUENCIES, ONE), RIGHT)
 
     asyncio.run(run())
@@ -194,18 +202,17 @@ def test_asynchronous_models_give_up_a_server_that_drips(server, transport, of_h
 def test_a_server_that_drips_is_given_up_while_others_are_answered(server, connect):
     """The deadline belongs to the request, not to the client that several threads share."""
     with httpx.Client() as shared, ThreadPoolExecutor(2) as threads:
-        patient = connect(server.address, transport=shared, timeout=60.0)
-        hurried = connect(server.address, transport=shared, timeout=0.5)
+        patient = connect(server.address, transport=shared)
         drip = faults.Drip(of_head=True, seconds=0.003)
         server.faults.append(drip)
         slow = threads.submit(patient.predict, FREQUENCIES, ONE)
         assert drip.begun.wait(60.0)
-        assert same(hurried.predict(FREQUENCIES, ONE), RIGHT)
+        assert same(patient.predict(FREQUENCIES, ONE), RIGHT)
         assert same(slow.result(), RIGHT)
         assert not drip.was_cut_off
         server.faults.append(drip := faults.Drip(of_head=True))
-        with pytest.raises(DeadlineExceeded):
-            hurried.predict(FREQUENCIES, ONE)  # on a connection that the other may have opened
+        with hurried(patient) as twin, pytest.raises(DeadlineExceeded):
+            twin.predict(FREQUENCIES, ONE)  # on a connection that another model has opened
         assert drip.ended.wait(60.0)
         assert drip.was_cut_off
 
@@ -213,11 +220,8 @@ def test_a_server_that_drips_is_given_up_while_others_are_answered(server, conne
 def test_a_server_that_does_not_read_is_given_up_at_the_timeout(connect, server):
     """A large request, written in pieces, each of which the server could take in time."""
     grid = np.linspace(20.0, 1024.0, 200_000)
-    model = connect(server.address, transport=httpx.HTTPTransport, timeout=2.0)
+    model = connect(server.address, transport=httpx.HTTPTransport)
     with socket.create_server(("127.0.0.1", 0)) as listening:
         address = "http://{}:{}".format(*listening.getsockname())
-        stuck = Model(replace(model._remote.settings, addresses=parse_addresses(address), timeout=0.5),
-                      model._remote.pinned, model._source)  # fmt: skip
-        with pytest.raises(DeadlineExceeded):
+        with hurried(model, addresses=parse_addresses(address)) as stuck, pytest.raises(DeadlineExceeded):
             stuck.predict_batch(grid, binaries(3))
-        stuck.close()
