@@ -58,7 +58,7 @@ class MergerStencil:
         """
         around = cls(frequency)
         mass = float(ParameterBatch.one(parameters)["total_mass"][0])
-        inside = around.frequencies[-1] * mass <= description.training_band[1] * description.reference_mass
+        inside = float(around.frequencies[-1]) * mass <= description.training_band[1] * description.reference_mass
         return around if inside else cls(frequency, from_below=True)
 
     def __post_init__(self) -> None:

@@ -361,6 +361,13 @@ def test_predict_of_other_than_one_binary_is_the_same_error(model, local, parame
         assert "predict_batch" in there[2]
 
 
+@pytest.mark.parametrize("frequency", [3000.0, 1e6])
+def test_the_time_until_merger_from_far_above_the_band_is_the_same_error(model, local, frequency):
+    there = failure(lambda: model.time_until_merger(frequency, ONE))
+    assert there == failure(lambda: local.time_until_merger(frequency, ONE))
+    assert there[0] is OutOfBand
+
+
 @pytest.mark.parametrize("frequency", [-1.0, 0.0, np.nan])
 def test_the_time_until_merger_from_nowhere_is_the_same_error(model, local, frequency):
     there = failure(lambda: model.time_until_merger(frequency, ONE))

@@ -9,6 +9,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
+from bnserve_surrogate.kernel import MAX_DEGREE
 from bnserve_surrogate.training.config import (
     ConfigurationInvalid,
     DatasetSection,
@@ -148,11 +149,12 @@ def _check_network(network: NetworkSection, waveforms: int, described: str) -> N
 
 
 def _check_polynomial(polynomial: PolynomialSection, waveforms: int, described: str) -> None:
-    weights = np.array(polynomial.weights)
+    degree, weights = polynomial.degree, polynomial.weights
     # As many as the simplex of the degrees has volume, at the least: where these are very many, they are not listed.
-    least = polynomial.degree**5 / (120.0 * np.prod(weights)) if (weights > 0.0).all() else 0.0
+    possible = min(weights) > 0.0 and degree <= MAX_DEGREE * min(weights)
+    least = math.prod((degree / weight for weight in weights), start=1.0 / math.factorial(5)) if possible else 0.0
     listed = least <= max(waveforms, _MOST_LISTED)
-    terms = len(weighted_exponents(polynomial.degree, polynomial.weights)) if listed else least
+    terms = len(weighted_exponents(degree, weights)) if listed else least
     _require(
         terms <= waveforms,
         f"{terms:.0f} terms of the polynomial cannot be determined by {described}; lower 'degree' in "
