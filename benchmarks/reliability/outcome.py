@@ -27,6 +27,8 @@ NAMES = (
     "decode",
     "body_cap",
     "slow_clients",
+    "trailers",
+    "framing",
     "no_code",
     "tokens",
     "soak",

@@ -5,14 +5,19 @@ Measurements run against such a server to show that they can fail.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
+from pathlib import Path
 
 from benchmarks.reliability import model_faults, request_faults
 
+FAULT_NAME = "BNSERVE_PLANTED_FAULT"
+"""The variable that tells the programs that a server starts which fault to plant."""
 FAULTS: dict[str, Callable[[], None]] = {
     "bare-errors": request_faults.bare_errors,
     "batch-bits": model_faults.batch_bits,
+    "endless-frames": request_faults.endless_frames,
     "endless-queue": request_faults.endless_queue,
     "leak": request_faults.leak,
     "mixed-versions": model_faults.mixed_versions,
@@ -25,6 +30,7 @@ FAULTS: dict[str, Callable[[], None]] = {
     "open-files": request_faults.open_files,
     "prefix-compare": request_faults.prefix_compare,
     "reload-on-loop": model_faults.reload_on_loop,
+    "trailers-as-headers": request_faults.trailers_as_headers,
     "unpickle-bodies": request_faults.unpickle_bodies,
 }
 
@@ -33,6 +39,8 @@ def main() -> int:
     """Plant the fault, then do what ``bnserve`` does."""
     fault, *arguments = sys.argv[1:]
     FAULTS[fault]()
+    os.environ[FAULT_NAME] = fault
+    sys.path.insert(0, str(Path(__file__).parent / "planting"))  # which the supervisor gets from this process
     from bnserve_service.cli import main as bnserve
 
     return bnserve(arguments)

@@ -139,6 +139,23 @@ def endless_queue() -> None:
     Holdings.fits = lambda self, size: True  # type: ignore[method-assign]
 
 
+def endless_frames() -> None:
+    """Nothing but bodies is counted."""
+    from bnserve_service.transport.framing import Frame
+
+    Frame.check = lambda self: None  # type: ignore[method-assign]
+    Frame.trailer = lambda self, name, value: None  # type: ignore[method-assign]
+
+
+def trailers_as_headers() -> None:
+    """Trailers are headers."""
+    from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
+
+    from bnserve_service.transport.protocol import BoundedProtocol
+
+    BoundedProtocol.on_header = HttpToolsProtocol.on_header  # type: ignore[method-assign]
+
+
 def bare_errors() -> None:
     """What goes wrong while a body is decoded comes out as it is, without a name."""
     from bnserve_protocol import UndecodableBody

@@ -74,10 +74,12 @@ def read(data: bytes) -> Reading:
     requests: list[Request] = []
     place = 0
     while True:
-        while data.startswith(b"\r\n", place):
-            place += 2
+        empty = place
+        while data[place : place + 1] in (b"\r", b"\n"):
+            place += 1
         if place == len(data):
             return Reading(requests)
+        odd = data[empty:place] not in (b"", b"\r\n")
         head = None
         try:
             head, place = _head(data, place)
@@ -88,7 +90,7 @@ def read(data: bytes) -> Reading:
             return Reading(requests, "wrong", head)
         except _TooLarge:
             return Reading(requests, "too large", head)
-        requests.append(replace(head, body=body, doubtful=head.doubtful or unusual))
+        requests.append(replace(head, body=body, doubtful=head.doubtful or unusual or odd))
         if head.closes:
             return Reading(requests)
 

@@ -13,6 +13,8 @@ from benchmarks.reliability.outcome import NAMES, find, names, promise_of
 from benchmarks.reliability.soak import theil_sen
 
 MIB = 2**20
+FORKS = pytest.mark.filterwarnings("ignore:This process .* is multi-threaded, use of fork:DeprecationWarning")
+"""Callers are processes."""
 
 
 def measured(name, plant=None):
@@ -88,6 +90,20 @@ def test_slow_clients_are_cut_off():
     assert figures["errors of others"] == 0
 
 
+def test_floods_of_what_is_not_body_are_cut_off():
+    figures, _ = measured("trailers")
+    assert figures["floods"] == figures["floods refused"] > 10
+    assert figures["memory at most, MiB more"] < 32
+    assert figures["workers replaced"] == figures["errors of others"] == 0
+
+
+@FORKS
+def test_requests_are_told_apart_also_behind_haproxy():
+    figures, kept = measured("framing")
+    assert kept
+    assert figures["requests"] > 500
+
+
 def test_no_code_comes_from_data():
     figures, kept = measured("no_code")
     assert kept
@@ -108,9 +124,16 @@ def test_the_soak_reads_memory_and_files_and_sees_no_error():
     assert figures["reloads"] > 0
 
 
+@FORKS
 @pytest.mark.parametrize(
     ("name", "plant"),
-    [("no_code", "unpickle-bodies"), ("tokens", "prefix-compare"), ("vanishing", "no-watch")],
+    [
+        ("no_code", "unpickle-bodies"),
+        ("tokens", "prefix-compare"),
+        ("vanishing", "no-watch"),
+        ("trailers", "endless-frames"),
+        ("framing", "trailers-as-headers"),
+    ],
 )
 def test_without_its_mechanism_a_promise_is_not_kept(name, plant):
     _, kept = measured(name, plant)

@@ -216,6 +216,9 @@ AMBIGUOUS = {
     "no host": b"GET /v1/limits HTTP/1.1\r\n\r\n",
     "two hosts": b"GET /v1/limits HTTP/1.1\r\nHost: localhost\r\nHost: localhost\r\n\r\n",
     "two hosts in HTTP/1.0": b"GET /v1/limits HTTP/1.0\r\nHost: localhost\r\nHost: other\r\n\r\n",
+    "a host with a user": b"GET /v2/health/live HTTP/1.1\r\nHost: a@localhost\r\n\r\n",
+    "two hosts in one header": b"GET /v2/health/live HTTP/1.1\r\nHost: localhost other\r\n\r\n",
+    "a host that is no text": b"GET /v2/health/live HTTP/1.1\r\nHost: local\xffhost\r\n\r\n",
     "no version": b"GET /v1/limits\r\n\r\n",
     "no version, but a host": b"GET /v1/limits\r\nHost: localhost\r\n\r\n",
     "another version": b"GET /v1/limits HTTP/2.0\r\nHost: localhost\r\n\r\n",
@@ -242,6 +245,13 @@ def test_a_head_that_others_read_otherwise_is_refused(server, head):
 def test_a_host_may_be_empty_and_in_http_1_0_missing(server):
     assert asked(server, b"GET /v1/limits HTTP/1.1\r\nHost:\r\n\r\n")[0].status == 200
     assert asked(server, b"GET /v1/limits HTTP/1.0\r\n\r\n")[0].status == 200
+
+
+def test_blanks_around_a_value_are_not_part_of_it(server):
+    head = b"GET /v1/limits HTTP/1.1\r\nHost:  localhost \t\r\nX-Request-ID: \tmine"
+    for pieces in ([head + b" \t\r\n\r\n"], [head + b" ", b"\t\r\n\r\n"]):
+        [answer] = asked(server, *pieces)
+        assert (answer.status, answer.headers["x-request-id"]) == (200, "mine")
 
 
 def test_an_empty_header_does_not_run_into_the_next(start):

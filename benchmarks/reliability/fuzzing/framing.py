@@ -15,6 +15,7 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -24,15 +25,15 @@ from typing import Any
 from benchmarks.reliability.serving import serving
 from benchmarks.workers import ROOT
 from tests.fuzz.corpus import kept
-from tests.fuzz.framing import NUMBER, SCOPES, TOKENS, FramingFault, caller_of, judge, talk
+from tests.fuzz.framing import SCOPES, TOKENS, FramingFault, caller_of, judge, talk
 from tests.fuzz.http_requests import conversations, mutate_requests
 
 _fork = multiprocessing.get_context("fork")
 CALLERS = 6
 """Processes that talk at the same time."""
-_BATCH = 50
+_BATCH = 25
 """Conversations between two reports."""
-_ROUND = 4 * CALLERS
+_ROUND = 2 * CALLERS
 _LOGGED = re.compile(r"(\d{8}-\S+) (\S+) \S+ \d{3} .* caller=(\S+)")
 ROOMS = ("protocol", "model_store", "surrogate", "inference", "service", "client", "")
 
@@ -47,6 +48,8 @@ class Found:
     """What was wrong, and the conversation."""
     asked: dict[str, tuple[str, str]] = field(default_factory=dict)
     """Method and caller of every request, by its name."""
+    unclear: set[str] = field(default_factory=set)
+    """Numbers of conversations that a gateway may read in a way of its own."""
 
     def add(self, other: Found) -> None:
         """More of it."""
@@ -54,6 +57,7 @@ class Found:
         self.conversations += other.conversations
         self.faults += other.faults
         self.asked |= other.asked
+        self.unclear |= other.unclear
 
     def kinds(self) -> Counter[str]:
         """How often there was each kind of fault."""
@@ -80,8 +84,10 @@ def batch_of(seeds: Sequence[bytes], address: tuple[str, int], behind_gateway: b
         data = seeds[number % len(seeds)]
         if number >= len(seeds):
             data = mutate_requests(data, Random(number))
-        reading, heard = talk(address, data, number)
+        reading, heard = talk(address, data, number, behind_gateway)
         found.conversations += 1
+        if behind_gateway and reading.rest in ("wrong", "too large"):
+            found.unclear.add(f"{number:08d}")
         for each in [*reading.requests, *([reading.partial] if reading.partial is not None else [])]:
             found.requests += 1
             for name in each.all(b"x-request-id"):
@@ -97,10 +103,10 @@ def fuzz(address: tuple[str, int], requests: int, behind_gateway: bool = False, 
     """Hold conversations until so many requests were sent."""
     seeds = [*conversations(), *(path.read_bytes() for path in kept("framing"))]
     found = Found()
-    with _fork.Pool(CALLERS) as pool:
+    with ProcessPoolExecutor(CALLERS, mp_context=_fork) as pool:
         while found.requests < requests:
             numbers = range(first, first + _ROUND * _BATCH, _BATCH)
-            for each in pool.imap_unordered(partial(batch_of, seeds, address, behind_gateway), numbers):
+            for each in pool.map(partial(batch_of, seeds, address, behind_gateway), numbers):
                 found.add(each)
             first = numbers.stop
     return found
@@ -110,14 +116,11 @@ def misread(log: str, found: Found) -> list[str]:
     """Requests that a server logged and nobody sent, or that another had sent."""
     wrong = []
     for name, method, caller in _LOGGED.findall(log):
-        if NUMBER.decode() not in name and int(name[:8]) >= 0:
+        if name[:8] not in found.unclear:
             known = found.asked.get(name)
             if known is None:
                 wrong.append(f"{name}: nobody sent it as a request")
-            elif caller not in (known[1], "anonymous") or method not in (
-                known[0],
-                "other",
-            ):  # pages ask nobody who he is
+            elif caller not in (known[1], "anonymous") or method not in (known[0], "other"):  # pages ask for no token
                 wrong.append(f"{name}: logged as {method} of {caller}, sent as {known[0]} of {known[1]}")
     return wrong
 

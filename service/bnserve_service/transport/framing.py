@@ -3,6 +3,7 @@ which heads are ambiguous, and what an offer to speak another protocol is worth.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import httptools
@@ -15,6 +16,8 @@ proxies stay below 16 KiB."""
 MOST_PIPELINED = 100
 """Requests of one connection that wait for the answer to another; each takes some kilobytes. As many streams as an
 HTTP/2 server usually offers."""
+_HOST = re.compile(rb"(?:[A-Za-z0-9._~!$&'()*+,;=%-]*|\[[0-9A-Fa-f:.]+\])(?::[0-9]*)?")
+"""RFC 9110, 7.2, but for the addresses of the future."""
 _SEPARATORS = len(b": \r\n")
 
 
@@ -57,6 +60,8 @@ class Frame:
         hosts = names.count(b"host")
         if hosts != 1 and (hosts or version != "1.0"):
             raise FramingError(f"It has {hosts} Host headers; send one.")
+        if hosts and _HOST.fullmatch(headers[names.index(b"host")][1]) is None:
+            raise FramingError("Its Host header is no host: send a name or an address, and a port if it is not 80.")
         if b"#" in url or not (url.startswith(b"/") or _has_path(url)):
             raise FramingError("Its target is none: a path, with '?' and a query if there is one.")
         if b"transfer-encoding" in names:

@@ -36,6 +36,10 @@ _LINGER_BYTES = 2**20
 meanwhile may take the answer along."""
 
 
+_BLANKS = b" \t"
+"""Around a value; the parser leaves those behind it (RFC 9112, 5.1)."""
+
+
 class _Waiting(enum.Enum):
     NOTHING = enum.auto()
     HEADERS = enum.auto()
@@ -139,7 +143,7 @@ class BoundedProtocol(HttpToolsProtocol):
     def on_header(self, name: bytes, value: bytes) -> None:
         """Parser: a header, or a trailer, which is no header."""
         if self._in_headers:
-            super().on_header(name, value)
+            super().on_header(name, value.strip(_BLANKS))
         else:
             self._frame.trailer(name, value)
 
