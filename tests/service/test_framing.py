@@ -1,5 +1,6 @@
 """Where a request ends and the next begins, and what is refused because somebody else might see that otherwise."""
 
+import contextlib
 import json
 import logging
 import shutil
@@ -219,6 +220,8 @@ AMBIGUOUS = {
     "a host with a user": b"GET /v2/health/live HTTP/1.1\r\nHost: a@localhost\r\n\r\n",
     "two hosts in one header": b"GET /v2/health/live HTTP/1.1\r\nHost: localhost other\r\n\r\n",
     "a host that is no text": b"GET /v2/health/live HTTP/1.1\r\nHost: local\xffhost\r\n\r\n",
+    "a host with a path": b"GET /v1/limits HTTP/1.1\r\nHost: localhost/v2/\r\n\r\n",
+    "a host with a port that is none": b"GET /v1/limits HTTP/1.1\r\nHost: localhost:http\r\n\r\n",
     "no version": b"GET /v1/limits\r\n\r\n",
     "no version, but a host": b"GET /v1/limits\r\nHost: localhost\r\n\r\n",
     "another version": b"GET /v1/limits HTTP/2.0\r\nHost: localhost\r\n\r\n",
@@ -240,6 +243,11 @@ AMBIGUOUS = {
 @pytest.mark.parametrize("head", AMBIGUOUS.values(), ids=AMBIGUOUS)
 def test_a_head_that_others_read_otherwise_is_refused(server, head):
     refused(asked(server, head)[0])
+
+
+@pytest.mark.parametrize("host", ["localhost", "localhost:8000", "localhost:", "[::1]", "[::1]:8000", "127.0.0.1:1 \t"])
+def test_a_host_that_is_one_is_taken(server, host):
+    assert asked(server, f"GET /v1/limits HTTP/1.1\r\nHost: {host}\r\n\r\n".encode())[0].status == 200
 
 
 def test_a_host_may_be_empty_and_in_http_1_0_missing(server):
@@ -290,6 +298,21 @@ def test_answers_to_requests_before_it_may_take_their_time(start, bad):
         assert (first.status, second.status) == (200, 200)
         assert second.headers["x-request-id"] == "second"
         assert connection.recv(1) == b""
+
+
+def test_a_flood_of_garbage_does_not_cost_the_answers_before_it(start):
+    model = GatedModel()
+    server = start(model)
+    model.gate.clear()
+    with raw_connection(server.address) as connection:
+        connection.sendall(posted())
+        model.wait_until_entered()
+        connection.settimeout(0.5)
+        with contextlib.suppress(TimeoutError):
+            connection.sendall(bytes(2**25))
+        connection.settimeout(60)
+        model.gate.set()
+        assert read_response(connection).status == 200
 
 
 @pytest.mark.parametrize("bad", [b"\0garbage", CHUNKED + b"\r\nnot a chunk\r\n"], ids=["head", "body"])

@@ -34,6 +34,8 @@ class Frame:
         self.pending = 0
         """Bytes since the last piece of a body, or since the last head."""
         self._trailers = 0
+        self._host = b""
+        """The last that was one: that of a connection rarely changes."""
 
     def check(self) -> None:
         """After what is pending was parsed.
@@ -60,17 +62,22 @@ class Frame:
         hosts = names.count(b"host")
         if hosts != 1 and (hosts or version != "1.0"):
             raise FramingError(f"It has {hosts} Host headers; send one.")
-        if hosts and _HOST.fullmatch(headers[names.index(b"host")][1]) is None:
-            raise FramingError("Its Host header is no host: send a name or an address, and a port if it is not 80.")
+        if hosts:
+            self._check_host(headers[names.index(b"host")][1])
         if b"#" in url or not (url.startswith(b"/") or _has_path(url)):
             raise FramingError("Its target is none: a path, with '?' and a query if there is one.")
         if b"transfer-encoding" in names:
             coding = headers[names.index(b"transfer-encoding")][1]
-            if coding.strip().lower() != b"chunked" or version == "1.0":
+            if coding.lower() != b"chunked" or version == "1.0":
                 raise FramingError("The one transfer coding that is understood here is 'chunked', of HTTP/1.1.")
         if self.pending > MAX_FRAME_BYTES and _size(url, headers) > MAX_FRAME_BYTES:
             raise FramingError(f"Its headers take more than {MAX_FRAME_BYTES} bytes.")
         self.pending = self._trailers = 0
+
+    def _check_host(self, host: bytes) -> None:
+        if host != self._host and _HOST.fullmatch(host) is None:
+            raise FramingError("Its Host header is no host: send a name or an address, and a port if it is not 80.")
+        self._host = host
 
     def trailer(self, name: bytes, value: bytes) -> None:
         """Count one, and forget it: nobody here has asked for any (RFC 9110, 6.5.1).

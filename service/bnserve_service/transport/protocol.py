@@ -103,9 +103,7 @@ class BoundedProtocol(HttpToolsProtocol):
     def data_received(self, data: bytes) -> None:
         """Bytes arrived."""
         if self._refused:
-            self._ignored += len(data)
-            if self._ignored > _LINGER_BYTES:
-                self._abort()
+            self._ignore(len(data))
             return
         self._unset_keepalive_if_required()
         try:
@@ -142,10 +140,13 @@ class BoundedProtocol(HttpToolsProtocol):
 
     def on_header(self, name: bytes, value: bytes) -> None:
         """Parser: a header, or a trailer, which is no header."""
-        if self._in_headers:
-            super().on_header(name, value.strip(_BLANKS))
-        else:
+        if not self._in_headers:
             self._frame.trailer(name, value)
+            return
+        name, value = name.lower(), value.strip(_BLANKS)
+        if name == b"expect":
+            self.expect_100_continue = value.lower() == b"100-continue"
+        self.headers.append((name, value))
 
     def on_headers_complete(self) -> None:
         """Parser: the headers are there."""
@@ -262,6 +263,15 @@ class BoundedProtocol(HttpToolsProtocol):
         elif begun or self._is_idle():
             self.send_400_response(sentence)
 
+    def _ignore(self, size: int) -> None:
+        """Pass over what comes after what was no request."""
+        if self._waiting is not _Waiting.END:
+            self.flow.pause_reading()  # others still wait for answers
+            return
+        self._ignored += size
+        if self._ignored > _LINGER_BYTES:
+            self.transport.abort()
+
     def send_400_response(self, msg: str) -> None:
         """Answer what is no request, in the form of every other error, and close."""
         error = UndecodableBody(f"This is not a valid HTTP/1.1 request. {msg}")
@@ -304,10 +314,7 @@ class BoundedProtocol(HttpToolsProtocol):
                 _Waiting.BODY: self.body_timeout + _BODY_MARGIN,
                 _Waiting.END: _LINGER,
             }[waiting]
-            self._read_timer = self.loop.call_later(seconds, self._abort)
-
-    def _abort(self) -> None:
-        self.transport.abort()
+            self._read_timer = self.loop.call_later(seconds, self.transport.abort)
 
 
 def bounded_protocol(settings: Settings, lane: QuickLane | None = None) -> type[BoundedProtocol]:
