@@ -28,8 +28,10 @@ FAULTS: dict[str, Callable[[], None]] = {
     "no-verification": model_faults.no_verification,
     "no-watch": request_faults.no_watch,
     "open-files": request_faults.open_files,
+    "patience-restarts": request_faults.patience_restarts,
     "prefix-compare": request_faults.prefix_compare,
     "reload-on-loop": model_faults.reload_on_loop,
+    "room-to-the-end": request_faults.room_to_the_end,
     "trailers-as-headers": request_faults.trailers_as_headers,
     "unpickle-bodies": request_faults.unpickle_bodies,
 }

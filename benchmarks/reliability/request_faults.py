@@ -108,6 +108,28 @@ def no_timers() -> None:
     no_cap()
 
 
+def patience_restarts() -> None:
+    """A peer that takes something has all of its time again."""
+    from bnserve_service.transport.pace import Pace
+
+    count = Pace._count
+
+    def count_from_the_start(self: Pace) -> None:
+        before = self._unsent
+        count(self)
+        if self._unsent < before:
+            self._left = self._patience
+
+    Pace._count = count_from_the_start  # type: ignore[method-assign]
+
+
+def room_to_the_end() -> None:
+    """An answer takes its room until all of it has left."""
+    from bnserve_service.transport import answers
+
+    answers._SLOW = float("inf")
+
+
 def unpickle_bodies() -> None:
     """Arrays of objects in bodies are read, as msgpack-numpy does."""
     from benchmarks.reliability.hostile import unpickle_what_is_found

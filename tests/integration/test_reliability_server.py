@@ -104,6 +104,20 @@ def test_requests_are_told_apart_also_behind_haproxy():
     assert figures["requests"] > 500
 
 
+def test_slow_readers_are_cut_off_and_others_are_answered():
+    figures, _ = measured("slow_readers")
+    assert figures["answers that they began to take"] > 2
+    assert figures["answers that they got"] == 0
+    assert figures["answers of others"] > 0
+    assert figures["of these wrong"] == 0
+
+
+def test_a_shared_folder_that_is_removed_is_made_again():
+    figures, _ = measured("shared_folder")
+    assert figures["folders removed"] == figures["uploads kept when all was whole"] == 1
+    assert figures["lost"] == figures["wrong"] == figures["uploads answered with 500"] == 0
+
+
 def test_no_code_comes_from_data():
     figures, kept = measured("no_code")
     assert kept
@@ -133,6 +147,10 @@ def test_the_soak_reads_memory_and_files_and_sees_no_error():
         ("vanishing", "no-watch"),
         ("trailers", "endless-frames"),
         ("framing", "trailers-as-headers"),
+
+
+        ("shared_folder", "no-look"),
+        ("slow_readers", "patience-restarts"),
     ],
 )
 def test_without_its_mechanism_a_promise_is_not_kept(name, plant):

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import socket
+import struct
 
+_AT_ONCE = struct.pack("ii", 1, 0)
+"""``struct linger``: what is not sent is not sent any more."""
 _LEAST = 0.1
 """Seconds between two looks at a peer that is about to have used up its time."""
 
@@ -57,6 +61,13 @@ class Pace:
             self._timer.cancel()
             self._timer = None
 
+    def _cut_off(self) -> None:
+        """Close the connection, and have the system forget what it holds for it, which may be megabytes."""
+        connection = self._transport.get_extra_info("socket")
+        if connection is not None:
+            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, _AT_ONCE)
+        self._transport.abort()
+
     def _count(self) -> None:
         now, unsent = self._loop.time(), self._transport.get_write_buffer_size()
         earned = (self._unsent - unsent) / self._rate
@@ -67,6 +78,6 @@ class Pace:
         self._count()
         if self._unsent and self._left <= 0.0:
             self._timer = None
-            self._transport.abort()
+            self._cut_off()
         else:
             self._timer = self._loop.call_later(max(self._left, _LEAST), self._look) if self._unsent else None
