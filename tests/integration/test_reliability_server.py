@@ -147,8 +147,6 @@ def test_the_soak_reads_memory_and_files_and_sees_no_error():
         ("vanishing", "no-watch"),
         ("trailers", "endless-frames"),
         ("framing", "trailers-as-headers"),
-
-
         ("shared_folder", "no-look"),
         ("slow_readers", "patience-restarts"),
     ],
