@@ -13,7 +13,7 @@ from fastapi import APIRouter, FastAPI
 from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from bnserve_protocol import Analysis, Likelihood, WaveformModel, decode_analysis
+from bnserve_protocol import Analysis, BnserveError, Likelihood, Unavailable, WaveformModel, decode_analysis
 from bnserve_service.analyses import AnalysisStore, LikelihoodFactory
 from bnserve_service.answering import WaveformService
 from bnserve_service.batching import WorkQueue
@@ -43,7 +43,7 @@ from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
 from bnserve_service.routes.waveforms import PATHS, WaveformEndpoint
 from bnserve_service.settings import Settings
-from bnserve_service.shared.files import Shelf
+from bnserve_service.shared.files import Shelf, gone
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.shared.models import SharedModels
 from bnserve_service.shares import shares_of
@@ -241,7 +241,7 @@ def create_app(
         queue.longest_evaluation,
         settings.self_check_seconds,
         settings.stuck_seconds,
-        shared.is_dir if shared is not None else lambda: True,
+        lambda: _missing(settings, shared),
     )
     maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
     if shared is not None:
@@ -275,6 +275,15 @@ def create_app(
         shared,
     )
     return Application(parts, wait_for_models, follow)
+
+
+def _missing(settings: Settings, shared: Path | None) -> BnserveError | None:
+    """What somebody has removed of what this server needs."""
+    if shared is not None and not shared.is_dir():
+        return gone()
+    if settings.uds is not None and not settings.uds.exists():
+        return Unavailable("The file of this server's Unix socket is gone, and nobody can connect: start it again.")
+    return None
 
 
 def loader_of(

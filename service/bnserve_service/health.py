@@ -9,7 +9,6 @@ from collections.abc import Callable
 from bnserve_protocol import BnserveError, Draining, ModelLoading, Overloaded, Unavailable
 from bnserve_service.lifecycle import Lifecycle
 from bnserve_service.registry import LoadedModel, Registry
-from bnserve_service.shared.files import gone
 
 logger = logging.getLogger("bnserve.health")
 
@@ -32,8 +31,8 @@ class Health:
         Seconds between two calls of :meth:`check_models`.
     stuck_seconds:
         An evaluation that takes longer will not come back.
-    is_whole:
-        Whether what the workers of this server share is there.
+    missing:
+        Says what this server cannot do without and has lost.
     """
 
     def __init__(
@@ -43,9 +42,9 @@ class Health:
         longest_evaluation: Callable[[], float],
         check_interval: float,
         stuck_seconds: float,
-        is_whole: Callable[[], bool],
+        missing: Callable[[], BnserveError | None],
     ) -> None:
-        self._is_whole = is_whole
+        self._missing = missing
         self._registry = registry
         self._lifecycle = lifecycle
         self._longest_evaluation = longest_evaluation
@@ -71,8 +70,9 @@ class Health:
         """Why this server should not get traffic, or None."""
         if self._lifecycle.draining:
             return Draining("This server is shutting down.")
-        if not self._is_whole():
-            return gone()
+        missing = self._missing()
+        if missing is not None:
+            return missing
         if not self._registry.loaded:
             return ModelLoading("The models are being loaded.")
         if not self._registry.catalogue.models:

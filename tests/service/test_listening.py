@@ -13,7 +13,7 @@ from bnserve_service.cpu import available_cpus, parse_cpu_max
 from bnserve_service.listening import CannotListen, address_of, listen_tcp, listen_unix
 from bnserve_service.socket_file import SocketFile
 from bnserve_service.workers.start import become_supervisor
-from tests.service.asking import MSGPACK, question, read_response
+from tests.service.asking import MSGPACK, ask_on, question, read_response
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
 
 
@@ -113,6 +113,20 @@ def test_a_client_that_still_offers_memory_for_its_answer_gets_an_ordinary_answe
     assert other.body == plain.body
     assert os.pread(offered, 2**21, 0) == key + bytes(2**21 - 16)
     os.close(offered)
+
+
+def test_a_server_that_nobody_can_reach_any_more_is_not_ready(start, tmp_path):
+    path = tmp_path / "bnserve.sock"
+    server = start(ChirpModel(), uds=path)
+    assert b"bnserve_ready 1.0" in server.app.parts.metrics.exposition()
+    connection = http.client.HTTPConnection("localhost")
+    connection.sock = socket.socket(socket.AF_UNIX)
+    connection.sock.connect(str(path))
+    path.unlink()
+    answer = ask_on(connection, "GET", "/v2/health/ready")
+    assert (answer.status, answer.code) == (503, "unavailable")
+    assert b"bnserve_ready 0.0" in server.app.parts.metrics.exposition()
+    connection.close()
 
 
 @pytest.mark.parametrize(
