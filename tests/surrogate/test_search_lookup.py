@@ -143,7 +143,9 @@ def test_training_takes_the_best_and_records_them(asking, tmp_path):
     artifact = ModelStore([tmp_path / "store"]).load("toy")
     recorded = SurrogateMetadata.read(artifact.manifest.metadata).provenance["configuration"]
     assert recorded["regressor"]["polynomial"]["degree"] == 1.5
-    assert len(validate_artifact(artifact, tmp_path, counts={"uniform": 4}, seed=5, n_jobs=1)["uniform"].theta) == 4
+    own = recorded["generator"]["options"]["path"]
+    found = validate_artifact(artifact, tmp_path, counts={"uniform": 4}, seed=5, n_jobs=1, own_function=own)
+    assert len(found["uniform"].theta) == 4
 
 
 def test_a_collection_for_something_else_is_refused(asking):

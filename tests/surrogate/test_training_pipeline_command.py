@@ -21,6 +21,8 @@ from tests.surrogate import smooth_waveforms
 from tests.surrogate.training_runs import QUICK, digests, train_here, written
 
 ONE = ParametersWithExtrinsic.gw170817()
+OWN = ["--generator", f"{smooth_waveforms.PATH}:waveform"]
+"""Leave to import the function that the models here were trained on."""
 
 
 def test_the_model_is_published_loads_and_knows_itself(published):
@@ -48,7 +50,7 @@ def test_the_report_is_one_page_with_plots_and_nothing_from_elsewhere(published)
 
 def test_validating_the_published_model_prints_and_saves_the_mismatch(published, tmp_path, capsys):
     output = tmp_path / "figures.json"
-    command = ["validate", "smooth", "--store", str(published / "store"), "--work", str(published / "work")]
+    command = ["validate", "smooth", *OWN, "--store", str(published / "store"), "--work", str(published / "work")]
     assert main([*command, "--count", "8", "--edges", "4", "--jobs", "1", "--output", str(output)]) == 0
     printed = capsys.readouterr().out
     assert "uniform, 8 waveforms: mismatch" in printed
@@ -59,6 +61,14 @@ def test_validating_the_published_model_prints_and_saves_the_mismatch(published,
     assert saved["uniform"]["mismatch"]["max"] == pytest.approx(max(saved["uniform"]["mismatches"]), rel=0.01)
     assert saved["edges"]["mismatch"]["max"] < 1e-10
     assert saved["edges"]["baseline_mismatch"]["max"] > 1e-4
+
+
+def test_a_function_that_a_model_names_is_imported_for_those_alone_who_name_it_too(published, tmp_path, capsys):
+    command = ["validate", "smooth", "--store", str(published / "store"), "--work", str(tmp_path / "work")]
+    for other in ([], ["--generator", "os:getcwd"]):
+        assert main([*command, *other, "--count", "8", "--jobs", "1"]) == 2
+        assert f"name it: --generator {smooth_waveforms.PATH}:waveform" in capsys.readouterr().err
+    assert not (tmp_path / "work").exists()
 
 
 @pytest.mark.parametrize(
@@ -74,14 +84,14 @@ def test_validating_the_published_model_prints_and_saves_the_mismatch(published,
     ],
 )
 def test_a_validation_that_cannot_be_done_says_why_before_any_work(published, tmp_path, capsys, arguments, says):
-    command = ["validate", *arguments, "--store", str(published / "store"), "--work", str(tmp_path / "work")]
+    command = ["validate", *arguments, *OWN, "--store", str(published / "store"), "--work", str(tmp_path / "work")]
     assert main([*command, "--jobs", "1"]) == 2
     assert says in capsys.readouterr().err
     assert not (tmp_path / "work").exists()
 
 
 def test_a_place_that_cannot_be_saved_to_is_found_before_any_work(published, tmp_path, capsys):
-    command = ["validate", "smooth", "--store", str(published / "store"), "--work", str(tmp_path / "work")]
+    command = ["validate", "smooth", *OWN, "--store", str(published / "store"), "--work", str(tmp_path / "work")]
     for output in (tmp_path, tmp_path / "figures.json" / "within"):
         (tmp_path / "figures.json").write_text("")
         assert main([*command, "--count", "8", "--jobs", "1", "--output", str(output)]) == 2
@@ -92,7 +102,7 @@ def test_a_place_that_cannot_be_saved_to_is_found_before_any_work(published, tmp
 
 
 def test_figures_that_cannot_be_saved_in_the_end_are_printed_all_the_same(published, tmp_path, capsys):
-    command = ["validate", "smooth", "--store", str(published / "store"), "--work", str(published / "work")]
+    command = ["validate", "smooth", *OWN, "--store", str(published / "store"), "--work", str(published / "work")]
     arguments = [*command, "--count", "8", "--jobs", "1", "--output", str(tmp_path / "figures.json")]
     assert main(arguments[:-2]) == 0
     with no_file_larger_than(1_000):

@@ -18,6 +18,9 @@ def add_parser(subparsers: Any) -> None:
     )
     parser.add_argument("model", metavar="NAME[@VERSION]")
     parser.add_argument("--store", type=Path, action="append", metavar="DIR", help="searched before the shipped models")
+    parser.add_argument(
+        "--generator", metavar="MODULE:FUNCTION", help="of a model trained on a function of yours, which is imported"
+    )
     parser.add_argument("--count", type=int, default=512, metavar="N", help="waveforms, uniform in the box (512)")
     parser.add_argument("--edges", type=int, default=0, metavar="N", help="waveforms on faces, edges, corners (0)")
     parser.add_argument("--seed", type=int, default=2024, metavar="N", help="of the fresh waveforms (2024)")
@@ -52,6 +55,7 @@ def run(options: argparse.Namespace) -> int:
         total_mass=options.total_mass,
         f_min=options.f_min,
         n_jobs=options.jobs,
+        own_function=options.generator,
     )
     print(f"{artifact.manifest.name} {artifact.manifest.version} ({artifact.manifest.digest})")
     print(report.table(validations))

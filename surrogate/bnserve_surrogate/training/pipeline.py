@@ -21,7 +21,7 @@ from bnserve_surrogate.training._baseline import baseline_amplitude
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.dataset import ResidualDataset, joined
 from bnserve_surrogate.training.error_estimate import ErrorEstimate, fit_error_estimate, with_error_estimate
-from bnserve_surrogate.training.errors import TrainingError
+from bnserve_surrogate.training.errors import GeneratorUnknown, TrainingError
 from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
 from bnserve_surrogate.training.generation import (
     Generation,
@@ -220,6 +220,7 @@ def validate_artifact(
     total_mass: float | None = None,
     f_min: float | None = None,
     n_jobs: int = -1,
+    own_function: str | None = None,
 ) -> dict[str, Validation]:
     """Measure a published model on fresh waveforms of the generator it was trained on.
 
@@ -237,11 +238,16 @@ def validate_artifact(
         As for :func:`validate`.
     n_jobs:
         Processes at once.
+    own_function:
+        The user's function that the model was trained on, as ``module:function``. A model that names another, or any
+        when this is None, is refused: importing is running, and what a model names is data.
 
     Raises
     ------
     TrainingError
         The model does not say how it was trained, or no waveforms can be had.
+    GeneratorUnknown
+        The model was trained on a function, and not on ``own_function``.
     InvalidParameters, InvalidFrequencies
         The noise, mass or frequency do not go with the model; found before any waveform is computed.
     """
@@ -253,6 +259,7 @@ def validate_artifact(
         )
     validation_frequencies(metadata, noise, total_mass, f_min)
     configuration = parse_configuration(metadata.provenance["configuration"])
+    _refuse_foreign_function(configuration, own_function)
     generator = configured_generator(configuration)
     generate = Generation(configuration, generator, directory, n_jobs, "loky", None)
     model = Model.from_artifact(artifact)
@@ -269,6 +276,17 @@ def validate_artifact(
         for kind, count in counts.items()
         if count > 0
     }
+
+
+def _refuse_foreign_function(configuration: TrainingConfiguration, own_function: str | None) -> None:
+    if configuration.generator.name != "callable":
+        return
+    path = configuration.generator.options.get("path")
+    if path != own_function:
+        raise GeneratorUnknown(
+            f"This model says that it was trained on the function '{path}', which would be imported and run. If you "
+            f"know it, name it: --generator {path}"
+        )
 
 
 def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfiguration) -> MismatchMetric:
