@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 import time
 
-from bnserve_service.printable import printable
+from bnserve_service.log_words import log_word
 
 logger = logging.getLogger("bnserve.connections")
 
@@ -34,7 +34,7 @@ class Complaints:
         if now - self._told < SECONDS:
             self._untold += 1
             return
-        who = "a Unix socket" if peer is None else f"{printable(peer[0])} port {peer[1]}"
+        who = "a Unix socket" if peer is None else f"{log_word(peer[0])} port {peer[1]}"
         others = f" ({self._untold} more since the last line like this)" if self._untold else ""
         logger.warning("no valid HTTP request from %s: %s%s", who, reason, others)
         self._told, self._untold = now, 0

@@ -23,8 +23,8 @@ from bnserve_service.errors import (
     problem_headers,
 )
 from bnserve_service.lifecycle import Lifecycle
+from bnserve_service.log_words import log_word
 from bnserve_service.metrics import Metrics
-from bnserve_service.printable import printable
 from bnserve_service.shares import Share
 from bnserve_service.transport.answers import Header, body_headers, send_answer
 
@@ -183,7 +183,7 @@ class RequestContextMiddleware:
             access_logger.info(
                 "%s %s %s %d %.1f ms caller=%s traceparent=%s",
                 context.request_id, method, context.route, context.status, seconds * 1e3, context.caller,
-                printable(context.headers.get(b"traceparent", b"-")),
+                log_word(context.headers.get(b"traceparent", b"-")),
             )  # fmt: skip
 
 
