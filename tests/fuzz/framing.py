@@ -92,7 +92,7 @@ def talk(address: tuple[str, int], data: bytes, number: int = 0, behind_gateway:
             reading = read(sent + last)
             listener.wait(reading, PATIENCE)
         cut_off = _SURPLUS if behind_gateway else _CUT_OFF  # gateways have limits of their own
-        listener.finish({"nothing": PATIENCE, "too large": cut_off}.get(reading.rest, _SURPLUS))
+        listener.finish(reading, {"nothing": PATIENCE, "too large": cut_off}.get(reading.rest, _SURPLUS))
         return reading, listener.heard(reading)
 
 
@@ -116,11 +116,13 @@ class _Listener:
             self._receive(until)
         return self._ended
 
-    def finish(self, seconds: float) -> None:
-        """Until the server ends the connection, or is silent for this long."""
-        until = time.monotonic() + seconds
-        while not self._ended and time.monotonic() < until:
-            self._receive(until)
+    def finish(self, reading: Reading, seconds: float) -> None:
+        """Until the server ends the connection, or is silent for this long, and not in the middle of an answer."""
+        now = time.monotonic()
+        until, latest = now + seconds, now + PATIENCE
+        while not self._ended and (now < until or (now < latest and self.heard(reading).surplus)):
+            self._receive(max(until, now + _SURPLUS))
+            now = time.monotonic()
 
     def heard(self, reading: Reading) -> Heard:
         """The answers so far."""
@@ -168,14 +170,13 @@ def parse_answers(said: bytes, methods: list[bytes]) -> tuple[list[Answer], byte
 def judge(reading: Reading, heard: Heard, behind_gateway: bool = False) -> None:
     """Compare what a server said with what it was asked.
 
-    A gateway may make something of what is wrong, and pass that on; so may other servers: what comes behind it is not
-    judged then.
+    A gateway may make something else of what is no whole request, and pass that on: only what comes before is judged.
 
     Raises
     ------
     FramingFault
     """
-    if behind_gateway and reading.rest in ("wrong", "too large"):
+    if behind_gateway and reading.rest != "nothing":
         for request, answer in zip(reading.requests, heard.answers, strict=False):
             _check(request, answer, behind_gateway)
         return

@@ -34,7 +34,7 @@ CALLERS = 6
 _BATCH = 25
 """Conversations between two reports."""
 _ROUND = 2 * CALLERS
-_LOGGED = re.compile(r"(\d{8}-\S+) (\S+) \S+ \d{3} .* caller=(\S+)")
+_LOGGED = re.compile(r"(?<!\S)(\d{8}-\S+) (\S+) \S+ \d{3} .* caller=(\S+)")
 ROOMS = ("protocol", "model_store", "surrogate", "inference", "service", "client", "")
 
 
@@ -46,8 +46,8 @@ class Found:
     conversations: int = 0
     faults: list[tuple[str, bytes]] = field(default_factory=list)
     """What was wrong, and the conversation."""
-    asked: dict[str, tuple[str, str]] = field(default_factory=dict)
-    """Method and caller of every request, by its name."""
+    asked: dict[str, set[tuple[str, str]]] = field(default_factory=dict)
+    """Method and caller of the requests of one name, of which a damaged conversation may have several."""
     unclear: set[str] = field(default_factory=set)
     """Numbers of conversations that a gateway may read in a way of its own."""
 
@@ -86,12 +86,13 @@ def batch_of(seeds: Sequence[bytes], address: tuple[str, int], behind_gateway: b
             data = mutate_requests(data, Random(number))
         reading, heard = talk(address, data, number, behind_gateway)
         found.conversations += 1
-        if behind_gateway and reading.rest in ("wrong", "too large"):
+        if behind_gateway and reading.rest != "nothing":
             found.unclear.add(f"{number:08d}")
         for each in [*reading.requests, *([reading.partial] if reading.partial is not None else [])]:
             found.requests += 1
             for name in each.all(b"x-request-id"):
-                found.asked[name.decode("latin-1")] = (each.method.decode(), caller_of(each) or "anonymous")
+                asked = (each.method.decode(), caller_of(each) or "anonymous")
+                found.asked.setdefault(name.decode("latin-1"), set()).add(asked)
         try:
             judge(reading, heard, behind_gateway)
         except FramingFault as fault:
@@ -113,15 +114,13 @@ def fuzz(address: tuple[str, int], requests: int, behind_gateway: bool = False, 
 
 
 def misread(log: str, found: Found) -> list[str]:
-    """Requests that a server logged and nobody sent, or that another had sent."""
+    """Requests that a server logged and nobody sent, or that another had sent (pages ask nobody who he is)."""
     wrong = []
     for name, method, caller in _LOGGED.findall(log):
         if name[:8] not in found.unclear:
-            known = found.asked.get(name)
-            if known is None:
-                wrong.append(f"{name}: nobody sent it as a request")
-            elif caller not in (known[1], "anonymous") or method not in (known[0], "other"):  # pages ask for no token
-                wrong.append(f"{name}: logged as {method} of {caller}, sent as {known[0]} of {known[1]}")
+            known = found.asked.get(name, set())
+            if not any(method in (one, "other") and caller in (who, "anonymous") for one, who in known):
+                wrong.append(f"{name}: logged as {method} of {caller}, sent as {sorted(known) or 'none'}")
     return wrong
 
 
