@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._box import Box
-from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Ranges
+from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions, Ranges
 from bnserve_inference._calibrated_basis import CalibratedBasis
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import FiducialBasis
@@ -32,24 +32,6 @@ from bnserve_protocol import (
 
 TIME_TOLERANCE = 1e-5
 """Error of <d|h> from interpolating weights over time, for a signal of norm one: times the signal-to-noise ratio."""
-
-
-class Basis(Protocol):
-    """What an analysis needs of a basis, such as :class:`bnserve_inference.roq.ReducedOrderQuadrature`."""
-
-    @property
-    def linear_nodes(self) -> NDArray[np.float64]:
-        """Hz, increasing, ``(L,)``."""
-
-    @property
-    def quadratic_nodes(self) -> NDArray[np.float64]:
-        """Hz, increasing, ``(Q,)``."""
-
-    def linear_chunks(self, model: Any) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
-        """Rows of h on the grid, piece by piece, ``(L, m)``."""
-
-    def quadratic_chunks(self, model: Any) -> Iterator[tuple[slice, NDArray[np.float64]]]:
-        """Rows of abs(h)**2 on the grid, piece by piece, ``(Q, m)``."""
 
 
 @in_units(trigger_time="s", f_min="Hz", f_max="Hz")
@@ -96,7 +78,7 @@ def roq_analysis(
     *,
     trigger_time: float,
     basis: Any,
-    model: WaveformModel | None,
+    model: WaveformModel,
     options: LikelihoodOptions,
 ) -> Analysis:
     """The likelihood by reduced-order quadrature.
@@ -106,7 +88,8 @@ def roq_analysis(
     basis:
         A :class:`~bnserve_inference.roq.ReducedOrderQuadrature`; band, duration and alignment are its own.
     model:
-        The one that the basis was built for.
+        The one that the basis was built for. With a calibration, and if the basis is a table, its waveforms are
+        compared with the basis all over the prior.
     options:
         Its ``prior`` must state ``coalescence_time`` (seconds from the trigger) and must be covered by the basis; where
         it is silent, the ranges of the basis hold. Other parameters as :func:`full_analysis`.
@@ -114,8 +97,9 @@ def roq_analysis(
     Raises
     ------
     AnalysisInvalid
-        As :func:`full_analysis`; also data of another duration, a prior that the basis does not cover, or calibration
-        errors that it cannot stand: a calibrated waveform need not be in the span of a basis of waveforms.
+        As :func:`full_analysis`; also data of another duration, a prior that the basis does not cover, a table that
+        does not give the model's waveforms within the options' ``error_bound``, or calibration errors that the basis
+        cannot stand: a calibrated waveform need not be in the span of a basis of waveforms.
     """
     band = Band(data, trigger_time, basis.f_min, basis.f_max)
     if abs(band.duration - basis.duration) > 1e-9 * basis.duration:
@@ -165,14 +149,16 @@ def relative_binning_analysis(
     model:
         Makes the fiducial waveform; the analysis may then be evaluated with any model.
     phase_tolerance:
-        Radians by which waveforms that fit may differ from the fiducial one across a bin.
+        Radians by which waveforms that fit may differ from the fiducial one across a bin. Where such bins are wrong
+        by more than the options' ``error_bound`` somewhere in the prior, others take their place.
     options:
-        Its ``prior`` must state ``coalescence_time``. Other parameters as :func:`full_analysis`.
+        Its ``prior`` must state ``coalescence_time``; where it is silent about a binary, the model's range counts.
+        Other parameters as :func:`full_analysis`.
 
     Raises
     ------
     AnalysisInvalid, OutOfDomain
-        As :func:`full_analysis`; the fiducial binary outside the model's range.
+        As :func:`full_analysis`; more bins than are allowed; the fiducial binary outside the model's range.
     """
     band = Band(data, trigger_time, f_min, f_max)
     one = ParameterBatch.one(fiducial)

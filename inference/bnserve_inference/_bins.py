@@ -25,6 +25,8 @@ phase across a bin."""
 _MISLEADING = 4.0
 """What only has to be seen not to fit may turn so many times further."""
 _PER_CALIBRATION_CELL = 3.0
+_ROWS = 128
+"""Of strain on the grid at once: 8 MiB."""
 
 
 @dataclass(eq=False)
@@ -56,9 +58,9 @@ class Bins:
 
     def see(self, binaries: ParameterBatch, misleading: bool) -> None:
         """Binaries that are to be followed, or told apart from those that fit."""
-        if len(binaries):
-            turns = self._turning(binaries) / (_MISLEADING if misleading else 1.0)
-            self._turns = np.maximum(self._turns, turns)
+        for start in range(0, len(binaries), _ROWS):
+            turns = self._turning(ParameterBatch(binaries.values[start : start + _ROWS]))
+            self._turns = np.maximum(self._turns, turns / (_MISLEADING if misleading else 1.0))
 
     def narrow(self, excess: float) -> None:
         """Make all of them narrower, because what was seen has errors of ``excess`` times what is allowed."""

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
 
 import msgspec
 import numpy as np
@@ -31,6 +31,24 @@ from bnserve_protocol import (
 
 Alignment = Literal["post_newtonian", "merger"]
 Ranges = Mapping[str, tuple[float, float]]
+
+
+class Basis(Protocol):
+    """What an analysis needs of a basis, such as :class:`bnserve_inference.roq.ReducedOrderQuadrature`."""
+
+    @property
+    def linear_nodes(self) -> NDArray[np.float64]:
+        """Hz, increasing, ``(L,)``."""
+
+    @property
+    def quadratic_nodes(self) -> NDArray[np.float64]:
+        """Hz, increasing, ``(Q,)``."""
+
+    def linear_chunks(self, model: Any) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
+        """Rows of h on the grid, piece by piece, ``(L, m)``."""
+
+    def quadratic_chunks(self, model: Any) -> Iterator[tuple[slice, NDArray[np.float64]]]:
+        """Rows of abs(h)**2 on the grid, piece by piece, ``(Q, m)``."""
 
 
 @dataclass(frozen=True)

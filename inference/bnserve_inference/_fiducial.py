@@ -22,7 +22,7 @@ PHASE_POWERS = (-5.0 / 3.0, -2.0 / 3.0, 1.0, 5.0 / 3.0, 7.0 / 3.0)
 """Of frequency, in the phases by which fitting waveforms differ: masses, spins, time, tides (Zackay et al., eq. 10)."""
 _FEWEST_BINS = 8
 MOST_BINS = 2048
-"""Rows of so many edges take 300 MB while the weights are made; a reduced-order basis takes far fewer nodes."""
+"""Rows of so many edges take 0.7 GB while the weights are made; a reduced-order basis takes far fewer nodes."""
 _CHUNK = 8192
 
 

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._bins import Bins
 from bnserve_inference._box import COORDINATES, Box
-from bnserve_inference._building import Alignment, Band, LikelihoodOptions
+from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions
 from bnserve_inference._calibrated_basis import CalibratedBasis
 from bnserve_inference._fiducial import FiducialBasis
 from bnserve_inference._search import climb
 from bnserve_inference._trial import CalibrationErrors, Comparison, Trial
 from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights
 from bnserve_protocol import AnalysisInvalid, FieldError, ParameterBatch, WaveformModel
-
-if TYPE_CHECKING:
-    from bnserve_inference._analyses import Basis
 
 Floats = NDArray[np.float64]
 
@@ -38,6 +35,14 @@ class Weighted:
     basis: Basis
     weights: Weights
     quadratic: Floats
+
+
+class Compared(NamedTuple):
+    """Binaries of the prior that fit with a basis, and what was found for some of them and others."""
+
+    fitting: ParameterBatch
+    batch: ParameterBatch
+    found: Comparison
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +84,7 @@ class Fitting:
         weights = Weights(chunks, basis.linear_nodes, self.band.frequencies, self.band.data, arrivals)
         return Weighted(basis, weights, quadratic)
 
-    def compared(self, weighted: Weighted, seed: int, seen: ParameterBatch | None) -> tuple[ParameterBatch, Comparison]:
+    def compared(self, weighted: Weighted, seed: int, seen: ParameterBatch | None) -> Compared:
         """Binaries that fit with the basis, others of the prior, and those ``seen``: with it and on the full grid."""
         basis, box = weighted.basis, Box.of(self.options.prior, self.model)
         trial = Trial(self.band, self.model, self.alignment, basis, weighted.weights, weighted.quadratic)
@@ -98,7 +103,9 @@ class Fitting:
         errors = None
         if self.options.calibration is not None:
             errors = CalibrationErrors.draw(self.options.calibration, len(batch), len(self.band.data), seed)
-        return batch, trial.compare(batch, errors)
+        return Compared(
+            box.binaries(points[values > values.max() - 2.0 * RELEVANT]), batch, trial.compare(batch, errors)
+        )
 
 
 def fitted_bins(fitting: Fitting, basis: FiducialBasis) -> Weighted:
@@ -112,7 +119,7 @@ def fitted_bins(fitting: Fitting, basis: FiducialBasis) -> Weighted:
     bins, seen = Bins(basis, fitting.model, fitting.options.calibration), None
     for attempt in range(_ATTEMPTS):
         weighted = fitting.weighted(basis)
-        batch, found = fitting.compared(weighted, attempt, seen)
+        fit, batch, found = fitting.compared(weighted, attempt, seen)
         top = float(found.best.max())
         fits = found.best > top - RELEVANT
         misleads = (found.approximate > top - RELEVANT) & ~fits
@@ -126,6 +133,8 @@ def fitted_bins(fitting: Fitting, basis: FiducialBasis) -> Weighted:
         seen = ParameterBatch(batch.values[fits | misleads][:_COMPARED])
         bins.see(ParameterBatch(batch.values[found.best > top - 2.0 * RELEVANT]), misleading=False)
         bins.see(ParameterBatch(batch.values[misleads]), misleading=True)
+        if not misleads.any():  # then what fits with the bins does fit
+            bins.see(fit, misleading=False)
         basis = bins.placed(top)
     raise AnalysisInvalid(
         f"Relative binning may be wrong by {worst / _SHARE:.2g} in ln L somewhere in the prior, where "
@@ -145,7 +154,7 @@ def fitted_quadrature(fitting: Fitting, basis: Basis) -> Weighted:
     """
     weighted = fitting.weighted(basis)
     plain = replace(fitting, options=replace(fitting.options, calibration=None))
-    worst = float(plain.compared(weighted, 0, fitting.draws())[1].total.max())
+    worst = float(plain.compared(weighted, 0, fitting.draws()).found.total.max())
     if worst > fitting.allowed:
         raise AnalysisInvalid(
             f"The basis does not give the waveforms of this model: ln L may be wrong by {worst / _SHARE:.2g} in the "
@@ -167,7 +176,7 @@ def fitted_calibrated_quadrature(fitting: Fitting, basis: CalibratedBasis) -> We
     bins = Bins(basis.smooth, fitting.model, fitting.options.calibration)
     weighted = fitting.weighted(basis)
     for attempt in range(_ATTEMPTS):
-        _, found = fitting.compared(weighted, attempt, fitting.draws())
+        found = fitting.compared(weighted, attempt, fitting.draws()).found
         if found.linear.max() > fitting.allowed:
             break
         worst = float(max(found.quadratic.max(), found.total.max()))

@@ -8,18 +8,15 @@ a h is Re(conj(a) z) - abs(a)^2 n / 2, which is largest, abs(z)^2 / 2 n, at a = 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._building import Alignment, Band
+from bnserve_inference._building import Alignment, Band, Basis
 from bnserve_inference._calibration import calibration_factors
 from bnserve_inference._weights import Weights
 from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch, WaveformModel
-
-if TYPE_CHECKING:
-    from bnserve_inference._analyses import Basis
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
