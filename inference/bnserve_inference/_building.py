@@ -82,6 +82,24 @@ class LikelihoodOptions:
         object.__setattr__(self, "prior", real_ranges(self.prior))
 
 
+_MOST_POWER = 1e8
+"""Of strain over noise, a frequency, in the median; it is two for noise, and hundreds for the loudest signal."""
+
+
+def _power(name: str, strain: NDArray[np.complex128], density: NDArray[np.float64]) -> NDArray[np.float64]:
+    """4 / (T S) abs(d)**2; refuses strain that is no noise of that density, with whatever signal in it."""
+    with np.errstate(over="ignore"):
+        power = density * np.abs(strain) ** 2
+    typical = float(np.median(power[density > 0.0]))
+    if not typical <= _MOST_POWER:
+        raise AnalysisInvalid(
+            f"The strain of {name} is typically {np.sqrt(0.5 * typical):.2g} times as large as its noise: one of them "
+            "is in another unit. Give the Fourier transform of the strain in 1/Hz and the ASD in 1/sqrt(Hz).",
+            errors=[FieldError(reason="not of the noise's size", parameter="strain", value=str(typical))],
+        )
+    return np.asarray(power)
+
+
 class Band:
     """The data of a network in the band of an analysis.
 
@@ -109,9 +127,11 @@ class Band:
         self.data = []
         self.noise_log_likelihood = 0.0
         for detector, (strain, _), density in zip(data, checked, self.densities, strict=True):
+            power = _power(detector.name, strain, density)
             turn = np.exp(-2j * np.pi * self.frequencies * (trigger_time - detector.start_time))
-            self.data.append(density * strain.conj() * turn)
-            self.noise_log_likelihood -= 0.5 * float(np.sum(density * np.abs(strain) ** 2))
+            with np.errstate(over="ignore", invalid="ignore"):  # an analysis with such weights is refused
+                self.data.append(density * strain.conj() * turn)
+            self.noise_log_likelihood -= 0.5 * float(np.sum(power))
 
     def timed(self, options: LikelihoodOptions, chirp_mass: float | None = None) -> LikelihoodOptions:
         """The options with the range of the coalescence time stated, which is that of the data where they are silent.

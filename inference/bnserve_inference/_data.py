@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference._detectors import Detector
 from bnserve_inference._noise import LARGEST_ASD, LEAST_ASD
-from bnserve_inference._units import ASD_UNIT, real, real_or_complex
+from bnserve_inference._units import ASD_UNIT, number, real, real_or_complex
 from bnserve_protocol import AnalysisInvalid, FieldError
 
 
@@ -46,10 +46,14 @@ class DetectorData:
     duration: float
 
     def __post_init__(self) -> None:
+        if not isinstance(self.detector, str | Detector):
+            raise AnalysisInvalid(
+                f"A detector is LAL's prefix for it, such as 'H1', or a Detector; got {type(self.detector).__name__}."
+            )
         strain = _vector("strain", real_or_complex("strain", self.strain, "1/Hz"), np.complex128)
         asd = _vector("asd", np.asarray(real("asd", self.asd, ASD_UNIT)), np.float64)
         for name in ("start_time", "duration"):
-            object.__setattr__(self, name, real(name, getattr(self, name), "s"))
+            object.__setattr__(self, name, number(name, getattr(self, name), "s"))
         if len(strain) != len(asd):
             raise AnalysisInvalid(
                 f"The strain of {self.name} has {len(strain)} frequencies and its ASD has {len(asd)}; both must be "

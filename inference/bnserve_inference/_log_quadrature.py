@@ -20,6 +20,8 @@ _SMOOTH = 0.25
 error of 1e-4 at the ends of the interval, and of 1e-8 inside, where the errors of neighbours cancel."""
 _PANEL_ERROR = 1e-4
 """Of a panel's integral, between five nodes and nine; that of the nine is some 1e-8."""
+_ROUNDING = 1e-13
+"""Relative; an F that differs by less has no digits left that could be integrated, and its error says so."""
 _MOST_PIECES, _MOST_LEVELS = 16, 12
 
 
@@ -128,7 +130,8 @@ def _panels(rows: NDArray[np.int64], start: Floats, top: Floats, values_at: Valu
         unsure = np.abs(integral - fewer)
         last = level == _MOST_LEVELS - 1
         matters = ~(highest + 0.25 * spread <= top[rows] - _DEPTH)
-        good = matters & ((unsure <= _PANEL_ERROR * integral) | ~np.isfinite(spread) | last)
+        rounded = spread <= _ROUNDING * np.abs(highest)
+        good = matters & ((unsure <= _PANEL_ERROR * integral) | ~np.isfinite(spread) | rounded | last)
         found.append(_Panels(rows[good], width[good], highest[good], integral[good], unsure[good]))
         poor = matters & ~good
         pieces = np.clip(np.ceil(0.5 * spread[poor]), 2, _MOST_PIECES).astype(np.int64)

@@ -26,7 +26,8 @@ ASD_UNIT = "1/Hz^(1/2)"
 
 
 def in_units(**units: str) -> Callable[[Callable[_Arguments, _Result]], Callable[_Arguments, _Result]]:
-    """Have the arguments of a function, by name, arrive as plain real numbers: floats, or float64 arrays.
+    """Have the arguments of a function, by name, arrive as plain real numbers: floats (those that are annotated as such
+    must be), or float64 arrays.
 
     Raises
     ------
@@ -42,7 +43,8 @@ def in_units(**units: str) -> Callable[[Callable[_Arguments, _Result]], Callable
             bound = signature.bind(*arguments, **named)
             for name, unit in units.items():
                 if name in bound.arguments:
-                    bound.arguments[name] = real(name, bound.arguments[name], unit)
+                    convert = number if signature.parameters[name].annotation in (float, "float") else real
+                    bound.arguments[name] = convert(name, bound.arguments[name], unit)
             return function(*bound.args, **bound.kwargs)
 
         return converted
@@ -62,6 +64,22 @@ def real(name: str, value: Any, unit: str) -> Any:
     except NotNumbers as error:
         raise _refusal(name, unit, error) from error
     return array if array.ndim else float(array)
+
+
+def number(name: str, value: Any, unit: str) -> float:
+    """One number, as a float.
+
+    Raises
+    ------
+    AnalysisInvalid
+    """
+    found = real(name, value, unit)
+    if not isinstance(found, float):
+        raise AnalysisInvalid(
+            f"'{name}' must be one number; got an array of shape {found.shape}.",
+            errors=[FieldError(reason="not one number", parameter=name)],
+        )
+    return found
 
 
 def real_or_complex(name: str, value: Any, unit: str) -> NDArray[Any]:
@@ -84,6 +102,11 @@ def real_ranges(ranges: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
     ------
     AnalysisInvalid
     """
+    if not isinstance(ranges, Mapping):
+        raise AnalysisInvalid(
+            f"'prior' maps names of parameters to pairs (minimum, maximum); got {type(ranges).__name__}.",
+            errors=[FieldError(reason="not a mapping", parameter="prior")],
+        )
     found = {}
     for name, pair in ranges.items():
         unit = PARAMETER_UNITS.get(name, "1")  # unknown names are refused where the analysis is made

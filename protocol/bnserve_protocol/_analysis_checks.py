@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 _MOST_DETECTORS = 16
 _MOST_CALIBRATION_NODES = 64
+_LIMITS = {"f_max": 1e6, "duration": 1e7, "sidereal_time": 1e6, "sidereal_rate": 1.0}
+"""Hz, seconds, radians and radians a second: far beyond any analysis, and phases of their products have digits left."""
 
 
 def check_settings(settings: AnalysisSettings) -> None:
@@ -33,6 +35,8 @@ def check_settings(settings: AnalysisSettings) -> None:
         require(math.isfinite(value) and value > 0.0, name, value, "must be positive and finite")
     for name in ("trigger_time", "sidereal_time", "sidereal_rate", "noise_log_likelihood"):
         require(math.isfinite(getattr(settings, name)), name, getattr(settings, name), "must be finite")
+    for name, most in _LIMITS.items():
+        require(abs(getattr(settings, name)) <= most, name, getattr(settings, name), f"is at most {most:g}")
     try:
         settings.grid  # noqa: B018  (made for its checks)
     except InvalidFrequencies as error:

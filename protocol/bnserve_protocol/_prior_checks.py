@@ -27,6 +27,7 @@ _POSSIBLE = {
     "total_mass": (_LEAST_MASS, math.inf, "masses are positive"),
     "chirp_mass": (_LEAST_MASS, math.inf, "masses are positive"),
     "distance_mpc": (0.0, math.inf, "distances are positive"),
+    "coalescence_time": (-1e6, 1e6, "it is in seconds from the trigger, of which no data are so far"),
 }
 _SLACK = 1e-9
 """By which a range may exceed what is possible through rounding."""

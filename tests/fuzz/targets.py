@@ -29,7 +29,7 @@ from bnserve_store._artifact import MANIFEST_FILE, TENSORS_FILE, read_artifact
 from bnserve_store._labels import LABELS_FILE, read_labels
 from bnserve_store._manifest import decode_manifest
 from tests.client.reference_model import binaries
-from tests.fuzz import http_requests, valid
+from tests.fuzz import http_requests, likelihoods, valid
 from tests.fuzz.conversation import ask
 from tests.fuzz.framing_server import read_from_server
 from tests.fuzz.mutations import damage, mutate_conversation, mutate_json, mutate_msgpack, mutate_safetensors
@@ -119,6 +119,10 @@ TARGETS = {
         Target("likelihood_json", lambda data: decode_likelihood_request(data, JSON, 4096), (InvalidRequest,),
                valid.likelihood_requests_json, mutate_json),
         Target("analysis", decode_analysis, (InvalidRequest,), valid.analyses, mutate_msgpack),
+        Target("analysis_evaluated", likelihoods.read_evaluated, (InvalidRequest,),
+               likelihoods.evaluated_seeds, likelihoods.mutate_analysis),
+        Target("analysis_made", likelihoods.read_made, (BnserveError,),
+               likelihoods.made_seeds, likelihoods.mutate_made),
         Target("grid", read_grid, (InvalidRequest,), valid.grids, damage),
         Target("manifest", lambda data: decode_manifest(data, "manifest.json"), (ArtifactError,),
                valid.manifests, mutate_json),

@@ -207,8 +207,11 @@ BAD_SETTINGS = {
         {"prior": {"coalescence_time": (-1e6, 1e6)}, "time_marginalisation": AGES, "f_max": 1e4},
         "asks for .* times",
     ),
+    "GPS times for times": ({"prior": {"coalescence_time": (1.1e9, 1.2e9)}}, "in seconds from the trigger"),
+    "kilohertz in millihertz": ({"f_max": 2e6}, "'f_max' of the analysis is at most"),
+    "the sidereal time in GPS seconds": ({"sidereal_time": 1.2e9}, "'sidereal_time' of the analysis is at most"),
     "a range of times without end": (
-        {"prior": {"coalescence_time": (-1e308, 1e308)}, "time_marginalisation": ENDLESS},
+        {"prior": SETTINGS.prior, "time_marginalisation": ENDLESS},
         "minimum < maximum",
     ),
     "kind": ({"kind": "guess"}, "do not fit their schema"),
