@@ -6,12 +6,19 @@ import msgpack
 import pytest
 
 from tests.fuzz.corpus import HERE, kept
+from tests.fuzz.likelihoods import model
 from tests.fuzz.targets import TARGETS
 from tests.service.asking import GRID, GW170817
 
 MEMORY = 64 * 2**20
 MANY = 2**17
 """Of numbers or letters; a body may have a hundred times as many."""
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _loaded():
+    """The model of the likelihoods; its memory is not that of a reader."""
+    model()
 
 
 def peak_of(target, data):

@@ -18,7 +18,14 @@ from typing import cast
 import atheris
 
 with atheris.instrument_imports(
-    include=["bnserve_protocol", "bnserve_client", "bnserve_store", "bnserve_service.grids", "tests.fuzz"]
+    include=[
+        "bnserve_protocol",
+        "bnserve_client",
+        "bnserve_store",
+        "bnserve_service.grids",
+        "bnserve_inference",
+        "tests.fuzz",
+    ]
 ):
     from tests.fuzz.corpus import kept
     from tests.fuzz.targets import TARGETS, Target
