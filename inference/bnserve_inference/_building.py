@@ -68,7 +68,8 @@ class LikelihoodOptions:
     calibration:
         The nodes of calibration envelopes, and the width of the errors; None for perfect detectors.
     error_bound:
-        By how much ln L of an approximate analysis may differ from that on the full grid, within 25 of the maximum.
+        By how much ln L may differ from that on the full grid, within 25 of its maximum. It holds for relative binning,
+        and for quadratures with a calibration or from a table; a basis of the model's own waveforms has a tolerance.
     """
 
     prior: Ranges = field(default_factory=dict)
