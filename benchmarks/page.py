@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from bnserve_protocol import BnserveError
-from bnserve_surrogate.training.report import write_text
+from bnserve_surrogate.training.validation.report import write_text
 
 
 class PlaceMissing(BnserveError):

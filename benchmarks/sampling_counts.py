@@ -10,10 +10,10 @@ import json
 import sys
 import time
 
+from bnserve_surrogate.training.data.generators import make_generator, mass_seconds
+from bnserve_surrogate.training.data.ranges import ParameterRanges
 from bnserve_surrogate.training.errors import TrainingError
-from bnserve_surrogate.training.generators import make_generator, mass_seconds
-from bnserve_surrogate.training.ranges import ParameterRanges
-from bnserve_surrogate.training.sampling_counts import SamplingCounts, sampling_counts
+from bnserve_surrogate.training.reduction.sampling_counts import SamplingCounts, sampling_counts
 
 
 def main(arguments: list[str] | None = None) -> int:

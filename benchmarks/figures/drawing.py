@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from bnserve_protocol import BnserveError
-from bnserve_surrogate.training.report import write_text
+from bnserve_surrogate.training.validation.report import write_text
 
 LEVELS = {"median": 0.5, "90 %": 0.9, "99 %": 0.99, "max": 1.0}
 

@@ -21,7 +21,7 @@ from benchmarks.figures.workspace import VALIDATION_SEED, Arrays, Workspace
 from bnserve_surrogate.training.config import TrainingConfiguration, ValidationSection
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.regressors import weighted_exponents
-from bnserve_surrogate.training.validation import validate
+from bnserve_surrogate.training.validation.measurement import validate
 
 _BASELINE = "baseline alone"
 _SMALLEST = 2**9

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from benchmarks.figures import style
 from benchmarks.figures.drawing import Drawing, rounded, table
 from benchmarks.figures.workspace import Workspace
-from bnserve_surrogate.training.generators import mass_seconds
-from bnserve_surrogate.training.residuals import flatten_phase
+from bnserve_surrogate.training.data.generators import mass_seconds
+from bnserve_surrogate.training.data.residuals import flatten_phase
 
 Rows = NDArray[np.float64]
 

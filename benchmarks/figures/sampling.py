@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from benchmarks.figures import style
 from benchmarks.figures.drawing import Drawing, table
 from benchmarks.figures.workspace import Arrays, Workspace
-from bnserve_surrogate.training.generators import make_generator, mass_seconds
-from bnserve_surrogate.training.multibanding import multibanded_grid, newtonian_duration, uniform_count
-from bnserve_surrogate.training.nodes import smooth_nodes
-from bnserve_surrogate.training.ranges import ParameterRanges
-from bnserve_surrogate.training.sampling_counts import sampling_counts
+from bnserve_surrogate.training.data.generators import make_generator, mass_seconds
+from bnserve_surrogate.training.data.ranges import ParameterRanges
+from bnserve_surrogate.training.reduction.multibanding import multibanded_grid, newtonian_duration, uniform_count
+from bnserve_surrogate.training.reduction.nodes import smooth_nodes
+from bnserve_surrogate.training.reduction.sampling_counts import sampling_counts
 
 F_MIN, F_MAX, LARGEST_MASS_RATIO, TOLERANCE = 5.0, 2926.0, 2.0, 1e-5  # the paper's
 _PAPER = {"uniform": "2e7", "multibanded": "2e5", "greedy on waveforms": "3e3", "greedy on residuals": "1e3"}

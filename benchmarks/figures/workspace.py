@@ -18,12 +18,12 @@ from bnserve_store import Artifact
 from bnserve_surrogate import Model
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
-from bnserve_surrogate.training.dataset import DatasetSpecification, ResidualDataset, build_dataset
-from bnserve_surrogate.training.generation import configured_generator
-from bnserve_surrogate.training.nodes import smooth_nodes
-from bnserve_surrogate.training.ranges import parameter_ranges, training_band
-from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling
-from bnserve_surrogate.training.validation import Validation, validate
+from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset
+from bnserve_surrogate.training.data.generation import configured_generator
+from bnserve_surrogate.training.data.ranges import parameter_ranges, training_band
+from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling
+from bnserve_surrogate.training.reduction.nodes import smooth_nodes
+from bnserve_surrogate.training.validation.measurement import Validation, validate
 
 VALIDATION_SEED = 2024
 """That of ``bnserve validate``: its waveforms are used again."""

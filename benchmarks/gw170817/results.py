@@ -16,7 +16,7 @@ from benchmarks.gw170817.priors import UnitCube
 from benchmarks.gw170817.sampling import Posterior, equal_weights
 from bnserve_inference import likelihood
 from bnserve_protocol import LIKELIHOOD_NAMES, LikelihoodBatch, WaveformModel
-from bnserve_surrogate.training.generators import TEOBResumSPA
+from bnserve_surrogate.training.data.generators import TEOBResumSPA
 
 Floats = NDArray[np.float64]
 

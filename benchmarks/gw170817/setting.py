@@ -19,7 +19,7 @@ from bnserve_protocol import (
     ParameterBatch,
     WaveformModel,
 )
-from bnserve_surrogate.training.generators import TEOBResumSPA
+from bnserve_surrogate.training.data.generators import TEOBResumSPA
 
 DATA = Path(__file__).parents[1] / "data" / "gw170817"
 DETECTORS = ("H1", "L1", "V1")

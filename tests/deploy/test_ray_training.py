@@ -10,8 +10,8 @@ import pytest
 from bnserve_inference.roq import build_basis
 from bnserve_store import ModelStore
 from bnserve_surrogate import Model
-from bnserve_surrogate.training.dataset import build_dataset
-from bnserve_surrogate.training.sampling import UniformSampling, draw
+from bnserve_surrogate.training.data.dataset import build_dataset
+from bnserve_surrogate.training.data.sampling import UniformSampling, draw
 from tests.inference.roq.tiny import tiny
 from tests.surrogate.test_training_data_dataset import RANGES, chunk_bytes, sequential, specification, toy_generator
 from tests.surrogate.training_runs import QUICK, digests, train_here, written

@@ -1,7 +1,7 @@
 """A small search on toy waveforms, for the tests of the search."""
 
 from bnserve_surrogate.training.config import parse_configuration
-from bnserve_surrogate.training.search import Search, run_search
+from bnserve_surrogate.training.search.trials import Search, run_search
 
 WAVEFORMS = 400
 

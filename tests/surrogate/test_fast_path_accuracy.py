@@ -8,7 +8,7 @@ import pytest
 
 from bnserve_store import ModelStore
 from bnserve_surrogate import Model, ParameterBatch, SurrogateMetadata
-from bnserve_surrogate.training.noise import einstein_telescope_d
+from bnserve_surrogate.training.data.noise import einstein_telescope_d
 from tests.surrogate.conftest import random_batch
 from tests.surrogate.plain_reference import PlainModel
 

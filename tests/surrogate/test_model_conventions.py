@@ -113,7 +113,7 @@ def test_the_merger_is_at_the_origin_of_time_if_asked_for(model):
 def strain_of_teobresums(frequencies, one):
     """h_plus and h_cross of TEOBResumSPA, conjugated, in 1/Hz."""
     teobresums = pytest.importorskip("EOBRun_module")
-    from bnserve_surrogate.training.generators import TEOBResumSPA
+    from bnserve_surrogate.training.data.generators import TEOBResumSPA
 
     mass = one.total_mass * SOLAR_MASS_SECONDS
     request = {

@@ -10,8 +10,8 @@ from bnserve_store import ModelStore
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training.config import ConfigurationInvalid, parse_configuration
 from bnserve_surrogate.training.pipeline import publish, train, validate_artifact
-from bnserve_surrogate.training.search_lookup import load_collection, with_best_hyperparameters
-from bnserve_surrogate.training.search_pareto import (
+from bnserve_surrogate.training.search.lookup import load_collection, with_best_hyperparameters
+from bnserve_surrogate.training.search.pareto import (
     Hyperparameters,
     HyperparametersUnknown,
     ParetoCollection,
@@ -21,7 +21,7 @@ from bnserve_surrogate.training.search_pareto import (
     parse_collection,
     write_collection,
 )
-from bnserve_surrogate.training.search_results import search_results
+from bnserve_surrogate.training.search.results import search_results
 from tests.surrogate.searching import NETWORK, run, table, toy_search
 
 SETUP = ParetoSetup(

@@ -7,9 +7,9 @@ import time
 
 import pytest
 
-from bnserve_surrogate.training.search_journal import StudyUnreadable
-from bnserve_surrogate.training.search_results import SearchEmpty, search_results
-from bnserve_surrogate.training.search_study import StudyMismatch, failures, finished, read_study
+from bnserve_surrogate.training.search.journal import StudyUnreadable
+from bnserve_surrogate.training.search.results import SearchEmpty, search_results
+from bnserve_surrogate.training.search.study import StudyMismatch, failures, finished, read_study
 from tests.architecture.rooms import ROOT, room_environment
 from tests.surrogate.searching import NETWORK, SUM, run, toy_search
 
@@ -217,7 +217,7 @@ def test_a_study_is_text_and_unpickles_nothing(work, study):
         "sys.addaudithook(lambda event, a: print(event, *a) if event == 'pickle.find_class' else None)\n"
         "from pathlib import Path\n"
         "from tests.surrogate.searching import toy_search\n"
-        "from bnserve_surrogate.training.search_results import search_results\n"
+        "from bnserve_surrogate.training.search.results import search_results\n"
         "import pickle, pathlib; pickle.loads(pickle.dumps(pathlib.PurePosixPath('x')))\n"
         "print('---')\n"
         "print(len(search_results(toy_search(Path(sys.argv[1]))).trials))\n"

@@ -14,8 +14,12 @@ import numpy as np
 import pytest
 
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
-from bnserve_surrogate.training import dataset as dataset_module
-from bnserve_surrogate.training.dataset import DatasetSpecification, build_dataset
+from bnserve_surrogate.training.data import dataset as dataset_module
+from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
+from bnserve_surrogate.training.data.generators import CallableGenerator, TEOBResumSPA
+from bnserve_surrogate.training.data.ranges import ParameterRanges
+from bnserve_surrogate.training.data.residuals import log_amplitude_ratio, phase_difference
+from bnserve_surrogate.training.data.sampling import UniformSampling, draw
 from bnserve_surrogate.training.errors import (
     DatasetInUse,
     DatasetUnwritable,
@@ -23,11 +27,7 @@ from bnserve_surrogate.training.errors import (
     TooManyFailures,
     WorkersUnusable,
 )
-from bnserve_surrogate.training.generators import CallableGenerator, TEOBResumSPA
-from bnserve_surrogate.training.nodes import smooth_nodes
-from bnserve_surrogate.training.ranges import ParameterRanges
-from bnserve_surrogate.training.residuals import log_amplitude_ratio, phase_difference
-from bnserve_surrogate.training.sampling import UniformSampling, draw
+from bnserve_surrogate.training.reduction.nodes import smooth_nodes
 
 RANGES = ParameterRanges()
 
@@ -134,7 +134,7 @@ def test_whatever_defines_the_data_separates_them(tmp_path, changes):
 def test_residuals_to_another_baseline_are_another_data_set(monkeypatch):
     before = specification().digest
     monkeypatch.setattr(
-        "bnserve_surrogate.training._baseline.taylorf2_phase", lambda *a: taylorf2_phase(*a) * (1 + 1e-7)
+        "bnserve_surrogate.training.data.baseline.taylorf2_phase", lambda *a: taylorf2_phase(*a) * (1 + 1e-7)
     )
     assert specification().digest != before
 
@@ -222,11 +222,11 @@ def test_workers_that_cannot_load_the_generator_are_not_blamed_on_it(tmp_path, j
 KILLED_RUN = textwrap.dedent(
     """
     import sys, time
-    from bnserve_surrogate.training.dataset import DatasetSpecification, build_dataset
-    from bnserve_surrogate.training.generators import CallableGenerator
-    from bnserve_surrogate.training.nodes import smooth_nodes
-    from bnserve_surrogate.training.ranges import ParameterRanges
-    from bnserve_surrogate.training.sampling import UniformSampling
+    from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
+    from bnserve_surrogate.training.data.generators import CallableGenerator
+    from bnserve_surrogate.training.reduction.nodes import smooth_nodes
+    from bnserve_surrogate.training.data.ranges import ParameterRanges
+    from bnserve_surrogate.training.data.sampling import UniformSampling
 
     def slow(theta, mf):
         time.sleep(0.1)

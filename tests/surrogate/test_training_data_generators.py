@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
-from bnserve_surrogate.training._baseline import merger_phase
-from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown, PackageMissing, require
-from bnserve_surrogate.training.generators import (
+from bnserve_surrogate.training.data.baseline import merger_phase
+from bnserve_surrogate.training.data.generators import (
     CallableGenerator,
     LALSimulationGenerator,
     TEOBResumSPA,
@@ -14,9 +13,10 @@ from bnserve_surrogate.training.generators import (
     make_generator,
     mass_seconds,
 )
-from bnserve_surrogate.training.generators._teobresums import start_frequency
-from bnserve_surrogate.training.nodes import smooth_nodes
-from bnserve_surrogate.training.residuals import flatten_phase, log_amplitude_ratio, phase_difference
+from bnserve_surrogate.training.data.generators._teobresums import start_frequency
+from bnserve_surrogate.training.data.residuals import flatten_phase, log_amplitude_ratio, phase_difference
+from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown, PackageMissing, require
+from bnserve_surrogate.training.reduction.nodes import smooth_nodes
 
 THETA = np.array([1.3, 0.1, -0.05, 400.0, 600.0])
 

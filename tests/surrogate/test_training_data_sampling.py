@@ -10,12 +10,9 @@ from hypothesis import strategies as st
 from benchmarks.sampling_counts import main
 from bnserve_protocol import InvalidParameters
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
-from bnserve_surrogate.training.generators import CallableGenerator, mass_seconds
-from bnserve_surrogate.training.greedy_downsampling import greedy_downsampling, reconstruction_error
-from bnserve_surrogate.training.multibanding import multibanded_grid, newtonian_duration, uniform_count
-from bnserve_surrogate.training.outliers import screen_outliers
-from bnserve_surrogate.training.ranges import ParameterRanges
-from bnserve_surrogate.training.sampling import (
+from bnserve_surrogate.training.data.generators import CallableGenerator, mass_seconds
+from bnserve_surrogate.training.data.ranges import ParameterRanges
+from bnserve_surrogate.training.data.sampling import (
     ArcsineSampling,
     EdgeSampling,
     MixtureSampling,
@@ -23,7 +20,10 @@ from bnserve_surrogate.training.sampling import (
     draw,
     make_sampling,
 )
-from bnserve_surrogate.training.sampling_counts import sampling_counts
+from bnserve_surrogate.training.outliers import screen_outliers
+from bnserve_surrogate.training.reduction.greedy_downsampling import greedy_downsampling, reconstruction_error
+from bnserve_surrogate.training.reduction.multibanding import multibanded_grid, newtonian_duration, uniform_count
+from bnserve_surrogate.training.reduction.sampling_counts import sampling_counts
 
 RANGES = ParameterRanges()
 SAMPLINGS = [UniformSampling(), ArcsineSampling(), EdgeSampling(), MixtureSampling(fraction=0.3)]

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from bnserve_surrogate.training.reduction import PaperReduction
+from bnserve_surrogate.training.reduction.reductions import PaperReduction
 from bnserve_surrogate.training.regressors import (
     MLP,
     Beside,

@@ -3,8 +3,12 @@
 import numpy as np
 import pytest
 
-from bnserve_surrogate.training.error_estimate import PROMISED_FACTOR, fit_error_estimate, with_error_estimate
 from bnserve_surrogate.training.regressors import evaluate_exported
+from bnserve_surrogate.training.validation.error_estimate import (
+    PROMISED_FACTOR,
+    fit_error_estimate,
+    with_error_estimate,
+)
 
 EDGE_SCATTER = 1.5
 

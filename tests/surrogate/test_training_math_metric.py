@@ -7,18 +7,23 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from bnserve_protocol import InvalidFrequencies, InvalidParameters
-from bnserve_surrogate.training.metric import MismatchMetric
-from bnserve_surrogate.training.mismatch import NodeMismatch
-from bnserve_surrogate.training.noise import (
+from bnserve_surrogate.training.data.noise import (
     NOISE_CURVES,
     TabulatedNoise,
     advanced_ligo_design,
     einstein_telescope_d,
     noise_curve,
 )
-from bnserve_surrogate.training.principal_components import PrincipalComponents
-from bnserve_surrogate.training.quadrature import node_weights, noise_weights, spline_matrix, trapezoid_weights
-from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction
+from bnserve_surrogate.training.reduction.metric import MismatchMetric
+from bnserve_surrogate.training.reduction.principal_components import PrincipalComponents
+from bnserve_surrogate.training.reduction.quadrature import (
+    node_weights,
+    noise_weights,
+    spline_matrix,
+    trapezoid_weights,
+)
+from bnserve_surrogate.training.reduction.reductions import MetricReduction, PaperReduction
+from bnserve_surrogate.training.validation.mismatch import NodeMismatch
 
 DENSE = np.geomspace(10.0, 2048.0, 3000)
 WEIGHTS = noise_weights(DENSE, DENSE ** (-7 / 6), einstein_telescope_d)

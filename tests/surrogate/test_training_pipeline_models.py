@@ -16,8 +16,8 @@ from bnserve_protocol import (
 )
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.config import parse_configuration
+from bnserve_surrogate.training.data.generators import make_generator
 from bnserve_surrogate.training.export import model_tensors
-from bnserve_surrogate.training.generators import make_generator
 from bnserve_surrogate.training.pipeline import (
     coordinate_map,
     make_regressor,
@@ -27,7 +27,7 @@ from bnserve_surrogate.training.pipeline import (
     training_dataset,
 )
 from bnserve_surrogate.training.publication import assemble, describe
-from bnserve_surrogate.training.reduction import ReducedResiduals
+from bnserve_surrogate.training.reduction.reductions import ReducedResiduals
 from bnserve_surrogate.training.regressors import export_regressor
 from tests.surrogate.smooth_waveforms import merger_phase, merger_time, residual_shapes, waveform
 from tests.surrogate.training_runs import SMOOTH, merged

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from bnserve_service.demo.chirp import Chirp
-from bnserve_surrogate.training.noise import advanced_ligo_design, einstein_telescope_d
+from bnserve_surrogate.training.data.noise import advanced_ligo_design, einstein_telescope_d
 
 INK, PALE, FAINT = "#1f2933", "#5f6c7b", "#e4e8ee"
 SIGNAL, MERGER, NOISE = "#17508f", "#c8452d", "#7a8b99"

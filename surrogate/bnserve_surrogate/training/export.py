@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_surrogate._coordinates import CoordinateMap
-from bnserve_surrogate.training._baseline import merger_phase
-from bnserve_surrogate.training.generators import FloatArray
-from bnserve_surrogate.training.reduction import ReducedResiduals, Reduction
+from bnserve_surrogate.training.data.baseline import merger_phase
+from bnserve_surrogate.training.data.generators import FloatArray
+from bnserve_surrogate.training.reduction.reductions import ReducedResiduals, Reduction
 from bnserve_surrogate.training.regressors import ExportedRegressor
 
 SCALARS = ("log_amplitude", "time_shift", "phase_shift")

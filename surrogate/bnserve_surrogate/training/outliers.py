@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_surrogate.training.data.generators import FloatArray
 from bnserve_surrogate.training.errors import require
-from bnserve_surrogate.training.generators import FloatArray
 
 _NEIGHBOURS = 24
 """Four times the six numbers of a local linear fit in five dimensions."""

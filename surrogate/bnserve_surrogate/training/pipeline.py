@@ -17,13 +17,10 @@ from bnserve_store import Artifact, Manifest, ModelStore
 from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._model import Model
-from bnserve_surrogate.training._baseline import baseline_amplitude
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
-from bnserve_surrogate.training.dataset import ResidualDataset, joined
-from bnserve_surrogate.training.error_estimate import ErrorEstimate, fit_error_estimate, with_error_estimate
-from bnserve_surrogate.training.errors import GeneratorUnknown, TrainingError
-from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
-from bnserve_surrogate.training.generation import (
+from bnserve_surrogate.training.data.baseline import baseline_amplitude
+from bnserve_surrogate.training.data.dataset import ResidualDataset, joined
+from bnserve_surrogate.training.data.generation import (
     Generation,
     check_room,
     configured_generator,
@@ -31,21 +28,24 @@ from bnserve_surrogate.training.generation import (
     configured_sampling,
     validation_nodes,
 )
-from bnserve_surrogate.training.generators import FloatArray, WaveformGenerator, mass_seconds
-from bnserve_surrogate.training.metric import MismatchMetric
-from bnserve_surrogate.training.noise import noise_curve
+from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator, mass_seconds
+from bnserve_surrogate.training.data.noise import noise_curve
+from bnserve_surrogate.training.data.ranges import parameter_ranges
+from bnserve_surrogate.training.data.residuals import flatten_phase
+from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling
+from bnserve_surrogate.training.errors import GeneratorUnknown, TrainingError
+from bnserve_surrogate.training.export import SCALARS, model_tensors, regression_targets
 from bnserve_surrogate.training.plausibility import check_plausible
 from bnserve_surrogate.training.publication import assemble, describe, estimating, provenance, with_results
-from bnserve_surrogate.training.quadrature import dense_grid, noise_weights, spline_matrix
-from bnserve_surrogate.training.ranges import parameter_ranges
-from bnserve_surrogate.training.reduction import MetricReduction, PaperReduction, Reduction
+from bnserve_surrogate.training.reduction.metric import MismatchMetric
+from bnserve_surrogate.training.reduction.quadrature import dense_grid, noise_weights, spline_matrix
+from bnserve_surrogate.training.reduction.reductions import MetricReduction, PaperReduction, Reduction
 from bnserve_surrogate.training.regressors import MLP, Beside, ChebyshevPolynomial, Sum, export_regressor
-from bnserve_surrogate.training.report import REPORT_FILE, page
-from bnserve_surrogate.training.residuals import flatten_phase
-from bnserve_surrogate.training.sampling import EdgeSampling, Sampling, UniformSampling
-from bnserve_surrogate.training.search_lookup import with_best_hyperparameters
-from bnserve_surrogate.training.validation import Validation, validate, validation_frequencies
-from bnserve_surrogate.training.verdict import check_worth_a_label
+from bnserve_surrogate.training.search.lookup import with_best_hyperparameters
+from bnserve_surrogate.training.validation.error_estimate import ErrorEstimate, fit_error_estimate, with_error_estimate
+from bnserve_surrogate.training.validation.measurement import Validation, validate, validation_frequencies
+from bnserve_surrogate.training.validation.report import REPORT_FILE, page
+from bnserve_surrogate.training.validation.verdict import check_worth_a_label
 
 Say = Callable[[str], None]
 _SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 2e-3, "phase_shift": 1e-7}

@@ -17,11 +17,11 @@ from bnserve_surrogate.training.config import (
     PolynomialSection,
     TrainingConfiguration,
 )
-from bnserve_surrogate.training.generators import FloatArray
-from bnserve_surrogate.training.nodes import smooth_nodes
-from bnserve_surrogate.training.noise import noise_curve
-from bnserve_surrogate.training.quadrature import has_weight
-from bnserve_surrogate.training.ranges import parameter_ranges, training_band
+from bnserve_surrogate.training.data.generators import FloatArray
+from bnserve_surrogate.training.data.noise import noise_curve
+from bnserve_surrogate.training.data.ranges import parameter_ranges, training_band
+from bnserve_surrogate.training.reduction.nodes import smooth_nodes
+from bnserve_surrogate.training.reduction.quadrature import has_weight
 from bnserve_surrogate.training.regressors import weighted_exponents
 
 FEWEST_FOR_A_NETWORK = 8

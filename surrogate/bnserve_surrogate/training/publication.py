@@ -17,9 +17,9 @@ from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetada
 from bnserve_surrogate._model import Model
 from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.training.config import TrainingConfiguration
-from bnserve_surrogate.training.dataset import ResidualDataset
-from bnserve_surrogate.training.generators import WaveformGenerator
-from bnserve_surrogate.training.validation import Validation, by_parameter
+from bnserve_surrogate.training.data.dataset import ResidualDataset
+from bnserve_surrogate.training.data.generators import WaveformGenerator
+from bnserve_surrogate.training.validation.measurement import Validation, by_parameter
 
 Tensors = dict[str, NDArray[Any]]
 

@@ -1,0 +1,1 @@
+"""Training, first stage: waveforms of a generator over a box, as residuals to the baseline, kept on disk."""

@@ -1,0 +1,185 @@
+"""The waveforms that a configuration asks for: its generator, its box and band, and the check of its generator."""
+
+from __future__ import annotations
+
+import inspect
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from bnserve_store import check_writable
+from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.data.chunks import unwritable_named
+from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset
+from bnserve_surrogate.training.data.generators import (
+    GENERATORS,
+    FloatArray,
+    WaveformGenerator,
+    make_generator,
+)
+from bnserve_surrogate.training.data.ranges import mf_band, parameter_ranges, training_band
+from bnserve_surrogate.training.data.sampling import Sampling, UniformSampling, make_sampling
+from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown
+from bnserve_surrogate.training.plausibility import check_nodes
+from bnserve_surrogate.training.reduction.greedy_nodes import greedy_nodes
+from bnserve_surrogate.training.reduction.nodes import smooth_nodes
+
+_VALIDATION_NODES = 300
+_CHECKED = 2
+"""Binaries on which the generator is asked twice."""
+_SAME = 0.01
+"""Radians, or of the logarithm of the amplitude: a mismatch of 1e-4. Numerical noise of a generator is below."""
+
+
+def configured_generator(configuration: TrainingConfiguration) -> WaveformGenerator:
+    """The generator of a configuration, for waveforms from the beginning of its band on.
+
+    Raises
+    ------
+    GeneratorUnknown
+        As :func:`make_generator`; or it has no waveforms in a part of the box.
+    PackageMissing
+        The package behind it is not installed.
+    """
+    section = configuration.generator
+    options = dict(section.options)
+    if section.name in GENERATORS and "first_mf" in inspect.signature(GENERATORS[section.name]).parameters:
+        options.setdefault("first_mf", mf_band(configuration)[0])
+    generator = make_generator(section.name, **options)
+    first = getattr(generator, "first_mf", 0.0)
+    if first > mf_band(configuration)[0]:
+        raise GeneratorUnknown(
+            f"The generator begins at first_mf = {first:g}, above the band, which begins at "
+            f"{mf_band(configuration)[0]:g}; leave first_mf out of its options, or lower it."
+        )
+    ranges = parameter_ranges(configuration)
+    getattr(generator, "check_box", lambda lower, upper: None)(ranges.lower, ranges.upper)
+    return generator
+
+
+def configured_nodes(
+    configuration: TrainingConfiguration, generator: WaveformGenerator, directory: Path, n_jobs: int
+) -> tuple[FloatArray, FloatArray]:
+    """The amplitude's and the phase's nodes in M f; greedy ones are chosen on waveforms kept in the directory.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Too few or too many were chosen.
+    """
+    section = configuration.nodes
+    if section.kind == "smooth":
+        nodes = smooth_nodes(*training_band(configuration), section.count, configuration.ranges.reference_mass)
+        return nodes, nodes
+    amplitude, phase = greedy_nodes(
+        generator,
+        parameter_ranges(configuration),
+        mf_band(configuration),
+        waveforms=section.waveforms,
+        tolerance=section.tolerance,
+        on=section.on,
+        seed=configuration.dataset.seed,
+        directory=directory,
+        n_jobs=n_jobs,
+    )
+    check_nodes(configuration, amplitude, phase)
+    return amplitude, phase
+
+
+def configured_sampling(configuration: TrainingConfiguration) -> Sampling:
+    """The density from which the training set is drawn."""
+    section = configuration.dataset
+    return make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
+
+
+def validation_nodes(configuration: TrainingConfiguration) -> FloatArray:
+    """Not the nodes of the model: its interpolation between them is measured as well."""
+    return smooth_nodes(*training_band(configuration), _VALIDATION_NODES, configuration.ranges.reference_mass)
+
+
+def check_room(configuration: TrainingConfiguration, directory: Path) -> None:
+    """Find out whether the waveforms of a configuration can be written into a directory.
+
+    Raises
+    ------
+    DatasetUnwritable
+        It cannot be written, or has no room for those that are not there yet.
+    """
+    section, measured = configuration.dataset, configuration.validation
+    waveforms = (section.count + section.edge_count) * 2 * configuration.nodes.count
+    waveforms += (measured.count + measured.edge_count) * 2 * _VALIDATION_NODES
+    with unwritable_named(directory):
+        there = sum(path.stat().st_size for path in directory.glob("*/chunk-*.npz"))
+        check_writable(directory, max(0, 8 * waveforms - there))
+
+
+@dataclass(frozen=True)
+class Generation:
+    """Makes data sets of a configuration; parameters and errors are those of :func:`build_dataset`."""
+
+    configuration: TrainingConfiguration
+    generator: WaveformGenerator
+    directory: Path
+    n_jobs: int = -1
+    backend: str = "loky"
+    progress: bool | None = None
+
+    def __call__(
+        self,
+        sampling: Sampling,
+        purpose: str,
+        seed: int,
+        count: int,
+        mf_amplitude: FloatArray,
+        mf_phase: FloatArray,
+        max_failed_fraction: float | None = None,
+    ) -> ResidualDataset:
+        """``count`` samples at these nodes; all may fail if ``max_failed_fraction`` is 1."""
+        allowed = self.configuration.dataset.max_failed_fraction if max_failed_fraction is None else max_failed_fraction
+        ranges = parameter_ranges(self.configuration)
+        dataset = build_dataset(
+            DatasetSpecification(self.generator, ranges, sampling, seed, purpose, mf_amplitude, mf_phase),
+            count,
+            self.directory,
+            n_jobs=self.n_jobs,
+            backend=self.backend,
+            progress=self.progress,
+            max_failed_fraction=allowed,
+        )
+        if self.configuration.generator.phase_constant == "generator":
+            return dataset
+        return replace(dataset, psi_residual=dataset.psi_residual - dataset.psi_residual[:, :1])
+
+    def check(self, mf: FloatArray) -> None:
+        """Ask for two waveforms on ``mf`` and on some of it, without the ends.
+
+        Raises
+        ------
+        GeneratorDependsOnGrid
+            They differ where they are the same.
+        """
+        kept = np.arange(len(mf))[len(mf) // 4 : 3 * len(mf) // 4 : 2]
+        if len(kept) < 2:  # of which no grid can be made
+            return
+        seed = self.configuration.dataset.seed
+        whole, part = (
+            self(UniformSampling(), "generator check", seed, _CHECKED, grid, grid, max_failed_fraction=1.0)
+            for grid in (mf, mf[kept])
+        )
+        _, first, second = np.intersect1d(whole.index, part.index, return_indices=True)
+        phase = whole.psi_residual[first][:, kept] - part.psi_residual[second]
+        if self.configuration.generator.phase_constant == "baseline":  # which is another one on the part
+            phase -= phase[:, :1]
+        size = whole.log_amplitude_ratio[first][:, kept] - part.log_amplitude_ratio[second]
+        self._compare(phase, size)
+
+    def _compare(self, phase: FloatArray, size: FloatArray) -> None:
+        if not phase.size or max(np.abs(phase).max(), np.abs(size).max()) <= _SAME:
+            return
+        raise GeneratorDependsOnGrid(
+            f"{self.generator.name} gives another waveform at the same frequencies when others are asked for beside "
+            f"them (phase by {np.abs(phase).max():.2g} rad, logarithm of the amplitude by {np.abs(size).max():.2g}): "
+            "such waveforms cannot be learnt. Fix its time and phase at a frequency of its own, whatever grid is asked "
+            'for; if only its constant moves, phase_constant = "baseline" in [generator] does it.'
+        )

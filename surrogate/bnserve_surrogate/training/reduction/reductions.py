@@ -1,0 +1,177 @@
+"""From residuals at the nodes to a few numbers and back: the paper's way, and the metric's.
+
+Both are affine, ``[dA, dpsi] = mean + components @ basis``, and both take off and return three scalars beside the
+components, so that the regressor and the exported model do not care which one was used.
+"""
+
+from typing import NamedTuple, Protocol, Self, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from sklearn.base import BaseEstimator
+
+from bnserve_surrogate.training.reduction.metric import MetricCoordinates, MismatchMetric
+from bnserve_surrogate.training.reduction.principal_components import PrincipalComponents
+
+FloatArray: TypeAlias = NDArray[np.float64]
+
+
+class ReducedResiduals(NamedTuple):
+    """``components`` (N, k); and (N,) each: ``log_amplitude``, ``phase`` at the reference frequency, ``phase_slope``.
+
+    The scalars are those of :class:`~bnserve_surrogate.training.reduction.metric.MetricCoordinates`.
+    """
+
+    components: FloatArray
+    log_amplitude: FloatArray
+    phase: FloatArray
+    phase_slope: FloatArray
+
+
+class NodeBasis(NamedTuple):
+    """Plain arrays for a model: ``mean`` (n,) and ``basis`` (k, n) at the n nodes of one quantity."""
+
+    mean: FloatArray
+    basis: FloatArray
+
+
+class Reduction(Protocol):
+    """What training needs of a reduction; both classes of this module have it."""
+
+    def fit(self, log_amplitude: ArrayLike, phase: ArrayLike) -> Self:
+        """Learn from residuals of shape (N, n_A) and (N, n_phi)."""
+
+    def transform(self, log_amplitude: ArrayLike, phase: ArrayLike) -> ReducedResiduals:
+        """Reduce residuals."""
+
+    def inverse_transform(self, reduced: ReducedResiduals) -> tuple[FloatArray, FloatArray]:
+        """Residuals (N, n_A) and (N, n_phi) back."""
+
+    def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
+        """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
+
+
+class MetricReduction(BaseEstimator):
+    """Principal components in the metric of the mismatch: squared distances of components are mismatches.
+
+    Parameters
+    ----------
+    metric
+        Of the nodes on which the residuals are given.
+    n_components
+        k; on the training box of the paper 20 truncate at 1e-8, 30 at 5e-10 (largest mismatch).
+
+    Attributes
+    ----------
+    principal_components_
+        The fitted :class:`PrincipalComponents` of the metric vectors.
+    """
+
+    def __init__(self, metric: MismatchMetric, n_components: int = 24) -> None:
+        self.metric = metric
+        self.n_components = n_components
+
+    def fit(self, log_amplitude: ArrayLike, phase: ArrayLike) -> Self:
+        """Learn from residuals of shape (N, n_A) and (N, n_phi)."""
+        vectors = self.metric.transform(log_amplitude, phase).vectors
+        self.principal_components_ = PrincipalComponents(self.n_components).fit(vectors)
+        return self
+
+    def transform(self, log_amplitude: ArrayLike, phase: ArrayLike) -> ReducedResiduals:
+        """Reduce residuals."""
+        vectors, *scalars = self.metric.transform(log_amplitude, phase)
+        return ReducedResiduals(self.principal_components_.transform(vectors), *scalars)
+
+    def inverse_transform(self, reduced: ReducedResiduals) -> tuple[FloatArray, FloatArray]:
+        """Residuals (N, n_A) and (N, n_phi) back."""
+        components, *scalars = reduced
+        vectors = self.principal_components_.inverse_transform(components)
+        return self.metric.inverse_transform(MetricCoordinates(vectors, *scalars))
+
+    def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
+        """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
+        means = self.metric.residuals(self.principal_components_.mean_[None])
+        bases = self.metric.residuals(self.principal_components_.components_)
+        return _bases(means, bases)
+
+
+class PaperReduction(BaseEstimator):
+    """The paper's: principal components of the unweighted joint vector [dA, dphi], scaled by lambda^alpha.
+
+    The paper's components "natively have comparable variance" before that: its code divides each by the largest modulus
+    it has in the training set, and so does this. Without it alpha would act on top of the square root of lambda.
+
+    As in the paper, the residuals' linear trend should be off before; the metric still takes off and returns the three
+    scalars when it is given, and they are zero when it is not.
+
+    Parameters
+    ----------
+    n_components, eigenvalue_exponent
+        The paper's 30 and 0.37.
+    metric
+        If given, the constants and the line it projects out are removed first.
+
+    Attributes
+    ----------
+    principal_components_
+        The fitted :class:`PrincipalComponents` of the joint vectors.
+    scale_ : ndarray, shape (k,)
+        By which the components are multiplied: lambda^alpha over the largest modulus.
+    """
+
+    def __init__(
+        self, n_components: int = 30, eigenvalue_exponent: float = 0.37, metric: MismatchMetric | None = None
+    ) -> None:
+        self.n_components = n_components
+        self.eigenvalue_exponent = eigenvalue_exponent
+        self.metric = metric
+
+    def fit(self, log_amplitude: ArrayLike, phase: ArrayLike) -> Self:
+        """Learn from residuals of shape (N, n_A) and (N, n_phi)."""
+        vectors, _ = self._joint(log_amplitude, phase)
+        self.split_ = np.shape(log_amplitude)[1]
+        self.principal_components_ = PrincipalComponents(self.n_components).fit(vectors)
+        eigenvalues = self.principal_components_.eigenvalues_
+        largest = np.abs(self.principal_components_.transform(vectors)).max(axis=0)
+        varies = (eigenvalues > 0.0) & (largest > 0.0)
+        powers = np.where(varies, eigenvalues, 1.0) ** self.eigenvalue_exponent
+        self.scale_ = powers / np.where(varies, largest, 1.0)
+        return self
+
+    def transform(self, log_amplitude: ArrayLike, phase: ArrayLike) -> ReducedResiduals:
+        """Reduce residuals."""
+        vectors, scalars = self._joint(log_amplitude, phase)
+        return ReducedResiduals(self.principal_components_.transform(vectors) * self.scale_, *scalars)
+
+    def inverse_transform(self, reduced: ReducedResiduals) -> tuple[FloatArray, FloatArray]:
+        """Residuals (N, n_A) and (N, n_phi) back."""
+        joint = self.principal_components_.inverse_transform(np.asarray(reduced.components) / self.scale_)
+        log_amplitude, phase = joint[:, : self.split_], joint[:, self.split_ :]
+        if self.metric is None:
+            return log_amplitude, phase
+        zero = np.zeros((len(joint), joint.shape[1]))
+        lines = self.metric.inverse_transform(MetricCoordinates(zero, *reduced[1:]))
+        return log_amplitude + lines[0], phase + lines[1]
+
+    def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
+        """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
+        components = self.principal_components_
+        mean, basis = components.mean_[None], components.components_ / self.scale_[:, None]
+        return _bases(
+            (mean[:, : self.split_], mean[:, self.split_ :]), (basis[:, : self.split_], basis[:, self.split_ :])
+        )
+
+    def _joint(self, log_amplitude: ArrayLike, phase: ArrayLike) -> tuple[FloatArray, tuple[FloatArray, ...]]:
+        if self.metric is None:
+            joint = np.hstack([np.asarray(log_amplitude, dtype=np.float64), np.asarray(phase, dtype=np.float64)])
+            return joint, (np.zeros(len(joint)),) * 3
+        vectors, *scalars = self.metric.transform(log_amplitude, phase)
+        return np.hstack(self.metric.residuals(vectors)), tuple(scalars)
+
+
+def _bases(means: tuple[FloatArray, FloatArray], bases: tuple[FloatArray, FloatArray]) -> tuple[NodeBasis, NodeBasis]:
+    amplitude, phase = (
+        NodeBasis(np.ascontiguousarray(mean[0]), np.ascontiguousarray(basis))
+        for mean, basis in zip(means, bases, strict=True)
+    )
+    return amplitude, phase

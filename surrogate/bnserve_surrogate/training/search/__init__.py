@@ -1,0 +1,1 @@
+"""The search for hyper-parameters, and the lookup of what it found."""

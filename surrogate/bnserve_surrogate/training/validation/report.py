@@ -1,0 +1,168 @@
+"""The report of a training: a table for the terminal, and a page with plots."""
+
+from __future__ import annotations
+
+import base64
+import contextlib
+import html
+import io
+import os
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from bnserve_surrogate.training.errors import DatasetUnwritable, require
+from bnserve_surrogate.training.validation.measurement import QUANTILES, Validation, quantiles
+
+if TYPE_CHECKING:
+    from bnserve_surrogate.training.pipeline import Trained
+
+REPORT_FILE = "report.html"
+"""Its name, beside the manifest of the model. It is for people: no part of the artifact, and of no digest."""
+_LEAST_MISMATCH = 1e-16
+"""Drawn for what is less, on axes that are logarithmic: rounding."""
+_ROWS = {
+    "mismatch": lambda v: v.mismatch,
+    "mismatch of the baseline alone": lambda v: v.baseline_mismatch,
+    "merger time error [us]": lambda v: 1e6 * np.abs(v.merger_time),
+    "merger phase error [rad]": lambda v: np.abs(v.merger_phase),
+}
+
+
+def table(validations: dict[str, Validation]) -> str:
+    """Quantiles of every figure, as plain text."""
+    header = f"{'':62}" + "".join(f"{name:>11}" for name in QUANTILES)
+    lines = [header]
+    for kind, validation in validations.items():
+        for label, values in _ROWS.items():
+            name = f"{kind}, {len(validation.mismatch)} waveforms: {label}"
+            lines.append(f"{name:62}" + "".join(f"{x:>11.3g}" for x in quantiles(values(validation)).values()))
+        if validation.above_estimate is not None:
+            lines.append(f"{kind}: above three times the model's own estimate: {validation.above_estimate:.2%}")
+    return "\n".join(lines)
+
+
+def as_json(validation: Validation) -> dict[str, Any]:
+    """A validation as plain values: the quantiles and the figures of every waveform."""
+    return {
+        **validation.summary(),
+        "theta": validation.theta.tolist(),
+        "mismatches": validation.mismatch.tolist(),
+        "baseline_mismatches": validation.baseline_mismatch.tolist(),
+    }
+
+
+def page(title: str, digest: str, trained: Trained) -> str:
+    """A self-contained page in HTML: what was trained, the table, the plots."""
+    figures = {
+        "Mismatch on fresh waveforms, and of the baseline alone": _mismatch_figure(trained.validations),
+        "Differences of 100 waveforms to the generator's": _residual_figure(next(iter(trained.validations.values()))),
+        "Mismatch across the parameters": _parameter_figure(trained.validations),
+    }
+    images = "".join(
+        f'<figure><img src="data:image/png;base64,{image}" alt="{html.escape(name)}">'
+        f"<figcaption>{html.escape(name)}</figcaption></figure>"
+        for name, image in figures.items()
+    )
+    origin = trained.metadata.provenance
+    facts = {
+        "digest": digest,
+        "generator": f"{origin['generator']['name']} {origin['generator']['version']}",
+        "waveforms": f"{origin['waveforms']} ({origin['failed_waveforms']} failed and left out)",
+        "regressor": f"{origin['regressor_multiply_adds']} multiply-adds",
+        "time": f"{origin['seconds']} s",
+    }
+    rows = "".join(f"<tr><th>{html.escape(k)}</th><td>{html.escape(str(v))}</td></tr>" for k, v in facts.items())
+    return _PAGE.format(title=html.escape(title), rows=rows, table=table(trained.validations), images=images)
+
+
+_PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title>
+<style>body{{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#1b2733}}
+img{{width:100%}}figure{{margin:2rem 0}}figcaption{{color:#5a6b7b}}th{{text-align:left;padding-right:1rem}}
+pre{{background:#f3f5f8;padding:1rem;overflow-x:auto}}</style>
+<h1>{title}</h1><table>{rows}</table><pre>{table}</pre>{images}</html>
+"""
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a file whole or not at all.
+
+    Raises
+    ------
+    DatasetUnwritable
+        It cannot be written.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
+        try:
+            with os.fdopen(descriptor, "w", encoding="utf-8") as file:
+                file.write(text)
+                file.flush()
+                os.fsync(file.fileno())
+            Path(name).replace(path)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                Path(name).unlink()
+            raise
+    except OSError as error:
+        raise DatasetUnwritable(f"Cannot write {path}: {error.strerror}. Make room or choose another place.") from error
+
+
+def _figure(rows: int, columns: int, size: tuple[float, float]) -> Any:
+    require("matplotlib")
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, layout="constrained")
+    return figure, figure.subplots(rows, columns, squeeze=False)
+
+
+def _png(figure: Any) -> str:
+    buffer = io.BytesIO()
+    figure.savefig(buffer, format="png", dpi=100)
+    return base64.b64encode(buffer.getvalue()).decode()
+
+
+def _mismatch_figure(validations: dict[str, Validation]) -> str:
+    figure, axes = _figure(1, 1, (9, 4.2))
+    axis = axes[0, 0]
+    everything = np.concatenate([np.r_[v.mismatch, v.baseline_mismatch] for v in validations.values()])
+    low, high = (np.log10(max(value, _LEAST_MISMATCH)) for value in (everything.min(), everything.max()))
+    bins = np.logspace(np.floor(low), max(np.ceil(high), np.floor(low) + 1.0), 90)
+    for number, (kind, validation) in enumerate(validations.items()):
+        for who, values, style in (
+            ("model", validation.mismatch, "-"),
+            ("baseline", validation.baseline_mismatch, ":"),
+        ):
+            shown = np.maximum(values, bins[0])
+            axis.hist(shown, bins, histtype="step", lw=2, ls=style, color=f"C{number}", label=f"{who}, {kind}")
+    axis.set(xscale="log", xlabel="mismatch", ylabel="waveforms")
+    axis.legend(frameon=False)
+    return _png(figure)
+
+
+def _residual_figure(validation: Validation) -> str:
+    figure, axes = _figure(2, 1, (9, 6))
+    for axis, values, label in (
+        (axes[0, 0], validation.log_amplitude, "log amplitude"),
+        (axes[1, 0], validation.phase, "phase [rad]"),
+    ):
+        axis.plot(validation.frequencies, values[:100].T, lw=0.6, alpha=0.5, color="C0")
+        axis.set(xscale="log", ylabel=f"difference of {label}")
+    axes[1, 0].set_xlabel("frequency at the reference mass [Hz]")
+    return _png(figure)
+
+
+def _parameter_figure(validations: dict[str, Validation]) -> str:
+    figure, axes = _figure(1, 5, (13, 3.4))
+    names = ("mass ratio", "chi 1", "chi 2", "Lambda 1", "Lambda 2")
+    for column, (axis, name) in enumerate(zip(axes[0], names, strict=True)):
+        for kind, validation in validations.items():
+            shown = np.maximum(validation.mismatch, _LEAST_MISMATCH)
+            axis.plot(validation.theta[:, column], shown, ".", ms=3, alpha=0.6, label=kind)
+        axis.set(yscale="log", xlabel=name)
+    axes[0, 0].set_ylabel("mismatch")
+    axes[0, 0].legend(frameon=False)
+    return _png(figure)
