@@ -28,7 +28,8 @@ import httpx
 import numpy as np
 
 from bnserve_client import AsyncModel, Model, ParametersWithExtrinsic
-from bnserve_protocol import MSGPACK, ParameterBatch, WaveformRequest, encode_request
+from bnserve_protocol import ParameterBatch
+from bnserve_protocol.wire import MSGPACK, WaveformRequest, encode_request
 from tests.running_server import free_port, is_ready, running
 
 ONE = ParametersWithExtrinsic.gw170817()

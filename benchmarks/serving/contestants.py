@@ -17,7 +17,8 @@ from benchmarks.serving.asking import Asker, Encode, HttpAsker, WorkerAsker, jso
 from benchmarks.speed.clients import encoded_body, upload_grid
 from benchmarks.speed.remote import batch_of
 from benchmarks.workers import ROOT, Worker, WorkerFailed
-from bnserve_protocol import GridDigest, ParameterBatch
+from bnserve_protocol import ParameterBatch
+from bnserve_protocol.wire import GridDigest
 from bnserve_service.bench.load import LoadFailed
 from tests.running_server import free_port
 

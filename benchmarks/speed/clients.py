@@ -5,15 +5,8 @@ from __future__ import annotations
 import urllib.request
 
 from benchmarks.speed.remote import grid_of
-from bnserve_protocol import (
-    MSGPACK,
-    WANTED_DIGEST,
-    GridDigest,
-    ParameterBatch,
-    WaveformRequest,
-    encode_request,
-    grid_digest,
-)
+from bnserve_protocol import ParameterBatch, grid_digest
+from bnserve_protocol.wire import MSGPACK, WANTED_DIGEST, GridDigest, WaveformRequest, encode_request
 from bnserve_service.bench.load import Target
 
 PATH = "/v1/models/default/waveforms"

@@ -15,7 +15,8 @@ from benchmarks.servers import bare_server, bnserve_server
 from benchmarks.speed.local import PREDECESSOR, Cases
 from benchmarks.speed.setup import Setup
 from bnserve_client import Model, ParametersWithExtrinsic
-from bnserve_protocol import MSGPACK, ParameterBatch, WaveformRequest, encode_request
+from bnserve_protocol import ParameterBatch
+from bnserve_protocol.wire import MSGPACK, WaveformRequest, encode_request
 from bnserve_service.bench.load import open_connection
 from bnserve_service.bench.timing import timed
 

@@ -12,18 +12,20 @@ import msgspec
 from bnserve_client._failures import not_bnserve
 from bnserve_client._messages import HttpResponse
 from bnserve_protocol import (
-    PROBLEM_JSON,
     AnswerCorrupted,
     BnserveError,
     ConnectionFailed,
     ModelIdentity,
-    Problem,
     TooLarge,
     UndecodableBody,
+    printable,
+)
+from bnserve_protocol.wire import (
+    PROBLEM_JSON,
+    Problem,
     WaveformAnswer,
     content_digest,
     decode_answer,
-    printable,
     refuse_repeated_keys,
 )
 
@@ -43,7 +45,7 @@ def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes
     where:
         The address, for messages.
     asked:
-        The :func:`bnserve_protocol.request_digest` of the question; None for a GET.
+        The :func:`bnserve_protocol.wire.request_digest` of the question; None for a GET.
 
     Raises
     ------

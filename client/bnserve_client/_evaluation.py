@@ -21,13 +21,11 @@ from bnserve_protocol import (
     Forbidden,
     GridUnknown,
     Limits,
-    OutputName,
     ParameterBatch,
     TooLarge,
     UniformGrid,
-    WaveformRequest,
-    encode_request,
 )
+from bnserve_protocol.wire import OutputName, WaveformRequest, encode_request
 
 _UPLOADS = 2
 """Behind a load balancer an upload may reach one replica and the request another; then the grid travels in full."""

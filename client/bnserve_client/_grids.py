@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._addresses import Address
-from bnserve_protocol import Grid, GridDigest, GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
+from bnserve_protocol import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
+from bnserve_protocol.wire import Grid, GridDigest
 
 IN_FULL_ONCE = 512
 """Grids of more points (4 KiB) are uploaded before their first use, smaller ones before their second."""

@@ -16,7 +16,7 @@ from typing import TypeAlias
 from bnserve_client._addresses import Address
 from bnserve_client._failures import Broken, Malformed, Stale
 from bnserve_client._messages import HttpRequest, HttpResponse
-from bnserve_protocol import result_memory
+from bnserve_protocol.wire import result_memory
 
 Exchange: TypeAlias = Generator[bytes | memoryview, int, tuple[HttpResponse, bool]]
 

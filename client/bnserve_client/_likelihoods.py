@@ -14,7 +14,6 @@ from bnserve_client._progress import progress_bar
 from bnserve_client._results import Arrays
 from bnserve_client._session import Pinned, Session
 from bnserve_protocol import (
-    MSGPACK,
     Analysis,
     AnalysisUnknown,
     AnswerCorrupted,
@@ -24,11 +23,10 @@ from bnserve_protocol import (
     TooLarge,
     UndecodableBody,
     check_model_of,
-    decode_likelihood_answer,
     encode_analysis,
-    encode_likelihood_request,
     likelihood_samples,
 )
+from bnserve_protocol.wire import MSGPACK, decode_likelihood_answer, encode_likelihood_request
 
 _UPLOADS = 16
 """Behind a load balancer an upload may reach one replica and the request another; in the end all have it."""

@@ -24,7 +24,6 @@ from bnserve_protocol import (
     Factored,
     GridLike,
     MergerStencil,
-    OutputName,
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
@@ -32,6 +31,7 @@ from bnserve_protocol import (
     check_dtype,
     check_options,
 )
+from bnserve_protocol.wire import OutputName
 
 _CONNECT_RETRIES = 3
 """At the first contact a wrong address is likelier than an outage, so it is reported soon."""

@@ -11,7 +11,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import AnswerCorrupted, DtypeName, Factored, OutputName, result_memory
+from bnserve_protocol import AnswerCorrupted, DtypeName, Factored
+from bnserve_protocol.wire import OutputName, result_memory
 
 Arrays: TypeAlias = Mapping[str, NDArray[Any]]
 

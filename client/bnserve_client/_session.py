@@ -18,10 +18,6 @@ from bnserve_client._patience import Patience
 from bnserve_client._replicas import Replicas
 from bnserve_client._settings import Settings
 from bnserve_protocol import (
-    JSON,
-    MSGPACK,
-    PROBLEM_JSON,
-    WANTED_DIGEST,
     BnserveError,
     DigestUnknown,
     Limits,
@@ -30,8 +26,8 @@ from bnserve_protocol import (
     ModelUnknown,
     __version__,
     check_model_digest,
-    request_digest,
 )
+from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON, WANTED_DIGEST, request_digest
 
 _T = TypeVar("_T")
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import msgspec
 
-from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, UndecodableBody, refuse_repeated_keys
+from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, UndecodableBody
+from bnserve_protocol.wire import refuse_repeated_keys
 from bnserve_store._names import is_version
 from bnserve_store._roots import Root
 

@@ -15,7 +15,8 @@ import safetensors.numpy
 from numpy.typing import ArrayLike, NDArray
 from safetensors import SafetensorError
 
-from bnserve_protocol import InternalError, InvalidRequest, refuse_repeated_keys
+from bnserve_protocol import InternalError, InvalidRequest
+from bnserve_protocol.wire import refuse_repeated_keys
 from bnserve_store._names import check_tensor_name
 
 DTYPES = ("<f8", "<f4", "<f2", "<i8", "<i4", "<i2", "|i1", "<u8", "<u4", "<u2", "|u1", "|b1")

@@ -1,5 +1,12 @@
-"""The vocabulary of bnserve: parameters, grids, results, wire messages, errors. Imports nothing else of bnserve."""
+"""The vocabulary of bnserve: parameters, grids, results, errors. Imports nothing else of bnserve.
 
+What travels is read and written by :mod:`bnserve_protocol.wire`.
+"""
+
+import typing
+import warnings
+
+from bnserve_protocol import wire
 from bnserve_protocol._analyses import (
     DEFAULT_ERROR_BOUND,
     Analysis,
@@ -14,22 +21,7 @@ from bnserve_protocol._analyses import (
 )
 from bnserve_protocol._analysis_checks import check_location, check_settings
 from bnserve_protocol._analysis_model import check_model_of
-from bnserve_protocol._answers import (
-    ModelIdentity,
-    WaveformAnswer,
-    decode_answer,
-    encode_answer,
-    encode_answer_json,
-)
-from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
-from bnserve_protocol._digests import (
-    WANTED_DIGEST,
-    DigestName,
-    check_model_digest,
-    content_digest,
-    request_digest,
-)
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,
     AccessDenied,
@@ -72,18 +64,8 @@ from bnserve_protocol._errors import (
     VersionExists,
 )
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
-from bnserve_protocol._keys import refuse_repeated_keys, unique_keys
 from bnserve_protocol._likelihood import InvalidRows, Likelihood, LikelihoodCounts, LikelihoodValues, check_invalid_rows
 from bnserve_protocol._likelihood_cost import likelihood_nodes, likelihood_samples
-from bnserve_protocol._likelihood_messages import (
-    LikelihoodAnswer,
-    LikelihoodRequest,
-    decode_likelihood_answer,
-    decode_likelihood_request,
-    encode_likelihood_answer,
-    encode_likelihood_answer_json,
-    encode_likelihood_request,
-)
 from bnserve_protocol._likelihood_parameters import (
     LIKELIHOOD_NAMES,
     LikelihoodBatch,
@@ -93,7 +75,6 @@ from bnserve_protocol._likelihood_parameters import (
 from bnserve_protocol._likelihood_rows import refuse_rows
 from bnserve_protocol._limits import Limits
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
-from bnserve_protocol._memory import ResultMemory, address_of, result_memory
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
     DEFAULT_OPTIONS,
@@ -103,11 +84,13 @@ from bnserve_protocol._model import (
     EvaluationOptions,
     Factored,
     ModelDescription,
+    ModelIdentity,
     ParameterDescription,
     Polarizations,
     RowStatus,
     WaveformModel,
     check_dtype,
+    check_model_digest,
     check_options,
 )
 from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number, as_real_numbers
@@ -122,18 +105,6 @@ from bnserve_protocol._parameters import (
 )
 from bnserve_protocol._printable import printable
 from bnserve_protocol._prior_checks import PRIOR_NAMES, check_prior
-from bnserve_protocol._problem import Problem
-from bnserve_protocol._requests import (
-    JSON,
-    MSGPACK,
-    PROBLEM_JSON,
-    Grid,
-    GridDigest,
-    OutputName,
-    WaveformRequest,
-    decode_request,
-    encode_request,
-)
 from bnserve_protocol._time_sums import time_steps
 from bnserve_protocol._version import __version__
 
@@ -142,17 +113,13 @@ __all__ = [
     "DEFAULT_OPTIONS",
     "ERRORS_BY_CODE",
     "INTRINSIC_NAMES",
-    "JSON",
     "LIKELIHOOD_NAMES",
     "MEGAPARSEC_SECONDS",
-    "MSGPACK",
     "PARAMETER_DEFAULTS",
     "PARAMETER_NAMES",
     "PARAMETER_UNITS",
     "PRIOR_NAMES",
-    "PROBLEM_JSON",
     "SOLAR_MASS_SECONDS",
-    "WANTED_DIGEST",
     "AccessDenied",
     "AmplitudePhase",
     "Analysis",
@@ -170,7 +137,6 @@ __all__ = [
     "ComplexArray",
     "ConnectionFailed",
     "DeadlineExceeded",
-    "DigestName",
     "DigestUnknown",
     "DistanceMarginalisation",
     "Draining",
@@ -179,8 +145,6 @@ __all__ = [
     "Factored",
     "FieldError",
     "Forbidden",
-    "Grid",
-    "GridDigest",
     "GridLike",
     "GridUnknown",
     "InternalError",
@@ -189,12 +153,10 @@ __all__ = [
     "InvalidRequest",
     "InvalidRows",
     "Likelihood",
-    "LikelihoodAnswer",
     "LikelihoodBatch",
     "LikelihoodBatchLike",
     "LikelihoodCounts",
     "LikelihoodParameters",
-    "LikelihoodRequest",
     "LikelihoodValues",
     "Limits",
     "ManifestModel",
@@ -209,16 +171,13 @@ __all__ = [
     "NotNumbers",
     "OutOfBand",
     "OutOfDomain",
-    "OutputName",
     "Overloaded",
     "ParameterBatch",
     "ParameterDescription",
     "ParametersWithExtrinsic",
     "PathUnknown",
     "Polarizations",
-    "Problem",
     "ProcessorDescription",
-    "ResultMemory",
     "RowStatus",
     "RunManifest",
     "SchemaUnknown",
@@ -234,11 +193,8 @@ __all__ = [
     "UnsupportedMediaType",
     "UntrustedAnswer",
     "VersionExists",
-    "WaveformAnswer",
     "WaveformModel",
-    "WaveformRequest",
     "__version__",
-    "address_of",
     "as_frequencies",
     "as_numbers",
     "as_real_number",
@@ -251,31 +207,23 @@ __all__ = [
     "check_options",
     "check_prior",
     "check_settings",
-    "content_digest",
     "decode_analysis",
-    "decode_answer",
-    "decode_array",
-    "decode_likelihood_answer",
-    "decode_likelihood_request",
-    "decode_request",
     "encode_analysis",
-    "encode_answer",
-    "encode_answer_json",
-    "encode_array",
-    "encode_likelihood_answer",
-    "encode_likelihood_answer_json",
-    "encode_likelihood_request",
-    "encode_request",
     "grid_digest",
     "likelihood_nodes",
     "likelihood_samples",
     "plain_grid",
     "printable",
-    "refuse_repeated_keys",
     "refuse_rows",
-    "request_digest",
-    "result_memory",
     "time_steps",
     "time_until_merger",
-    "unique_keys",
 ]
+
+if not typing.TYPE_CHECKING:
+
+    def __getattr__(name: str) -> typing.Any:
+        """Names that :mod:`bnserve_protocol.wire` has since 0.2, for one version."""
+        if name not in wire.__all__:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        warnings.warn(f"Import {name} from bnserve_protocol.wire.", DeprecationWarning, stacklevel=2)
+        return getattr(wire, name)

@@ -23,12 +23,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._analysis_checks import check_arrays, check_settings
-from bnserve_protocol._arrays import decode_array, encode_array
 from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBody
 from bnserve_protocol._grids import UniformGrid
-from bnserve_protocol._keys import read_map, read_maps
 from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number
 from bnserve_protocol._time_sums import time_steps
+from bnserve_protocol.wire._arrays import decode_array, encode_array
+from bnserve_protocol.wire._keys import read_map, read_maps
 
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
 

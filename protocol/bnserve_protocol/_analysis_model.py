@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from bnserve_protocol._analyses import Analysis
-from bnserve_protocol._answers import ModelIdentity
 from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest
-from bnserve_protocol._model import ModelDescription
+from bnserve_protocol._model import ModelDescription, ModelIdentity
 
 
 def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import re
 from dataclasses import dataclass
 from typing import Any, ClassVar, Literal, Protocol, TypeAlias, get_args, runtime_checkable
 
@@ -182,6 +183,31 @@ class ParameterDescription(msgspec.Struct, frozen=True, kw_only=True):
     minimum: float | None = None
     maximum: float | None = None
     default: float | None = None
+
+
+class ModelIdentity(msgspec.Struct, frozen=True):
+    """Which model answered."""
+
+    name: str
+    version: str
+    digest: str
+
+
+_MODEL_DIGEST = re.compile(r"sha256:[0-9a-f]{64}")
+
+
+def check_model_digest(digest: str) -> None:
+    """Refuse what is not the digest of a model.
+
+    Raises
+    ------
+    InvalidRequest
+    """
+    if not isinstance(digest, str) or _MODEL_DIGEST.fullmatch(digest) is None:
+        shown = repr(digest)[:80]
+        raise InvalidRequest(
+            f"A model's digest is 'sha256:' and 64 hexadecimal digits, as its description has it; got {shown}."
+        )
 
 
 class ModelDescription(msgspec.Struct, frozen=True, kw_only=True):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import gc
 
-from bnserve_protocol import result_memory
+from bnserve_protocol.wire import result_memory
 
 _M_TRIM_THRESHOLD = -1
 _M_MMAP_THRESHOLD = -3

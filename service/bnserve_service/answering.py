@@ -8,17 +8,8 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from bnserve_protocol import (
-    DigestName,
-    GridDigest,
-    GridLike,
-    Overloaded,
-    TooLarge,
-    UniformGrid,
-    WaveformRequest,
-    decode_request,
-    grid_digest,
-)
+from bnserve_protocol import GridLike, Overloaded, TooLarge, UniformGrid, grid_digest
+from bnserve_protocol.wire import DigestName, GridDigest, WaveformRequest, decode_request
 from bnserve_service.batching import Job, WorkQueue
 from bnserve_service.digests import sha256_hex
 from bnserve_service.evaluation import Packed, Question, grid_key

@@ -8,7 +8,8 @@ from http import HTTPStatus
 import msgspec
 
 import bnserve_protocol as protocol
-from bnserve_protocol import BnserveError, InternalError, Problem
+from bnserve_protocol import BnserveError, InternalError
+from bnserve_protocol.wire import Problem
 
 STATUS_OF: dict[type[BnserveError], int] = {
     protocol.UndecodableBody: 400,

@@ -11,8 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import (
-    JSON,
-    DigestName,
     DtypeName,
     EvaluationOptions,
     GridLike,
@@ -22,9 +20,8 @@ from bnserve_protocol import (
     ParameterBatch,
     TooLarge,
     UniformGrid,
-    encode_answer,
-    encode_answer_json,
 )
+from bnserve_protocol.wire import JSON, DigestName, encode_answer, encode_answer_json
 from bnserve_service.digests import Buffer, content_digest
 from bnserve_service.metrics import Metrics
 from bnserve_service.registry import LoadedModel, ServedModel, quick_work

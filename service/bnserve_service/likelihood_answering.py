@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from bnserve_protocol import (
+from bnserve_protocol import InvalidRequest
+from bnserve_protocol.wire import (
     JSON,
-    InvalidRequest,
     LikelihoodAnswer,
     LikelihoodRequest,
     decode_likelihood_request,

@@ -11,16 +11,8 @@ import msgspec
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
-from bnserve_protocol import (
-    JSON,
-    MSGPACK,
-    PARAMETER_DEFAULTS,
-    PARAMETER_NAMES,
-    PROBLEM_JSON,
-    Problem,
-    RunManifest,
-    __version__,
-)
+from bnserve_protocol import PARAMETER_DEFAULTS, PARAMETER_NAMES, RunManifest, __version__
+from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON, Problem
 from bnserve_service.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList, ReloadDocument
 from bnserve_service.settings import ServiceLimits
 

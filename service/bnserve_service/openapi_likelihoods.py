@@ -5,7 +5,8 @@ from __future__ import annotations
 import copy
 from typing import Any
 
-from bnserve_protocol import LIKELIHOOD_NAMES, MSGPACK
+from bnserve_protocol import LIKELIHOOD_NAMES
+from bnserve_protocol.wire import MSGPACK
 from bnserve_service.openapi import post_operation, reference
 
 ANALYSIS_BODY: dict[str, Any] = {

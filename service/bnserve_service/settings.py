@@ -12,7 +12,8 @@ from typing import Any, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
-from bnserve_protocol import JSON, Limits
+from bnserve_protocol import Limits
+from bnserve_protocol.wire import JSON
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.guarded_files import read_text
 

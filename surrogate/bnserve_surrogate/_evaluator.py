@@ -22,10 +22,9 @@ from bnserve_protocol import (
     Polarizations,
     RowStatus,
     TooLarge,
-    address_of,
     check_options,
-    result_memory,
 )
+from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._continuation import continue_above
 from bnserve_surrogate._domain import refuse_rows
 from bnserve_surrogate._overflow import NEAR, is_any_near, refuse_overflow

@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import GridLike, UniformGrid, address_of, as_frequencies, plain_grid
+from bnserve_protocol import GridLike, UniformGrid, as_frequencies, plain_grid
+from bnserve_protocol.wire import address_of
 
 _PADDING = 8
 _MOST_BINS = 2**16

@@ -8,6 +8,7 @@ from types import ModuleType
 
 import pytest
 
+import bnserve_protocol
 from tests.architecture.rooms import ROOMS, ROOT, python_files
 
 
@@ -62,3 +63,11 @@ def test_everything_public_is_documented(package):
     public = [getattr(package, name) for name in package.__all__]
     callables = [item for item in public if inspect.isclass(item) or inspect.isfunction(item)]
     assert [item.__qualname__ for item in callables if not (item.__doc__ or "").strip()] == []
+
+
+def test_names_that_moved_to_the_wire_are_found_where_they_were_with_a_warning():
+    with pytest.warns(DeprecationWarning, match="Import encode_request from bnserve_protocol.wire"):
+        from bnserve_protocol import encode_request
+
+    assert encode_request is bnserve_protocol.wire.encode_request
+    assert not hasattr(bnserve_protocol, "decode_anything")

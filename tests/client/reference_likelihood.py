@@ -7,19 +7,16 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from bnserve_protocol import (
-    MSGPACK,
     Analysis,
     AnalysisSettings,
     AnalysisUnknown,
-    LikelihoodAnswer,
     LikelihoodBatch,
     ModelIdentity,
     RowStatus,
     TooLarge,
     decode_analysis,
-    decode_likelihood_request,
-    encode_likelihood_answer,
 )
+from bnserve_protocol.wire import MSGPACK, LikelihoodAnswer, decode_likelihood_request, encode_likelihood_answer
 from tests.client.reference_service import ReferenceService
 
 _ANALYSIS_PATH = re.compile(r"/v1/analyses/(\w+)")

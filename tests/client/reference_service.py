@@ -16,21 +16,17 @@ import msgspec
 import numpy as np
 
 from bnserve_protocol import (
-    MSGPACK,
     BnserveError,
-    GridDigest,
     GridUnknown,
     Limits,
     ModelIdentity,
     ModelUnknown,
     NotFound,
     PathUnknown,
-    Problem,
     TooLarge,
     Unauthorized,
-    decode_request,
-    encode_answer,
 )
+from bnserve_protocol.wire import MSGPACK, GridDigest, Problem, decode_request, encode_answer
 from tests.client.reference_model import ReferenceModel
 
 _MODEL_PATH = re.compile(r"/v1/models/([^/]+)/versions/([^/]+)(/waveforms)?")

@@ -14,13 +14,12 @@ from bnserve_protocol import (
     Overloaded,
     ParametersWithExtrinsic,
     PathUnknown,
-    Problem,
     TooLarge,
     Unauthorized,
     UnsupportedMediaType,
-    encode_array,
 )
 from bnserve_protocol import DeadlineExceeded as LateAnswer
+from bnserve_protocol.wire import Problem, encode_array
 from tests.client import scripted_server as faults
 from tests.client.conftest import same
 from tests.client.reference_model import ReferenceModel, binaries

@@ -12,13 +12,8 @@ from bnserve_client._http1 import encode_request, exchange
 from bnserve_client._messages import Conversation, HttpResponse, LookUp, Send, Sleep, Together
 from bnserve_client._remote import RemoteModel, connecting
 from bnserve_client._settings import Settings
-from bnserve_protocol import (
-    DEFAULT_OPTIONS,
-    BnserveError,
-    ParametersWithExtrinsic,
-    content_digest,
-    request_digest,
-)
+from bnserve_protocol import DEFAULT_OPTIONS, BnserveError, ParametersWithExtrinsic
+from bnserve_protocol.wire import content_digest, request_digest
 
 MARK = b"\n=====\n"
 HEAD = (

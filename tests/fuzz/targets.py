@@ -12,18 +12,8 @@ from random import Random
 import numpy as np
 
 from bnserve_client._answers import check_model, read_waveforms
-from bnserve_protocol import (
-    JSON,
-    MSGPACK,
-    ArtifactError,
-    BnserveError,
-    InvalidRequest,
-    UndecodableBody,
-    decode_analysis,
-    decode_likelihood_answer,
-    decode_likelihood_request,
-    decode_request,
-)
+from bnserve_protocol import ArtifactError, BnserveError, InvalidRequest, UndecodableBody, decode_analysis
+from bnserve_protocol.wire import JSON, MSGPACK, decode_likelihood_answer, decode_likelihood_request, decode_request
 from bnserve_service.grids import GridCache
 from bnserve_store._artifact import MANIFEST_FILE, TENSORS_FILE, read_artifact
 from bnserve_store._labels import LABELS_FILE, read_labels

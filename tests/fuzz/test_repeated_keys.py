@@ -8,7 +8,8 @@ import pytest
 
 from bnserve_client import NotBnserve
 from bnserve_client._answers import read_json
-from bnserve_protocol import FieldError, InvalidParameters, Limits, Problem
+from bnserve_protocol import FieldError, InvalidParameters, Limits
+from bnserve_protocol.wire import Problem
 from tests.fuzz import valid
 from tests.fuzz.targets import TARGETS
 

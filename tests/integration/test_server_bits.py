@@ -7,7 +7,8 @@ import msgpack
 import numpy as np
 import pytest
 
-from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, UniformGrid, decode_answer
+from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, UniformGrid
+from bnserve_protocol.wire import decode_answer
 from tests.service.asking import MSGPACK, as_array, ask, ask_on, closing_connection, read_msgpack
 
 BINARIES = 1000

@@ -10,13 +10,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bnserve_protocol import (
-    ModelIdentity,
-    UndecodableBody,
-    decode_answer,
-    encode_answer,
-    encode_answer_json,
-)
+from bnserve_protocol import ModelIdentity, UndecodableBody
+from bnserve_protocol.wire import decode_answer, encode_answer, encode_answer_json
 from tests.protocol.messages import array_map, read_message
 
 MODEL = ModelIdentity(name="default", version="1.0.0", digest="sha256:0")

@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays_of
 
-from bnserve_protocol import UndecodableBody, decode_array, encode_array
+from bnserve_protocol import UndecodableBody
+from bnserve_protocol.wire import decode_array, encode_array
 from tests.protocol.messages import array_map, read_array
 
 DTYPES = ("<f8", "<f4", "<c16", "<c8", "|u1")

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bnserve_protocol import content_digest, request_digest
+from bnserve_protocol.wire import content_digest, request_digest
 
 
 def test_the_published_check_values():

@@ -15,10 +15,10 @@ from bnserve_protocol import (
     InvalidRequest,
     NotFound,
     OutOfDomain,
-    Problem,
     Unavailable,
     _errors,
 )
+from bnserve_protocol.wire import Problem
 
 CLASSES = sorted(
     (item for item in vars(_errors).values() if isinstance(item, type) and issubclass(item, BnserveError)),

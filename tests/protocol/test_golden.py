@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from bnserve_protocol import JSON, ParameterBatch, UniformGrid, decode_answer, decode_request
+from bnserve_protocol import ParameterBatch, UniformGrid
+from bnserve_protocol.wire import JSON, decode_answer, decode_request
 from tests.protocol.golden.write import ANSWERS, BATCH, FREQUENCIES, MODEL, REQUESTS, STATUS
 from tests.protocol.messages import read_message
 

@@ -7,11 +7,13 @@ import pytest
 from bnserve_protocol import (
     LIKELIHOOD_NAMES,
     InvalidParameters,
-    LikelihoodAnswer,
     LikelihoodBatch,
     LikelihoodParameters,
     ModelIdentity,
     UndecodableBody,
+)
+from bnserve_protocol.wire import (
+    LikelihoodAnswer,
     decode_likelihood_answer,
     decode_likelihood_request,
     encode_likelihood_answer,

@@ -7,12 +7,9 @@ import numpy as np
 import pytest
 
 from bnserve_protocol import (
-    JSON,
     LIKELIHOOD_NAMES,
-    MSGPACK,
     AnalysisInvalid,
     InvalidParameters,
-    LikelihoodAnswer,
     LikelihoodBatch,
     ModelIdentity,
     OutOfDomain,
@@ -22,15 +19,20 @@ from bnserve_protocol import (
     UndecodableBody,
     check_model_of,
     decode_analysis,
-    decode_likelihood_answer,
-    decode_likelihood_request,
     encode_analysis,
-    encode_likelihood_answer,
-    encode_likelihood_answer_json,
-    encode_likelihood_request,
     likelihood_nodes,
     likelihood_samples,
     refuse_rows,
+)
+from bnserve_protocol.wire import (
+    JSON,
+    MSGPACK,
+    LikelihoodAnswer,
+    decode_likelihood_answer,
+    decode_likelihood_request,
+    encode_likelihood_answer,
+    encode_likelihood_answer_json,
+    encode_likelihood_request,
 )
 from tests.service.asking import as_array
 from tests.service.injections import SIGNAL, columns, samples, small_analysis

@@ -6,7 +6,7 @@ import threading
 import numpy as np
 import pytest
 
-from bnserve_protocol import ResultMemory, address_of
+from bnserve_protocol.wire import ResultMemory, address_of
 
 LARGE = (300, 400)
 

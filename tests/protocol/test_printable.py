@@ -5,7 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bnserve_protocol import ERRORS_BY_CODE, BnserveError, FieldError, Problem, printable
+from bnserve_protocol import ERRORS_BY_CODE, BnserveError, FieldError, printable
+from bnserve_protocol.wire import Problem
 
 HOSTILE = {
     "a colour": ("\x1b[31mred\x1b[0m", r"\x1b[31mred\x1b[0m"),

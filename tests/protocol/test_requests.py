@@ -11,11 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bnserve_protocol import (
-    JSON,
-    MSGPACK,
     PARAMETER_NAMES,
     EvaluationOptions,
-    GridDigest,
     InvalidFrequencies,
     InvalidParameters,
     InvalidRequest,
@@ -23,11 +20,9 @@ from bnserve_protocol import (
     ParametersWithExtrinsic,
     UndecodableBody,
     UniformGrid,
-    WaveformRequest,
-    decode_request,
-    encode_request,
     grid_digest,
 )
+from bnserve_protocol.wire import JSON, MSGPACK, GridDigest, WaveformRequest, decode_request, encode_request
 from tests.protocol.messages import array_map, read_message
 
 TYPICAL = dataclasses.asdict(ParametersWithExtrinsic.gw170817())

@@ -7,7 +7,8 @@ import msgpack
 import numpy as np
 import pytest
 
-from bnserve_protocol import TimeMarginalisation, encode_analysis, encode_likelihood_request
+from bnserve_protocol import TimeMarginalisation, encode_analysis
+from bnserve_protocol.wire import encode_likelihood_request
 from bnserve_service import Token
 from tests.service.asking import JSON, MSGPACK, as_array, ask, question, raw_connection, read_msgpack, read_response
 from tests.service.asking import evaluate as waveforms

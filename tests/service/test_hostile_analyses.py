@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bnserve_protocol import Calibration, encode_analysis, encode_likelihood_request
+from bnserve_protocol import Calibration, encode_analysis
+from bnserve_protocol.wire import encode_likelihood_request
 from tests.service.asking import MSGPACK, ask, ask_on, closing_connection
 from tests.service.chirp import ChirpModel
 from tests.service.injections import SIGNAL, name_of, samples, small_analysis, upload

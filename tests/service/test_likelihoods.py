@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from bnserve_inference import likelihood
-from bnserve_protocol import LIKELIHOOD_NAMES, Calibration, RowStatus, encode_likelihood_request
+from bnserve_protocol import LIKELIHOOD_NAMES, Calibration, RowStatus
+from bnserve_protocol.wire import encode_likelihood_request
 from tests.service.asking import JSON, MSGPACK, as_array, ask, read_msgpack
 from tests.service.chirp import ChirpModel
 from tests.service.injections import SIGNAL, columns, name_of, samples, small_analysis, upload

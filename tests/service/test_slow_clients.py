@@ -8,7 +8,7 @@ import time
 import msgpack
 import pytest
 
-from bnserve_protocol import content_digest
+from bnserve_protocol.wire import content_digest
 from bnserve_service.transport.pace import Pace
 from tests.service.asking import JSON, MSGPACK, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, until

@@ -19,7 +19,8 @@ from bnserve_inference.roq._errors import BasisFileInvalid, require
 from bnserve_inference.roq._interpolant import Term, WaveformInterpolant
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._storage import replacing
-from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, unique_keys
+from bnserve_protocol import PARAMETER_NAMES, ParameterBatch
+from bnserve_protocol.wire import unique_keys
 
 SCHEMA = "bnserve-roq-1"
 """Of this layout; another one is refused."""

@@ -9,16 +9,8 @@ from functools import partial
 from statistics import median
 from typing import Any
 
-from bnserve_protocol import (
-    MSGPACK,
-    WANTED_DIGEST,
-    GridDigest,
-    ParameterBatch,
-    WaveformModel,
-    WaveformRequest,
-    encode_request,
-    grid_digest,
-)
+from bnserve_protocol import ParameterBatch, WaveformModel, grid_digest
+from bnserve_protocol.wire import MSGPACK, WANTED_DIGEST, GridDigest, WaveformRequest, encode_request
 from bnserve_service.bench.binaries import Questions
 from bnserve_service.bench.load import Target, answers_per_second, exchange
 from bnserve_service.bench.timing import shuffled, timed

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Request, Response
 
-from bnserve_protocol import MSGPACK, UnsupportedMediaType
+from bnserve_protocol import UnsupportedMediaType
+from bnserve_protocol.wire import MSGPACK
 from bnserve_service.analyses import AnalysisStore
 from bnserve_service.documents import AnalysisDocument, analysis_document
 from bnserve_service.likelihood_answering import LikelihoodService

@@ -13,7 +13,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Send
 
-from bnserve_protocol import JSON, MSGPACK
+from bnserve_protocol.wire import JSON, MSGPACK
 from bnserve_service.digests import Buffer, content_digest
 from bnserve_service.transport.negotiation import answer_media_type
 

@@ -14,7 +14,8 @@ from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from bnserve_protocol import PROBLEM_JSON, BnserveError, InvalidRequest
+from bnserve_protocol import BnserveError, InvalidRequest
+from bnserve_protocol.wire import PROBLEM_JSON
 from bnserve_service.errors import (
     ClientDisconnected,
     from_http_status,

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import lru_cache
 
-from bnserve_protocol import JSON, MSGPACK, DigestName, NotAcceptable, UnsupportedMediaType
+from bnserve_protocol import NotAcceptable, UnsupportedMediaType
+from bnserve_protocol.wire import JSON, MSGPACK, DigestName
 
 OFFERED = (MSGPACK, JSON)
 OCTETS = "application/octet-stream"

@@ -11,7 +11,8 @@ import httptools
 import msgspec
 from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 
-from bnserve_protocol import PROBLEM_JSON, Problem, UndecodableBody
+from bnserve_protocol import UndecodableBody
+from bnserve_protocol.wire import PROBLEM_JSON, Problem
 from bnserve_service.digests import content_digest
 from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import Header

@@ -11,7 +11,8 @@ import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from bnserve_protocol import MSGPACK, ShareExceeded
+from bnserve_protocol import ShareExceeded
+from bnserve_protocol.wire import MSGPACK
 from bnserve_service.answering import WaveformService
 from bnserve_service.evaluation import Packed, Question
 from bnserve_service.lifecycle import Lifecycle

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bnserve_protocol import address_of
+from bnserve_protocol.wire import address_of
 from bnserve_surrogate._prepared_grid import PreparedGrid
 from bnserve_surrogate.kernel._arguments import Argument
 from bnserve_surrogate.kernel._layout import KernelModel

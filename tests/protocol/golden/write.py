@@ -5,17 +5,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bnserve_protocol import (
-    EvaluationOptions,
-    GridDigest,
-    ModelIdentity,
-    ParameterBatch,
-    UniformGrid,
-    WaveformRequest,
-    encode_answer,
-    encode_request,
-    grid_digest,
-)
+from bnserve_protocol import EvaluationOptions, ModelIdentity, ParameterBatch, UniformGrid, grid_digest
+from bnserve_protocol.wire import GridDigest, WaveformRequest, encode_answer, encode_request
 
 BATCH = ParameterBatch(
     [

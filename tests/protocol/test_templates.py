@@ -5,19 +5,21 @@ import pytest
 
 from bnserve_protocol import (
     BnserveError,
-    GridDigest,
     ModelIdentity,
     ParameterBatch,
     ParametersWithExtrinsic,
     UndecodableBody,
     UniformGrid,
+)
+from bnserve_protocol.wire import (
+    GridDigest,
     WaveformRequest,
     decode_answer,
     decode_request,
     encode_answer,
     encode_request,
 )
-from bnserve_protocol._small_answers import Form
+from bnserve_protocol.wire._templates import Form
 
 MODEL = ModelIdentity(name="default", version="1.0.0", digest="sha256:0")
 

@@ -10,12 +10,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol._arrays import decode_array, encode_array, is_array
 from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge, UndecodableBody
 from bnserve_protocol._grids import UniformGrid, as_frequencies
-from bnserve_protocol._keys import read_map, read_object, refuse_repeated_keys
 from bnserve_protocol._model import DtypeName, EvaluationOptions
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
+from bnserve_protocol.wire._arrays import decode_array, encode_array, is_array
+from bnserve_protocol.wire._keys import read_map, read_object, refuse_repeated_keys
 
 MSGPACK = "application/msgpack"
 JSON = "application/json"

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol._memory import address_of
+from bnserve_protocol.wire._memory import address_of
 
 _MOST_FORMS = 128
 

@@ -10,11 +10,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol._arrays import array_header, decode_array, encode_array
 from bnserve_protocol._errors import UndecodableBody
-from bnserve_protocol._keys import read_map
-from bnserve_protocol._memory import address_of
-from bnserve_protocol._small_answers import Forms
+from bnserve_protocol._model import ModelIdentity
+from bnserve_protocol.wire._arrays import array_header, decode_array, encode_array
+from bnserve_protocol.wire._keys import read_map
+from bnserve_protocol.wire._memory import address_of
+from bnserve_protocol.wire._templates import Forms
 
 ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
 """The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
@@ -29,14 +30,6 @@ LARGE = 2**16
 
 _encode = msgspec.msgpack.Encoder().encode
 _MODEL = _encode("model")
-
-
-class ModelIdentity(msgspec.Struct, frozen=True):
-    """Which model answered."""
-
-    name: str
-    version: str
-    digest: str
 
 
 class WaveformAnswer(msgspec.Struct, frozen=True):

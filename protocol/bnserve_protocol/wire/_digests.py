@@ -4,34 +4,14 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import re
 from collections.abc import Iterable
 from typing import Literal, TypeAlias
-
-from bnserve_protocol._errors import InvalidRequest
 
 DigestName: TypeAlias = Literal["sha-256", "crc32c"]
 """Algorithms of ``Content-Digest``, by their names in the registry of RFC 9530."""
 
 WANTED_DIGEST = "crc32c=10, sha-256=1"
 """The ``Want-Content-Digest`` of our client: the fast one, see ``docs/decisions/0006-digests-of-answers.md``."""
-
-
-_MODEL_DIGEST = re.compile(r"sha256:[0-9a-f]{64}")
-
-
-def check_model_digest(digest: str) -> None:
-    """Refuse what is not the digest of a model.
-
-    Raises
-    ------
-    InvalidRequest
-    """
-    if not isinstance(digest, str) or _MODEL_DIGEST.fullmatch(digest) is None:
-        shown = repr(digest)[:80]
-        raise InvalidRequest(
-            f"A model's digest is 'sha256:' and 64 hexadecimal digits, as its description has it; got {shown}."
-        )
 
 
 def content_digest(parts: Iterable[bytes | memoryview], algorithm: DigestName = "sha-256") -> str:
