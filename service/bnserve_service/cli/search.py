@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     from bnserve_service.training_extra import import_training
 
     config, search, results, pareto, errors = import_training(
-        "config", "search", "search_results", "search_pareto", "errors"
+        "config", "search.trials", "search.results", "search.pareto", "errors"
     )
     errors.require("matplotlib")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)

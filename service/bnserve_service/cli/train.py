@@ -37,7 +37,7 @@ def run(options: argparse.Namespace) -> int:
     """Train and publish."""
     from bnserve_service.training_extra import import_training
 
-    config, errors, pipeline, report = import_training("config", "errors", "pipeline", "report")
+    config, errors, pipeline, report = import_training("config", "errors", "pipeline", "validation.report")
     if not options.no_report:
         errors.require("matplotlib")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)

@@ -41,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
     from bnserve_service.training_extra import import_training
     from bnserve_store import ModelStore
 
-    pipeline, report = import_training("pipeline", "report")
+    pipeline, report = import_training("pipeline", "validation.report")
     if options.output:
         check_place(options.output, "--output")
     name, _, version = options.model.partition("@")
