@@ -88,6 +88,32 @@ def test_trailers_are_no_headers(start):
     assert answer.headers["content-type"] == MSGPACK
 
 
+@pytest.mark.parametrize("model", [ChirpModel, QuickChirpModel])
+@pytest.mark.parametrize(
+    "message", [CHUNKED, CHUNKED.replace(b"POST", b"GET"), CHUNKED.replace(PATH.encode(), b"/none")]
+)
+def test_a_trailer_that_ends_the_connection_leaves_no_request_without_an_end(start, model, message):
+    server = start(model(), keep_alive=60.0, header_timeout=60.0)
+    for trailer in (b"Connection: close", b"connection:\tClose ", b"Proxy-Connection: close"):
+        with raw_connection(server.address) as connection:
+            connection.settimeout(10)
+            connection.sendall(message + b"\r\n" + WHOLE + trailer + b"\r\n\r\n")
+            assert read_response(connection).status in (200, 404, 405)
+            with contextlib.suppress(ConnectionError):
+                connection.sendall(LIMITS)
+                assert connection.recv(1) == b"", "or a proxy would wait, with the request of somebody else"
+
+
+def test_an_early_answer_before_such_a_trailer_is_the_last(start):
+    server = start(ChirpModel(), tokens=(Token.of(SECRET),), keep_alive=60.0)
+    with raw_connection(server.address) as connection:
+        connection.settimeout(10)
+        connection.sendall(CHUNKED + b"\r\n" + WHOLE[:20])
+        assert read_response(connection).status == 401
+        connection.sendall(WHOLE[20:] + b"Connection: close\r\n\r\n")
+        assert connection.recv(1) == b""
+
+
 def test_trailers_are_limited_like_headers(server):
     some = b"X-Trailer: %b\r\n" % (b"y" * KIB)
     answer, after = asked(server, CHUNKED + b"\r\n" + WHOLE + 60 * some + b"\r\n" + LIMITS, count=2)

@@ -18,8 +18,8 @@ from bnserve_service.settings import Settings
 from bnserve_service.transport.answers import Header
 from bnserve_service.transport.complaints import Complaints
 from bnserve_service.transport.framing import (
-    MAX_FRAME_BYTES,
     MOST_PIPELINED,
+    PIECE,
     Frame,
     FramingError,
     new_parser,
@@ -120,7 +120,7 @@ class BoundedProtocol(HttpToolsProtocol):
     def _parse(self, data: bytes) -> None:
         start = 0
         while start < len(data):
-            piece = data[start : start + MAX_FRAME_BYTES]
+            piece = data[start : start + PIECE]
             self._frame.pending += len(piece)
             try:
                 self.parser.feed_data(piece)
@@ -177,6 +177,10 @@ class BoundedProtocol(HttpToolsProtocol):
             if self._held is not None:
                 self._go_the_other_way()
             super().on_message_complete()
+        if not self.parser.should_keep_alive():  # a trailer may have told the parser that this is the last request
+            self.cycle.keep_alive = False
+            if self.cycle.response_complete:
+                self.transport.close()
 
     def _may_be_quick(self) -> bool:
         return (
