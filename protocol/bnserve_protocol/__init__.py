@@ -8,19 +8,24 @@ import warnings
 
 from bnserve_protocol import wire
 from bnserve_protocol._analyses import (
-    DEFAULT_ERROR_BOUND,
     Analysis,
+    check_model_of,
+    decode_analysis,
+    encode_analysis,
+    likelihood_nodes,
+    likelihood_samples,
+)
+from bnserve_protocol._analysis_checks import check_location, check_settings
+from bnserve_protocol._analysis_settings import (
+    DEFAULT_ERROR_BOUND,
     AnalysisKind,
     AnalysisSettings,
     Calibration,
     DistanceMarginalisation,
     TimeGrid,
     TimeMarginalisation,
-    decode_analysis,
-    encode_analysis,
+    time_steps,
 )
-from bnserve_protocol._analysis_checks import check_location, check_settings
-from bnserve_protocol._analysis_model import check_model_of
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,
@@ -64,16 +69,20 @@ from bnserve_protocol._errors import (
     VersionExists,
 )
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
-from bnserve_protocol._likelihood import InvalidRows, Likelihood, LikelihoodCounts, LikelihoodValues, check_invalid_rows
-from bnserve_protocol._likelihood_cost import likelihood_nodes, likelihood_samples
+from bnserve_protocol._likelihood import (
+    InvalidRows,
+    Likelihood,
+    LikelihoodCounts,
+    LikelihoodValues,
+    check_invalid_rows,
+    refuse_rows,
+)
 from bnserve_protocol._likelihood_parameters import (
     LIKELIHOOD_NAMES,
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodParameters,
 )
-from bnserve_protocol._likelihood_rows import refuse_rows
-from bnserve_protocol._limits import Limits
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
@@ -83,6 +92,7 @@ from bnserve_protocol._model import (
     DtypeName,
     EvaluationOptions,
     Factored,
+    Limits,
     ModelDescription,
     ModelIdentity,
     ParameterDescription,
@@ -105,7 +115,6 @@ from bnserve_protocol._parameters import (
 )
 from bnserve_protocol._printable import printable
 from bnserve_protocol._prior_checks import PRIOR_NAMES, check_prior
-from bnserve_protocol._time_sums import time_steps
 from bnserve_protocol._version import __version__
 
 __all__ = [

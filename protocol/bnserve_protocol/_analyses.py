@@ -16,166 +16,19 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._analysis_checks import check_arrays, check_settings
-from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBody
-from bnserve_protocol._grids import UniformGrid
-from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number
-from bnserve_protocol._time_sums import time_steps
+from bnserve_protocol._analysis_settings import DEFAULT_ERROR_BOUND, AnalysisSettings, Calibration, time_steps
+from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest, UndecodableBody
+from bnserve_protocol._model import ModelDescription, ModelIdentity
+from bnserve_protocol._numbers import NotNumbers, as_numbers
 from bnserve_protocol.wire._arrays import decode_array, encode_array
 from bnserve_protocol.wire._keys import read_map, read_maps
-
-AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
-
-DEFAULT_ERROR_BOUND = 0.05
-"""Of ln L: a posterior that is wrong by a twentieth of its density shows nowhere."""
-
-
-def _convert(struct: msgspec.Struct, **units: str) -> None:
-    """Make floats in these units of what a user gave for the fields of a structure.
-
-    Raises
-    ------
-    AnalysisInvalid
-    """
-    for name, unit in units.items():
-        value = getattr(struct, name)
-        if type(value) is float or value is None:
-            continue
-        try:
-            msgspec.structs.force_setattr(struct, name, as_real_number(value, unit))
-        except NotNumbers as error:
-            raise AnalysisInvalid(
-                f"'{name}' of {type(struct).__name__} must be a number in {unit}; it {error}.",
-                errors=[FieldError(reason=f"not a number: it {error}", parameter=name)],
-            ) from error
-
-
-class TimeGrid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """The knots of the quintic B-splines in time that linear weights are the coefficients of.
-
-    Coefficient row k belongs to the B-spline centred at ``start + k * step``, in seconds of arrival at a detector,
-    relative to the trigger time.
-    """
-
-    start: float
-    step: float
-
-    def __post_init__(self) -> None:
-        _convert(self, start="s", step="s")
-
-
-class TimeMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """A uniform prior of the coalescence time from ``minimum`` to ``maximum``, which is integrated over (seconds).
-
-    The longest ``step`` between evaluations is chosen from the band where it is None, and an analysis always states it.
-    A longer one than the band asks for is shortened (:func:`time_steps`): the integral does not depend on it.
-    """
-
-    minimum: float
-    maximum: float
-    step: float | None = None
-
-    def __post_init__(self) -> None:
-        _convert(self, minimum="s", maximum="s", step="s")
-
-
-class DistanceMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """A prior of the distance proportional to ``distance ** power`` from ``minimum`` to ``maximum`` (Mpc)."""
-
-    minimum: float
-    maximum: float
-    power: float = 2.0
-
-    def __post_init__(self) -> None:
-        _convert(self, minimum="Mpc", maximum="Mpc", power="1")
-
-
-class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True, omit_defaults=True):
-    """Calibration envelopes: ``nodes`` frequencies in every detector, logarithmic from ``f_min`` to ``f_max`` (Hz).
-
-    ``amplitude_width`` (relative) and ``phase_width`` (radians) are the standard deviations of the errors at the nodes
-    that an approximate likelihood has to stand. They are not a prior: what errors there are, a sample says. What equals
-    its default is not written: messages and digests without widths are as they were before there were any.
-
-    The errors at the nodes are corrections of the template: the waveform is multiplied by
-    ``(1 + amplitude) exp(i phase)`` (see ``bnserve_inference.read_envelope`` for files that correct the data).
-    """
-
-    nodes: int
-    f_min: float
-    f_max: float
-    amplitude_width: float = 0.05
-    phase_width: float = 0.05
-
-    def __post_init__(self) -> None:
-        _convert(self, f_min="Hz", f_max="Hz")
-
-
-class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """What an analysis is, arrays aside.
-
-    Parameters
-    ----------
-    kind:
-        ``"full"``, ``"roq"`` or ``"relative_binning"``.
-    detectors:
-        Names such as ``("H1", "L1", "V1")``; the arrays of a detector are called ``<array>/<detector>``.
-    f_min, f_max, duration:
-        Band in Hz and length of the data in seconds: the grid is ``f_min, f_min + 1 / duration, ..., f_max``.
-    trigger_time:
-        GPS seconds; all other times are relative to it.
-    sidereal_time, sidereal_rate:
-        Greenwich mean sidereal time at the trigger in radians, and its rate in radians per second.
-    alignment:
-        Of the waveform's time and phase, as in :class:`EvaluationOptions`.
-    prior:
-        Ranges ``(minimum, maximum)`` by name, outside of which the log-likelihood is -inf: waveform parameters,
-        ``chirp_mass`` and ``coalescence_time``. What a basis covers is here.
-    time_grid:
-        Where the linear weights depend on the time of arrival; None where they do not.
-    phase_marginalisation, time_marginalisation, distance_marginalisation:
-        What is integrated over its prior; the parameter is then ignored.
-    calibration:
-        None for perfectly calibrated detectors.
-    model_digest:
-        The only model this analysis may be evaluated with (a basis belongs to one), or None for any.
-    noise_log_likelihood:
-        Log-likelihood of no signal, -<d|d>/2 summed over detectors. Answers are ratios to it.
-    error_bound:
-        By how much ln L of an approximate analysis may differ from that on the full grid; not written where it is
-        :data:`DEFAULT_ERROR_BOUND`.
-    """
-
-    kind: AnalysisKind
-    detectors: Annotated[tuple[str, ...], msgspec.Meta(max_length=16)]
-    f_min: float
-    f_max: float
-    duration: float
-    trigger_time: float
-    sidereal_time: float
-    sidereal_rate: float
-    alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
-    prior: Annotated[dict[str, tuple[float, float]], msgspec.Meta(max_length=64)] = {}
-    time_grid: TimeGrid | None = None
-    phase_marginalisation: bool = False
-    time_marginalisation: TimeMarginalisation | None = None
-    distance_marginalisation: DistanceMarginalisation | None = None
-    calibration: Calibration | None = None
-    model_digest: str | None = None
-    noise_log_likelihood: float = 0.0
-    error_bound: float | msgspec.UnsetType = msgspec.UNSET
-    schema_version: Literal[1] = 1
-
-    @property
-    def grid(self) -> UniformGrid:
-        """The frequencies of the data."""
-        return UniformGrid(f_min=self.f_min, f_max=self.f_max, delta_f=1.0 / self.duration)
 
 
 def _plain(value: Any) -> Any:
@@ -350,3 +203,46 @@ def _decode(name: str, raw: msgspec.Raw) -> NDArray[Any]:
     if array.dtype.str not in ("<f8", "<c16"):
         raise AnalysisInvalid(f"Array '{name}' of the analysis travels as <f8 or <c16; got {array.dtype.str}.")
     return array
+
+
+def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) -> None:
+    """Refuse to evaluate an analysis with another model than the one it is made for, if it is made for one.
+
+    Raises
+    ------
+    AnalysisInvalid
+    InvalidRequest
+        It is no analysis at all.
+    """
+    if not isinstance(analysis, Analysis):
+        raise InvalidRequest(
+            f"A likelihood is that of an Analysis; got {type(analysis).__name__}. full_analysis, roq_analysis and "
+            "relative_binning_analysis of bnserve_inference build one."
+        )
+    wanted = analysis.settings.model_digest
+    if wanted not in (None, model.digest):
+        raise AnalysisInvalid(
+            f"The analysis was made for the model {wanted}, and this is {model.name} {model.version} ({model.digest}). "
+            "Use that model, or build the analysis again for this one.",
+            errors=[FieldError(reason="made for another model", parameter="model_digest", value=model.digest)],
+        )
+
+
+def likelihood_nodes(analysis: Analysis) -> int:
+    """Frequencies at which the model is evaluated for one log-likelihood."""
+    if analysis.settings.kind == "full":
+        return len(analysis.settings.grid)
+    return len(analysis.linear_nodes) + len(analysis.quadratic_nodes)
+
+
+def likelihood_samples(analysis: Analysis) -> int:
+    """Work of one log-likelihood in samples, the unit of :attr:`Limits.max_samples`.
+
+    A sample is one frequency of one waveform. In every detector each node costs about as much again, and a sum over
+    coalescence times as much as its times in every detector.
+    """
+    settings = analysis.settings
+    samples = likelihood_nodes(analysis) * (1 + len(settings.detectors))
+    if settings.time_marginalisation is not None:
+        samples += len(settings.detectors) * (time_steps(settings)[0] + 1)
+    return samples

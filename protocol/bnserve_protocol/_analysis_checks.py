@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._analysis_settings import AnalysisSettings, Calibration
 from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidFrequencies
 from bnserve_protocol._prior_checks import check_integrals, check_prior, require
-
-if TYPE_CHECKING:
-    from bnserve_protocol._analyses import AnalysisSettings, Calibration
 
 _MOST_DETECTORS = 16
 _MOST_CALIBRATION_NODES = 64

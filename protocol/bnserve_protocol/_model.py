@@ -1,11 +1,12 @@
-"""What every waveform model offers, local or remote."""
+"""What every waveform model offers, local or remote, and how much a service takes at a time."""
 
 from __future__ import annotations
 
 import enum
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar, Literal, Protocol, TypeAlias, get_args, runtime_checkable
+from typing import Any, ClassVar, Generic, Literal, Protocol, TypeAlias, TypeVar, get_args, overload, runtime_checkable
 
 import msgspec
 import numpy as np
@@ -13,7 +14,6 @@ from numpy.typing import DTypeLike, NDArray
 
 from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
-from bnserve_protocol._like_tuples import LikeTuple
 from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
 
 ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
@@ -104,6 +104,38 @@ _OPTION_VALUES = {
     "alignment": ("post_newtonian", "merger"),
 }
 DEFAULT_OPTIONS = EvaluationOptions()
+
+
+_Part = TypeVar("_Part")
+
+
+class LikeTuple(Generic[_Part]):
+    """Unpacks, has a length and is indexed and sliced like the tuple of its :attr:`parts`.
+
+    What else a result has (``status``, ``estimated_mismatch``) is reached by name alone.
+    """
+
+    __slots__ = ()
+
+    parts: ClassVar[tuple[str, ...]]
+    """The names of the attributes that are the entries of the tuple, in order."""
+
+    def __iter__(self) -> Iterator[_Part]:
+        return iter(self._entries())
+
+    def __len__(self) -> int:
+        return len(self.parts)
+
+    @overload
+    def __getitem__(self, index: int) -> _Part: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[_Part, ...]: ...
+    def __getitem__(self, index: int | slice) -> _Part | tuple[_Part, ...]:
+        return self._entries()[index]
+
+    def _entries(self) -> tuple[_Part, ...]:
+        entries: tuple[Any, ...] = tuple(getattr(self, name) for name in self.parts)
+        return entries
 
 
 @dataclass(frozen=True, slots=True)
@@ -281,3 +313,21 @@ class WaveformModel(Protocol):
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+
+
+class Limits(msgspec.Struct, frozen=True, kw_only=True):
+    """Limits of one service, as ``/v1/limits`` states them. All sizes are inclusive maxima."""
+
+    max_body_bytes: int = 64 * 2**20
+    max_rows: int = 4096
+    max_frequencies: int = 2**20
+    max_samples: int = 2**24
+    """Rows times frequencies of one request (2**24 complex128 samples are 256 MiB)."""
+    max_grids: int = 256
+    """Uploaded grids that are kept; the least recently used one is dropped first."""
+    max_analysis_bytes: int = 64 * 2**20
+    """Size of one uploaded analysis; :attr:`max_body_bytes` is for everything else."""
+
+    def rows_per_request(self, frequencies: int) -> int:
+        """The largest batch on a grid of that many points that stays within every limit (at least one row)."""
+        return max(1, min(self.max_rows, self.max_samples // max(1, frequencies)))

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
+from bnserve_protocol._analysis_settings import (
+    AnalysisSettings,
+    DistanceMarginalisation,
+    TimeMarginalisation,
+    time_steps,
+)
 from bnserve_protocol._errors import AnalysisInvalid, FieldError
 from bnserve_protocol._parameters import PARAMETER_NAMES
-from bnserve_protocol._time_sums import time_steps
-
-if TYPE_CHECKING:
-    from bnserve_protocol._analyses import AnalysisSettings, DistanceMarginalisation, TimeMarginalisation
 
 PRIOR_NAMES = (*(name for name in PARAMETER_NAMES if name != "time_shift"), "chirp_mass", "coalescence_time")
 """The parameters whose range an analysis may state."""

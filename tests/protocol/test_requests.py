@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from bnserve_protocol import (
     PARAMETER_NAMES,
+    BnserveError,
     EvaluationOptions,
     InvalidFrequencies,
     InvalidParameters,
@@ -288,3 +289,19 @@ def test_messages_of_anything_are_refused_or_read(parameters, grid, names):
     for variant in (message, message | {"names": names}):
         accepted(msgpack.packb(variant), MSGPACK)
         accepted(json.dumps(variant).encode(), JSON)
+
+
+def test_a_request_that_was_damaged_is_refused_or_another_one():
+    binary = ParameterBatch.one(ParametersWithExtrinsic.gw170817())
+    message = encode_request(WaveformRequest(batch=binary, grid=UniformGrid(20.0, 40.0, 2.5)))
+    expected = decode_request(message)
+    for position in range(len(message)):
+        damaged = message[:position] + bytes([message[position] ^ 1]) + message[position + 1 :]
+        try:
+            read = decode_request(damaged)
+        except BnserveError:
+            continue
+        same = np.array_equal(read.batch.values, expected.batch.values) and read.grid == expected.grid
+        asked = (expected.output, expected.dtype, expected.options)
+        assert not same or (read.output, read.dtype, read.options) != asked
+    np.testing.assert_array_equal(decode_request(message).batch.values, expected.batch.values)

@@ -1,8 +1,16 @@
 """What travels, as bytes: arrays, requests, answers, problems, digests, and the memory they are read into."""
 
-from bnserve_protocol.wire._answers import WaveformAnswer, decode_answer, encode_answer, encode_answer_json
 from bnserve_protocol.wire._arrays import decode_array, encode_array
-from bnserve_protocol.wire._digests import WANTED_DIGEST, DigestName, content_digest, request_digest
+from bnserve_protocol.wire._envelope import (
+    JSON,
+    MSGPACK,
+    PROBLEM_JSON,
+    WANTED_DIGEST,
+    DigestName,
+    Problem,
+    content_digest,
+    request_digest,
+)
 from bnserve_protocol.wire._keys import refuse_repeated_keys, unique_keys
 from bnserve_protocol.wire._likelihoods import (
     LikelihoodAnswer,
@@ -14,16 +22,16 @@ from bnserve_protocol.wire._likelihoods import (
     encode_likelihood_request,
 )
 from bnserve_protocol.wire._memory import ResultMemory, address_of, result_memory
-from bnserve_protocol.wire._problem import Problem
-from bnserve_protocol.wire._requests import (
-    JSON,
-    MSGPACK,
-    PROBLEM_JSON,
+from bnserve_protocol.wire._waveforms import (
     Grid,
     GridDigest,
     OutputName,
+    WaveformAnswer,
     WaveformRequest,
+    decode_answer,
     decode_request,
+    encode_answer,
+    encode_answer_json,
     encode_request,
 )
 

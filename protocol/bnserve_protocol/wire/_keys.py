@@ -6,7 +6,6 @@ more colons than entries that were read has none twice. Where there are more (in
 standard library's reader decides, which tells of every entry.
 
 For a request with two maps this takes 1.0 us in MessagePack and 1.8 us in JSON, where reading it takes 12 and 46 us.
-What the readers remember of messages that repeat is asked before, and pays nothing.
 """
 
 from __future__ import annotations

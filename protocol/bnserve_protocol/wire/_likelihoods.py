@@ -13,8 +13,8 @@ from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBod
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodBatch, check_likelihood_names
 from bnserve_protocol._model import ModelIdentity
 from bnserve_protocol.wire._arrays import decode_array, encode_array, is_array
+from bnserve_protocol.wire._envelope import JSON, MSGPACK
 from bnserve_protocol.wire._keys import read_map, read_object, refuse_repeated_keys
-from bnserve_protocol.wire._requests import JSON, MSGPACK
 
 
 class LikelihoodRequest(msgspec.Struct, frozen=True, kw_only=True):

@@ -1,11 +1,46 @@
-"""An error on the wire."""
+"""What goes around a message: its media type, digests of its bytes and of its question; and the error in its place."""
 
 from __future__ import annotations
+
+import base64
+import hashlib
+from collections.abc import Iterable
+from typing import Literal, TypeAlias
 
 import msgspec
 
 from bnserve_protocol._errors import ERRORS_BY_CODE, BnserveError, FieldError
 from bnserve_protocol._printable import printable
+
+MSGPACK = "application/msgpack"
+JSON = "application/json"
+PROBLEM_JSON = "application/problem+json"
+
+DigestName: TypeAlias = Literal["sha-256", "crc32c"]
+"""Algorithms of ``Content-Digest``, by their names in the registry of RFC 9530."""
+
+WANTED_DIGEST = "crc32c=10, sha-256=1"
+"""The ``Want-Content-Digest`` of our client: the fast one, see ``docs/decisions/0006-digests-of-answers.md``."""
+
+
+def content_digest(parts: Iterable[bytes | memoryview], algorithm: DigestName = "sha-256") -> str:
+    """The ``Content-Digest`` of a body that is the concatenation of ``parts``, such as ``crc32c=:4waSgw==:``."""
+    if algorithm == "crc32c":
+        from crc32c import crc32c  # where it is needed: it takes as long to import as everything else here
+
+        checksum = 0
+        for part in parts:
+            checksum = crc32c(part, checksum)
+        return f"crc32c=:{base64.b64encode(checksum.to_bytes(4, 'big')).decode()}:"
+    hasher = hashlib.sha256()
+    for part in parts:
+        hasher.update(part)
+    return f"sha-256=:{base64.b64encode(hasher.digest()).decode()}:"
+
+
+def request_digest(body: bytes | memoryview) -> str:
+    """SHA-256 of a request body in hexadecimal: the ``X-Request-Digest`` of its answer."""
+    return hashlib.sha256(body).hexdigest()
 
 
 class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
