@@ -14,7 +14,7 @@ from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooL
 from bnserve_protocol._grids import UniformGrid, as_frequencies
 from bnserve_protocol._model import DtypeName, EvaluationOptions, ModelIdentity
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
-from bnserve_protocol.wire._arrays import decode_array, encode_array, is_array
+from bnserve_protocol.wire._arrays import array_header, decode_array, encode_array, is_array
 from bnserve_protocol.wire._envelope import JSON, MSGPACK
 from bnserve_protocol.wire._keys import read_map, read_object, refuse_repeated_keys
 from bnserve_protocol.wire._memory import address_of
@@ -281,13 +281,14 @@ def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> l
     The data of a large array begins at a multiple of 64 bytes, behind a field of zeros named ``pad_`` and its name: a
     reader who puts the body into aligned memory can use the array where it is.
     """
-    large = [name for name, array in arrays.items() if array.nbytes >= LARGE]
-    start = b"%c" % (0x80 + 1 + len(arrays) + len(large)) + _MODEL + _encode(model)
+    large = sum(array.nbytes >= LARGE for array in arrays.values())
+    start = b"%c" % (0x80 + 1 + len(arrays) + large) + _MODEL + _encode(model)
     parts: list[bytes | memoryview] = []
     position = 0
     for name, array in arrays.items():
-        if name not in large:
-            start += _encode(name) + b"".join(encode_array(array))
+        if array.nbytes < LARGE:
+            head, dtype = array_header(array.dtype, array.shape)
+            start += _encode(name) + head + array.astype(dtype, copy=False).tobytes()
             continue
         header, data = encode_array(array)
         start += _padded(name, header, position + len(start))
