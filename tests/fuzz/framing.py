@@ -30,6 +30,8 @@ PATIENCE = 20.0
 """Seconds until an answer that has not come counts as none: a very busy machine takes some."""
 _CUT_OFF = 5.0
 """Seconds within which what is too large is refused: it is there in whole."""
+_MIDDLE = 0.5
+"""Seconds that the rest of an answer may take whose beginning is there."""
 _SURPLUS = 0.03
 """Seconds in which answers to nothing would come."""
 
@@ -119,7 +121,7 @@ class _Listener:
     def finish(self, reading: Reading, seconds: float) -> None:
         """Until the server ends the connection, or is silent for this long, and not in the middle of an answer."""
         now = time.monotonic()
-        until, latest = now + seconds, now + PATIENCE
+        until, latest = now + seconds, now + seconds + _MIDDLE
         while not self._ended and (now < until or (now < latest and self.heard(reading).surplus)):
             self._receive(max(until, now + _SURPLUS))
             now = time.monotonic()
