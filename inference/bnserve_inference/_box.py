@@ -64,7 +64,8 @@ class Box:
         values = {name: float(binary[name][0]) for name in INTRINSIC_NAMES}
         values["chirp_mass"] = float(binary["total_mass"][0] * chirp_fraction(binary["mass_ratio"])[0])
         widths = self.high - self.low
-        found = (np.array([values[name] for name in COORDINATES]) - self.low) / np.where(widths > 0.0, widths, 1.0)
+        with np.errstate(over="ignore"):  # of a box of next to no width
+            found = (np.array([values[name] for name in COORDINATES]) - self.low) / np.where(widths > 0.0, widths, 1.0)
         return np.clip(found, 0.0, 1.0)
 
     def outside(self, batch: ParameterBatch) -> NDArray[np.bool_]:

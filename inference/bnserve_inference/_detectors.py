@@ -39,7 +39,7 @@ class Detector:
 
     def __post_init__(self) -> None:
         for name, shape, unit in (("response", (3, 3), "1"), ("location", (3,), "m")):
-            array = real(name, getattr(self, name), unit)
+            array = np.asarray(real(name, getattr(self, name), unit))
             if array.shape != shape or not np.isfinite(array).all():
                 raise AnalysisInvalid(f"The {name} of {self.name} must be finite numbers of shape {shape}.")
             object.__setattr__(self, name, array)

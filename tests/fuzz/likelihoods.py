@@ -235,6 +235,7 @@ def of_struct(kind: Any, fields: Any) -> Any:
         raise InvalidRequest("These are no fields.") from error
 
 
+@cache
 def evaluated_seeds() -> list[bytes]:
     """Messages of small analyses of every kind and integral."""
     far, times = DistanceMarginalisation(minimum=1.0, maximum=5000.0), TimeMarginalisation(minimum=-0.01, maximum=0.02)
@@ -257,6 +258,7 @@ MADE: list[dict[str, Any]] = [
 ]  # fmt: skip
 
 
+@cache
 def made_seeds() -> list[bytes]:
     """What analyses may be asked for: everything is stated, so that everything can be changed."""
     binned = [MADE[0] | {"kind": "binned"}, MADE[2] | {"kind": "binned"}]  # which take longer
