@@ -20,9 +20,12 @@ _SMOOTH = 0.25
 error of 1e-4 at the ends of the interval, and of 1e-8 inside, where the errors of neighbours cancel."""
 _PANEL_ERROR = 1e-4
 """Of a panel's integral, between five nodes and nine; that of the nine is some 1e-8."""
-_ROUNDING = 1e-13
+_ROUNDING = 1e-11
 """Relative; an F that differs by less has no digits left that could be integrated, and its error says so."""
 _MOST_PIECES, _MOST_LEVELS = 16, 12
+_MOST_PANELS = 4096
+"""Of a row on one level, beside eight for each cell; loud signals take some hundreds. A row of more is left as it is,
+with the error that it has: its F is noise."""
 
 
 def _clenshaw_curtis(order: int) -> tuple[Floats, Floats]:
@@ -117,6 +120,7 @@ def _cells(values: Floats) -> Floats:
 def _panels(rows: NDArray[np.int64], start: Floats, top: Floats, values_at: ValuesAt) -> list[_Panels]:
     """Integrals over cells, by panels that are divided until they are good; negligible ones are left out."""
     found: list[_Panels] = []
+    most = _MOST_PANELS + 8 * np.bincount(rows, minlength=len(top))
     top, width = top.copy(), np.ones(len(rows))
     for level in range(_MOST_LEVELS):
         if len(rows) == 0:
@@ -132,9 +136,12 @@ def _panels(rows: NDArray[np.int64], start: Floats, top: Floats, values_at: Valu
         matters = ~(highest + 0.25 * spread <= top[rows] - _DEPTH)
         rounded = spread <= _ROUNDING * np.abs(highest)
         good = matters & ((unsure <= _PANEL_ERROR * integral) | ~np.isfinite(spread) | rounded | last)
+        pieces = np.clip(np.ceil(0.5 * spread), 2, _MOST_PIECES)
+        wanted = np.bincount(rows, np.where(matters & ~good, pieces, 0.0), len(top))
+        good |= matters & (wanted > most)[rows]
         found.append(_Panels(rows[good], width[good], highest[good], integral[good], unsure[good]))
         poor = matters & ~good
-        pieces = np.clip(np.ceil(0.5 * spread[poor]), 2, _MOST_PIECES).astype(np.int64)
+        pieces = pieces[poor].astype(np.int64)
         rows, width = np.repeat(rows[poor], pieces), np.repeat(width[poor] / pieces, pieces)
         first = np.repeat(np.cumsum(pieces) - pieces, pieces)
         start = np.repeat(start[poor], pieces) + width * (np.arange(len(rows)) - first)
