@@ -126,7 +126,8 @@ def _node_counts(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]])
     for name in ("linear_nodes", "quadratic_nodes"):
         nodes = arrays[name]
         slack = 1e-6 / settings.duration
-        good = nodes.ndim == 1 and len(nodes) > 0 and nodes.dtype.kind == "f" and (np.diff(nodes) > 0.0).all()
+        good = nodes.ndim == 1 and len(nodes) > 0 and nodes.dtype.kind == "f" and np.isfinite(nodes).all()
+        good = good and (np.diff(nodes) > 0.0).all()
         if not good or nodes[0] < settings.f_min - slack or nodes[-1] > settings.f_max + slack:
             raise AnalysisInvalid(
                 f"'{name}' must be a vector of increasing frequencies between f_min ({settings.f_min} Hz) and "
