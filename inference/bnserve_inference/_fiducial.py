@@ -117,7 +117,7 @@ def bin_edges(f_min: float, f_max: float, phase_tolerance: float, most: int) -> 
     """
     f = np.geomspace(f_min, f_max, 20001)
     x = spread(f, f_min, f_max)
-    bins = max(_FEWEST_BINS, int(np.ceil(min(x[-1] / phase_tolerance, 1e9))))
+    bins = max(_FEWEST_BINS, int(np.ceil(min(float(x[-1]) / phase_tolerance, 1e9))))
     refuse_too_many(bins, most, f"A phase tolerance of {phase_tolerance:.3g} radians", "Use a larger one")
     edges = np.interp(np.linspace(0.0, x[-1], bins + 1), x, f)
     edges[0], edges[-1] = f_min, f_max
