@@ -8,16 +8,19 @@ from types import SimpleNamespace
 from typing import Any
 from unittest.mock import patch
 
-from bnserve_client import _answers, _connections, _patience, _session
+from bnserve_client import _connections, _session
+from bnserve_client import _retry_policy as _patience
 from bnserve_client._messages import HttpResponse
+
+_trusted_body = _session.trusted_body
 
 
 def _body_as_it_came(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
-    return response.body if 200 <= response.status < 300 else _answers.trusted_body(response, where, asked)
+    return response.body if 200 <= response.status < 300 else _trusted_body(response, where, asked)
 
 
 def _whole_body(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
-    return _answers.trusted_body(response, where, None)
+    return _trusted_body(response, where, None)
 
 
 _ONE_PROCESS = SimpleNamespace(getpid=lambda: 1, environ={})
@@ -31,7 +34,7 @@ def _raise(self: Any, error: Exception) -> float:
 PLANTS = {
     "no-digests": (_session, "trusted_body", _body_as_it_came),
     "no-echo": (_session, "trusted_body", _whole_body),
-    "no-retries": (_patience.Patience, "pause_after", _raise),
+    "no-retries": (_patience.RetryPolicy, "pause_after", _raise),
     "shared-sockets": (_connections, "os", _ONE_PROCESS),
 }
 

@@ -11,7 +11,7 @@ Every error is one of :mod:`bnserve_protocol`; those that a remote model adds to
 """
 
 from bnserve_client._async_model import AsyncModel
-from bnserve_client._likelihood import AsyncLikelihood, Likelihood
+from bnserve_client._likelihoods import AsyncLikelihood, Likelihood
 from bnserve_client._model import Model
 from bnserve_protocol import (
     AmplitudePhase,

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from urllib.parse import urlsplit
 
 from bnserve_protocol import InvalidRequest
 
 _DEFAULT_PORTS = {"http": 80, "https": 443}
 _HOST = re.compile(r"[A-Za-z0-9._~%:-]+")
-"""Names, with what container networks put into them, and addresses of both families, with their zones."""
+"""Resolver, with what container networks put into them, and addresses of both families, with their zones."""
 _PATH = re.compile(r"[!-~]*")
 
 
@@ -31,17 +31,18 @@ class Address:
     path_prefix: str = ""
     socket_path: str | None = None
     ip: str | None = None
+    authority: str = field(init=False, repr=False, compare=False)
+    """The value of the Host header."""
+
+    def __post_init__(self) -> None:
+        host = f"[{self.host}]" if ":" in self.host else self.host
+        plain = self.socket_path or self.port == _DEFAULT_PORTS[self.scheme]
+        object.__setattr__(self, "authority", host if plain else f"{host}:{self.port}")
 
     @property
     def target(self) -> str:
         """The host to connect to."""
         return self.ip or self.host
-
-    @property
-    def authority(self) -> str:
-        """The value of the Host header."""
-        host = f"[{self.host}]" if ":" in self.host else self.host
-        return host if self.socket_path or self.port == _DEFAULT_PORTS[self.scheme] else f"{host}:{self.port}"
 
     @property
     def base_url(self) -> str:

@@ -1,4 +1,4 @@
-"""Reading what came back: is it bnserve's, is it whole, does it belong to the question, what does it say?"""
+"""Reading what came back beside results: documents, problems, and what something else than bnserve has said."""
 
 from __future__ import annotations
 
@@ -12,10 +12,8 @@ import msgspec
 from bnserve_client._failures import not_bnserve
 from bnserve_client._messages import HttpResponse
 from bnserve_protocol import (
-    AnswerCorrupted,
     BnserveError,
     ConnectionFailed,
-    ModelIdentity,
     TooLarge,
     UndecodableBody,
     printable,
@@ -23,9 +21,6 @@ from bnserve_protocol import (
 from bnserve_protocol.wire import (
     PROBLEM_JSON,
     Problem,
-    WaveformAnswer,
-    content_digest,
-    decode_answer,
     refuse_repeated_keys,
 )
 
@@ -33,41 +28,6 @@ _GATEWAY_STATUSES = {429, 500, 502, 503, 504}
 """Of answers that bnserve did not write; Ray Serve's proxy says 500 when a replica was killed."""
 
 _Message = TypeVar("_Message")
-
-
-def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
-    """The body of a successful answer, checked.
-
-    Parameters
-    ----------
-    response:
-        What came back.
-    where:
-        The address, for messages.
-    asked:
-        The :func:`bnserve_protocol.wire.request_digest` of the question; None for a GET.
-
-    Raises
-    ------
-    AnswerCorrupted
-        The body is not the one that was sent, or answers another question.
-    NotBnserve
-        No such answer could come from bnserve.
-    BnserveError
-        What the service said was wrong.
-    """
-    stated = response.headers.get("content-digest")
-    if stated is None:
-        raise _stranger(response, where)
-    if stated != content_digest([response.body], "crc32c" if stated.startswith("crc32c=") else "sha-256"):
-        raise AnswerCorrupted(f"An answer from {where} was damaged on the way: its Content-Digest does not match.")
-    answered = response.headers.get("x-request-digest")
-    successful = 200 <= response.status < 300
-    if asked is not None and answered != asked and (answered is not None or successful):
-        raise AnswerCorrupted(f"An answer from {where} belongs to another question: its X-Request-Digest is wrong.")
-    if not successful:
-        raise _problem(response, where)
-    return response.body
 
 
 def read_json(body: bytes | memoryview, message: type[_Message], where: str) -> _Message:
@@ -111,45 +71,15 @@ def _texts(value: Any) -> Iterator[str]:
             yield from _texts(entry)
 
 
-def read_waveforms(body: bytes | memoryview, where: str, model: ModelIdentity) -> WaveformAnswer:
-    """The arrays of a checked answer, which must come from ``model``.
-
-    Raises
-    ------
-    AnswerCorrupted
-        Another model answered, or the message cannot be read although its digest is right.
-    """
-    try:
-        answer = decode_answer(body)
-    except UndecodableBody as error:
-        raise AnswerCorrupted(f"An answer from {where} cannot be read: {error.detail}") from error
-    check_model(answer.model, where, model)
-    return answer
-
-
-def check_model(answered: ModelIdentity, where: str, model: ModelIdentity) -> None:
-    """Refuse the answer of another model.
-
-    Raises
-    ------
-    AnswerCorrupted
-    """
-    if answered != model:
-        other = printable(f"{answered.name} {answered.version} ({answered.digest})")
-        raise AnswerCorrupted(
-            f"{where} answered with {other}, but this model "
-            f"is pinned to {model.name} {model.version} ({model.digest}). Connect again to use the other one."
-        )
-
-
-def _problem(response: HttpResponse, where: str) -> BnserveError:
+def problem_of(response: HttpResponse, where: str) -> BnserveError:
+    """What bnserve says is wrong."""
     if not response.headers.get("content-type", "").startswith(PROBLEM_JSON):
         return not_bnserve(where, f"it answered with status {response.status} and no problem description")
     problem = read_json(response.body, Problem, where)
     return problem.to_error(_retry_after(response))
 
 
-def _stranger(response: HttpResponse, where: str) -> BnserveError:
+def stranger(response: HttpResponse, where: str) -> BnserveError:
     """What something that is not bnserve, perhaps in front of it, has said."""
     if response.status in _GATEWAY_STATUSES:
         return ConnectionFailed(

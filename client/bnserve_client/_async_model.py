@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from numpy.typing import DTypeLike
 
-from bnserve_client._connections import AsyncConnections
-from bnserve_client._drivers import run_async
-from bnserve_client._likelihood import AsyncLikelihood
+from bnserve_client._connections import AsyncConnections, run_async
+from bnserve_client._likelihoods import AsyncLikelihood
 from bnserve_client._messages import Conversation
-from bnserve_client._remote import RemoteModel, connecting, settings_from
-from bnserve_client._session import Pinned
-from bnserve_client._settings import Settings
-from bnserve_client._sources import Source
+from bnserve_client._session import Pinned, connecting
+from bnserve_client._settings import Settings, settings_from
 from bnserve_client._tokens import Token, TokenLike
+from bnserve_client._transport_factory import TransportFactory
+from bnserve_client._waveforms import RemoteModel
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
@@ -53,10 +52,10 @@ class AsyncModel:
     May be used from several event loops, which do not share connections; :meth:`close` closes those of its own.
     """
 
-    def __init__(self, settings: Settings, pinned: Pinned, source: Source | None = None) -> None:
+    def __init__(self, settings: Settings, pinned: Pinned, factory: TransportFactory | None = None) -> None:
         self._remote = RemoteModel(settings, pinned)
-        self._source = source
-        self._connections = AsyncConnections(source)
+        self._factory = factory
+        self._connections = AsyncConnections(factory)
 
     @classmethod
     async def connect(
@@ -78,16 +77,16 @@ class AsyncModel:
         """Find a model on a service; parameters and errors are those of :meth:`.Model.connect`."""
         settings = settings_from(
             address, progress, token=Token(token), timeout=timeout, silence=silence, retries=retries, parallel=parallel,
-            chunk_samples=chunk_samples, names=transport is None,
+            chunk_samples=chunk_samples, resolve=transport is None,
         )  # fmt: skip
-        source = None if transport is None else Source(transport)
-        connections = AsyncConnections(source)
+        factory = None if transport is None else TransportFactory(transport)
+        connections = AsyncConnections(factory)
         try:
             pinned = await run_async(connecting(settings, name, version, digest), connections.send)
         except BaseException:
             await connections.close()
             raise
-        model = cls(settings, pinned, source)
+        model = cls(settings, pinned, factory)
         model._connections = connections
         return model
 
@@ -98,7 +97,7 @@ class AsyncModel:
 
     async def manifest(self) -> RunManifest:
         """What the appendix of a paper needs; see :meth:`.Model.manifest`."""
-        return await self._run(self._remote.manifest())
+        return await self._run(self._remote.evaluator.session.manifest())
 
     async def predict(
         self,
@@ -145,8 +144,9 @@ class AsyncModel:
 
     async def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> AsyncLikelihood:
         """The likelihood of an analysis; see :meth:`.Model.likelihood`."""
-        await self._run(self._remote.likelihood(analysis).introduce())
-        return AsyncLikelihood(self, analysis, invalid_rows)
+        likelihood = AsyncLikelihood(self, analysis, invalid_rows)
+        await self._run(likelihood._introducing())
+        return likelihood
 
     async def close(self) -> None:
         """Close the connections of this event loop."""
@@ -161,7 +161,7 @@ class AsyncModel:
         await self.close()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return AsyncModel, (self._remote.settings, self._remote.pinned, self._source)
+        return AsyncModel, (self._remote.settings, self._remote.pinned, self._factory)
 
     def __repr__(self) -> str:
         where = ", ".join(address.text for address in self._remote.settings.addresses)

@@ -1,160 +1,268 @@
-"""Evaluating a batch remotely: in chunks that fit the service's limits, on a grid that it knows."""
+"""One question, however many requests it takes: in pieces that the service takes, with what it has to know uploaded.
+
+Waveforms and likelihoods are questions; a new kind is one module with one more class of :class:`Question`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+import re
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping
+from typing import Any, ClassVar, NamedTuple, TypeAlias
 
-from bnserve_client._answers import read_waveforms
-from bnserve_client._chunks import Assembly, in_users_rows
-from bnserve_client._grids import IN_FULL_ONCE, ExplicitGrid, ends_of
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_client._addresses import Address
 from bnserve_client._messages import Conversation, Together
-from bnserve_client._patience import Patience
 from bnserve_client._progress import progress_bar
-from bnserve_client._results import Arrays, check_arrays
+from bnserve_client._retry_policy import RetryPolicy
 from bnserve_client._session import Pinned, Session
 from bnserve_protocol import (
+    AnswerCorrupted,
     BnserveError,
-    DtypeName,
-    EvaluationOptions,
     Forbidden,
-    GridUnknown,
+    InvalidFrequencies,
     Limits,
-    ParameterBatch,
+    ModelIdentity,
     TooLarge,
-    UniformGrid,
+    UndecodableBody,
+    printable,
 )
-from bnserve_protocol.wire import OutputName, WaveformRequest, encode_request
 
-_UPLOADS = 2
-"""Behind a load balancer an upload may reach one replica and the request another; then the grid travels in full."""
-_BYTES_PER_SAMPLE = 32
-"""The most that one sample takes in an answer: two complex128."""
-_BYTES_PER_ROW = 64
+Arrays: TypeAlias = Mapping[str, NDArray[Any]]
+_ROW = re.compile(r"\b([Rr]ow) (\d+)")
 
 
-@dataclass(frozen=True, slots=True)
-class Question:
-    """One evaluation of a whole batch, however many requests it takes."""
+class UploadTooLarge(TooLarge):
+    """What a question refers to is too large, which smaller batches do not help."""
 
-    batch: ParameterBatch
-    grid: UniformGrid | ExplicitGrid
-    output: OutputName
-    dtype: DtypeName
-    options: EvaluationOptions
+
+class Upload(NamedTuple):
+    """What the service has to know before it can answer, at a path that ends with its digest."""
+
+    path: str
+    media_type: str
+    body: bytes
+
+
+class Question(ABC):
+    """One evaluation of a whole batch: where it is asked, what it costs, how it travels and what comes back."""
+
+    unknown: ClassVar[type[BnserveError]]
+    """What a service says that has not, or no longer, what was uploaded."""
+    uploads: int
+    """Behind a load balancer an upload may reach one replica and the request another: how often it is tried."""
+
+    path: str
+    """Below that of the model."""
+
+    @abstractmethod
+    def __len__(self) -> int:
+        """Rows."""
+
+    @abstractmethod
+    def rows_per_request(self, limits: Limits) -> int:
+        """How many of its rows one request may have."""
+
+    @abstractmethod
+    def encode(self, start: int, stop: int, address: Address | None) -> bytes:
+        """A request for some rows, to the replica at ``address``; to any, with all that it needs, for None."""
+
+    @abstractmethod
+    def max_bytes(self, rows: int) -> int:
+        """More than any right answer for that many rows can have."""
+
+    @abstractmethod
+    def decode(self, body: bytes | memoryview, rows: int, where: str, model: ModelIdentity) -> Arrays:
+        """The arrays of that many rows, as they are kept, from an answer that must come from ``model``.
+
+        Raises
+        ------
+        UndecodableBody
+            The message cannot be read.
+        AnswerCorrupted
+            It is not an answer to this question, or another model's (:func:`check_model`).
+        """
+
+    @abstractmethod
+    def upload(self, limits: Limits) -> Upload:
+        """What the service has to know.
+
+        Raises
+        ------
+        UploadTooLarge
+        """
+
+    def upload_refused(self, error: Forbidden | TooLarge) -> None:
+        """Go on without the upload, if that is possible; raises ``error`` otherwise."""
+        raise error
+
+    def check(self) -> Question | None:
+        """A smaller question with the same errors, to be asked before a large one is begun; None if there is none."""
+        return None
+
+    def smaller_may_pass(self, limits: Limits) -> bool:
+        """Whether fewer rows could be taken where these are too many."""
+        return True
 
 
 class Evaluator:
     """Answers a :class:`Question` with one pinned model."""
 
     def __init__(self, session: Session, pinned: Pinned) -> None:
-        self._session = session
-        self._identity = pinned.identity
+        self.session = session
+        self.identity = pinned.identity
         self._limits = pinned.limits
-        self._path = f"{pinned.path}/waveforms"
+        self._path = pinned.path
 
-    def evaluate(self, question: Question, finish: Callable[[Arrays], Arrays]) -> Conversation[Arrays]:
+    def evaluate(self, question: Question) -> Conversation[Arrays]:
         """The arrays of all rows.
-
-        Parameters
-        ----------
-        question:
-            What to evaluate.
-        finish:
-            Turns the arrays of any number of rows, read-only as they arrive, into those to keep.
 
         Raises
         ------
         BnserveError
             As the local model; positions are rows of the whole batch.
         """
-        rows = len(question.batch)
+        rows = len(question)
         assembly = Assembly(rows)
-        pieces = self._pieces(rows, len(question.grid), self._session.settings.chunk_samples)
+        pieces = self._pieces(question)
         if len(pieces) == 1:
-            yield from self._piece(question, 0, rows, lambda start, arrays: assembly.place(start, finish(arrays)))
+            yield from self._piece(question, 0, rows, assembly.place)
             return assembly.arrays
-        if question.options.out_of_domain == "error":
-            yield from self._check(question)
-        with progress_bar(rows, self._session.settings.progress) as bar:
+        check = question.check()
+        if check is not None:
+            for start, stop in self._pieces(check):
+                yield from self._piece(check, start, stop, lambda start, arrays: None)
+        with progress_bar(rows, self.session.settings.progress) as bar:
 
             def keep(start: int, arrays: Arrays) -> None:
-                assembly.place(start, finish(arrays))
+                assembly.place(start, arrays)
                 if bar is not None:
                     bar.update(len(arrays["status"]))
 
             conversations = [self._piece(question, start, stop, keep) for start, stop in pieces]
-            yield Together(conversations, at_once=self._session.settings.parallel)
+            yield Together(conversations, at_once=self.session.settings.parallel)
         return assembly.arrays
 
-    def _pieces(self, rows: int, frequencies: int, samples: int) -> list[tuple[int, int]]:
-        step = max(1, min(samples // frequencies, self._limits.rows_per_request(frequencies)))
-        return [(start, min(start + step, rows)) for start in range(0, max(rows, 1), step)]
+    def upload(self, question: Question, retries: RetryPolicy) -> Conversation[None]:
+        """Make what a question refers to known to the replica that is being asked.
 
-    def _check(self, question: Question) -> Conversation[None]:
-        """Have all rows checked before the first is evaluated, so that errors speak of the whole batch, and at once.
-
-        The checks depend on the parameters and on the ends of the grid, so two frequencies are enough.
+        Raises
+        ------
+        BnserveError
+            The service refuses it.
         """
-        ends = ends_of(question.grid)
-        small = Question(question.batch, ends, question.output, question.dtype, question.options)
-        for start, stop in self._pieces(len(question.batch), len(ends), self._limits.max_samples):
-            yield from self._piece(small, start, stop, lambda start, arrays: None)
+        path, media_type, body = question.upload(self._limits)
+        try:
+            yield from self.session.upload(path, media_type, body, retries)
+        except (Forbidden, TooLarge) as error:
+            question.upload_refused(error)
+
+    def _pieces(self, question: Question) -> list[tuple[int, int]]:
+        """Equal parts, as few as the limits allow: the service itself gives a large request to all its threads."""
+        rows = len(question)
+        count = max(1, -(-rows // question.rows_per_request(self._limits)))
+        step = max(1, -(-rows // count))
+        return [(start, min(start + step, rows)) for start in range(0, max(rows, 1), step)]
 
     def _piece(
         self, question: Question, start: int, stop: int, keep: Callable[[int, Arrays], None]
     ) -> Conversation[None]:
         """Evaluate some rows; where the service finds them too many, in halves."""
-        part = ParameterBatch(question.batch.values[start:stop])
         try:
-            arrays = yield from self._request(question, part)
+            arrays = yield from self._request(question, start, stop)
         except TooLarge as error:
-            if stop - start > 1 and (yield from self._smaller_may_pass(question)):
-                middle = (start + stop) // 2
-                yield from self._piece(question, start, middle, keep)
-                yield from self._piece(question, middle, stop, keep)
-                return
-            raise in_users_rows(error, start) from error.__cause__
+            if isinstance(error, UploadTooLarge) or stop - start < 2:
+                raise in_users_rows(error, start) from error.__cause__
+            self._limits = yield from self.session.get("/v1/limits", Limits, self.session.retry_policy())
+            if not question.smaller_may_pass(self._limits):
+                raise in_users_rows(error, start) from error.__cause__
+            middle = (start + stop) // 2
+            yield from self._piece(question, start, middle, keep)
+            yield from self._piece(question, middle, stop, keep)
+            return
         except BnserveError as error:
             raise in_users_rows(error, start) from error.__cause__
         keep(start, arrays)
 
-    def _smaller_may_pass(self, question: Question) -> Conversation[bool]:
-        """Learn the limits anew: they differ from those at the time of connecting."""
-        self._limits = yield from self._session.get("/v1/limits", Limits, self._session.patience())
-        return len(question.grid) <= self._limits.max_frequencies
-
-    def _request(self, question: Question, part: ParameterBatch) -> Conversation[Arrays]:
-        """One request, with the grid in the shortest form that the service understands."""
-        patience = self._session.patience()
-        grid = question.grid
-        if isinstance(grid, UniformGrid):
-            return (yield from self._post(question, part, grid, patience))
-        for _ in range(_UPLOADS + 1):
+    def _request(self, question: Question, start: int, stop: int) -> Conversation[Arrays]:
+        """One request; what it refers to is uploaded wherever it is not known, or not any more."""
+        retries = self.session.retry_policy()
+        for _ in range(question.uploads):
             try:
-                return (yield from self._post(question, part, grid.on_the_wire(patience.address), patience))
-            except GridUnknown:
-                try:
-                    yield from self._session.upload_grid(grid.sha256, grid.frequencies.tobytes(), patience)
-                except (Forbidden, TooLarge):
-                    grid.in_full = True
-                    break
-        grid.in_full = grid.in_full or len(grid) <= IN_FULL_ONCE  # short enough not to try again each time
-        return (yield from self._post(question, part, grid.frequencies, patience))
+                body = question.encode(start, stop, retries.address)
+                return (yield from self._post(question, body, stop - start, retries))
+            except question.unknown:
+                yield from self.upload(question, retries)
+        body = question.encode(start, stop, None)
+        return (yield from self._post(question, body, stop - start, retries))
 
-    def _post(self, question: Question, part: ParameterBatch, grid: Any, patience: Patience) -> Conversation[Arrays]:
-        rows, frequencies = len(part), len(question.grid)
-        body = encode_request(
-            WaveformRequest(
-                batch=part, grid=grid, output=question.output, dtype=question.dtype, options=question.options
-            )
+    def _post(self, question: Question, body: bytes, rows: int, retries: RetryPolicy) -> Conversation[Arrays]:
+        def read(answer: bytes | memoryview, where: str) -> Arrays:
+            try:
+                return question.decode(answer, rows, where, self.identity)
+            except UndecodableBody as error:
+                raise AnswerCorrupted(f"An answer from {where} cannot be read: {error.detail}") from error
+
+        path = f"{self._path}/{question.path}"
+        return self.session.post(path, body, read, question.max_bytes(rows), retries)
+
+
+def check_model(answered: ModelIdentity, where: str, model: ModelIdentity) -> None:
+    """Refuse the answer of another model.
+
+    Raises
+    ------
+    AnswerCorrupted
+    """
+    if answered != model:
+        other = printable(f"{answered.name} {answered.version} ({answered.digest})")
+        raise AnswerCorrupted(
+            f"{where} answered with {other}, but this model "
+            f"is pinned to {model.name} {model.version} ({model.digest}). Connect again to use the other one."
         )
 
-        def read(answer: bytes | memoryview, where: str) -> Arrays:
-            arrays = read_waveforms(answer, where, self._identity).arrays
-            check_arrays(arrays, question.output, question.dtype, rows, frequencies)
-            return arrays
 
-        max_bytes = rows * (frequencies * _BYTES_PER_SAMPLE + _BYTES_PER_ROW)
-        return self._session.post(self._path, body, read, max_bytes, patience)
+class Assembly:
+    """Arrays of all ``rows`` of a batch, filled piece by piece; pieces may arrive in any order and thread."""
+
+    def __init__(self, rows: int) -> None:
+        self._rows = rows
+        self.arrays: dict[str, NDArray[Any]] = {}
+
+    def place(self, start: int, piece: Mapping[str, NDArray[Any]]) -> None:
+        """Put a piece at its rows. A piece that is everything is kept without a copy."""
+        for name, array in piece.items():
+            if len(array) == self._rows:
+                self.arrays[name] = array
+                continue
+            whole = self.arrays.get(name)
+            if whole is None:
+                whole = self.arrays.setdefault(name, self._room(array))
+            whole[start : start + len(array)] = array
+
+    def _room(self, piece: NDArray[Any]) -> NDArray[Any]:
+        try:
+            return np.empty((self._rows, *piece.shape[1:]), dtype=piece.dtype)
+        except MemoryError as error:
+            raise TooLarge(
+                f"There is no memory here for the answers to all {self._rows} rows; ask for fewer rows at a time, for "
+                'fewer frequencies, or with dtype="complex64".'
+            ) from error
+
+
+def in_users_rows(error: BnserveError, start: int) -> BnserveError:
+    """The same error about rows of the whole batch, where it was about rows of the piece that begins at ``start``."""
+    if start == 0 or isinstance(error, InvalidFrequencies):
+        return error
+    return type(error)(
+        _ROW.sub(lambda found: f"{found[1]} {int(found[2]) + start}", error.detail),
+        errors=[
+            problem if problem.row is None else msgspec.structs.replace(problem, row=problem.row + start)
+            for problem in error.errors
+        ],
+        retry_after=error.retry_after,
+        request_id=error.request_id,
+    )

@@ -15,7 +15,7 @@ from bnserve_client import _httpx_deadline
 from bnserve_client._addresses import Address
 from bnserve_client._failures import Broken, Malformed, Stale, TransportFailure, explain
 from bnserve_client._messages import HttpResponse, Send
-from bnserve_client._sources import Source
+from bnserve_client._transport_factory import TransportFactory
 
 _CONNECT_SECONDS = 5.0
 _FAILURES = (httpx.RequestError, httpx.InvalidURL, OSError, TransportFailure)
@@ -24,11 +24,11 @@ _FAILURES = (httpx.RequestError, httpx.InvalidURL, OSError, TransportFailure)
 class HttpxTransport:
     """A synchronous httpx client for one address."""
 
-    def __init__(self, address: Address, source: Source | None = None) -> None:
-        self._owned = source is None or source.is_factory
+    def __init__(self, address: Address, factory: TransportFactory | None = None) -> None:
+        self._owned = factory is None or factory.makes_new
         self._client: httpx.Client
-        if source is not None:
-            self._client = source.make(httpx.Client, httpx.BaseTransport)
+        if factory is not None:
+            self._client = factory.make(httpx.Client, httpx.BaseTransport)
         elif address.socket_path is not None:
             self._client = httpx.Client(transport=httpx.HTTPTransport(uds=address.socket_path))
         else:
@@ -61,11 +61,11 @@ class HttpxTransport:
 class AsyncHttpxTransport:
     """An asynchronous httpx client for one address."""
 
-    def __init__(self, address: Address, source: Source | None = None) -> None:
-        self._owned = source is None or source.is_factory
+    def __init__(self, address: Address, factory: TransportFactory | None = None) -> None:
+        self._owned = factory is None or factory.makes_new
         self._client: httpx.AsyncClient
-        if source is not None:
-            self._client = source.make(httpx.AsyncClient, httpx.AsyncBaseTransport)
+        if factory is not None:
+            self._client = factory.make(httpx.AsyncClient, httpx.AsyncBaseTransport)
         elif address.socket_path is not None:
             self._client = httpx.AsyncClient(transport=httpx.AsyncHTTPTransport(uds=address.socket_path))
         else:

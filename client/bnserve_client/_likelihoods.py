@@ -1,43 +1,44 @@
-"""Evaluating a likelihood remotely: an analysis made known where it is not, batches in parts that the service takes."""
+"""Likelihoods as a question, and the remote likelihoods, synchronous and asynchronous."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from typing import Any, TypeVar
 
 import msgspec
+import numpy as np
+from numpy.typing import NDArray
 
-from bnserve_client._answers import check_model
-from bnserve_client._chunks import Assembly, in_users_rows
-from bnserve_client._messages import Conversation, Together
-from bnserve_client._patience import Patience
-from bnserve_client._progress import progress_bar
-from bnserve_client._results import Arrays
-from bnserve_client._session import Pinned, Session
+from bnserve_client._addresses import Address
+from bnserve_client._evaluation import Arrays, Question, Upload, UploadTooLarge, check_model
+from bnserve_client._messages import Conversation
 from bnserve_protocol import (
+    LIKELIHOOD_NAMES,
     Analysis,
     AnalysisUnknown,
     AnswerCorrupted,
-    BnserveError,
+    Forbidden,
+    InvalidRows,
     LikelihoodBatch,
+    LikelihoodBatchLike,
+    LikelihoodCounts,
+    LikelihoodValues,
     Limits,
+    ModelIdentity,
+    RowStatus,
     TooLarge,
-    UndecodableBody,
+    check_invalid_rows,
     check_model_of,
     encode_analysis,
     likelihood_samples,
+    refuse_rows,
 )
 from bnserve_protocol.wire import MSGPACK, decode_likelihood_answer, encode_likelihood_request
 
-_UPLOADS = 16
-"""Behind a load balancer an upload may reach one replica and the request another; in the end all have it."""
+_T = TypeVar("_T")
 _BYTES_PER_ROW = 16
 """The most that one row takes in an answer."""
 _HEAD_BYTES = 4096
 """Of a request beside its arrays."""
-
-
-class AnalysisTooLarge(TooLarge):
-    """The analysis itself is too large, which smaller batches do not help."""
 
 
 class _AnalysisDocument(msgspec.Struct, frozen=True):
@@ -46,129 +47,181 @@ class _AnalysisDocument(msgspec.Struct, frozen=True):
     sha256: str
 
 
-class RemoteLikelihood:
-    """Conversations about one analysis and one pinned model."""
+class LogLikelihoods(Question):
+    """The log-likelihoods of a batch."""
 
-    def __init__(self, session: Session, pinned: Pinned, analysis: Analysis) -> None:
-        check_model_of(analysis, pinned.identity)
-        self.analysis = analysis
-        self._session = session
-        self._identity = pinned.identity
-        self._limits = pinned.limits
-        self._samples = likelihood_samples(analysis)
-        sha256 = analysis.digest.removeprefix("sha256:")
-        self._path = f"{pinned.path}/likelihoods/{sha256}"
-        self._analysis_path = f"/v1/analyses/{sha256}"
+    unknown = AnalysisUnknown
+    uploads = 16
+    """In the end all replicas have it."""
 
-    def introduce(self) -> Conversation[None]:
-        """Make the analysis known, if it is not.
+    def __init__(self, analysis: Analysis, samples: int, batch: LikelihoodBatch) -> None:
+        self._analysis = analysis
+        self._samples = samples
+        self._batch = batch
+        self.path = f"likelihoods/{_sha256(analysis)}"
 
-        Raises
-        ------
-        AnalysisInvalid, TooLarge, Forbidden
-            The service refuses the analysis.
-        """
-        patience = self._session.patience()
-        try:
-            yield from self._session.get(self._analysis_path, _AnalysisDocument, patience)
-        except AnalysisUnknown:
-            yield from self._upload(patience)
+    def __len__(self) -> int:
+        return len(self._batch)
 
-    def evaluate(self, batch: LikelihoodBatch) -> Conversation[Arrays]:
-        """``log_likelihood`` and ``status`` of all rows.
+    def rows_per_request(self, limits: Limits) -> int:
+        """As :class:`Question`."""
+        fitting = max(1, (limits.max_body_bytes - _HEAD_BYTES) // _bytes_per_row(self._batch))
+        return min(limits.rows_per_request(self._samples), fitting)
 
-        Raises
-        ------
-        BnserveError
-            As the local likelihood; positions are rows of the whole batch.
-        """
-        assembly = Assembly(len(batch))
-        pieces = self._pieces(batch)
-        if len(pieces) == 1:
-            yield from self._piece(batch, 0, len(batch), assembly.place)
-            return assembly.arrays
-        with progress_bar(len(batch), self._session.settings.progress) as bar:
+    def encode(self, start: int, stop: int, address: Address | None) -> bytes:
+        """As :class:`Question`."""
+        whole = stop - start == len(self._batch)
+        part = self._batch if whole else self._batch.rows(slice(start, stop))
+        return encode_likelihood_request(self._analysis.digest, part)
 
-            def keep(start: int, arrays: Arrays) -> None:
-                assembly.place(start, arrays)
-                if bar is not None:
-                    bar.update(len(arrays["status"]))
+    def max_bytes(self, rows: int) -> int:
+        """As :class:`Question`."""
+        return rows * _BYTES_PER_ROW
 
-            conversations = [self._piece(batch, start, stop, keep) for start, stop in pieces]
-            yield Together(conversations, at_once=self._session.settings.parallel)
-        return assembly.arrays
+    def decode(self, body: bytes | memoryview, rows: int, where: str, model: ModelIdentity) -> Arrays:
+        """As :class:`Question`."""
+        found = decode_likelihood_answer(body)
+        check_model(found.model, where, model)
+        if found.analysis != self._analysis.digest or len(found.status) != rows:
+            raise AnswerCorrupted(f"An answer from {where} belongs to another analysis or batch.")
+        return {"log_likelihood": found.log_likelihood.copy(), "status": found.status.copy()}
 
-    def _pieces(self, batch: LikelihoodBatch) -> list[tuple[int, int]]:
-        """Equal parts, as few as the limits allow: the service itself gives a large request to all its threads."""
-        rows = len(batch)
-        fitting = max(1, (self._limits.max_body_bytes - _HEAD_BYTES) // _bytes_per_row(batch))
-        most = min(self._limits.rows_per_request(self._samples), fitting)
-        count = max(1, -(-rows // most))
-        step = max(1, -(-rows // count))
-        return [(start, min(start + step, rows)) for start in range(0, max(rows, 1), step)]
-
-    def _piece(
-        self, batch: LikelihoodBatch, start: int, stop: int, keep: Callable[[int, Arrays], None]
-    ) -> Conversation[None]:
-        """Evaluate some rows; where the service finds them too many, in halves."""
-        part = batch if stop - start == len(batch) else batch.rows(slice(start, stop))
-        try:
-            arrays = yield from self._request(part)
-        except AnalysisTooLarge:
-            raise
-        except TooLarge as error:
-            if stop - start < 2:
-                raise in_users_rows(error, start) from error.__cause__
-            self._limits = yield from self._session.get("/v1/limits", Limits, self._session.patience())
-            middle = (start + stop) // 2
-            yield from self._piece(batch, start, middle, keep)
-            yield from self._piece(batch, middle, stop, keep)
-            return
-        except BnserveError as error:
-            raise in_users_rows(error, start) from error.__cause__
-        keep(start, arrays)
-
-    def _request(self, part: LikelihoodBatch) -> Conversation[Arrays]:
-        """One request; the analysis is uploaded wherever it is not known, or not any more."""
-        patience = self._session.patience()
-        body = encode_likelihood_request(self.analysis.digest, part)
-        for _ in range(_UPLOADS):
-            try:
-                return (yield from self._post(body, len(part), patience))
-            except AnalysisUnknown:
-                yield from self._upload_again(patience)
-        return (yield from self._post(body, len(part), patience))
-
-    def _post(self, body: bytes, rows: int, patience: Patience) -> Conversation[Arrays]:
-        def read(answer: bytes | memoryview, where: str) -> Arrays:
-            try:
-                found = decode_likelihood_answer(answer)
-            except UndecodableBody as error:
-                raise AnswerCorrupted(f"An answer from {where} cannot be read: {error.detail}") from error
-            check_model(found.model, where, self._identity)
-            if found.analysis != self.analysis.digest or len(found.status) != rows:
-                raise AnswerCorrupted(f"An answer from {where} belongs to another analysis or batch.")
-            return {"log_likelihood": found.log_likelihood.copy(), "status": found.status.copy()}
-
-        return self._session.post(self._path, body, read, rows * _BYTES_PER_ROW, patience)
-
-    def _upload_again(self, patience: Patience) -> Conversation[None]:
-        try:
-            yield from self._upload(patience)
-        except TooLarge as error:
-            raise AnalysisTooLarge(error.detail, request_id=error.request_id) from error
-
-    def _upload(self, patience: Patience) -> Conversation[None]:
-        body = b"".join(encode_analysis(self.analysis))
-        limit = self._limits.max_analysis_bytes
+    def upload(self, limits: Limits) -> Upload:
+        """As :class:`Question`: the analysis."""
+        body = b"".join(encode_analysis(self._analysis))
+        limit = limits.max_analysis_bytes
         if len(body) > limit:
-            raise TooLarge(
+            raise UploadTooLarge(
                 f"This analysis has {len(body)} bytes and the service takes {limit}: use reduced-order quadrature or "
                 "relative binning, or have its operators raise 'max_analysis_bytes'."
             )
-        return self._session.upload(self._analysis_path, MSGPACK, body, patience)
+        return Upload(_path(self._analysis), MSGPACK, body)
+
+    def upload_refused(self, error: Forbidden | TooLarge) -> None:
+        """As :class:`Question`: there is no other way."""
+        if isinstance(error, TooLarge):
+            raise UploadTooLarge(error.detail, request_id=error.request_id) from error
+        raise error
+
+
+def _sha256(analysis: Analysis) -> str:
+    return analysis.digest.removeprefix("sha256:")
+
+
+def _path(analysis: Analysis) -> str:
+    return f"/v1/analyses/{_sha256(analysis)}"
 
 
 def _bytes_per_row(batch: LikelihoodBatch) -> int:
     calibration = (*batch.calibration_amplitude.values(), *batch.calibration_phase.values())
     return 8 * sum(int(array.shape[1]) for array in (batch.values, *calibration))
+
+
+class Counter:
+    """Rows by status. Takes no lock, because a fork may find it locked: adding 5 numbers in place is one step."""
+
+    def __init__(self) -> None:
+        self._rows = np.zeros(len(RowStatus), dtype=np.int64)
+
+    def add(self, status: NDArray[np.uint8]) -> None:
+        """Count the rows of one answer."""
+        np.add(self._rows, np.bincount(status, minlength=len(self._rows))[: len(self._rows)], out=self._rows)
+
+    def counts(self) -> LikelihoodCounts:
+        """The counts so far."""
+        by_reason = {status.name.lower(): int(self._rows[status]) for status in RowStatus if status is not RowStatus.OK}
+        return LikelihoodCounts(rows=int(self._rows.sum()), **by_reason)
+
+
+class _Remote:
+    """What the two likelihoods have in common: everything but who holds the conversations."""
+
+    def __init__(self, model: Any, analysis: Analysis, invalid_rows: InvalidRows = "flag") -> None:
+        self._model = model
+        self._invalid_rows = check_invalid_rows(invalid_rows)
+        self._evaluator = model._remote.evaluator
+        check_model_of(analysis, self._evaluator.identity)
+        self._analysis = analysis
+        self._samples = likelihood_samples(analysis)
+        self._counter = Counter()
+
+    @property
+    def analysis(self) -> Analysis:
+        """What is evaluated."""
+        return self._analysis
+
+    @property
+    def counts(self) -> LikelihoodCounts:
+        """Rows evaluated through this object so far, in this process."""
+        return self._counter.counts()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._model, self._analysis, self._invalid_rows)
+
+    def __repr__(self) -> str:
+        settings, name = self._analysis.settings, type(self).__name__
+        return f"<bnserve_client.{name} {settings.kind} of {', '.join(settings.detectors)} with {self._model!r}>"
+
+    def _introducing(self) -> Conversation[None]:
+        """Make the analysis known, if it is not."""
+        retries = self._evaluator.session.retry_policy()
+        try:
+            yield from self._evaluator.session.get(_path(self._analysis), _AnalysisDocument, retries)
+        except AnalysisUnknown:
+            nothing = LikelihoodBatch(np.empty((0, len(LIKELIHOOD_NAMES))))
+            yield from self._evaluator.upload(LogLikelihoods(self._analysis, self._samples, nothing), retries)
+
+    def _evaluating(self, batch: LikelihoodBatchLike) -> Conversation[LikelihoodValues]:
+        question = LogLikelihoods(self._analysis, self._samples, LikelihoodBatch.coerce(batch))
+        arrays = yield from self._evaluator.evaluate(question)
+        self._counter.add(arrays["status"])
+        return LikelihoodValues(arrays["log_likelihood"], arrays["status"])
+
+    def _in_range(self, values: LikelihoodValues) -> NDArray[np.float64]:
+        if self._invalid_rows == "error":
+            refuse_rows(values.status)
+        return values.log_likelihood
+
+
+class Likelihood(_Remote):
+    """The likelihood of an analysis, evaluated by a bnserve service; made by :meth:`.Model.likelihood`.
+
+    Same methods, results (to the bit) and errors as that of ``bnserve_inference``. Safe to share between threads, to
+    use after a fork, and to pickle, as its model is. The service may forget the analysis at any time, for instance
+    because it is started again; it is then uploaded again, without a word.
+    """
+
+    def log_likelihood(self, batch: LikelihoodBatchLike) -> NDArray[np.float64]:
+        """Logarithm of the ratio of the likelihoods with and without the signal, float64 ``(N,)``.
+
+        However large the batch, one call is fastest: it is split where the service's limits ask for it, and put
+        together again.
+
+        Raises
+        ------
+        InvalidParameters
+            Resolver and shapes that do not fit; as the local likelihood.
+        OutOfDomain
+            With ``invalid_rows="error"``: rows outside the prior's or the model's range.
+        AnalysisInvalid, TooLarge, Unavailable, UntrustedAnswer, ModelUnknown, AccessDenied, InternalError
+            What a service can add to that, after the retries.
+        """
+        return self._in_range(self.evaluate(batch))
+
+    def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
+        """As :meth:`log_likelihood`, with the :class:`.RowStatus` of every row, uint8 ``(N,)``; rows never raise."""
+        values: LikelihoodValues = self._model._run(self._evaluating(batch))
+        return values
+
+
+class AsyncLikelihood(_Remote):
+    """As :class:`Likelihood`, for asyncio: every evaluation is awaited; made by :meth:`.AsyncModel.likelihood`."""
+
+    async def log_likelihood(self, batch: LikelihoodBatchLike) -> NDArray[np.float64]:
+        """As :meth:`Likelihood.log_likelihood`."""
+        return self._in_range(await self.evaluate(batch))
+
+    async def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
+        """As :meth:`Likelihood.evaluate`."""
+        values: LikelihoodValues = await self._model._run(self._evaluating(batch))
+        return values

@@ -8,15 +8,14 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from numpy.typing import DTypeLike
 
-from bnserve_client._connections import Connections
-from bnserve_client._drivers import run
-from bnserve_client._likelihood import Likelihood
+from bnserve_client._connections import Connections, run
+from bnserve_client._likelihoods import Likelihood
 from bnserve_client._messages import Conversation
-from bnserve_client._remote import RemoteModel, connecting, settings_from
-from bnserve_client._session import Pinned
-from bnserve_client._settings import Settings
-from bnserve_client._sources import Source
+from bnserve_client._session import Pinned, connecting
+from bnserve_client._settings import Settings, settings_from
 from bnserve_client._tokens import Token, TokenLike
+from bnserve_client._transport_factory import TransportFactory
+from bnserve_client._waveforms import RemoteModel
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
@@ -53,10 +52,10 @@ class Model:
     when they are needed). A context manager; after :meth:`close`, a call opens new connections.
     """
 
-    def __init__(self, settings: Settings, pinned: Pinned, source: Source | None = None) -> None:
+    def __init__(self, settings: Settings, pinned: Pinned, factory: TransportFactory | None = None) -> None:
         self._remote = RemoteModel(settings, pinned)
-        self._source = source
-        self._connections = Connections(source)
+        self._factory = factory
+        self._connections = Connections(factory)
 
     @classmethod
     def connect(
@@ -117,16 +116,16 @@ class Model:
         """
         settings = settings_from(
             address, progress, token=Token(token), timeout=timeout, silence=silence, retries=retries, parallel=parallel,
-            chunk_samples=chunk_samples, names=transport is None,
+            chunk_samples=chunk_samples, resolve=transport is None,
         )  # fmt: skip
-        source = None if transport is None else Source(transport)
-        connections = Connections(source)
+        factory = None if transport is None else TransportFactory(transport)
+        connections = Connections(factory)
         try:
             pinned = run(connecting(settings, name, version, digest), connections.send)
         except BaseException:
             connections.close()
             raise
-        model = cls(settings, pinned, source)
+        model = cls(settings, pinned, factory)
         model._connections = connections
         return model
 
@@ -142,7 +141,7 @@ class Model:
         ------
         Unavailable, AccessDenied, UntrustedAnswer
         """
-        return self._run(self._remote.manifest())
+        return self._run(self._remote.evaluator.session.manifest())
 
     def predict(
         self,
@@ -221,8 +220,9 @@ class Model:
         TooLarge
             Larger than the service takes.
         """
-        self._run(self._remote.likelihood(analysis).introduce())
-        return Likelihood(self, analysis, invalid_rows)
+        likelihood = Likelihood(self, analysis, invalid_rows)
+        self._run(likelihood._introducing())
+        return likelihood
 
     def close(self) -> None:
         """Close the connections."""
@@ -237,7 +237,7 @@ class Model:
         self.close()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Model, (self._remote.settings, self._remote.pinned, self._source)
+        return Model, (self._remote.settings, self._remote.pinned, self._factory)
 
     def __repr__(self) -> str:
         where = ", ".join(address.text for address in self._remote.settings.addresses)

@@ -1,4 +1,4 @@
-"""Talking to one service: every request with its headers, its patience and its checks. Knows no sockets."""
+"""Talking to one service: every request with its headers, its retries and its checks. Knows no sockets."""
 
 from __future__ import annotations
 
@@ -10,26 +10,30 @@ from urllib.parse import quote
 
 import msgspec
 
-from bnserve_client._answers import read_description, trusted_body
+from bnserve_client._answers import problem_of, read_description, stranger
 from bnserve_client._failures import not_bnserve
 from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, LookUp, Send, Sleep
-from bnserve_client._names import Names, names_among
-from bnserve_client._patience import Patience
-from bnserve_client._replicas import Replicas
+from bnserve_client._resolver import Resolver, names_to_resolve
+from bnserve_client._retry_policy import Replicas, RetryPolicy
 from bnserve_client._settings import Settings
 from bnserve_protocol import (
+    AnswerCorrupted,
     BnserveError,
     DigestUnknown,
     Limits,
     ModelDescription,
     ModelIdentity,
     ModelUnknown,
+    RunManifest,
     __version__,
     check_model_digest,
 )
-from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON, WANTED_DIGEST, request_digest
+from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON, WANTED_DIGEST, content_digest, request_digest
 
 _T = TypeVar("_T")
+
+_CONNECT_RETRIES = 3
+"""At the first contact a wrong address is likelier than an outage, so it is reported soon."""
 
 _SMALL_ANSWER = 2**20
 """No description, limit or problem is larger."""
@@ -74,13 +78,48 @@ class _ModelDocument(ModelDescription, frozen=True, kw_only=True):
     limits: Limits
 
 
+def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
+    """The body of a successful answer, checked.
+
+    Parameters
+    ----------
+    response:
+        What came back.
+    where:
+        The address, for messages.
+    asked:
+        The :func:`bnserve_protocol.wire.request_digest` of the question; None for a GET.
+
+    Raises
+    ------
+    AnswerCorrupted
+        The body is not the one that was sent, or answers another question.
+    NotBnserve
+        No such answer could come from bnserve.
+    BnserveError
+        What the service said was wrong.
+    """
+    stated = response.headers.get("content-digest")
+    if stated is None:
+        raise stranger(response, where)
+    if stated != content_digest([response.body], "crc32c" if stated.startswith("crc32c=") else "sha-256"):
+        raise AnswerCorrupted(f"An answer from {where} was damaged on the way: its Content-Digest does not match.")
+    answered = response.headers.get("x-request-digest")
+    successful = 200 <= response.status < 300
+    if asked is not None and answered != asked and (answered is not None or successful):
+        raise AnswerCorrupted(f"An answer from {where} belongs to another question: its X-Request-Digest is wrong.")
+    if not successful:
+        raise problem_of(response, where)
+    return response.body
+
+
 class Session:
     """Requests to the replicas of one service."""
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
-        names = names_among(settings.addresses) if settings.names else ()
-        self._replicas = Replicas(settings.addresses, Names(settings.addresses, names) if names else None)
+        names = names_to_resolve(settings.addresses) if settings.resolve else ()
+        self._replicas = Replicas(settings.addresses, Resolver(settings.addresses, names) if names else None)
         self._headers = (("User-Agent", f"bnserve-client/{__version__}"),)
         self._post_headers = (
             *self._headers,
@@ -89,9 +128,9 @@ class Session:
             ("Want-Content-Digest", WANTED_DIGEST),
         )
 
-    def patience(self) -> Patience:
+    def retry_policy(self) -> RetryPolicy:
         """A fresh deadline."""
-        return Patience(self.settings, self._replicas)
+        return RetryPolicy(self.settings, self._replicas)
 
     def connect(self, name: str, version: str, digest: str | None = None) -> Conversation[Pinned]:
         """Find a model, turn a label into the version it stands for now, and learn the limits.
@@ -104,30 +143,30 @@ class Session:
             raise ModelUnknown("A model has a name and a version or label, such as 'default' and 'stable'.")
         if digest is not None:
             check_model_digest(digest)
-        patience = self.patience()
-        found = yield from self.get(model_path(name, digest or version), _ModelDocument, patience)
+        retries = self.retry_policy()
+        found = yield from self.get(model_path(name, digest or version), _ModelDocument, retries)
         if digest is not None and found.digest == digest and version not in (found.version, *found.labels):
             raise DigestUnknown(f"The digest {digest} is that of '{name}' {found.version}, not of {version}.")
         right = found.version == found.labels.get(version, version) if digest is None else found.digest == digest
         if found.name != name or not right:
-            raise not_bnserve(patience.address.text, f"asked for the model '{name}' {version}, it describes another")
+            raise not_bnserve(retries.address.text, f"asked for the model '{name}' {version}, it describes another")
         fields = {field: getattr(found, field) for field in ModelDescription.__struct_fields__}
         return Pinned(description=ModelDescription(**fields), limits=found.limits, by_digest=digest is not None)
 
-    def get(self, path: str, message: type[_T], patience: Patience) -> Conversation[_T]:
+    def get(self, path: str, message: type[_T], retries: RetryPolicy) -> Conversation[_T]:
         """Ask for a structured answer."""
         request = HttpRequest("GET", path, (*self._headers, ("Accept", f"{JSON}, {PROBLEM_JSON}")))
 
         def read(response: HttpResponse, where: str) -> _T:
             return read_description(trusted_body(response, where, None), message, where)
 
-        return self._ask(request, read, _SMALL_ANSWER, patience)
+        return self._ask(request, read, _SMALL_ANSWER, retries)
 
-    def upload_grid(self, sha256: str, frequencies: bytes, patience: Patience) -> Conversation[None]:
-        """Make a grid known to the replica that ``patience`` is talking to."""
-        return self.upload(f"/v1/grids/{sha256}", _OCTETS, frequencies, patience)
+    def manifest(self) -> Conversation[RunManifest]:
+        """The manifest of the replica that answers."""
+        return self.get("/v1/manifest", RunManifest, self.retry_policy())
 
-    def upload(self, path: str, media_type: str, body: bytes, patience: Patience) -> Conversation[None]:
+    def upload(self, path: str, media_type: str, body: bytes, retries: RetryPolicy) -> Conversation[None]:
         """Put something that its path names by its digest."""
         headers = (*self._headers, ("Content-Type", media_type), ("Accept", f"{JSON}, {PROBLEM_JSON}"))
         request = HttpRequest("PUT", path, headers, body)
@@ -136,7 +175,7 @@ class Session:
         def read(response: HttpResponse, where: str) -> None:
             trusted_body(response, where, asked)
 
-        return self._ask(request, read, _SMALL_ANSWER, patience)
+        return self._ask(request, read, _SMALL_ANSWER, retries)
 
     def post(
         self,
@@ -144,7 +183,7 @@ class Session:
         body: bytes,
         read: Callable[[bytes | memoryview, str], _T],
         max_bytes: int,
-        patience: Patience,
+        retries: RetryPolicy,
     ) -> Conversation[_T]:
         """Send MessagePack and read MessagePack: ``read(body, where)`` gets a body whose digests are right.
 
@@ -159,35 +198,35 @@ class Session:
         def checked(response: HttpResponse, where: str) -> _T:
             return read(trusted_body(response, where, asked), where)
 
-        return self._ask(request, checked, max(_SMALL_ANSWER, max_bytes), patience)
+        return self._ask(request, checked, max(_SMALL_ANSWER, max_bytes), retries)
 
     def _ask(
-        self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, patience: Patience
+        self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, retries: RetryPolicy
     ) -> Conversation[_T]:
-        """Ask until there is an answer that can be used, or patience ends."""
+        """Ask until there is an answer that can be used, or the retries end."""
         named = (*self.settings.token.headers(), *request.headers, ("X-Request-ID", os.urandom(16).hex()))
         while True:
             yield from self._tend()
-            patience.follow()
-            deadline = ("X-Request-Deadline-Ms", str(int(min(patience.seconds_left, 1e8) * 1e3)))
+            retries.follow()
+            deadline = ("X-Request-Deadline-Ms", str(int(min(retries.seconds_left, 1e8) * 1e3)))
             sent = HttpRequest(request.method, request.path, (*named, deadline), request.body)
             try:
-                with self._replicas.asking(patience.address):
-                    response = yield Send(patience.address, sent, self.settings.silence, patience.deadline, max_bytes)
-                answer = read(response, patience.address.text)
+                with self._replicas.asking(retries.address):
+                    response = yield Send(retries.address, sent, self.settings.silence, retries.deadline, max_bytes)
+                answer = read(response, retries.address.text)
             except BnserveError as error:
-                pause = patience.pause_after(error)
+                pause = retries.pause_after(error)
             else:
-                patience.succeeded()
+                retries.succeeded()
                 return answer
             if pause > 0.0:
                 yield Sleep(pause)
 
     def _tend(self) -> Conversation[None]:
         """Look at names again from time to time, and whether a replica that failed is back."""
-        names = self._replicas.names
-        if names is not None and (due := names.due()):
-            names.found((yield LookUp(due)))
+        resolver = self._replicas.resolver
+        if resolver is not None and (due := resolver.due()):
+            resolver.found((yield LookUp(due)))
         resting = self._replicas.to_probe()
         if resting is None:
             return
@@ -203,3 +242,9 @@ class Session:
             self._replicas.wake(resting)
         else:
             self._replicas.rest(resting)
+
+
+def connecting(settings: Settings, name: str, version: str, digest: str | None) -> Conversation[Pinned]:
+    """The first contact: see :meth:`Session.connect`."""
+    retries = _CONNECT_RETRIES if settings.retries is None else settings.retries
+    return Session(settings.with_retries(retries)).connect(name, version, digest)

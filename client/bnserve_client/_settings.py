@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import operator
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from bnserve_client._addresses import Address
+from bnserve_client._addresses import Address, parse_addresses
+from bnserve_client._progress import require_tqdm
 from bnserve_client._tokens import Token
 from bnserve_protocol import InvalidRequest, NotNumbers, as_real_number
 
@@ -26,7 +28,7 @@ class Settings:
     parallel: int = 2
     chunk_samples: int = 2**21
     progress: bool = False
-    names: bool = True
+    resolve: bool = True
     """Whether names that stand for several hosts are looked up here: not where the user's transport does it."""
 
     def __post_init__(self) -> None:
@@ -39,6 +41,18 @@ class Settings:
     def with_retries(self, retries: int) -> Settings:
         """The same with another number of retries."""
         return replace(self, retries=retries)
+
+
+def settings_from(address: str | Sequence[str], progress: bool, **chosen: Any) -> Settings:
+    """Settings from the arguments of ``connect``.
+
+    Raises
+    ------
+    InvalidRequest
+    """
+    if progress:
+        require_tqdm()
+    return Settings(addresses=parse_addresses(address), progress=progress, **chosen)
 
 
 def _seconds(name: str, value: Any) -> float:

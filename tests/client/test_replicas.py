@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from bnserve_client import AsyncModel, ParametersWithExtrinsic
-from bnserve_client import _names as names_module
-from bnserve_client import _replicas as replicas_module
+from bnserve_client import _resolver as resolver_module
+from bnserve_client import _retry_policy as replicas_module
 from bnserve_client._addresses import parse_addresses
-from bnserve_client._names import Names, names_among, several_hosts
-from bnserve_client._replicas import Replicas
+from bnserve_client._resolver import Resolver, names_to_resolve, several_hosts
+from bnserve_client._retry_policy import Replicas
 from tests.client import scripted_server as faults
 from tests.client.conftest import same
 from tests.client.reference_model import ReferenceModel
@@ -33,7 +33,7 @@ RIGHT = ReferenceModel().predict(FREQUENCIES, ONE)
 def clock(monkeypatch):
     """A clock that a test turns: ``clock.now += 1.0``."""
     clock = SimpleNamespace(now=1000.0)
-    for module in (replicas_module, names_module):
+    for module in (replicas_module, resolver_module):
         monkeypatch.setattr(module, "time", SimpleNamespace(monotonic=lambda: clock.now))
     return clock
 
@@ -242,7 +242,7 @@ def test_so_it_is_for_the_asynchronous_model(monkeypatch, two_hosts):
 def test_a_name_that_moves_is_followed(monkeypatch, two_hosts, connect):
     hosts = ["127.0.0.1", "127.0.0.3"]
     name_service(monkeypatch, hosts)
-    monkeypatch.setattr(names_module, "_LOOK_SOON", 0.0)
+    monkeypatch.setattr(resolver_module, "_LOOK_SOON", 0.0)
     first, second, address = two_hosts
     model = connect(address)
     model.predict(FREQUENCIES, ONE)
@@ -255,7 +255,7 @@ def test_a_name_that_moves_is_followed(monkeypatch, two_hosts, connect):
 
 def test_a_name_service_that_fails_changes_nothing(clock):
     (name,) = parse_addresses("http://replicas.test:8000")
-    names = Names([name], [name])
+    names = Resolver([name], [name])
     assert names.due() == (name,)
     assert names.due() == ()
     names.found({name: ("10.0.0.1", "10.0.0.2")})
@@ -282,6 +282,6 @@ def test_the_two_families_of_one_host_are_not_two_replicas(hosts, expected):
 
 def test_only_plain_http_names_are_looked_up(monkeypatch):
     addresses = parse_addresses("http://a,https://b,unix:/c,http://127.0.0.1:1,http://[::1]:2,http://localhost:3")
-    assert names_among(addresses) == (A,)
+    assert names_to_resolve(addresses) == (A,)
     monkeypatch.setenv("http_proxy", "http://proxy:3128")
-    assert names_among(addresses) == ()
+    assert names_to_resolve(addresses) == ()

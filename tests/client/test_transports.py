@@ -162,7 +162,7 @@ class Around(httpx.BaseTransport):
 def hurried(model, **settings):
     """The same model with so little time that only what takes for ever is sure to fail."""
     settings = replace(model._remote.settings, timeout=0.5, **settings)
-    return type(model)(settings, model._remote.pinned, model._source)
+    return type(model)(settings, model._remote.pinned, model._factory)
 
 
 @pytest.mark.parametrize("of_head", [True, False], ids=["the head", "the body"])

@@ -11,9 +11,16 @@ from random import Random
 
 import numpy as np
 
-from bnserve_client._answers import check_model, read_waveforms
+from bnserve_client._evaluation import check_model
 from bnserve_protocol import ArtifactError, BnserveError, InvalidRequest, UndecodableBody, decode_analysis
-from bnserve_protocol.wire import JSON, MSGPACK, decode_likelihood_answer, decode_likelihood_request, decode_request
+from bnserve_protocol.wire import (
+    JSON,
+    MSGPACK,
+    decode_answer,
+    decode_likelihood_answer,
+    decode_likelihood_request,
+    decode_request,
+)
 from bnserve_service.grids import GridCache
 from bnserve_store._artifact import MANIFEST_FILE, TENSORS_FILE, read_artifact
 from bnserve_store._labels import LABELS_FILE, read_labels
@@ -88,7 +95,8 @@ def read_grid(data: bytes) -> None:
 
 def read_waveform_answer(data: bytes) -> None:
     """The body of an answer."""
-    answer = read_waveforms(data, "http://server", valid.IDENTITY)
+    answer = decode_answer(data)
+    check_model(answer.model, "http://server", valid.IDENTITY)
     assert all(isinstance(array, np.ndarray) for array in answer.arrays.values())
 
 

@@ -5,8 +5,7 @@ from contextlib import suppress
 import pytest
 
 from bnserve_client._addresses import parse_addresses
-from bnserve_client._patience import Patience
-from bnserve_client._replicas import Replicas
+from bnserve_client._retry_policy import Replicas, RetryPolicy
 from bnserve_client._settings import Settings
 from bnserve_protocol import (
     AnswerCorrupted,
@@ -22,7 +21,7 @@ from bnserve_protocol import (
 
 def patience(addresses="http://a, http://b", **settings):
     chosen = Settings(addresses=parse_addresses(addresses), **settings)
-    return Patience(chosen, Replicas(chosen.addresses))
+    return RetryPolicy(chosen, Replicas(chosen.addresses))
 
 
 @pytest.mark.parametrize("error", [ConnectionFailed("gone"), Overloaded("full", retry_after=9.0), AnswerCorrupted("x")])

@@ -24,7 +24,7 @@ def behind_proxy() -> bool:
     return any(os.environ.get(name) for name in PROXY_VARIABLES)
 
 
-def names_among(addresses: Iterable[Address]) -> tuple[Address, ...]:
+def names_to_resolve(addresses: Iterable[Address]) -> tuple[Address, ...]:
     """The addresses whose hosts are names that this process looks up itself.
 
     Not those of ``https``, where the name is what the certificate vouches for and the transport looks it up, nor where
@@ -33,7 +33,7 @@ def names_among(addresses: Iterable[Address]) -> tuple[Address, ...]:
     return () if behind_proxy() else tuple(address for address in addresses if _is_name(address))
 
 
-class Names:
+class Resolver:
     """The addresses in use: those given, and in place of a name that stands for several hosts, each of them.
 
     Parameters

@@ -14,7 +14,7 @@ _USE_A_FUNCTION = (
 )
 
 
-class Source:
+class TransportFactory:
     """Where httpx clients come from.
 
     Parameters
@@ -25,7 +25,7 @@ class Source:
     """
 
     def __init__(self, given: Any) -> None:
-        self.is_factory = _is_factory(given)
+        self.makes_new = _makes_new(given)
         self._given = given
         self._process = os.getpid()
 
@@ -37,9 +37,9 @@ class Source:
         InvalidRequest
             The transport belongs to another process, or is none.
         """
-        if not self.is_factory and os.getpid() != self._process:
+        if not self.makes_new and os.getpid() != self._process:
             raise InvalidRequest(_USE_A_FUNCTION)
-        made = self._given() if self.is_factory else self._given
+        made = self._given() if self.makes_new else self._given
         if isinstance(made, transport):
             return client(transport=made)
         if isinstance(client, type) and isinstance(made, client):
@@ -50,12 +50,12 @@ class Source:
         )
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if not self.is_factory:
+        if not self.makes_new:
             raise TypeError(_USE_A_FUNCTION)
-        return Source, (self._given,)
+        return TransportFactory, (self._given,)
 
 
-def _is_factory(given: Any) -> bool:
+def _makes_new(given: Any) -> bool:
     import httpx
 
     kinds = (httpx.Client, httpx.AsyncClient, httpx.BaseTransport, httpx.AsyncBaseTransport)

@@ -1,0 +1,249 @@
+"""Waveforms as a question, and the methods of a waveform model as conversations about one pinned model.
+
+From the arrays of an answer to those that a user keeps: writable, and of small arrays never holding the answer. Large
+arrays are used where they have arrived, when the transport received them into memory of ours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from bnserve_client._addresses import Address
+from bnserve_client._evaluation import Arrays, Evaluator, Question, Upload, check_model
+from bnserve_client._grids import IN_FULL_ONCE, ExplicitGrid, GridMemory, ends_of
+from bnserve_client._messages import Conversation
+from bnserve_client._session import Pinned, Session
+from bnserve_client._settings import Settings
+from bnserve_protocol import (
+    AmplitudePhase,
+    AnswerCorrupted,
+    BatchLike,
+    DtypeName,
+    EvaluationOptions,
+    Factored,
+    Forbidden,
+    GridLike,
+    GridUnknown,
+    Limits,
+    MergerStencil,
+    ModelIdentity,
+    ParameterBatch,
+    ParametersWithExtrinsic,
+    Polarizations,
+    TooLarge,
+    UniformGrid,
+    check_dtype,
+    check_options,
+)
+from bnserve_protocol.wire import OutputName, WaveformRequest, decode_answer, encode_request, result_memory
+
+_TRIES = 3
+"""With an uploaded grid; then it travels in full."""
+_BYTES_PER_SAMPLE = 32
+"""The most that one sample takes in an answer: two complex128."""
+_BYTES_PER_ROW = 64
+_OCTETS = "application/octet-stream"
+_ANY_SIZE = 2**62
+
+_SAMPLES: dict[OutputName, tuple[str, ...]] = {
+    "polarizations": ("h_plus", "h_cross"),
+    "factored": ("h",),
+    "amplitude_phase": ("amplitude", "phase"),
+}
+_FACTORS: dict[str, np.dtype[Any]] = {"plus": np.dtype("<f8"), "cross": np.dtype("<c16")}
+_OF_A_ROW: dict[str, np.dtype[Any]] = {"status": np.dtype("|u1"), "estimated_mismatch": np.dtype("<f8")}
+"""Arrays of an answer beside its samples; the second only from models that estimate their error."""
+
+
+@dataclass(frozen=True, eq=False)
+class Waveforms(Question):
+    """The waveforms of a batch on a grid."""
+
+    batch: ParameterBatch
+    grid: UniformGrid | ExplicitGrid
+    output: OutputName
+    dtype: DtypeName
+    options: EvaluationOptions
+    finish: Callable[[Arrays], Arrays]
+    """Turns the arrays of any number of rows, read-only as they arrive, into those to keep."""
+    chunk_samples: int
+
+    path = "waveforms"
+    unknown = GridUnknown
+
+    @property
+    def uploads(self) -> int:  # type: ignore[override]  # read alone
+        """Uniform grids need none."""
+        return 0 if isinstance(self.grid, UniformGrid) else _TRIES
+
+    def __len__(self) -> int:
+        return len(self.batch)
+
+    def rows_per_request(self, limits: Limits) -> int:
+        """As :class:`Question`; chunks are small enough to be under way at the same time."""
+        frequencies = len(self.grid)
+        return max(1, min(self.chunk_samples // frequencies, limits.rows_per_request(frequencies)))
+
+    def encode(self, start: int, stop: int, address: Address | None) -> bytes:
+        """As :class:`Question`, with the grid in the shortest form that the service understands."""
+        grid: Any = self.grid
+        if isinstance(grid, ExplicitGrid) and address is not None:
+            grid = grid.on_the_wire(address)
+        elif isinstance(grid, ExplicitGrid):
+            grid.in_full = grid.in_full or len(grid) <= IN_FULL_ONCE  # short enough not to try again each time
+            grid = grid.frequencies
+        part = ParameterBatch(self.batch.values[start:stop])
+        request = WaveformRequest(batch=part, grid=grid, output=self.output, dtype=self.dtype, options=self.options)
+        return encode_request(request)
+
+    def max_bytes(self, rows: int) -> int:
+        """As :class:`Question`."""
+        return rows * (len(self.grid) * _BYTES_PER_SAMPLE + _BYTES_PER_ROW)
+
+    def decode(self, body: bytes | memoryview, rows: int, where: str, model: ModelIdentity) -> Arrays:
+        """As :class:`Question`."""
+        answer = decode_answer(body)
+        check_model(answer.model, where, model)
+        _check_arrays(answer.arrays, self.output, self.dtype, rows, len(self.grid))
+        return self.finish(answer.arrays)
+
+    def upload(self, limits: Limits) -> Upload:
+        """As :class:`Question`: the frequencies."""
+        assert isinstance(self.grid, ExplicitGrid)  # others are never unknown
+        return Upload(f"/v1/grids/{self.grid.sha256}", _OCTETS, self.grid.frequencies.tobytes())
+
+    def upload_refused(self, error: Forbidden | TooLarge) -> None:
+        """As :class:`Question`: the grid travels in full from now on."""
+        assert isinstance(self.grid, ExplicitGrid)
+        self.grid.in_full = True
+
+    def check(self) -> Question | None:
+        """As :class:`Question`: all rows at the ends of the grid, on which the checks of a batch depend."""
+        if self.options.out_of_domain != "error":
+            return None
+        return replace(self, grid=ends_of(self.grid), chunk_samples=_ANY_SIZE)
+
+    def smaller_may_pass(self, limits: Limits) -> bool:
+        """As :class:`Question`."""
+        return len(self.grid) <= limits.max_frequencies
+
+
+class RemoteModel:
+    """Conversations about one pinned model; every argument is that of :class:`bnserve_protocol.WaveformModel`."""
+
+    def __init__(self, settings: Settings, pinned: Pinned) -> None:
+        self.settings = settings
+        self.pinned = pinned
+        self._grids = GridMemory()
+        self.evaluator = Evaluator(Session(settings), pinned)
+        self._strain: OutputName = "factored" if len(pinned.description.modes) == 1 else "polarizations"
+
+    def predict(
+        self, frequencies: GridLike, parameters: ParametersWithExtrinsic, options: EvaluationOptions, dtype: DTypeLike
+    ) -> Conversation[Polarizations]:
+        """One waveform."""
+        batch = yield from self.predict_batch(frequencies, ParameterBatch.one(parameters), options, dtype)
+        return Polarizations(
+            plus=batch.plus[0],
+            cross=batch.cross[0],
+            status=batch.status,
+            estimated_mismatch=batch.estimated_mismatch,
+        )
+
+    def predict_batch(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DTypeLike
+    ) -> Conversation[Polarizations]:
+        """N waveforms."""
+        question = self._question(frequencies, batch, self._strain, options, dtype, multiply_out)
+        arrays = yield from self.evaluator.evaluate(question)
+        return Polarizations(**arrays)
+
+    def predict_factored(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DTypeLike
+    ) -> Conversation[Factored]:
+        """N waveforms before the polarisations are multiplied out."""
+        question = self._question(frequencies, batch, "factored", options, dtype, own)
+        arrays = yield from self.evaluator.evaluate(question)
+        return Factored(**arrays)
+
+    def predict_amplitude_phase(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions
+    ) -> Conversation[AmplitudePhase]:
+        """Amplitude and phase."""
+        question = self._question(frequencies, batch, "amplitude_phase", options, "complex128", own)
+        arrays = yield from self.evaluator.evaluate(question)
+        if isinstance(batch, ParametersWithExtrinsic):
+            arrays = {**arrays, "amplitude": arrays["amplitude"][0], "phase": arrays["phase"][0]}
+        return AmplitudePhase(**arrays)
+
+    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> Conversation[float]:
+        """Seconds from ``frequency`` to the merger."""
+        stencil = MergerStencil.within(self.pinned.description, frequency, parameters)
+        answer = yield from self.predict_amplitude_phase(
+            stencil.frequencies, stencil.unshifted(parameters), stencil.options
+        )
+        return stencil.seconds(answer.phase)
+
+    def _question(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        output: OutputName,
+        options: EvaluationOptions,
+        dtype: DTypeLike,
+        finish: Callable[[Arrays], Arrays],
+    ) -> Waveforms:
+        check_options(options)
+        precision = check_dtype(dtype)
+        grid = self._grids.recall(frequencies)
+        chunk = self.settings.chunk_samples
+        return Waveforms(ParameterBatch.coerce(batch), grid, output, precision, options, finish, chunk)
+
+
+def _check_arrays(arrays: Arrays, output: OutputName, dtype: DtypeName, rows: int, frequencies: int) -> None:
+    """Refuse an answer whose arrays are not those that were asked for."""
+    sample_dtype = np.dtype(np.float64 if output == "amplitude_phase" else dtype)
+    for name in _SAMPLES[output]:
+        _check(arrays, name, sample_dtype, (rows, frequencies))
+    _check(arrays, "status", _OF_A_ROW["status"], (rows,))
+    if output == "factored":
+        for name, kind in _FACTORS.items():
+            _check(arrays, name, kind, (rows,))
+    if "estimated_mismatch" in arrays:
+        _check(arrays, "estimated_mismatch", _OF_A_ROW["estimated_mismatch"], (rows,))
+
+
+def _check(arrays: Arrays, name: str, kind: np.dtype[Any], shape: tuple[int, ...]) -> None:
+    if name not in arrays or arrays[name].dtype != kind or arrays[name].shape != shape:
+        raise AnswerCorrupted(f"The answer does not hold '{name}' as {kind.name} of shape {shape}.")
+
+
+def own(arrays: Arrays) -> Arrays:
+    """All arrays that belong to a result, writable; copies of those that are not."""
+    known = {"h", "plus", "cross", "amplitude", "phase", *_OF_A_ROW}
+    return {name: array if array.flags.writeable else _copy(array) for name, array in arrays.items() if name in known}
+
+
+def _copy(array: NDArray[Any]) -> NDArray[Any]:
+    copy = result_memory.empty(array.shape, array.dtype)
+    copy[...] = array
+    return copy
+
+
+def multiply_out(arrays: Arrays) -> Arrays:
+    """``plus``, ``cross`` and what belongs to a row from a factored answer, or from one that has them already."""
+    of_a_row = {name: arrays[name] for name in _OF_A_ROW if name in arrays}
+    if "h" not in arrays:
+        return own({"plus": arrays["h_plus"], "cross": arrays["h_cross"], **of_a_row})
+    h = arrays["h"]
+    factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
+    plus, cross = factored.polarizations(
+        plus=h if h.flags.writeable else result_memory.empty(h.shape, h.dtype),
+        cross=result_memory.empty(h.shape, h.dtype),
+    )
+    return {"plus": plus, "cross": cross, **own(of_a_row)}
