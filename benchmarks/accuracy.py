@@ -15,7 +15,7 @@ from typing import Any
 from benchmarks.page import fill
 from bnserve_protocol import BnserveError, ModelUnknown
 from bnserve_store import Artifact, ModelStore
-from bnserve_surrogate.training.pipeline import validate_artifact
+from bnserve_surrogate.training.validation.fresh import validate_artifact
 from bnserve_surrogate.training.validation.measurement import QUANTILES, Validation
 
 Row = dict[str, Any]

@@ -15,8 +15,9 @@ from bnserve_client import Model
 from bnserve_inference import LikelihoodOptions, full_analysis, likelihood, simulate_data
 from bnserve_protocol import LikelihoodBatch
 from bnserve_surrogate import Model as LocalModel
-from bnserve_surrogate.training import pipeline
 from bnserve_surrogate.training.config import read_configuration
+from bnserve_surrogate.training.pipeline import train as train_model
+from bnserve_surrogate.training.publication import publish
 
 TRAINING = """
 name = "counted"
@@ -91,8 +92,8 @@ def training(entered: Entered) -> set[str]:
         def train(store: str) -> None:
             configuration = read_configuration(folder / "counted.toml")
             with redirect_stdout(io.StringIO()):
-                trained = pipeline.train(configuration, folder / store, n_jobs=1, backend="sequential", progress=False)
-                pipeline.publish(configuration, trained, folder / store)
+                trained = train_model(configuration, folder / store, n_jobs=1, backend="sequential", progress=False)
+                publish(configuration, trained, folder / store)
 
         train("imports")
         return entered.during(lambda: train("counted"))

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bnserve_surrogate.training.data.baseline import baseline_amplitude, baseline_phase
+from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase
 
 
 def waveform(theta, mf):

@@ -11,7 +11,8 @@ from benchmarks.accuracy import main as accuracy
 from benchmarks.figures.__main__ import FIGURES
 from benchmarks.figures.__main__ import main as figures
 from bnserve_surrogate.training.config import parse_configuration
-from bnserve_surrogate.training.pipeline import publish, train
+from bnserve_surrogate.training.pipeline import train
+from bnserve_surrogate.training.publication import publish
 
 GENERATOR = """
 [generator]

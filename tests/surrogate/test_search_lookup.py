@@ -9,7 +9,8 @@ import pytest
 from bnserve_store import ModelStore
 from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training.config import ConfigurationInvalid, parse_configuration
-from bnserve_surrogate.training.pipeline import publish, train, validate_artifact
+from bnserve_surrogate.training.pipeline import train
+from bnserve_surrogate.training.publication import publish
 from bnserve_surrogate.training.search.lookup import load_collection, with_best_hyperparameters
 from bnserve_surrogate.training.search.pareto import (
     Hyperparameters,
@@ -22,6 +23,7 @@ from bnserve_surrogate.training.search.pareto import (
     write_collection,
 )
 from bnserve_surrogate.training.search.results import search_results
+from bnserve_surrogate.training.validation.fresh import validate_artifact
 from tests.surrogate.searching import NETWORK, run, table, toy_search
 
 SETUP = ParetoSetup(

@@ -7,7 +7,7 @@ import pytest
 
 from bnserve_store import SHIPPED_MODELS, ModelStore
 from bnserve_surrogate import Model, ParametersWithExtrinsic
-from bnserve_surrogate.training.pipeline import validate_artifact
+from bnserve_surrogate.training.validation.fresh import validate_artifact
 
 
 class Bars(NamedTuple):

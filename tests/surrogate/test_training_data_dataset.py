@@ -134,7 +134,7 @@ def test_whatever_defines_the_data_separates_them(tmp_path, changes):
 def test_residuals_to_another_baseline_are_another_data_set(monkeypatch):
     before = specification().digest
     monkeypatch.setattr(
-        "bnserve_surrogate.training.data.baseline.taylorf2_phase", lambda *a: taylorf2_phase(*a) * (1 + 1e-7)
+        "bnserve_surrogate.training.data.residuals.taylorf2_phase", lambda *a: taylorf2_phase(*a) * (1 + 1e-7)
     )
     assert specification().digest != before
 

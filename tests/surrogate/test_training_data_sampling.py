@@ -20,7 +20,6 @@ from bnserve_surrogate.training.data.sampling import (
     draw,
     make_sampling,
 )
-from bnserve_surrogate.training.outliers import screen_outliers
 from bnserve_surrogate.training.reduction.greedy_downsampling import greedy_downsampling, reconstruction_error
 from bnserve_surrogate.training.reduction.multibanding import multibanded_grid, newtonian_duration, uniform_count
 from bnserve_surrogate.training.reduction.sampling_counts import sampling_counts
@@ -226,13 +225,3 @@ def test_the_benchmark_prints_the_four_counts(capsys):
     measured = json.loads(capsys.readouterr().out)
     assert measured["setup"]["waveforms"] == 2
     assert measured["counts"]["multibanded"] > measured["counts"]["greedy_waveform_phase"] > 10
-
-
-def test_the_outlier_screen_finds_a_jump_and_spares_curvature():
-    points = draw(UniformSampling(), RANGES, 5, "x", 600)
-    scaled = 2 * (points - RANGES.lower) / (RANGES.upper - RANGES.lower) - 1
-    values = np.exp(2 * scaled[:, :1]) + scaled[:, 3:4] ** 2 + np.zeros((600, 7))
-    assert not screen_outliers(scaled, values, ratio=20.0).outliers.any()
-    values[123, 5] += 100.0
-    assert np.flatnonzero(screen_outliers(scaled, values, ratio=20.0).outliers).tolist() == [123]
-    assert not screen_outliers(scaled[:10], values[:10]).outliers.any()

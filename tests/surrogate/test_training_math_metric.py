@@ -13,15 +13,11 @@ from bnserve_surrogate.training.data.noise import (
     advanced_ligo_design,
     einstein_telescope_d,
     noise_curve,
-)
-from bnserve_surrogate.training.reduction.metric import MismatchMetric
-from bnserve_surrogate.training.reduction.principal_components import PrincipalComponents
-from bnserve_surrogate.training.reduction.quadrature import (
-    node_weights,
     noise_weights,
-    spline_matrix,
     trapezoid_weights,
 )
+from bnserve_surrogate.training.reduction.metric import MismatchMetric, node_weights, spline_matrix
+from bnserve_surrogate.training.reduction.principal_components import PrincipalComponents
 from bnserve_surrogate.training.reduction.reductions import MetricReduction, PaperReduction
 from bnserve_surrogate.training.validation.mismatch import NodeMismatch
 

@@ -5,9 +5,9 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from bnserve_surrogate.training.data.noise import einstein_telescope_d
+from bnserve_surrogate.training.data.noise import einstein_telescope_d, noise_weights
+from bnserve_surrogate.training.reduction.metric import spline_matrix
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes
-from bnserve_surrogate.training.reduction.quadrature import noise_weights, spline_matrix
 from bnserve_surrogate.training.validation.mismatch import NodeMismatch, mismatch
 
 FREQUENCIES = smooth_nodes(10.0, 2048.0, 700, total_mass=1.0) / smooth_nodes(1.0, 2.0, 2, total_mass=1.0)[0]

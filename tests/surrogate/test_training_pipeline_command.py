@@ -16,7 +16,8 @@ from bnserve_service.cli import main
 from bnserve_store import ModelStore
 from bnserve_surrogate import Model, ParametersWithExtrinsic
 from bnserve_surrogate.training.config import read_configuration
-from bnserve_surrogate.training.pipeline import publish, train
+from bnserve_surrogate.training.pipeline import train
+from bnserve_surrogate.training.publication import publish
 from tests.surrogate import smooth_waveforms
 from tests.surrogate.training_runs import QUICK, digests, train_here, written
 

@@ -16,19 +16,15 @@ from bnserve_protocol import (
 )
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.config import parse_configuration
+from bnserve_surrogate.training.data.generation import Generation, training_set
 from bnserve_surrogate.training.data.generators import make_generator
 from bnserve_surrogate.training.export import model_tensors
-from bnserve_surrogate.training.pipeline import (
-    coordinate_map,
-    make_regressor,
-    mismatch_metric,
-    reduce_dataset,
-    train,
-    training_dataset,
-)
+from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.publication import assemble, describe
-from bnserve_surrogate.training.reduction.reductions import ReducedResiduals
-from bnserve_surrogate.training.regressors import export_regressor
+from bnserve_surrogate.training.reduction.metric import mismatch_metric
+from bnserve_surrogate.training.reduction.nodes import configured_nodes
+from bnserve_surrogate.training.reduction.reductions import ReducedResiduals, reduce_dataset
+from bnserve_surrogate.training.regressors import coordinate_map, export_regressor, make_regressor
 from tests.surrogate.smooth_waveforms import merger_phase, merger_time, residual_shapes, waveform
 from tests.surrogate.training_runs import SMOOTH, merged
 
@@ -62,6 +58,11 @@ GAIN = {"polynomial": 500.0, "network": 3.0, "sum": 3.0}
 MERGER_SECONDS = {"polynomial": 0.003, "network": 0.003, "sum": 0.04}
 """Largest error of a merger time that varies by 60 ms; of the sum, its polynomial of degree 1 alone learns it."""
 MERGER = EvaluationOptions(alignment="merger")
+
+
+def training_waveforms(configuration, generator, work):
+    generate = Generation(configuration, generator, work, n_jobs=1, backend="sequential", progress=False)
+    return training_set(generate, *configured_nodes(generate, lambda line: None), lambda line: None)
 
 
 def theta_in_the_box(rows, seed=11):
@@ -129,9 +130,7 @@ def test_the_exported_model_equals_its_parts_to_rounding(change, work):
     """Kernel against scikit-learn's predict, the reduction's inverse and the baseline's reference functions."""
     configuration = configured(change)
     generator = make_generator(configuration.generator.name, **configuration.generator.options)
-    dataset = training_dataset(
-        configuration, generator, work, n_jobs=1, backend="sequential", progress=False, say=lambda line: None
-    )
+    dataset = training_waveforms(configuration, generator, work)
     metric = mismatch_metric(dataset, configuration)
     reduction, targets, start_mf = reduce_dataset(configuration, generator, metric, dataset)
     coordinates = coordinate_map(configuration, dataset.theta)
@@ -158,8 +157,7 @@ def test_edges_come_after_the_other_waveforms_and_no_corner_is_among_them(work):
     def made(*changes):
         configuration = configured(*changes)
         generator = make_generator(configuration.generator.name, **configuration.generator.options)
-        options = {"n_jobs": 1, "backend": "sequential", "progress": False, "say": lambda line: None}
-        return training_dataset(configuration, generator, work, **options)
+        return training_waveforms(configuration, generator, work)
 
     plain, enriched = made(), made({"dataset": {"edge_count": 40}})
     np.testing.assert_array_equal(enriched.theta[:200], plain.theta)

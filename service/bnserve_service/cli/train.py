@@ -37,13 +37,15 @@ def run(options: argparse.Namespace) -> int:
     """Train and publish."""
     from bnserve_service.training_extra import import_training
 
-    config, errors, pipeline, report = import_training("config", "errors", "pipeline", "validation.report")
+    config, errors, pipeline, publication, report = import_training(
+        "config", "errors", "pipeline", "publication", "validation.report"
+    )
     if not options.no_report:
         errors.require("matplotlib")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)
     if options.version:
         configuration = config.with_version(configuration, options.version)
-    pipeline.check_publishable(configuration, options.store)
+    publication.check_publishable(configuration, options.store)
     trained = pipeline.train(
         configuration,
         options.work,
@@ -52,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
         progress=False if options.no_progress else None,
     )
     print(report.table(trained.validations))
-    manifest = pipeline.publish(
+    manifest = publication.publish(
         configuration, trained, options.store, with_report=not options.no_report, force=options.force
     )
     print(f"Published {manifest.name} {manifest.version} ({manifest.digest}) to {options.store}")

@@ -41,12 +41,12 @@ def run(options: argparse.Namespace) -> int:
     from bnserve_service.training_extra import import_training
     from bnserve_store import ModelStore
 
-    pipeline, report = import_training("pipeline", "validation.report")
+    fresh, report = import_training("validation.fresh", "validation.report")
     if options.output:
         check_place(options.output, "--output")
     name, _, version = options.model.partition("@")
     artifact = ModelStore.default(options.store or ()).load(name, version or "stable")
-    validations = pipeline.validate_artifact(
+    validations = fresh.validate_artifact(
         artifact,
         options.work,
         counts={"uniform": options.count, "edges": options.edges},

@@ -176,6 +176,12 @@ def parse_configuration(table: dict[str, Any]) -> TrainingConfiguration:
         raise ConfigurationInvalid(f"The training configuration is wrong: {_explain(str(error))}.") from error
 
 
+def demand(holds: bool, complaint: str) -> None:
+    """Raise ``ConfigurationInvalid`` with a complaint, unless what is demanded holds."""
+    if not holds:
+        raise ConfigurationInvalid(f"The training configuration is wrong: {complaint}.")
+
+
 def with_version(configuration: TrainingConfiguration, version: str) -> TrainingConfiguration:
     """The same configuration under another version."""
     return msgspec.structs.replace(configuration, version=version)

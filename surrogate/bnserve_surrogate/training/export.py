@@ -8,35 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_surrogate._coordinates import CoordinateMap
-from bnserve_surrogate.training.data.baseline import merger_phase
 from bnserve_surrogate.training.data.generators import FloatArray
-from bnserve_surrogate.training.reduction.reductions import ReducedResiduals, Reduction
+from bnserve_surrogate.training.reduction.reductions import SCALARS, Reduction
 from bnserve_surrogate.training.regressors import ExportedRegressor
-
-SCALARS = ("log_amplitude", "time_shift", "phase_shift")
-"""Outputs of the regressor beside the components: what the match does not see."""
-
-
-def regression_targets(
-    reduced: ReducedResiduals, theta: FloatArray, reference_mf: float, start_mf: float
-) -> FloatArray:
-    """What the regressor learns, (N, k + 3): components, then the scalars of :data:`SCALARS`.
-
-    Parameters
-    ----------
-    reduced:
-        Of N residuals.
-    theta:
-        Their parameters.
-    reference_mf:
-        Where ``reduced.phase`` is taken.
-    start_mf:
-        Where the generator's phase starts from zero, or 0 if it does not.
-    """
-    intercept = reduced.phase - reduced.phase_slope * reference_mf
-    if start_mf > 0.0:
-        intercept = intercept + merger_phase(theta, start_mf)
-    return np.column_stack([reduced.components, reduced.log_amplitude, reduced.phase_slope, intercept])
 
 
 def model_tensors(

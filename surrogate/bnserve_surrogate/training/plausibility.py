@@ -11,23 +11,19 @@ import numpy as np
 
 from bnserve_surrogate.kernel import MAX_DEGREE
 from bnserve_surrogate.training.config import (
-    ConfigurationInvalid,
     DatasetSection,
     NetworkSection,
     PolynomialSection,
     TrainingConfiguration,
+    demand,
 )
-from bnserve_surrogate.training.data.generators import FloatArray
 from bnserve_surrogate.training.data.noise import noise_curve
 from bnserve_surrogate.training.data.ranges import parameter_ranges, training_band
-from bnserve_surrogate.training.reduction.nodes import smooth_nodes
-from bnserve_surrogate.training.reduction.quadrature import has_weight
+from bnserve_surrogate.training.reduction.nodes import check_nodes, smooth_nodes
 from bnserve_surrogate.training.regressors import weighted_exponents
 
 FEWEST_FOR_A_NETWORK = 8
 """They determine the least polynomial beside it, of degree one."""
-FEWEST_NODES = 4
-"""Of a cubic spline."""
 _MOST_LISTED = 100_000
 """Terms of a polynomial whose exact number is worth the fraction of a second."""
 _NARROWEST_BAND = 1.01
@@ -52,7 +48,7 @@ def check_plausible(configuration: TrainingConfiguration) -> None:
 
 def _check_finite(configuration: TrainingConfiguration) -> None:
     for name, value in _numbers(msgspec.to_builtins(configuration)):
-        _require(math.isfinite(value), f"'{name}' is {value}, and must be a finite number")
+        demand(math.isfinite(value), f"'{name}' is {value}, and must be a finite number")
 
 
 def _numbers(value: Any, name: str = "") -> Iterator[tuple[str, float]]:
@@ -70,13 +66,11 @@ def _check_ranges(configuration: TrainingConfiguration) -> None:
     ranges = configuration.ranges
     parameter_ranges(configuration)
     low, high = ranges.total_mass
-    _require(
-        low <= high, f"'total_mass' in [ranges] must be two increasing numbers, or one twice; got {low:g}, {high:g}"
-    )
+    demand(low <= high, f"'total_mass' in [ranges] must be two increasing numbers, or one twice; got {low:g}, {high:g}")
     inside = low <= ranges.reference_mass <= high
-    _require(inside, f"'reference_mass' in [ranges], {ranges.reference_mass:g}, must lie in total_mass")
+    demand(inside, f"'reference_mass' in [ranges], {ranges.reference_mass:g}, must lie in total_mass")
     first, last = ranges.frequency_band
-    _require(
+    demand(
         _NARROWEST_BAND * first <= last,
         f"'frequency_band' in [ranges] must be two increasing numbers, at least 1 % apart; got {first:g} and {last:g}",
     )
@@ -88,7 +82,7 @@ def _check_ranges(configuration: TrainingConfiguration) -> None:
 def _check_sizes(configuration: TrainingConfiguration) -> None:
     waveforms, described = _waveforms(configuration.dataset)
     components = configuration.reduction.components
-    _require(
+    demand(
         components <= waveforms,
         f"{components} components cannot be found in {described}; lower 'components' in [reduction] or raise 'count' "
         "in [dataset]",
@@ -102,29 +96,7 @@ def _check_sizes(configuration: TrainingConfiguration) -> None:
     if configuration.regressor.kind != "network":
         _check_polynomial(configuration.regressor.polynomial, waveforms, described)
     validation = configuration.validation
-    _require(validation.count + validation.edge_count > 0, "'count' and 'edge_count' in [validation] are both 0")
-
-
-def check_nodes(configuration: TrainingConfiguration, amplitude: FloatArray, phase: FloatArray) -> None:
-    """Refuse nodes of amplitude and phase in M f, from the configuration or from the greedy choice.
-
-    Raises
-    ------
-    ConfigurationInvalid
-        Too few for a spline or for the components, or denser than the grid of the metric.
-    """
-    for nodes, of in ((amplitude, "amplitude"), (phase, "phase")):
-        _require(
-            len(nodes) >= FEWEST_NODES,
-            f"{len(nodes)} nodes of the {of} were chosen, and a spline needs {FEWEST_NODES}; lower 'tolerance' in "
-            "[nodes], or widen 'frequency_band' in [ranges]",
-        )
-        _require(
-            has_weight(nodes),
-            f"{len(nodes)} nodes of the {of} are too many; lower 'count', or raise 'tolerance', in [nodes]",
-        )
-    components, numbers = configuration.reduction.components, len(amplitude) + len(phase)
-    _require(components <= numbers, f"{components} components cannot be found in {numbers} numbers at the nodes")
+    demand(validation.count + validation.edge_count > 0, "'count' and 'edge_count' in [validation] are both 0")
 
 
 def _waveforms(section: DatasetSection) -> tuple[int, str]:
@@ -135,13 +107,13 @@ def _waveforms(section: DatasetSection) -> tuple[int, str]:
 
 
 def _check_network(network: NetworkSection, waveforms: int, described: str) -> None:
-    _require(
+    demand(
         waveforms >= FEWEST_FOR_A_NETWORK,
         f"a network cannot be trained on {described}; raise 'count' in [dataset] to at least "
         f"{FEWEST_FOR_A_NETWORK}, or choose another 'kind' in [regressor]",
     )
     aside = math.ceil(network.validation_fraction * waveforms)
-    _require(
+    demand(
         2 <= aside < waveforms,
         f"'validation_fraction' in [regressor.network], {network.validation_fraction:g}, sets aside {aside} of "
         f"{described}; it takes two to stop by, and others to learn from",
@@ -155,13 +127,8 @@ def _check_polynomial(polynomial: PolynomialSection, waveforms: int, described: 
     least = math.prod((degree / weight for weight in weights), start=1.0 / math.factorial(5)) if possible else 0.0
     listed = least <= max(waveforms, _MOST_LISTED)
     terms = len(weighted_exponents(degree, weights)) if listed else least
-    _require(
+    demand(
         terms <= waveforms,
         f"{terms:.0f} terms of the polynomial cannot be determined by {described}; lower 'degree' in "
         "[regressor.polynomial] or raise 'count' in [dataset]",
     )
-
-
-def _require(holds: bool, complaint: str) -> None:
-    if not holds:
-        raise ConfigurationInvalid(f"The training configuration is wrong: {complaint}.")

@@ -1,10 +1,12 @@
-"""What a trained model says about itself: metadata, provenance, measured accuracy, a stored answer."""
+"""What a trained model says about itself (metadata, provenance, accuracy, a stored answer), and its publication."""
 
 from __future__ import annotations
 
 import importlib.metadata
 import platform
 import subprocess
+from dataclasses import dataclass
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import ParametersWithExtrinsic, __version__
+from bnserve_store import Manifest, ModelStore
 from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
 from bnserve_surrogate._model import Model
 from bnserve_surrogate._tensors import read_modes
@@ -20,8 +23,22 @@ from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import WaveformGenerator
 from bnserve_surrogate.training.validation.measurement import Validation, by_parameter
+from bnserve_surrogate.training.validation.report import REPORT_FILE, page
+from bnserve_surrogate.training.validation.verdict import check_worth_a_label
 
 Tensors = dict[str, NDArray[Any]]
+_ROOM = 2**24
+"""Bytes that must be free in the store: the shipped models have a tenth of it, with their reports."""
+
+
+@dataclass(frozen=True)
+class Trained:
+    """A trained model before it is published."""
+
+    tensors: Tensors
+    metadata: SurrogateMetadata
+    model: Model
+    validations: dict[str, Validation]
 
 
 def describe(configuration: TrainingConfiguration, activation: str, start_mf: float) -> SurrogateMetadata:
@@ -132,3 +149,59 @@ def _commit() -> str:
         return subprocess.run(command, capture_output=True, text=True, check=True, timeout=10).stdout.strip()
     except (OSError, subprocess.SubprocessError):
         return ""
+
+
+def check_publishable(configuration: TrainingConfiguration, store: Path | str) -> None:
+    """Find out before hours are spent whether :func:`publish` will refuse the version, its name, labels or store.
+
+    Raises
+    ------
+    VersionExists
+        The version is there already.
+    InvalidRequest, BnserveError
+        As :meth:`ModelStore.check_publishable`; the store cannot be written.
+    """
+    ModelStore([store]).check_publishable(configuration.name, configuration.version, configuration.labels, room=_ROOM)
+
+
+def publish(
+    configuration: TrainingConfiguration,
+    trained: Trained,
+    store: Path | str,
+    *,
+    with_report: bool = False,
+    force: bool = False,
+) -> Manifest:
+    """Publish a trained model into a store, with its labels and its report, or not at all.
+
+    Parameters
+    ----------
+    with_report:
+        A page with plots lies beside the manifest.
+    force:
+        Give it its labels whatever it is worth.
+
+    Raises
+    ------
+    NotBetter
+        It has labels to get, and is not better than its baseline by a factor of ten.
+    VersionExists, BnserveError
+        The version is there already, or the store cannot be written; nothing was published.
+    """
+    if configuration.labels and not force:
+        check_worth_a_label(trained.validations)
+    return ModelStore([store]).publish(
+        configuration.name,
+        configuration.version,
+        trained.tensors,
+        trained.metadata.write(),
+        labels=configuration.labels,
+        created=datetime.now(UTC),
+        beside=(lambda manifest: _report(manifest, trained)) if with_report else None,
+    )
+
+
+def _report(manifest: Manifest, trained: Trained) -> dict[str, bytes]:
+    title = f"{manifest.name} {manifest.version}"
+    text = page(title, manifest.digest, trained.metadata.provenance, trained.validations)
+    return {REPORT_FILE: text.encode()}

@@ -16,7 +16,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_surrogate.training.data.baseline import baseline_fingerprint
 from bnserve_surrogate.training.data.chunks import (
     Chunk,
     ChunkTask,
@@ -28,6 +27,7 @@ from bnserve_surrogate.training.data.chunks import (
 )
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.ranges import ParameterRanges
+from bnserve_surrogate.training.data.residuals import baseline_fingerprint
 from bnserve_surrogate.training.data.sampling import Sampling, draw
 from bnserve_surrogate.training.data.workers import computed_chunks
 from bnserve_surrogate.training.errors import DatasetInUse, TooManyFailures, require

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,21 +12,21 @@ import numpy as np
 from bnserve_store import check_writable
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.chunks import unwritable_named
-from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset
+from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset, joined
 from bnserve_surrogate.training.data.generators import (
     GENERATORS,
     FloatArray,
     WaveformGenerator,
     make_generator,
 )
-from bnserve_surrogate.training.data.ranges import mf_band, parameter_ranges, training_band
-from bnserve_surrogate.training.data.sampling import Sampling, UniformSampling, make_sampling
+from bnserve_surrogate.training.data.ranges import mf_band, parameter_ranges
+from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
 from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown
-from bnserve_surrogate.training.plausibility import check_nodes
-from bnserve_surrogate.training.reduction.greedy_nodes import greedy_nodes
-from bnserve_surrogate.training.reduction.nodes import smooth_nodes
 
-_VALIDATION_NODES = 300
+VALIDATION_NODES = 300
+"""Not those of the model: its interpolation between them is measured as well."""
+_EDGES = EdgeSampling(most=4)
+"""Of training: corners are left to the validation, whose edges would else have been seen."""
 _CHECKED = 2
 """Binaries on which the generator is asked twice."""
 _SAME = 0.01
@@ -58,46 +59,6 @@ def configured_generator(configuration: TrainingConfiguration) -> WaveformGenera
     return generator
 
 
-def configured_nodes(
-    configuration: TrainingConfiguration, generator: WaveformGenerator, directory: Path, n_jobs: int
-) -> tuple[FloatArray, FloatArray]:
-    """The amplitude's and the phase's nodes in M f; greedy ones are chosen on waveforms kept in the directory.
-
-    Raises
-    ------
-    ConfigurationInvalid
-        Too few or too many were chosen.
-    """
-    section = configuration.nodes
-    if section.kind == "smooth":
-        nodes = smooth_nodes(*training_band(configuration), section.count, configuration.ranges.reference_mass)
-        return nodes, nodes
-    amplitude, phase = greedy_nodes(
-        generator,
-        parameter_ranges(configuration),
-        mf_band(configuration),
-        waveforms=section.waveforms,
-        tolerance=section.tolerance,
-        on=section.on,
-        seed=configuration.dataset.seed,
-        directory=directory,
-        n_jobs=n_jobs,
-    )
-    check_nodes(configuration, amplitude, phase)
-    return amplitude, phase
-
-
-def configured_sampling(configuration: TrainingConfiguration) -> Sampling:
-    """The density from which the training set is drawn."""
-    section = configuration.dataset
-    return make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
-
-
-def validation_nodes(configuration: TrainingConfiguration) -> FloatArray:
-    """Not the nodes of the model: its interpolation between them is measured as well."""
-    return smooth_nodes(*training_band(configuration), _VALIDATION_NODES, configuration.ranges.reference_mass)
-
-
 def check_room(configuration: TrainingConfiguration, directory: Path) -> None:
     """Find out whether the waveforms of a configuration can be written into a directory.
 
@@ -108,7 +69,7 @@ def check_room(configuration: TrainingConfiguration, directory: Path) -> None:
     """
     section, measured = configuration.dataset, configuration.validation
     waveforms = (section.count + section.edge_count) * 2 * configuration.nodes.count
-    waveforms += (measured.count + measured.edge_count) * 2 * _VALIDATION_NODES
+    waveforms += (measured.count + measured.edge_count) * 2 * VALIDATION_NODES
     with unwritable_named(directory):
         there = sum(path.stat().st_size for path in directory.glob("*/chunk-*.npz"))
         check_writable(directory, max(0, 8 * waveforms - there))
@@ -183,3 +144,26 @@ class Generation:
             "such waveforms cannot be learnt. Fix its time and phase at a frequency of its own, whatever grid is asked "
             'for; if only its constant moves, phase_constant = "baseline" in [generator] does it.'
         )
+
+
+def training_set(
+    generate: Generation, mf_amplitude: FloatArray, mf_phase: FloatArray, say: Callable[[str], None] = print
+) -> ResidualDataset:
+    """The waveforms that a configuration is trained on, at these nodes; errors are those of :func:`build_dataset`.
+
+    Raises
+    ------
+    GeneratorDependsOnGrid
+        As :meth:`Generation.check`, before the many are generated.
+    """
+    section, generator = generate.configuration.dataset, generate.generator
+    generate.check(mf_phase)
+    edges = f" and {section.edge_count} on faces and edges" if section.edge_count else ""
+    say(f"Waveforms: {section.count}{edges} of {generator.name} {generator.version}")
+    sampling = make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
+    dataset = generate(sampling, "train", section.seed, section.count, mf_amplitude, mf_phase)
+    if section.edge_count:
+        others = generate(_EDGES, "train edges", section.seed, section.edge_count, mf_amplitude, mf_phase)
+        dataset = joined(dataset, others, section.count)
+    say(f"  {len(dataset)} ready, {len(dataset.failures)} failed and left out")
+    return dataset

@@ -1,4 +1,4 @@
-"""One-sided power spectral densities of detectors, in 1/Hz, as functions of the frequency in Hz.
+"""One-sided power spectral densities of detectors, in 1/Hz, and the weights that they give to frequencies in Hz.
 
 A noise curve is any callable from an array of frequencies to an array of the same shape. The ones with a name are in
 :data:`NOISE_CURVES`; a table of your own becomes one with :class:`TabulatedNoise`.
@@ -112,3 +112,42 @@ def noise_curve(name: str) -> NoiseCurve:
     if name not in NOISE_CURVES:
         raise InvalidParameters(f"Unknown noise curve '{name}'; known are {', '.join(NOISE_CURVES)}.")
     return NOISE_CURVES[name]
+
+
+def trapezoid_weights(frequencies: ArrayLike) -> FloatArray:
+    """Weights v, shape (J,), such that ``v @ y`` is the trapezoidal integral of y over ``frequencies``, shape (J,)."""
+    grid = np.asarray(frequencies, dtype=np.float64)
+    if grid.ndim != 1 or len(grid) < 2 or not (np.diff(grid) > 0.0).all():
+        raise ValueError("An integration grid must be a vector of at least two strictly increasing frequencies.")
+    steps = 0.5 * np.diff(grid)
+    return np.concatenate([steps, [0.0]]) + np.concatenate([[0.0], steps])
+
+
+def noise_weights(frequencies: ArrayLike, amplitude: ArrayLike, noise: NoiseCurve) -> FloatArray:
+    r"""Normalised quadrature weights of the noise-weighted scalar product, :math:`|h|^2/S_n \, df`, summing to one.
+
+    Parameters
+    ----------
+    frequencies
+        Hz, shape (J,), increasing.
+    amplitude
+        :math:`|h|`, any unit, shape (J,) for one waveform or (N, J) for several.
+    noise
+        Power spectral density as a function of the frequency.
+
+    Returns
+    -------
+    Of the shape of ``amplitude``; every row sums to one. ``noise_weights(...).mean(axis=0)`` are the mean weights of a
+    population, each waveform counting the same whatever its loudness.
+
+    Raises
+    ------
+    ValueError
+        If an amplitude is not finite or a waveform vanishes.
+    """
+    grid, size = np.asarray(frequencies, dtype=np.float64), np.asarray(amplitude, dtype=np.float64)
+    weights = size**2 * (trapezoid_weights(grid) / noise(grid))
+    total = weights.sum(axis=-1, keepdims=True)
+    if not (np.isfinite(total).all() and (total > 0.0).all()):
+        raise ValueError("Amplitudes must be finite and not all zero to weigh a scalar product.")
+    return np.asarray(weights / total)

@@ -2,15 +2,65 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from bnserve_surrogate.training.data.baseline import baseline_amplitude, baseline_phase
-from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, mass_seconds
+from bnserve_protocol import SOLAR_MASS_SECONDS
+from bnserve_surrogate.baseline import (
+    PHASE_LOG_POWERS,
+    PHASE_POWERS,
+    phase_coefficients,
+    taylorf2_amplitude,
+    taylorf2_phase,
+)
 
-FLATTENING_HZ = 40.0
-"""Default upper end of the interval of the average slope, at the reference mass: the baseline still holds there."""
+FloatArray = NDArray[np.float64]
+
+_PROBES = np.array([[1.1, 0.02, -0.03, 300.0, 500.0], [2.7, -0.4, 0.45, 6.0, 4500.0]])
+FLATTENING_MF = 40.0 * (2.8 * SOLAR_MASS_SECONDS)
+"""Default upper end of the interval of the average slope, 40 Hz at 2.8 solar masses: the baseline still holds there."""
+_SIGNIFICANT_DIGITS = 9
+"""Changes of the formulae show; the last bits of another machine's logarithm do not."""
+
+
+def baseline_phase(theta: FloatArray, mf: FloatArray) -> FloatArray:
+    """TaylorF2 phase of one binary ``theta`` (5,) at ``mf`` (n,), in radians, (n,)."""
+    return taylorf2_phase(mf, *theta[:, None])[0]
+
+
+def baseline_amplitude(theta: FloatArray, mf: FloatArray) -> FloatArray:
+    """Frozen TaylorF2 amplitude of one binary ``theta`` (5,) at ``mf`` (n,), (n,)."""
+    return taylorf2_amplitude(mf, *theta[:3, None])[0]
+
+
+def merger_phase(theta: FloatArray, mf: float) -> FloatArray:
+    """Psi - f dPsi/df of the baseline at ``mf`` for parameters (N, 5), in radians, (N,).
+
+    It is the phase of the baseline's signal in time when it passes ``mf``, up to the sign. A generator whose signal has
+    phase zero there has it for a constant that varies by 1e5 radians over the box; without it a phase shift of hundreds
+    remains, which is learnt to 1e-4.
+    """
+    series = np.empty((PHASE_LOG_POWERS, PHASE_POWERS, len(theta)))
+    phase_coefficients(*theta.T, series)
+    v = np.cbrt(np.pi * mf)
+    log_v = np.log(v)
+    powers = np.arange(PHASE_POWERS)[:, None] - 5.0
+    plain = series[0] + log_v * (series[1] + log_v * series[2])
+    slope = powers * plain + series[1] + 2.0 * log_v * series[2]
+    return np.asarray((v**powers * (plain - slope / 3.0)).sum(axis=0))
+
+
+def baseline_fingerprint(mf: FloatArray) -> str:
+    """A digest of what the baseline gives for two binaries at ``mf``: residuals to another baseline are other data."""
+    samples = mf[:: max(1, mf.size // 16)]
+    values = np.concatenate(
+        [part for theta in _PROBES for part in (baseline_phase(theta, samples), baseline_amplitude(theta, samples))]
+    )
+    text = " ".join(f"{value:.{_SIGNIFICANT_DIGITS}g}" for value in values)
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def log_amplitude_ratio(theta: FloatArray, mf: FloatArray, amplitude: FloatArray) -> FloatArray:
@@ -44,16 +94,8 @@ class FlattenedPhase:
     time_shift: FloatArray
     constant: FloatArray
 
-    def time_shift_seconds(self, total_mass: float = REFERENCE_MASS) -> FloatArray:
-        """The time shifts in seconds for binaries of ``total_mass`` solar masses, (N,)."""
-        return self.time_shift * mass_seconds(total_mass)
 
-    def restored(self, mf: FloatArray) -> FloatArray:
-        """The residuals with their trends, (N, n)."""
-        return self.residual + self.constant[:, None] + 2.0 * np.pi * self.time_shift[:, None] * mf
-
-
-def flatten_phase(mf: FloatArray, psi_residual: FloatArray, mf_upper: float | None = None) -> FlattenedPhase:
+def flatten_phase(mf: FloatArray, psi_residual: FloatArray, mf_upper: float = FLATTENING_MF) -> FlattenedPhase:
     """Remove from every row the straight line through its first sample and its value at ``mf_upper``.
 
     Parameters
@@ -64,10 +106,9 @@ def flatten_phase(mf: FloatArray, psi_residual: FloatArray, mf_upper: float | No
         (N, n) radians; not changed.
     mf_upper
         Upper end of the interval of the average slope; its nearest sample above the first is used. By default 40 Hz at
-        the reference mass.
+        2.8 solar masses.
     """
-    wanted = FLATTENING_HZ * mass_seconds() if mf_upper is None else mf_upper
-    upper = max(1, int(np.argmin(np.abs(mf - wanted))))
+    upper = max(1, int(np.argmin(np.abs(mf - mf_upper))))
     rows = np.atleast_2d(psi_residual)
     slope = (rows[:, upper] - rows[:, 0]) / (mf[upper] - mf[0])
     constant = rows[:, 0] - slope * mf[0]

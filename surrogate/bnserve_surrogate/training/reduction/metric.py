@@ -8,16 +8,27 @@ To second order in the difference of two residuals, the mismatch maximised over 
 where P_1 takes off the W-average and P_{1,f} the W-weighted least-squares line: the match does not see an overall
 amplitude, phase or time. So the vector :math:`\sqrt{W/2}\,[P_1 \Delta A, P_{1,f} \Delta\psi]` has the mismatch as
 squared length, and what was projected out is kept as three scalars.
+
+Residuals live on some hundred nodes; scalar products are sums over a dense grid of a few thousand frequencies, to which
+the cubic spline in log f of the evaluation kernel takes them. It is linear in the values, so it is a matrix here.
 """
 
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import CubicSpline
 
-from bnserve_surrogate.training.reduction.quadrature import node_weights
+from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.data.dataset import ResidualDataset
+from bnserve_surrogate.training.data.generators import mass_seconds
+from bnserve_surrogate.training.data.noise import noise_curve, noise_weights
+from bnserve_surrogate.training.data.residuals import baseline_amplitude
 
 FloatArray: TypeAlias = NDArray[np.float64]
+
+_DENSE = 4000
+"""Points of the grid of a metric, as many as of the mismatch integral of a validation."""
 
 
 class MetricCoordinates(NamedTuple):
@@ -125,3 +136,79 @@ def _normalised(weights: ArrayLike) -> FloatArray:
     if array.ndim != 1 or not (np.isfinite(array).all() and (array > 0.0).all()):
         raise ValueError("The weights of a metric must be a vector of positive, finite numbers.")
     return array / array.sum()
+
+
+def spline_matrix(nodes: ArrayLike, frequencies: ArrayLike) -> FloatArray:
+    """Matrix S, (J, n), of not-a-knot cubic splines in log f from ``nodes`` (n,) to ``frequencies`` (J,).
+
+    Raises
+    ------
+    ValueError
+        If a node or frequency is not positive, or a frequency lies outside the nodes by more than rounding: a cubic
+        goes wild there.
+    """
+    knots, grid = np.asarray(nodes, dtype=np.float64), np.asarray(frequencies, dtype=np.float64)
+    if not (knots[0] > 0.0 and grid.min() > 0.0):
+        raise ValueError("Nodes and frequencies must be positive.")
+    if grid.min() < knots[0] * (1.0 - 1e-9) or grid.max() > knots[-1] * (1.0 + 1e-9):
+        raise ValueError(
+            f"The nodes reach from {knots[0]:g} to {knots[-1]:g}, the frequencies from {grid.min():g} to "
+            f"{grid.max():g}; splines must not be extrapolated."
+        )
+    return np.asarray(CubicSpline(np.log(knots), np.eye(len(knots)))(np.log(grid)))
+
+
+def dense_grid(nodes: FloatArray) -> FloatArray:
+    """The grid on which a metric's weights are given, from the first to the last node."""
+    return np.geomspace(nodes[0], nodes[-1], _DENSE)
+
+
+def has_weight(nodes: FloatArray) -> bool:
+    """Whether every node has frequencies of the dense grid between its neighbours, as :func:`node_weights` needs."""
+    dense = dense_grid(nodes)
+    first, stop = np.searchsorted(dense, nodes[:-2], side="right"), np.searchsorted(dense, nodes[2:], side="left")
+    return bool((stop > first).all())
+
+
+def node_weights(nodes: ArrayLike, frequencies: ArrayLike, weights: ArrayLike) -> FloatArray:
+    """Quadrature weights at sparse nodes, shape (n,), all positive and summing to one.
+
+    Where they come out positive, the weights integrate cubic splines exactly against the dense weights; nodes too
+    coarse for that get the ones that integrate piecewise linear functions.
+
+    Parameters
+    ----------
+    nodes
+        Shape (n,), increasing.
+    frequencies, weights
+        Dense grid and its weights, shape (J,), J > n.
+
+    Raises
+    ------
+    ValueError
+        If a node has no dense frequency around it.
+    """
+    knots, grid = np.asarray(nodes, dtype=np.float64), np.asarray(frequencies, dtype=np.float64)
+    dense = np.asarray(weights, dtype=np.float64)
+    sparse = dense @ spline_matrix(knots, grid)
+    if not (sparse > 0.0).all():
+        sparse = np.array([dense @ np.interp(np.log(grid), np.log(knots), hat) for hat in np.eye(len(knots))])
+    if not (sparse > 0.0).all():
+        raise ValueError("The dense grid must be much finer than the nodes and have weight around every node.")
+    return sparse / sparse.sum()
+
+
+def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfiguration) -> MismatchMetric:
+    """The metric with the mean weights |h|^2 / S_n of the data set, at its nodes."""
+    mass = mass_seconds(configuration.ranges.reference_mass)
+    dense = dense_grid(dataset.mf_amplitude)
+    to_dense = spline_matrix(dataset.mf_amplitude, dense).T
+    every = max(1, len(dataset) // 1024)
+    amplitudes = np.array(
+        [
+            np.exp(ratio @ to_dense) * baseline_amplitude(theta, dense)
+            for theta, ratio in zip(dataset.theta[::every], dataset.log_amplitude_ratio[::every], strict=True)
+        ]
+    )
+    weights = noise_weights(dense / mass, amplitudes, noise_curve(configuration.reduction.noise)).mean(axis=0)
+    return MismatchMetric.from_dense(dataset.mf_amplitude, dataset.mf_phase, dense, weights)

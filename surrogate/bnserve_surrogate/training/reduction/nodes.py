@@ -1,11 +1,26 @@
-"""Smooth, sparse frequency nodes for residuals."""
+"""The frequencies at which residuals are kept: smooth nodes, or the paper's, chosen greedily from waveforms."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+from typing import Literal
+
 import numpy as np
 
-from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, mass_seconds
+from bnserve_surrogate.training.config import TrainingConfiguration, demand
+from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
+from bnserve_surrogate.training.data.generation import Generation
+from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, WaveformGenerator, mass_seconds
+from bnserve_surrogate.training.data.ranges import ParameterRanges, mf_band, parameter_ranges, training_band
+from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase, flatten_phase
+from bnserve_surrogate.training.data.sampling import UniformSampling
+from bnserve_surrogate.training.reduction.greedy_downsampling import greedy_downsampling
+from bnserve_surrogate.training.reduction.metric import has_weight
+from bnserve_surrogate.training.reduction.multibanding import multibanded_grid
 
+_FEWEST = 4
+"""Of a cubic spline."""
 _TURNOVER_HZ = 600.0
 """Where the spacing turns from logarithmic to uniform; 80 nodes then interpolate residuals to a mismatch of 1.2e-10."""
 
@@ -38,3 +53,99 @@ def smooth_nodes(f_min: float, f_max: float, count: int, total_mass: float = REF
 
 def _coordinate(frequency: float) -> float:
     return float(np.log(frequency) + frequency / _TURNOVER_HZ)
+
+
+def greedy_nodes(
+    generator: WaveformGenerator,
+    ranges: ParameterRanges,
+    mf_band: tuple[float, float],
+    *,
+    waveforms: int = 128,
+    tolerance: float = 1e-5,
+    on: Literal["residuals", "waveforms"] = "residuals",
+    seed: int = 0,
+    directory: Path | str,
+    n_jobs: int = -1,
+) -> tuple[FloatArray, FloatArray]:
+    """Nodes from which cubic splines restore every one of a sample of waveforms within a tolerance.
+
+    Parameters
+    ----------
+    generator, ranges, seed:
+        The sample: uniform in the box.
+    mf_band:
+        First and last M f, dimensionless; both become nodes.
+    waveforms, tolerance:
+        Size of the sample; largest error of log-amplitude (or amplitude) and phase (radians).
+    on:
+        Whether residuals to the baseline or full waveforms have to be restored; the paper does the latter.
+    directory, n_jobs:
+        As for :func:`~bnserve_surrogate.training.data.dataset.build_dataset`.
+
+    Returns
+    -------
+    Amplitude nodes and phase nodes in M f.
+    """
+    grid = multibanded_grid(*mf_band, ranges.mass_ratio[1])
+    specification = DatasetSpecification(generator, ranges, UniformSampling(), seed, "greedy nodes", grid, grid, 8)
+    dataset = build_dataset(specification, waveforms, directory, n_jobs=n_jobs)
+    amplitude, phase = dataset.log_amplitude_ratio, flatten_phase(grid, dataset.psi_residual).residual
+    if on == "waveforms":
+        for row, theta in enumerate(dataset.theta):
+            amplitude[row] = np.exp(amplitude[row]) * baseline_amplitude(theta, grid)
+            phase[row] += baseline_phase(theta, grid)
+    chosen = (greedy_downsampling(grid, values, tolerance).indices for values in (amplitude, phase))
+    amplitude_nodes, phase_nodes = (grid[indices] for indices in chosen)
+    return amplitude_nodes, phase_nodes
+
+
+def configured_nodes(generate: Generation, say: Callable[[str], None] = print) -> tuple[FloatArray, FloatArray]:
+    """The amplitude's and the phase's nodes in M f; greedy ones are chosen on waveforms kept in the directory.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Too few or too many were chosen.
+    """
+    configuration, section = generate.configuration, generate.configuration.nodes
+    say(f"Nodes: {section.kind}")
+    if section.kind == "smooth":
+        amplitude = smooth_nodes(*training_band(configuration), section.count, configuration.ranges.reference_mass)
+        phase = amplitude
+    else:
+        amplitude, phase = greedy_nodes(
+            generate.generator,
+            parameter_ranges(configuration),
+            mf_band(configuration),
+            waveforms=section.waveforms,
+            tolerance=section.tolerance,
+            on=section.on,
+            seed=configuration.dataset.seed,
+            directory=generate.directory,
+            n_jobs=generate.n_jobs,
+        )
+        check_nodes(configuration, amplitude, phase)
+    say(f"  {len(amplitude)} for the amplitude, {len(phase)} for the phase")
+    return amplitude, phase
+
+
+def check_nodes(configuration: TrainingConfiguration, amplitude: FloatArray, phase: FloatArray) -> None:
+    """Refuse nodes of amplitude and phase in M f, from the configuration or from the greedy choice.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Too few for a spline or for the components, or denser than the grid of the metric.
+    """
+    for nodes, of in ((amplitude, "amplitude"), (phase, "phase")):
+        demand(
+            len(nodes) >= _FEWEST,
+            f"{len(nodes)} nodes of the {of} were chosen, and a spline needs {_FEWEST}; lower 'tolerance' in "
+            "[nodes], or widen 'frequency_band' in [ranges]",
+        )
+        demand(
+            has_weight(nodes),
+            f"{len(nodes)} nodes of the {of} are too many; lower 'count', or raise 'tolerance', in [nodes]",
+        )
+    components, numbers = configuration.reduction.components, len(amplitude) + len(phase)
+    demand(components <= numbers, f"{components} components cannot be found in {numbers} numbers at the nodes")

@@ -10,10 +10,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.base import BaseEstimator
 
+from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.data.dataset import ResidualDataset
+from bnserve_surrogate.training.data.generators import WaveformGenerator
+from bnserve_surrogate.training.data.residuals import flatten_phase, merger_phase
 from bnserve_surrogate.training.reduction.metric import MetricCoordinates, MismatchMetric
 from bnserve_surrogate.training.reduction.principal_components import PrincipalComponents
 
 FloatArray: TypeAlias = NDArray[np.float64]
+
+SCALARS = ("log_amplitude", "time_shift", "phase_shift")
+"""Outputs of the regressor beside the components: what the match does not see."""
 
 
 class ReducedResiduals(NamedTuple):
@@ -175,3 +182,45 @@ def _bases(means: tuple[FloatArray, FloatArray], bases: tuple[FloatArray, FloatA
         for mean, basis in zip(means, bases, strict=True)
     )
     return amplitude, phase
+
+
+def reduce_dataset(
+    configuration: TrainingConfiguration, generator: WaveformGenerator, metric: MismatchMetric, dataset: ResidualDataset
+) -> tuple[Reduction, FloatArray, float]:
+    """The fitted reduction, the regressor's targets, and where the generator's phase starts from zero."""
+    section = configuration.reduction
+    start_mf = float(getattr(generator, "phase_start", 0.0))
+    if section.kind == "metric":
+        reduction: Reduction = MetricReduction(metric, section.components)
+        phase = dataset.psi_residual
+        constant = slope = np.zeros(len(dataset))
+    else:
+        reduction = PaperReduction(section.components, section.eigenvalue_exponent)
+        flat = flatten_phase(dataset.mf_phase, dataset.psi_residual)
+        phase, constant, slope = flat.residual, flat.constant, 2.0 * np.pi * flat.time_shift
+    reduced = reduction.fit(dataset.log_amplitude_ratio, phase).transform(dataset.log_amplitude_ratio, phase)
+    reference = metric.reference_frequency if section.kind == "metric" else 0.0
+    reduced = reduced._replace(phase=reduced.phase + constant, phase_slope=reduced.phase_slope + slope)
+    return reduction, regression_targets(reduced, dataset.theta, reference, start_mf), start_mf
+
+
+def regression_targets(
+    reduced: ReducedResiduals, theta: FloatArray, reference_mf: float, start_mf: float
+) -> FloatArray:
+    """What the regressor learns, (N, k + 3): components, then the scalars of :data:`SCALARS`.
+
+    Parameters
+    ----------
+    reduced:
+        Of N residuals.
+    theta:
+        Their parameters.
+    reference_mf:
+        Where ``reduced.phase`` is taken.
+    start_mf:
+        Where the generator's phase starts from zero, or 0 if it does not.
+    """
+    intercept = reduced.phase - reduced.phase_slope * reference_mf
+    if start_mf > 0.0:
+        intercept = intercept + merger_phase(theta, start_mf)
+    return np.column_stack([reduced.components, reduced.log_amplitude, reduced.phase_slope, intercept])

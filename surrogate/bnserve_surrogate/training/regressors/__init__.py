@@ -9,11 +9,15 @@ arrays; these do:
 * :class:`Beside`: one of them for some of the outputs, another for the rest.
 """
 
-from bnserve_surrogate.training.regressors.additive import Sum
-from bnserve_surrogate.training.regressors.beside import Beside
 from bnserve_surrogate.training.regressors.chebyshev import chebyshev_terms, weighted_exponents
-from bnserve_surrogate.training.regressors.exported import ExportedRegressor, NotExportable, evaluate_exported
-from bnserve_surrogate.training.regressors.exporting import export_regressor
+from bnserve_surrogate.training.regressors.combined import Beside, Sum
+from bnserve_surrogate.training.regressors.configured import coordinate_map, make_regressor
+from bnserve_surrogate.training.regressors.exported import (
+    ExportedRegressor,
+    NotExportable,
+    evaluate_exported,
+    export_regressor,
+)
 from bnserve_surrogate.training.regressors.mlp import MLP
 from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial
 
@@ -25,7 +29,9 @@ __all__ = [
     "NotExportable",
     "Sum",
     "chebyshev_terms",
+    "coordinate_map",
     "evaluate_exported",
     "export_regressor",
+    "make_regressor",
     "weighted_exponents",
 ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -14,20 +15,14 @@ from sklearn.exceptions import ConvergenceWarning
 
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.dataset import ResidualDataset
-from bnserve_surrogate.training.data.generation import configured_generator
+from bnserve_surrogate.training.data.generation import Generation, configured_generator, training_set
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.residuals import flatten_phase
 from bnserve_surrogate.training.errors import DatasetInUse, TrainingError
-from bnserve_surrogate.training.pipeline import (
-    coordinate_map,
-    make_regressor,
-    mismatch_metric,
-    reduce_dataset,
-    training_dataset,
-)
-from bnserve_surrogate.training.reduction.metric import MismatchMetric
-from bnserve_surrogate.training.reduction.reductions import PaperReduction, ReducedResiduals, Reduction
-from bnserve_surrogate.training.regressors import Beside
+from bnserve_surrogate.training.reduction.metric import MismatchMetric, mismatch_metric
+from bnserve_surrogate.training.reduction.nodes import configured_nodes
+from bnserve_surrogate.training.reduction.reductions import PaperReduction, ReducedResiduals, Reduction, reduce_dataset
+from bnserve_surrogate.training.regressors import Beside, coordinate_map, make_regressor
 
 Rows = NDArray[np.intp]
 _PATIENCE_SECONDS = 60.0
@@ -75,16 +70,19 @@ class SearchData:
         return np.sort(order[:training]), np.sort(order[training : training + validation])
 
 
-def load_search_data(configuration: TrainingConfiguration, directory: Path, **options: Any) -> SearchData:
-    """The waveforms of a configuration; ``options`` and errors as for ``training_dataset``.
+def load_search_data(
+    configuration: TrainingConfiguration, directory: Path, say: Callable[[str], None] = print, **options: Any
+) -> SearchData:
+    """The waveforms of a configuration; ``options`` and errors as for ``Generation``.
 
     Waits for another process that reads the same ones.
     """
     generator = configured_generator(configuration)
+    generate = Generation(configuration, generator, directory, **options)
     until = time.monotonic() + _PATIENCE_SECONDS
     while True:
         try:
-            dataset = training_dataset(configuration, generator, directory, **options)
+            dataset = training_set(generate, *configured_nodes(generate, say), say)
             return SearchData(dataset, mismatch_metric(dataset, configuration), generator)
         except DatasetInUse:
             if time.monotonic() > until:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from bnserve_surrogate.training.config import TrainingConfiguration
-from bnserve_surrogate.training.export import SCALARS
+from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors import weighted_exponents
 from bnserve_surrogate.training.search.values import Values
 

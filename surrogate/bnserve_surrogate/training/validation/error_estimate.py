@@ -16,8 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import binom
 
+from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.training.data.generators import FloatArray
 from bnserve_surrogate.training.regressors import chebyshev_terms, weighted_exponents
+from bnserve_surrogate.training.validation.measurement import Validation
 
 PROMISED_FACTOR = 3.0
 """At most one binary in a hundred has a mismatch above this many times the estimate."""
@@ -82,6 +84,15 @@ def fit_error_estimate(
     constant = int(np.flatnonzero(exponents.sum(axis=1) == 0)[0])
     coefficients[constant] += raised - np.log(PROMISED_FACTOR)
     return ErrorEstimate(exponents, np.asarray(coefficients, dtype=np.float64))
+
+
+def estimate_from(validations: dict[str, Validation], coordinates: CoordinateMap) -> ErrorEstimate | None:
+    """Fitted to all waveforms of the validation; calibrated for the middle and for the edges, each by itself."""
+    parts = validations.values()
+    theta = np.concatenate([validation.theta for validation in parts])
+    mismatch = np.concatenate([validation.mismatch for validation in parts])
+    kinds = np.concatenate([np.full(len(validation.mismatch), kind) for kind, validation in enumerate(parts)])
+    return fit_error_estimate(coordinates(theta), mismatch, kinds)
 
 
 def _folds(coordinates: FloatArray) -> NDArray[np.int64]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from bnserve_protocol import (
     INTRINSIC_NAMES,
+    MEGAPARSEC_SECONDS,
     EvaluationOptions,
     InvalidFrequencies,
     InvalidParameters,
@@ -18,11 +19,11 @@ from bnserve_protocol import (
     WaveformModel,
 )
 from bnserve_surrogate._metadata import SurrogateMetadata
-from bnserve_surrogate.training.data.baseline import baseline_amplitude, baseline_phase
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import FloatArray, mass_seconds
-from bnserve_surrogate.training.data.noise import noise_curve
-from bnserve_surrogate.training.reduction.quadrature import noise_weights, spline_matrix
+from bnserve_surrogate.training.data.noise import noise_curve, noise_weights
+from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase
+from bnserve_surrogate.training.reduction.metric import spline_matrix
 from bnserve_surrogate.training.validation.mismatch import NodeMismatch
 
 QUANTILES = {"median": 0.5, "90 %": 0.9, "99 %": 0.99, "max": 1.0}
@@ -207,7 +208,5 @@ def _truth(dataset: ResidualDataset) -> tuple[FloatArray, FloatArray]:
 
 
 def _strain_scale(batch: ParameterBatch, total_mass: float) -> FloatArray:
-    from bnserve_protocol import MEGAPARSEC_SECONDS
-
     q = batch["mass_ratio"]
     return np.asarray((q / (1.0 + q) ** 2 * mass_seconds(total_mass) ** 2 / MEGAPARSEC_SECONDS)[:, None])

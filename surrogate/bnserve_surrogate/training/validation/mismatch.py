@@ -17,7 +17,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from bnserve_surrogate.training.reduction.quadrature import spline_matrix
+from bnserve_surrogate.training.reduction.metric import spline_matrix
 from bnserve_surrogate.training.validation._alignment import refine, search
 
 FloatArray: TypeAlias = NDArray[np.float64]
@@ -56,7 +56,7 @@ def mismatch(
     weights
         |h|^2 / S_n times quadrature weights, of the waveforms that the differences are measured from; not negative,
         shape (J,) or (N, J). The norm does not matter. See
-        :func:`~bnserve_surrogate.training.reduction.quadrature.noise_weights`.
+        :func:`~bnserve_surrogate.training.data.noise.noise_weights`.
     log_amplitude_difference, phase_difference
         log(A_b / A_a) and psi_b - psi_a in radians, shape (N, J). The sign of the phase does not matter.
 

@@ -9,15 +9,12 @@ import io
 import os
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from bnserve_surrogate.training.errors import DatasetUnwritable, require
 from bnserve_surrogate.training.validation.measurement import QUANTILES, Validation, quantiles
-
-if TYPE_CHECKING:
-    from bnserve_surrogate.training.pipeline import Trained
 
 REPORT_FILE = "report.html"
 """Its name, beside the manifest of the model. It is for people: no part of the artifact, and of no digest."""
@@ -54,19 +51,18 @@ def as_json(validation: Validation) -> dict[str, Any]:
     }
 
 
-def page(title: str, digest: str, trained: Trained) -> str:
-    """A self-contained page in HTML: what was trained, the table, the plots."""
+def page(title: str, digest: str, origin: dict[str, Any], validations: dict[str, Validation]) -> str:
+    """A self-contained page in HTML: where it comes from (its ``provenance``), the table, the plots."""
     figures = {
-        "Mismatch on fresh waveforms, and of the baseline alone": _mismatch_figure(trained.validations),
-        "Differences of 100 waveforms to the generator's": _residual_figure(next(iter(trained.validations.values()))),
-        "Mismatch across the parameters": _parameter_figure(trained.validations),
+        "Mismatch on fresh waveforms, and of the baseline alone": _mismatch_figure(validations),
+        "Differences of 100 waveforms to the generator's": _residual_figure(next(iter(validations.values()))),
+        "Mismatch across the parameters": _parameter_figure(validations),
     }
     images = "".join(
         f'<figure><img src="data:image/png;base64,{image}" alt="{html.escape(name)}">'
         f"<figcaption>{html.escape(name)}</figcaption></figure>"
         for name, image in figures.items()
     )
-    origin = trained.metadata.provenance
     facts = {
         "digest": digest,
         "generator": f"{origin['generator']['name']} {origin['generator']['version']}",
@@ -75,7 +71,7 @@ def page(title: str, digest: str, trained: Trained) -> str:
         "time": f"{origin['seconds']} s",
     }
     rows = "".join(f"<tr><th>{html.escape(k)}</th><td>{html.escape(str(v))}</td></tr>" for k, v in facts.items())
-    return _PAGE.format(title=html.escape(title), rows=rows, table=table(trained.validations), images=images)
+    return _PAGE.format(title=html.escape(title), rows=rows, table=table(validations), images=images)
 
 
 _PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title>

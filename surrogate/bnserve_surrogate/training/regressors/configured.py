@@ -1,0 +1,56 @@
+"""The coordinates and the regressor that a configuration asks for."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from bnserve_surrogate._coordinates import CoordinateMap
+from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.training.data.generators import FloatArray
+from bnserve_surrogate.training.data.ranges import parameter_ranges
+from bnserve_surrogate.training.reduction.metric import MismatchMetric
+from bnserve_surrogate.training.reduction.reductions import SCALARS
+from bnserve_surrogate.training.regressors.combined import Beside, Sum
+from bnserve_surrogate.training.regressors.mlp import MLP
+from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial
+
+_SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 2e-3, "phase_shift": 1e-7}
+"""What a squared error of a scalar costs against one of the components, when a polynomial is pruned: the match does not
+see it, but the merger's alignment does. That of the time shift multiplies its own part of the metric."""
+_SCALAR_DEGREE = 4
+"""Of the polynomial for the scalars beside a network, if there are five waveforms for four terms; lower if not."""
+
+
+def coordinate_map(configuration: TrainingConfiguration, theta: FloatArray) -> CoordinateMap:
+    """The regressor's coordinates of training parameters (N, 5)."""
+    if configuration.regressor.coordinates == "raw":
+        return CoordinateMap.standardised(theta)
+    ranges = parameter_ranges(configuration)
+    return CoordinateMap.physical(ranges.lower, ranges.upper)
+
+
+def make_regressor(configuration: TrainingConfiguration, metric: MismatchMetric) -> Any:
+    """The estimator of a configuration, not yet fitted; its outputs are the components and the scalars."""
+    section = configuration.regressor
+    inertia = float(metric.phase_weights @ (metric.phase_frequencies - metric.reference_frequency) ** 2)
+    scalars = dict(_SCALAR_WEIGHTS, time_shift=_SCALAR_WEIGHTS["time_shift"] * 0.5 * inertia)
+    components, scalar_weights = configuration.reduction.components, [scalars[name] for name in SCALARS]
+
+    def polynomial(output_weights: list[float]) -> ChebyshevPolynomial:
+        options = section.polynomial
+        return ChebyshevPolynomial(options.degree, options.weights, options.terms, output_weights=output_weights)
+
+    if section.kind == "polynomial":
+        return polynomial([1.0] * components + scalar_weights)
+    options = {name: getattr(section.network, name) for name in section.network.__struct_fields__ if name != "seed"}
+    network = MLP(**options, random_state=section.network.seed)
+    if section.kind == "sum":
+        return Beside(Sum(polynomial([1.0] * components), network), polynomial(scalar_weights), components)
+    return Beside(network, ChebyshevPolynomial(_scalar_degree(configuration)), components)
+
+
+def _scalar_degree(configuration: TrainingConfiguration) -> float:
+    waveforms = configuration.dataset.count + configuration.dataset.edge_count
+    degrees = range(1, _SCALAR_DEGREE + 1)
+    return float(max((d for d in degrees if 1.25 * math.comb(d + 5, 5) <= waveforms), default=1))
