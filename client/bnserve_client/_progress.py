@@ -2,32 +2,20 @@
 
 from __future__ import annotations
 
-import importlib.util
 from contextlib import AbstractContextManager, nullcontext
 from typing import Any
 
-from bnserve_protocol import InvalidRequest
+from bnserve_protocol import require
 
 
-def require_tqdm() -> None:
-    """Refuse early.
-
-    Raises
-    ------
-    InvalidRequest
-        A progress bar was asked for and cannot be drawn.
-    """
-    if importlib.util.find_spec("tqdm") is None:
-        raise InvalidRequest(
-            "progress=True needs the package tqdm: pip install 'bnserve-client[progress]', or leave progress out."
-        )
+def require_tqdm() -> Any:
+    """The package tqdm; PackageMissing, before anything is asked, if there is none."""
+    return require("tqdm", "progress=True", "progress")
 
 
 def progress_bar(rows: int, wanted: bool) -> AbstractContextManager[Any]:
     """A tqdm bar that counts waveforms; a context of None when it is not wanted."""
     if not wanted:
         return nullcontext(None)
-    from tqdm import tqdm
-
-    bar: AbstractContextManager[Any] = tqdm(total=rows, unit="waveform", unit_scale=True)
+    bar: AbstractContextManager[Any] = require_tqdm().tqdm(total=rows, unit="waveform", unit_scale=True)
     return bar

@@ -1,12 +1,15 @@
 """Likelihoods over any waveform model, local or remote."""
 
+import typing
+import warnings
+
+import bnserve_protocol
 from bnserve_inference._analyses import full_analysis, relative_binning_analysis, roq_analysis
 from bnserve_inference._building import LikelihoodOptions
 from bnserve_inference._calibration import calibration_nodes
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import Detector, sidereal_time
 from bnserve_inference._envelopes import Envelope, read_envelope
-from bnserve_inference._errors import DetectorsMissing
 from bnserve_inference._evaluation import LocalLikelihood, likelihood
 from bnserve_inference._gwosc import fourier_strain, gwosc_segment, read_gwosc
 from bnserve_inference._noise import gaussian_noise, interpolate_asd, read_asd
@@ -16,7 +19,6 @@ from bnserve_protocol import LikelihoodValues
 __all__ = [
     "Detector",
     "DetectorData",
-    "DetectorsMissing",
     "Envelope",
     "LikelihoodOptions",
     "LikelihoodValues",
@@ -39,3 +41,12 @@ __all__ = [
     "simulate_data",
     "time_delay",
 ]
+
+if not typing.TYPE_CHECKING:
+
+    def __getattr__(name: str) -> typing.Any:
+        """The error's name of before 0.2, for one version."""
+        if name != "DetectorsMissing":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        warnings.warn("DetectorsMissing is bnserve_protocol.PackageMissing.", DeprecationWarning, stacklevel=2)
+        return bnserve_protocol.PackageMissing

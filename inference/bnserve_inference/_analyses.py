@@ -63,7 +63,7 @@ def full_analysis(
     ------
     AnalysisInvalid
         Data or settings that no likelihood could be evaluated with.
-    DetectorsMissing
+    PackageMissing
         LAL is not installed.
     """
     band = Band(data, trigger_time, f_min, f_max)

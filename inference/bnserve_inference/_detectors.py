@@ -15,9 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._errors import DetectorsMissing
 from bnserve_inference._units import in_units, real
-from bnserve_protocol import AnalysisInvalid, FieldError, check_location
+from bnserve_protocol import AnalysisInvalid, FieldError, check_location, require
 
 _LEAST_RADIUS = 6.25e6
 """Metres; the poles are at 6.357e6."""
@@ -60,7 +59,7 @@ class Detector:
         ------
         AnalysisInvalid
             LAL knows no such detector.
-        DetectorsMissing
+        PackageMissing
             LAL is not installed.
         """
         known = _lal().cached_detector_by_prefix
@@ -89,11 +88,4 @@ def sidereal_time(gps: float) -> tuple[float, float]:
 
 
 def _lal() -> Any:
-    try:
-        import lal
-    except ImportError as error:
-        raise DetectorsMissing(
-            "Building an analysis takes the detectors and the sidereal time from LAL, which is not installed: "
-            "pip install 'bnserve-inference[detectors]'."
-        ) from error
-    return lal
+    return require("lal", "Building an analysis (detectors and sidereal time)", "detectors")

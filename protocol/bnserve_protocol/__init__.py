@@ -104,6 +104,7 @@ from bnserve_protocol._model import (
     check_options,
 )
 from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number, as_real_numbers
+from bnserve_protocol._packages import PackageMissing, require
 from bnserve_protocol._parameters import (
     INTRINSIC_NAMES,
     PARAMETER_DEFAULTS,
@@ -181,6 +182,7 @@ __all__ = [
     "OutOfBand",
     "OutOfDomain",
     "Overloaded",
+    "PackageMissing",
     "ParameterBatch",
     "ParameterDescription",
     "ParametersWithExtrinsic",
@@ -224,6 +226,7 @@ __all__ = [
     "plain_grid",
     "printable",
     "refuse_rows",
+    "require",
     "time_steps",
     "time_until_merger",
 ]

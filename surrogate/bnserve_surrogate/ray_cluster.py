@@ -13,7 +13,7 @@ from itertools import islice
 from types import ModuleType
 from typing import Any, Self, TypeVar
 
-from bnserve_protocol import BnserveError
+from bnserve_protocol import BnserveError, require
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -25,7 +25,7 @@ _RETRIES = 1
 
 
 class RayUnusable(BnserveError):
-    """Ray is not installed, or there is no cluster at the address, or its workers keep dying."""
+    """There is no cluster at the address, or its workers keep dying."""
 
     code = "ray-unusable"
     title = "Ray cluster not usable"
@@ -122,13 +122,7 @@ class RayWorkers:
 
 def _connected(address: str) -> ModuleType:
     """Ray, connected to a cluster, with its backend known to joblib."""
-    try:
-        ray = importlib.import_module("ray")
-    except ImportError as error:
-        raise RayUnusable(
-            "The backend 'ray' needs the package 'ray', which is not installed here. In a checkout: "
-            "pip install '.[ray]'; the cluster's nodes need the same, and what the task itself needs."
-        ) from error
+    ray: ModuleType = require("ray", "The backend 'ray' (here, and on the nodes of the cluster)", "ray")
     if not ray.is_initialized():
         try:
             ray.init(address=address or None, log_to_driver=False, configure_logging=False)

@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pytest
 
-from bnserve_client import InvalidRequest
+from bnserve_protocol import PackageMissing
 from tests.client.reference_model import binaries
 
 FREQUENCIES = np.linspace(20.0, 1024.0, 50)
@@ -23,5 +23,5 @@ def test_a_batch_of_one_chunk_shows_none(server, connect, capsys):
 
 def test_without_tqdm_the_user_is_told_what_to_do(server, connect, monkeypatch):
     monkeypatch.setitem(sys.modules, "tqdm", None)
-    with pytest.raises(InvalidRequest, match=r"pip install 'bnserve-client\[progress\]'"):
+    with pytest.raises(PackageMissing, match=r"pip install '\.\[progress\]'"):
         connect(server.address, progress=True)

@@ -8,11 +8,10 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from bnserve_protocol import BnserveError
+from bnserve_protocol import BnserveError, require
 from bnserve_service.bench.binaries import Questions
 from bnserve_service.bench.breakdown import local_breakdown
 from bnserve_service.bench.costs import batch_costs, single_costs
-from bnserve_service.bench.extra import import_bench
 from bnserve_service.bench.load import LoadFailed, Target, answers_per_second, round_trips
 from bnserve_service.bench.over_http import measure_remote
 from bnserve_service.bench.processes import first_waveform
@@ -133,7 +132,7 @@ def test_a_server_is_measured(server, tmp_path):
     text = "\n".join(lines)
     for expected in ("overhead", "per point", "the server's HTTP", "3 clients", "rows"):
         assert expected in text
-    pictures = import_bench("plots").save_plots(found, tmp_path)
+    pictures = require("bnserve_service.bench.plots", "This measurement").save_plots(found, tmp_path)
     assert Counter(picture.read_bytes()[:4] for picture in pictures) == {b"\x89PNG": 4}
 
 
@@ -186,5 +185,5 @@ def test_what_cannot_be_measured_is_one_sentence(arguments, sentence, capsys):
 def test_a_missing_package_is_one_sentence(monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     monkeypatch.delitem(sys.modules, "bnserve_service.bench.plots", raising=False)
-    with pytest.raises(BnserveError, match="install matplotlib"):
-        import_bench("plots")
+    with pytest.raises(BnserveError, match="needs the package 'matplotlib', which is not installed"):
+        require("bnserve_service.bench.plots", "This measurement")

@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from bnserve_protocol import PackageMissing
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.data import dataset as dataset_module
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
@@ -23,7 +24,6 @@ from bnserve_surrogate.training.data.sampling import UniformSampling, draw
 from bnserve_surrogate.training.errors import (
     DatasetInUse,
     DatasetUnwritable,
-    PackageMissing,
     TooManyFailures,
     WorkersUnusable,
 )

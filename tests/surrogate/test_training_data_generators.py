@@ -14,7 +14,7 @@ from bnserve_surrogate.training.data.generators import (
 )
 from bnserve_surrogate.training.data.generators._teobresums import start_frequency
 from bnserve_surrogate.training.data.residuals import flatten_phase, log_amplitude_ratio, merger_phase, phase_difference
-from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown, PackageMissing, require
+from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes
 
 THETA = np.array([1.3, 0.1, -0.05, 400.0, 600.0])
@@ -95,11 +95,6 @@ def test_unknown_generators_and_options_are_refused_with_a_hint():
 def test_unusable_waveforms_are_failures_with_a_reason(function, reason):
     with pytest.raises(GeneratorFailure, match=reason):
         evaluate(CallableGenerator(function, label="broken"), THETA, np.array([0.01, 0.02]))
-
-
-def test_a_missing_package_says_how_to_install_it():
-    with pytest.raises(PackageMissing, match=r"pip install 'bnserve-surrogate\[train\]'"):
-        require("a_package_that_nobody_has")
 
 
 def test_teobresums_amplitude_and_phase_are_its_conjugated_strain(teobresums):

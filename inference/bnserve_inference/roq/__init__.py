@@ -1,5 +1,9 @@
 """Reduced-order quadrature: bases of waveforms, and the frequencies that are enough."""
 
+import typing
+import warnings
+
+import bnserve_protocol
 from bnserve_inference.roq._bajes import load_bajes, save_bajes
 from bnserve_inference.roq._bilby import load_bilby, save_bilby
 from bnserve_inference.roq._build import BuiltBasis, build_basis
@@ -12,8 +16,6 @@ from bnserve_inference.roq._errors import (
     PriorNotCovered,
     RoqConfigurationInvalid,
     RoqError,
-    RoqPackageMissing,
-    require,
 )
 from bnserve_inference.roq._file import load_basis, save_basis
 from bnserve_inference.roq._interpolant import Interpolant, TabulatedInterpolant, WaveformInterpolant
@@ -35,7 +37,6 @@ __all__ = [
     "RoqConfiguration",
     "RoqConfigurationInvalid",
     "RoqError",
-    "RoqPackageMissing",
     "TabulatedInterpolant",
     "WaveformInterpolant",
     "build_basis",
@@ -46,7 +47,6 @@ __all__ = [
     "load_shipped_basis",
     "parse_roq_configuration",
     "read_roq_configuration",
-    "require",
     "save_bajes",
     "save_basis",
     "save_bilby",
@@ -54,3 +54,12 @@ __all__ = [
     "validate_basis",
     "write_roq_report",
 ]
+
+if not typing.TYPE_CHECKING:
+
+    def __getattr__(name: str) -> typing.Any:
+        """The error's name of before 0.2, for one version."""
+        if name != "RoqPackageMissing":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        warnings.warn("RoqPackageMissing is bnserve_protocol.PackageMissing.", DeprecationWarning, stacklevel=2)
+        return bnserve_protocol.PackageMissing

@@ -20,11 +20,11 @@ from typing import Any
 
 import numpy as np
 
-from bnserve_inference.roq._errors import BasisFileInvalid, require
+from bnserve_inference.roq._errors import BasisFileInvalid
 from bnserve_inference.roq._interpolant import Alignment, TabulatedInterpolant, Term
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._storage import replacing
-from bnserve_protocol import WaveformModel
+from bnserve_protocol import WaveformModel, require
 
 _INVERTED = "mass_ratio"
 _SCALE_POWERS = {"chirp_mass": -1.0, "total_mass": -1.0}
@@ -49,7 +49,7 @@ def save_bilby(path: Path | str, basis: ReducedOrderQuadrature, model: WaveformM
         The name ends in something else, which bilby would refuse.
     BasisMismatch, BasisUnwritable
     """
-    path, h5py = Path(path), require("h5py")
+    path, h5py = Path(path), require("h5py", "The file of a basis", "roq")
     if path.suffix != ".hdf5":
         raise BasisFileInvalid(f"bilby reads only files called *.hdf5; {path.name} would be refused.")
     chunks = {"linear": basis.linear_chunks(model), "quadratic": basis.quadratic_chunks(model)}
@@ -83,7 +83,7 @@ def load_bilby(path: Path | str) -> ReducedOrderQuadrature:
     BasisFileInvalid
         Not there, not such a file, several bases, or arrays that do not fit together.
     """
-    h5py = require("h5py")
+    h5py = require("h5py", "The file of a basis", "roq")
     try:
         with ExitStack() as stack:
             file = stack.enter_context(h5py.File(path, "r"))

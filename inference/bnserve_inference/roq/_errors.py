@@ -9,14 +9,10 @@
         ├── BasisUnwritable           no room or no permission for a basis or a checkpoint
         ├── BasisMismatch             a basis used with another model or another grid than its own
         ├── PriorNotCovered           a prior that reaches beyond the basis
-        ├── ConstructionFailed        the greedy algorithm cannot reach its goal
-        └── RoqPackageMissing         an optional dependency is not installed
+        └── ConstructionFailed        the greedy algorithm cannot reach its goal
 """
 
 from __future__ import annotations
-
-import importlib
-from types import ModuleType
 
 from bnserve_protocol import BnserveError
 
@@ -68,28 +64,3 @@ class ConstructionFailed(RoqError):
 
     code = "roq-construction-failed"
     title = "Basis construction failed"
-
-
-class RoqPackageMissing(RoqError):
-    """An optional dependency is not installed."""
-
-    code = "roq-package-missing"
-    title = "Package not installed"
-
-
-def require(module: str) -> ModuleType:
-    """Import what only the construction of a basis needs, or a file format.
-
-    Raises
-    ------
-    RoqPackageMissing
-        It is not installed; the message says how to get it.
-    """
-    try:
-        return importlib.import_module(module)
-    except ModuleNotFoundError as error:
-        missing = (error.name or module).partition(".")[0]
-        raise RoqPackageMissing(
-            f"This needs the package '{missing}', which is not installed. In a checkout: "
-            "pip install './inference[roq]', or pip install '.[roq]' for everything."
-        ) from error

@@ -15,11 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from bnserve_inference.roq._errors import BasisFileInvalid, require
+from bnserve_inference.roq._errors import BasisFileInvalid
 from bnserve_inference.roq._interpolant import Term, WaveformInterpolant
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._storage import replacing
-from bnserve_protocol import PARAMETER_NAMES, ParameterBatch
+from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, require
 from bnserve_protocol.wire import unique_keys
 
 SCHEMA = "bnserve-roq-1"
@@ -38,7 +38,7 @@ def save_basis(path: Path | str, basis: ReducedOrderQuadrature) -> None:
         A tabulated basis, which has no compact form.
     BasisUnwritable
     """
-    h5py = require("h5py")
+    h5py = require("h5py", "The file of a basis", "roq")
     linear, quadratic = basis.linear, basis.quadratic
     if not (isinstance(linear, WaveformInterpolant) and isinstance(quadratic, WaveformInterpolant)):
         raise BasisFileInvalid("A basis read from another program's file has no compact form; keep that file.")
@@ -70,7 +70,7 @@ def load_basis(path: Path | str) -> ReducedOrderQuadrature:
     BasisFileInvalid
         Not there, not such a file, or a damaged one.
     """
-    h5py = require("h5py")
+    h5py = require("h5py", "The file of a basis", "roq")
     try:
         with h5py.File(path, "r") as file:
             schema = str(file.attrs.get("schema", ""))

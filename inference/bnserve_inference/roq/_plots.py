@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 
 from bnserve_inference.roq._build import BuiltBasis
-from bnserve_inference.roq._errors import require
 from bnserve_inference.roq._interpolant import AnyArray, Term, WaveformInterpolant, evaluate_term
 from bnserve_inference.roq._sampling import Prior
-from bnserve_protocol import ParameterBatch, WaveformModel
+from bnserve_protocol import ParameterBatch, WaveformModel, require
 
 _COLOURS: dict[Term, str] = {"linear": "#0072b2", "quadratic": "#d55e00"}
 _GREY = "#8a97a5"
@@ -27,6 +26,7 @@ _STYLE = {
     "savefig.dpi": 130,
 }
 _DRAWN_POINTS = 4000
+_NEEDED = "The report of a basis", "roq"
 
 
 def all_figures(built: BuiltBasis, model: WaveformModel) -> Iterator[tuple[str, Any]]:
@@ -34,7 +34,7 @@ def all_figures(built: BuiltBasis, model: WaveformModel) -> Iterator[tuple[str, 
 
     Raises
     ------
-    RoqPackageMissing
+    PackageMissing
         matplotlib is not installed.
     """
     with _style():
@@ -126,7 +126,7 @@ def waveform_figure(built: BuiltBasis, model: WaveformModel) -> Any:
 
 @contextmanager
 def _style() -> Iterator[None]:
-    matplotlib = require("matplotlib")
+    matplotlib = require("matplotlib", *_NEEDED)
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_STYLE)
@@ -134,7 +134,7 @@ def _style() -> Iterator[None]:
 
 
 def _figure(rows: int, height: float) -> tuple[Any, Any]:
-    figure = require("matplotlib.figure").Figure(figsize=(9.0, height), layout="constrained")
+    figure = require("matplotlib.figure", *_NEEDED).Figure(figsize=(9.0, height), layout="constrained")
     return figure, figure.subplots(rows, 1, squeeze=False, sharex=True)[:, 0]
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from bnserve_inference.roq._errors import require
+from bnserve_protocol import require
 
 
 class Bar:
@@ -35,5 +35,6 @@ class Progress:
         if not self._shown:
             yield Bar(None)
             return
-        with require("tqdm").tqdm(total=total, desc=label, initial=done, leave=False, dynamic_ncols=True) as bar:
+        tqdm = require("tqdm", "Building a basis", "roq").tqdm
+        with tqdm(total=total, desc=label, initial=done, leave=False, dynamic_ncols=True) as bar:
             yield Bar(bar)

@@ -21,7 +21,7 @@ def write_roq_report(path: Path | str, title: str, built: BuiltBasis, model: Wav
     ------
     BasisUnwritable
         The page cannot be written; the basis is not affected.
-    RoqPackageMissing
+    PackageMissing
         matplotlib is not installed.
     """
     images = []

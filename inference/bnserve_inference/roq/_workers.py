@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack
 from typing import Any, Self, TypeVar
 
-from bnserve_inference.roq._errors import require
-from bnserve_protocol import WaveformModel
+from bnserve_protocol import WaveformModel, require
 from bnserve_surrogate.ray_cluster import RayWorkers, is_ray
 
 Item = TypeVar("Item")
@@ -66,7 +65,7 @@ class Workers:
         self._pool: Any = None
 
     def __enter__(self) -> Self:
-        self._joblib = require("joblib")
+        self._joblib = require("joblib", "Building a basis", "roq")
         if is_ray(self._backend):
             self._pool = self._stack.enter_context(RayWorkers(self._joblib, self._backend, self._n_jobs))
             return self

@@ -34,18 +34,17 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Measure, print, draw."""
-    from bnserve_service.bench.extra import import_bench
     from bnserve_service.cli.places import check_place
 
     _check(options)
     if options.plot:
         check_place(options.plot / "bench.png", "--plot")
-    plots = import_bench("plots") if options.plot else None  # what is missing is said before anything is measured
-    document = _measure(options, import_bench)
+    plots = _part("plots") if options.plot else None  # what is missing is said before anything is measured
+    document = _measure(options)
     if options.json:
         print(json.dumps(document))
     else:
-        import_bench("report").print_report(document, _say)
+        _part("report").print_report(document, _say)
     if plots is not None:
         for picture in plots.save_plots(document, options.plot):
             print(f"Picture: {picture}", file=sys.stderr)
@@ -61,15 +60,21 @@ def _check(options: argparse.Namespace) -> None:
         raise InvalidRequest("--store is for this installation; a server has its own stores. Leave out one of the two.")
 
 
-def _measure(options: argparse.Namespace, import_bench: Any) -> dict[str, Any]:
-    sizes = import_bench("sizes").Sizes.of(options.short, options.points, options.epochs)
+def _part(name: str) -> Any:
+    from bnserve_protocol import require
+
+    return require(f"bnserve_service.bench.{name}", "This measurement")
+
+
+def _measure(options: argparse.Namespace) -> dict[str, Any]:
+    sizes = _part("sizes").Sizes.of(options.short, options.points, options.epochs)
     name, _, version = options.model.partition("@")
     progress = _progress if sys.stderr.isatty() else _silent
     if options.url:
         token = options.token or os.environ.get("BNSERVE_TOKEN")
-        found = import_bench("over_http").measure_remote(options.url, name, version or "stable", token, sizes, progress)
+        found = _part("over_http").measure_remote(options.url, name, version or "stable", token, sizes, progress)
     else:
-        found = import_bench("local").measure_local(name, version or "stable", options.store, sizes, progress)
+        found = _part("local").measure_local(name, version or "stable", options.store, sizes, progress)
     return {"setup": _setup(found.pop("model"), options, sizes)} | found
 
 

@@ -26,9 +26,9 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Run the demonstration; whatever ends it, the server is stopped."""
-    from bnserve_service.demo.extra import import_demo
+    from bnserve_protocol import require
 
-    demonstration = import_demo("demonstration")
+    demonstration = require("bnserve_service.demo.demonstration", "The demonstration")
     for number in (signal.SIGTERM, signal.SIGHUP):  # so that the server does not stay behind
         signal.signal(number, _leave)
     return 0 if demonstration.demonstrate(options.output, options.binaries, _say) else 1

@@ -82,11 +82,12 @@ def run_build(options: argparse.Namespace) -> int:
     """Build, save, report."""
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):  # before numpy: the workers are many
         os.environ.setdefault(name, "1")
-    from bnserve_inference.roq import build_basis, describe, read_roq_configuration, require, write_roq_report
+    from bnserve_inference.roq import build_basis, describe, read_roq_configuration, write_roq_report
+    from bnserve_protocol import require
     from bnserve_service.cli.places import check_place
 
     if not options.no_report:
-        require("matplotlib")  # better missed now than at the end
+        require("matplotlib", "The report (or --no-report)", "roq")  # better missed now than at the end
     configuration = read_roq_configuration(options.configuration)
     output = options.output or options.work / f"{configuration.name}.h5"
     check_place(output, "--output")

@@ -50,12 +50,13 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Search, print, save."""
-    from bnserve_service.training_extra import import_training
+    from bnserve_protocol import require
 
-    config, search, results, pareto, errors = import_training(
-        "config", "search.trials", "search.results", "search.pareto", "errors"
+    names = ("config", "search.trials", "search.results", "search.pareto")
+    config, search, results, pareto = (
+        require(f"bnserve_surrogate.training.{name}", "A search", "train") for name in names
     )
-    errors.require("matplotlib")  # better missed now than at the end
+    require("matplotlib", "The picture of a search", "train")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)
     study = options.study or options.work / f"search-{configuration.name}.jsonl"
     wanted = search.Search(configuration, study, options.waveforms, options.waveform_seconds)

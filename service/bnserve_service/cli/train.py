@@ -35,13 +35,14 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Train and publish."""
-    from bnserve_service.training_extra import import_training
+    from bnserve_protocol import require
 
-    config, errors, pipeline, publication, report = import_training(
-        "config", "errors", "pipeline", "publication", "validation.report"
+    config, pipeline, publication, report = (
+        require(f"bnserve_surrogate.training.{name}", "Training", "train")
+        for name in ("config", "pipeline", "publication", "validation.report")
     )
     if not options.no_report:
-        errors.require("matplotlib")  # better missed now than at the end
+        require("matplotlib", "The report (or --no-report)", "train")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)
     if options.version:
         configuration = config.with_version(configuration, options.version)

@@ -37,11 +37,13 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Validate, print, save."""
+    from bnserve_protocol import require
     from bnserve_service.cli.places import check_place
-    from bnserve_service.training_extra import import_training
     from bnserve_store import ModelStore
 
-    fresh, report = import_training("validation.fresh", "validation.report")
+    fresh, report = (
+        require(f"bnserve_surrogate.training.validation.{name}", "Training", "train") for name in ("fresh", "report")
+    )
     if options.output:
         check_place(options.output, "--output")
     name, _, version = options.model.partition("@")

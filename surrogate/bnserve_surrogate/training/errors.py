@@ -4,7 +4,6 @@
 
     BnserveError
     └── TrainingError
-        ├── PackageMissing        an optional dependency of training is not installed
         ├── GeneratorFailure      one waveform could not be computed
         ├── GeneratorUnknown      no generator of that name, or options that it does not take
         ├── GeneratorDependsOnGrid a waveform changes with the frequencies asked for beside it
@@ -16,9 +15,6 @@
 
 from __future__ import annotations
 
-import importlib
-from types import ModuleType
-
 from bnserve_protocol import BnserveError
 
 
@@ -27,13 +23,6 @@ class TrainingError(BnserveError):
 
     code = "training"
     title = "Training failed"
-
-
-class PackageMissing(TrainingError):
-    """An optional dependency of training is not installed."""
-
-    code = "package-missing"
-    title = "Package not installed"
 
 
 class GeneratorFailure(TrainingError):
@@ -83,27 +72,3 @@ class DatasetUnwritable(TrainingError):
 
     code = "dataset-unwritable"
     title = "Data set cannot be written"
-
-
-def require(module: str, extra: str = "train") -> ModuleType:
-    """Import an optional dependency.
-
-    Parameters
-    ----------
-    module
-        Import name.
-    extra
-        The extra of ``bnserve-surrogate`` that installs it.
-
-    Raises
-    ------
-    PackageMissing
-        Naming the command that installs it.
-    """
-    try:
-        return importlib.import_module(module)
-    except ImportError as error:
-        raise PackageMissing(
-            f"The package '{module}' is needed for training and cannot be imported ({error}). "
-            f"Install it with: pip install 'bnserve-surrogate[{extra}]'"
-        ) from error

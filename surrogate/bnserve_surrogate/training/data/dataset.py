@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol import require
 from bnserve_surrogate.training.data.chunks import (
     Chunk,
     ChunkTask,
@@ -30,7 +31,7 @@ from bnserve_surrogate.training.data.ranges import ParameterRanges
 from bnserve_surrogate.training.data.residuals import baseline_fingerprint
 from bnserve_surrogate.training.data.sampling import Sampling, draw
 from bnserve_surrogate.training.data.workers import computed_chunks
-from bnserve_surrogate.training.errors import DatasetInUse, TooManyFailures, require
+from bnserve_surrogate.training.errors import DatasetInUse, TooManyFailures
 
 _FORMAT = 1
 """Part of every digest: raise it when the meaning of a chunk changes."""
@@ -314,7 +315,7 @@ def _exclusive(folder: Path) -> Iterator[None]:
 
 def _progress_bar(count: int, progress: bool | None, purpose: str) -> Any:
     disable = None if progress is None else not progress
-    return require("tqdm").tqdm(total=count, desc=purpose, unit="waveform", disable=disable)
+    return require("tqdm", "Training", "train").tqdm(total=count, desc=purpose, unit="waveform", disable=disable)
 
 
 def _array_digest(array: FloatArray) -> str:

@@ -10,10 +10,12 @@ from collections.abc import Iterator
 from concurrent.futures.process import BrokenProcessPool
 from typing import Any
 
+from bnserve_protocol import require
 from bnserve_surrogate.ray_cluster import RayWorkers, is_ray
 from bnserve_surrogate.training.data.chunks import Chunk, ChunkTask, assemble, compute_chunk, merge
-from bnserve_surrogate.training.errors import WorkersUnusable, require
+from bnserve_surrogate.training.errors import WorkersUnusable
 
+_NEEDED = "Training", "train"
 _PARENT_CHECK_SECONDS = 0.5
 _CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
 
@@ -64,13 +66,13 @@ def _check_workers(n_jobs: int, backend: str) -> None:
     if is_ray(backend):
         return
     try:
-        require("joblib").Parallel(n_jobs=1, backend=backend)
+        require("joblib", *_NEEDED).Parallel(n_jobs=1, backend=backend)
     except ValueError as error:
         raise WorkersUnusable(f"The workers cannot be used: {error}; or 'ray:ADDRESS', a Ray cluster.") from error
 
 
 def _on_ray(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterator[tuple[ChunkTask, Chunk]]:
-    with RayWorkers(require("joblib"), backend, n_jobs) as workers:
+    with RayWorkers(require("joblib", *_NEEDED), backend, n_jobs) as workers:
         yield from zip(tasks, workers.map(compute_chunk, tasks, on_crash=one_by_one), strict=True)
 
 
@@ -103,7 +105,7 @@ def _parallel(
     pending: dict[int, ChunkTask], dispatched: list[int], n_jobs: int, backend: str
 ) -> Iterator[tuple[int, Chunk]]:
     """Results of the pending tasks; ``dispatched`` fills with what has been handed to the workers."""
-    joblib = require("joblib")
+    joblib = require("joblib", *_NEEDED)
     if backend == "loky" and joblib.effective_n_jobs(n_jobs) == 1:
         yield from _in_one_process(pending, dispatched)
         return
@@ -150,7 +152,7 @@ def _end_with(parent: int) -> None:
 
 def _only_crashes(error: BrokenProcessPool) -> None:
     """Refuse to take for a crash of the generator what happens before it is called."""
-    if not isinstance(error, require("joblib.externals.loky.process_executor").TerminatedWorkerError):
+    if not isinstance(error, require("joblib.externals.loky.process_executor", *_NEEDED).TerminatedWorkerError):
         reason = str(error.__cause__ or error).strip().splitlines()[-1]
         raise WorkersUnusable(
             f"The worker processes cannot load the generator ({reason.strip()}). It must be importable or picklable by "
@@ -159,7 +161,7 @@ def _only_crashes(error: BrokenProcessPool) -> None:
 
 
 def _new_executor() -> Any:
-    return require("joblib.externals.loky").ProcessPoolExecutor(max_workers=1)
+    return require("joblib.externals.loky", *_NEEDED).ProcessPoolExecutor(max_workers=1)
 
 
 def _attempt(executor: Any, single: ChunkTask) -> tuple[Chunk, bool]:

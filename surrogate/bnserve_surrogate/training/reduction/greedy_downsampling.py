@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol import require
 from bnserve_surrogate.training.data.generators import FloatArray
-from bnserve_surrogate.training.errors import require
 
 _ROWS_AT_ONCE = 8
 """Waveforms interpolated together: shares the search of the spline cell and keeps the work in the cache."""
@@ -85,7 +85,7 @@ def greedy_downsampling(
 
 def reconstruction_error(frequencies: FloatArray, values: FloatArray, indices: NDArray[np.intp]) -> FloatArray:
     """Largest absolute error over the rows of ``values`` of cubic splines through the nodes, (n,)."""
-    spline = require("scipy.interpolate").CubicSpline
+    spline = require("scipy.interpolate", "Training", "train").CubicSpline
     largest = np.zeros(frequencies.size)
     for start in range(0, values.shape[0], _ROWS_AT_ONCE):
         rows = values[start : start + _ROWS_AT_ONCE]

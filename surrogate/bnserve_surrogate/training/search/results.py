@@ -11,8 +11,9 @@ from pathlib import Path
 import optuna
 from optuna.trial import TrialState
 
+from bnserve_protocol import require
 from bnserve_surrogate.training.data.generation import configured_generator
-from bnserve_surrogate.training.errors import DatasetUnwritable, TrainingError, require
+from bnserve_surrogate.training.errors import DatasetUnwritable, TrainingError
 from bnserve_surrogate.training.search.pareto import Hyperparameters, ParetoCollection, ParetoEntry, ParetoSetup
 from bnserve_surrogate.training.search.study import failures, read_study
 from bnserve_surrogate.training.search.trials import Search
@@ -69,7 +70,7 @@ def results_table(results: SearchResults) -> str:
 
 def plot_results(path: Path, title: str, results: SearchResults) -> None:
     """Write the two costs of every trial and the Pareto front as a picture; raises ``DatasetUnwritable``."""
-    require("matplotlib")
+    require("matplotlib", "The picture of a search", "train")
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(9, 4.2), layout="constrained")

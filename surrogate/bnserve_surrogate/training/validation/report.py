@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from bnserve_surrogate.training.errors import DatasetUnwritable, require
+from bnserve_protocol import require
+from bnserve_surrogate.training.errors import DatasetUnwritable
 from bnserve_surrogate.training.validation.measurement import QUANTILES, Validation, quantiles
 
 REPORT_FILE = "report.html"
@@ -108,10 +109,8 @@ def write_text(path: Path, text: str) -> None:
 
 
 def _figure(rows: int, columns: int, size: tuple[float, float]) -> Any:
-    require("matplotlib")
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=size, layout="constrained")
+    drawing = require("matplotlib.figure", "The report of a training", "train")
+    figure = drawing.Figure(figsize=size, layout="constrained")
     return figure, figure.subplots(rows, columns, squeeze=False)
 
 

@@ -8,7 +8,7 @@ from typing import Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import INTRINSIC_NAMES, SOLAR_MASS_SECONDS
+from bnserve_protocol import INTRINSIC_NAMES, SOLAR_MASS_SECONDS, PackageMissing
 from bnserve_surrogate.training.errors import GeneratorFailure, TrainingError
 
 FloatArray: TypeAlias = NDArray[np.float64]
@@ -75,7 +75,7 @@ def evaluate(generator: WaveformGenerator, theta: FloatArray, mf: FloatArray) ->
     try:
         amplitude, psi = generator(theta, mf)
         amplitude, psi = np.asarray(amplitude, dtype=np.float64), np.asarray(psi, dtype=np.float64)
-    except TrainingError:
+    except (TrainingError, PackageMissing):
         raise
     except Exception as error:
         raise GeneratorFailure(f"{generator.name} raised {type(error).__name__}: {error}") from error

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol import require
 from bnserve_surrogate.training.data.generators._interface import (
     REFERENCE_MASS,
     AmplitudePhasePair,
@@ -17,7 +18,7 @@ from bnserve_surrogate.training.data.generators._interface import (
     mass_seconds,
 )
 from bnserve_surrogate.training.data.generators._unwrapping import continuous_phase
-from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown, require
+from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown
 
 _DISTANCE_METRES = 3.0856775814913673e22
 """One megaparsec; it cancels."""
@@ -67,7 +68,7 @@ class LALSimulationGenerator:
     @property
     def version(self) -> str:
         """Version of LALSimulation."""
-        return str(require("lalsimulation", "lal").__version__)
+        return str(require("lalsimulation", "This generator", "lal").__version__)
 
     @property
     def settings(self) -> Mapping[str, str | float | None]:
@@ -93,7 +94,7 @@ class LALSimulationGenerator:
 
     def _number(self) -> int:
         """LALSimulation's number of the approximant, which must offer arbitrary frequencies."""
-        simulation = require("lalsimulation", "lal")
+        simulation = require("lalsimulation", "This generator", "lal")
         try:
             number = int(simulation.GetApproximantFromString(self.approximant))
         except RuntimeError as error:
@@ -105,7 +106,7 @@ class LALSimulationGenerator:
     def _strain(self, theta: FloatArray, mf: FloatArray) -> NDArray[np.complex128]:
         """h_plus of a face-on binary in the units of :class:`WaveformGenerator`, shape (n,)."""
         asked = mf if mf[-1] >= _LAST_MF else np.append(mf, _LAST_MF)
-        lal, simulation = require("lal", "lal"), require("lalsimulation", "lal")
+        lal, simulation = require("lal", "This generator", "lal"), require("lalsimulation", "This generator", "lal")
         mass_ratio, chi_1, chi_2, lambda_1, lambda_2 = (float(value) for value in theta)
         mass_1 = self.total_mass * mass_ratio / (1.0 + mass_ratio) * lal.MSUN_SI
         mass_2 = self.total_mass / (1.0 + mass_ratio) * lal.MSUN_SI

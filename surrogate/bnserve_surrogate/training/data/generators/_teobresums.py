@@ -9,13 +9,14 @@ from typing import Any
 
 import numpy as np
 
+from bnserve_protocol import require
 from bnserve_surrogate.training.data.generators._interface import (
     AmplitudePhasePair,
     FloatArray,
     describe_theta,
     mass_seconds,
 )
-from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown, require
+from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown
 
 _MODE_22 = [1]
 _GRAVITOMAGNETIC = ("PN", "GSF", "no")
@@ -97,7 +98,7 @@ class TEOBResumSPA:
     @property
     def version(self) -> str:
         """Version of the distribution ``teobresums``."""
-        require("EOBRun_module")
+        require("EOBRun_module", "TEOBResumS", "train")
         return importlib.metadata.version("teobresums")
 
     @property
@@ -132,7 +133,7 @@ class TEOBResumSPA:
             raise GeneratorFailure(
                 f"M f = {mf[0]:.6g} is below first_mf = {self.first_mf:.6g}, where the signal starts; lower first_mf."
             )
-        answer = require("EOBRun_module").EOBRunPy(self._request(theta, mf))
+        answer = require("EOBRun_module", "TEOBResumS", "train").EOBRunPy(self._request(theta, mf))
         frequencies, modes, time_domain = answer[0], answer[5], answer[6]
         if len(frequencies) != mf.size or "1" not in modes or len(time_domain["t"]) == 0:
             raise GeneratorFailure(f"TEOBResumS returned no waveform for {describe_theta(theta)}.")
