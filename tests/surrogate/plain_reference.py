@@ -26,18 +26,7 @@ class PlainModel:
         t = self.tensors
         physical = physical_coordinates(theta) if self.mode.coordinates == "physical" else theta
         x = (physical - t["coordinate_offset"]) * t["coordinate_scale"]
-        y = 0.0
-        if "polynomial_exponents" in t:
-            exponents = t["polynomial_exponents"].astype(int)
-            powers = [chebyshev.chebvander(x[:, axis], exponents.max()) for axis in range(5)]
-            terms = np.prod([powers[axis][:, exponents[:, axis]] for axis in range(5)], axis=0)
-            y = y + terms @ t["polynomial_coefficients"]
-        layers = sum(name.startswith("mlp_weights_") for name in t)
-        for layer in range(layers):
-            x = x @ t[f"mlp_weights_{layer}"] + t[f"mlp_biases_{layer}"]
-            if layer < layers - 1:
-                x = ACTIVATIONS[self.mode.activation](x)
-        return y + x if layers else y
+        return evaluate_exported(t, x, self.mode.activation)
 
     def strain(self, p, f):
         """h = A exp(i phi) of a batch of one at frequencies inside its band, aligned as the post-Newtonian baseline."""
@@ -57,3 +46,17 @@ class PlainModel:
         amplitude = scale * taylorf2_amplitude(mf, *columns[:3])[0] * np.exp(spline_a(np.log(mf)))
         phase = -psi + p["reference_phase"][0] + 2.0 * np.pi * f * p["time_shift"][0]
         return amplitude * np.exp(1j * phase)
+
+
+def evaluate_exported(arrays, points, activation="tanh"):
+    """Outputs (N, K) of a regressor's arrays at coordinates (N, 5)."""
+    total, layers = 0.0, sum(name.startswith("mlp_weights_") for name in arrays)
+    if "polynomial_exponents" in arrays:
+        exponents = arrays["polynomial_exponents"].astype(int)
+        powers = [chebyshev.chebvander(points[:, axis], exponents.max()) for axis in range(5)]
+        terms = np.prod([powers[axis][:, exponents[:, axis]] for axis in range(5)], axis=0)
+        total = terms @ arrays["polynomial_coefficients"]
+    for layer in range(layers):
+        points = points @ arrays[f"mlp_weights_{layer}"] + arrays[f"mlp_biases_{layer}"]
+        points = ACTIVATIONS[activation](points) if layer < layers - 1 else points
+    return total + points if layers else total

@@ -36,7 +36,7 @@ def test_a_sample_depends_on_seed_purpose_and_number_alone(sampling, seed, purpo
     together = draw(sampling, RANGES, seed, purpose, start, start + more)
     alone = [draw(sampling, RANGES, seed, purpose, i, i + 1)[0] for i in range(start, start + more)]
     np.testing.assert_array_equal(together, alone)
-    assert RANGES.contains(together).all()
+    assert ((together >= RANGES.lower) & (together <= RANGES.upper)).all()
 
 
 def test_samples_are_the_same_on_every_machine():
@@ -178,7 +178,7 @@ def test_greedy_nodes_reconstruct_every_waveform_within_the_tolerance():
     x, values = chirps(20)
     before = values.copy()
     chosen = greedy_downsampling(x, values, tolerance=1e-5)
-    assert chosen.converged
+    assert chosen.largest_error <= chosen.tolerance
     assert (np.diff(chosen.indices) > 0).all()
     assert chosen.indices[[0, -1]].tolist() == [0, x.size - 1]
     assert chosen.indices.size < x.size / 10
@@ -201,7 +201,7 @@ def test_noise_needs_the_whole_grid_and_a_limit_is_kept():
     noise = np.random.default_rng(0).normal(size=(1, 200))
     assert greedy_downsampling(x, noise).indices.size > 150
     stopped = greedy_downsampling(x, noise, max_nodes=20)
-    assert not stopped.converged
+    assert stopped.largest_error > stopped.tolerance
     assert 20 <= stopped.indices.size <= 40
     with pytest.raises(ValueError, match="increasing"):
         greedy_downsampling(x[::-1], noise)

@@ -9,9 +9,9 @@ from bnserve_surrogate.training.regressors import (
     Beside,
     ChebyshevPolynomial,
     NotExportable,
-    evaluate_exported,
     export_regressor,
 )
+from tests.surrogate.plain_reference import evaluate_exported
 
 POINTS = np.random.default_rng(1).uniform(-1.0, 1.0, (200, 5))
 COMPONENTS = np.column_stack([POINTS[:, 0] * POINTS[:, 1], POINTS[:, 2], np.sin(POINTS[:, 3])])

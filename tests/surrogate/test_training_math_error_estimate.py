@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from bnserve_surrogate.training.regressors import evaluate_exported
 from bnserve_surrogate.training.validation.error_estimate import (
     PROMISED_FACTOR,
     fit_error_estimate,
     with_error_estimate,
 )
+from tests.surrogate.plain_reference import evaluate_exported
 
 EDGE_SCATTER = 1.5
 

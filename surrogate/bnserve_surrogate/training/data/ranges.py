@@ -64,11 +64,6 @@ class ParameterRanges:
         """The three intervals by name."""
         return asdict(self)
 
-    def contains(self, theta: FloatArray) -> np.ndarray:
-        """Whether each row of ``theta`` (N, 5) lies in the closed box, (N,) of bool."""
-        rows = np.atleast_2d(theta)
-        return np.asarray(((rows >= self.lower) & (rows <= self.upper)).all(axis=1))
-
     def _corner(self, side: int) -> FloatArray:
         chi, tides = self.chi[side], self.tidal_deformability[side]
         return np.array([self.mass_ratio[side], chi, chi, tides, tides])

@@ -36,11 +36,6 @@ class GreedyNodes:
     errors: tuple[float, ...]
     tolerance: float
 
-    @property
-    def converged(self) -> bool:
-        """Whether every waveform is reconstructed within the tolerance."""
-        return self.largest_error <= self.tolerance
-
 
 def greedy_downsampling(
     frequencies: FloatArray, values: FloatArray, tolerance: float = 1e-5, max_nodes: int | None = None

@@ -1,8 +1,7 @@
 r"""Principal component analysis by diagonalising the covariance matrix, for many samples of a few hundred numbers.
 
 The paper's section "Principal Component Analysis": :math:`C = V D V^T`, :math:`\tilde x = U^T (x - \mu)`,
-:math:`x = U \tilde x + \mu`, with the optional rescaling :math:`\tilde x_i \to \lambda_i^\alpha \tilde x_i` of its
-section "Neural Network".
+:math:`x = U \tilde x + \mu`. What the components are multiplied by afterwards belongs to the reduction.
 """
 
 from typing import Self, TypeAlias
@@ -24,9 +23,6 @@ class PrincipalComponents(TransformerMixin, BaseEstimator):
     ----------
     n_components
         How many to keep, k; the paper keeps 30.
-    eigenvalue_exponent
-        alpha: the i-th transformed coordinate is multiplied by lambda_i^alpha (the paper: 0.37), so that a Euclidean
-        loss attends to the components that matter. Zero in a space whose own metric already does that.
 
     Attributes
     ----------
@@ -35,13 +31,10 @@ class PrincipalComponents(TransformerMixin, BaseEstimator):
         Orthonormal rows.
     eigenvalues_ : ndarray, shape (k,)
         Variances along them, decreasing.
-    discarded_variance_ : float
-        Sum of the variances that were not kept: the mean squared distance between a sample and its reconstruction.
     """
 
-    def __init__(self, n_components: int = 30, eigenvalue_exponent: float = 0.0) -> None:
+    def __init__(self, n_components: int = 30) -> None:
         self.n_components = n_components
-        self.eigenvalue_exponent = eigenvalue_exponent
 
     def fit(self, X: ArrayLike, y: None = None) -> Self:  # noqa: N803 (scikit-learn's name for the samples)
         """Learn from N samples, shape (N, D); covariances are averages over N.
@@ -60,31 +53,22 @@ class PrincipalComponents(TransformerMixin, BaseEstimator):
                 "numbers; ask for fewer components or give more samples."
             )
         self.mean_ = samples.mean(axis=0)
-        covariance = _covariance(samples, self.mean_)
-        values, vectors = eigh(covariance)
-        order = np.argsort(values)[::-1]
-        kept = order[: self.n_components]
+        values, vectors = eigh(_covariance(samples, self.mean_))
+        kept = np.argsort(values)[::-1][: self.n_components]
         components = np.ascontiguousarray(vectors[:, kept].T)
         largest = np.argmax(np.abs(components), axis=1)
         components *= np.sign(components[np.arange(len(components)), largest])[:, None]
         self.components_ = components
         self.eigenvalues_ = np.maximum(values[kept], 0.0)
-        self.discarded_variance_ = float(np.maximum(values[order[self.n_components :]], 0.0).sum())
         return self
 
     def transform(self, X: ArrayLike) -> FloatArray:  # noqa: N803
         """Coordinates of the samples, shape (N, D) -> (N, k)."""
-        return (np.asarray(X, dtype=np.float64) - self.mean_) @ self.components_.T * self.scale_
+        return (np.asarray(X, dtype=np.float64) - self.mean_) @ self.components_.T
 
     def inverse_transform(self, X: ArrayLike) -> FloatArray:  # noqa: N803
         """Samples from coordinates, shape (N, k) -> (N, D)."""
-        return (np.asarray(X, dtype=np.float64) / self.scale_) @ self.components_ + self.mean_
-
-    @property
-    def scale_(self) -> FloatArray:
-        """lambda^alpha, shape (k,); 1 where the variance is zero."""
-        positive = np.where(self.eigenvalues_ > 0.0, self.eigenvalues_, 1.0)
-        return np.asarray(positive**self.eigenvalue_exponent)
+        return np.asarray(X, dtype=np.float64) @ self.components_ + self.mean_
 
 
 def _covariance(samples: FloatArray, mean: FloatArray, rows: int = 16_384) -> FloatArray:

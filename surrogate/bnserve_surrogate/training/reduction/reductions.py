@@ -108,15 +108,12 @@ class PaperReduction(BaseEstimator):
     The paper's components "natively have comparable variance" before that: its code divides each by the largest modulus
     it has in the training set, and so does this. Without it alpha would act on top of the square root of lambda.
 
-    As in the paper, the residuals' linear trend should be off before; the metric still takes off and returns the three
-    scalars when it is given, and they are zero when it is not.
+    As in the paper, the residuals' linear trend should be off before: the three scalars are zero.
 
     Parameters
     ----------
     n_components, eigenvalue_exponent
         The paper's 30 and 0.37.
-    metric
-        If given, the constants and the line it projects out are removed first.
 
     Attributes
     ----------
@@ -126,16 +123,13 @@ class PaperReduction(BaseEstimator):
         By which the components are multiplied: lambda^alpha over the largest modulus.
     """
 
-    def __init__(
-        self, n_components: int = 30, eigenvalue_exponent: float = 0.37, metric: MismatchMetric | None = None
-    ) -> None:
+    def __init__(self, n_components: int = 30, eigenvalue_exponent: float = 0.37) -> None:
         self.n_components = n_components
         self.eigenvalue_exponent = eigenvalue_exponent
-        self.metric = metric
 
     def fit(self, log_amplitude: ArrayLike, phase: ArrayLike) -> Self:
         """Learn from residuals of shape (N, n_A) and (N, n_phi)."""
-        vectors, _ = self._joint(log_amplitude, phase)
+        vectors = _joint(log_amplitude, phase)
         self.split_ = np.shape(log_amplitude)[1]
         self.principal_components_ = PrincipalComponents(self.n_components).fit(vectors)
         eigenvalues = self.principal_components_.eigenvalues_
@@ -147,18 +141,13 @@ class PaperReduction(BaseEstimator):
 
     def transform(self, log_amplitude: ArrayLike, phase: ArrayLike) -> ReducedResiduals:
         """Reduce residuals."""
-        vectors, scalars = self._joint(log_amplitude, phase)
-        return ReducedResiduals(self.principal_components_.transform(vectors) * self.scale_, *scalars)
+        components = self.principal_components_.transform(_joint(log_amplitude, phase)) * self.scale_
+        return ReducedResiduals(components, *(np.zeros(len(components)),) * 3)
 
     def inverse_transform(self, reduced: ReducedResiduals) -> tuple[FloatArray, FloatArray]:
         """Residuals (N, n_A) and (N, n_phi) back."""
         joint = self.principal_components_.inverse_transform(np.asarray(reduced.components) / self.scale_)
-        log_amplitude, phase = joint[:, : self.split_], joint[:, self.split_ :]
-        if self.metric is None:
-            return log_amplitude, phase
-        zero = np.zeros((len(joint), joint.shape[1]))
-        lines = self.metric.inverse_transform(MetricCoordinates(zero, *reduced[1:]))
-        return log_amplitude + lines[0], phase + lines[1]
+        return joint[:, : self.split_], joint[:, self.split_ :]
 
     def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
         """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
@@ -168,12 +157,9 @@ class PaperReduction(BaseEstimator):
             (mean[:, : self.split_], mean[:, self.split_ :]), (basis[:, : self.split_], basis[:, self.split_ :])
         )
 
-    def _joint(self, log_amplitude: ArrayLike, phase: ArrayLike) -> tuple[FloatArray, tuple[FloatArray, ...]]:
-        if self.metric is None:
-            joint = np.hstack([np.asarray(log_amplitude, dtype=np.float64), np.asarray(phase, dtype=np.float64)])
-            return joint, (np.zeros(len(joint)),) * 3
-        vectors, *scalars = self.metric.transform(log_amplitude, phase)
-        return np.hstack(self.metric.residuals(vectors)), tuple(scalars)
+
+def _joint(log_amplitude: ArrayLike, phase: ArrayLike) -> FloatArray:
+    return np.hstack([np.asarray(log_amplitude, dtype=np.float64), np.asarray(phase, dtype=np.float64)])
 
 
 def _bases(means: tuple[FloatArray, FloatArray], bases: tuple[FloatArray, FloatArray]) -> tuple[NodeBasis, NodeBasis]:

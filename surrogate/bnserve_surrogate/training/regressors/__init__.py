@@ -15,7 +15,6 @@ from bnserve_surrogate.training.regressors.configured import coordinate_map, mak
 from bnserve_surrogate.training.regressors.exported import (
     ExportedRegressor,
     NotExportable,
-    evaluate_exported,
     export_regressor,
 )
 from bnserve_surrogate.training.regressors.mlp import MLP
@@ -30,7 +29,6 @@ __all__ = [
     "Sum",
     "chebyshev_terms",
     "coordinate_map",
-    "evaluate_exported",
     "export_regressor",
     "make_regressor",
     "weighted_exponents",

@@ -12,7 +12,7 @@ and output scalings are folded into the first and last layers. The activation, a
 is named in the metadata.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
@@ -21,7 +21,6 @@ from numpy.typing import ArrayLike, NDArray
 from sklearn.neural_network import MLPRegressor
 
 from bnserve_surrogate.training.errors import TrainingError
-from bnserve_surrogate.training.regressors.chebyshev import chebyshev_terms
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
@@ -109,37 +108,3 @@ def export_regressor(estimator: Any) -> ExportedRegressor:
         " and a sum of one of each can. Use ChebyshevPolynomial, MLP or Sum, or give your estimator an export() method"
         " that returns an ExportedRegressor made of those."
     )
-
-
-def evaluate_exported(
-    arrays: Mapping[str, NDArray[Any]], coordinates: ArrayLike, activation: str = "tanh"
-) -> FloatArray:
-    """Outputs (N, K) of exported arrays at coordinates (N, D), in plain numpy; the reference for faster kernels."""
-    points = np.asarray(coordinates, dtype=np.float64)
-    parts = []
-    if "polynomial_exponents" in arrays:
-        parts.append(chebyshev_terms(points, arrays["polynomial_exponents"]).T @ arrays["polynomial_coefficients"])
-    if "mlp_weights_0" in arrays:
-        parts.append(_evaluate_network(arrays, points, activation))
-    if not parts:
-        raise ValueError("These arrays hold neither a polynomial nor a network.")
-    return np.asarray(sum(parts[1:], start=parts[0]))
-
-
-def _evaluate_network(arrays: Mapping[str, NDArray[Any]], points: FloatArray, activation: str) -> FloatArray:
-    layers = sum(name.startswith("mlp_weights_") for name in arrays)
-    for i in range(layers):
-        points = points @ arrays[f"mlp_weights_{i}"] + arrays[f"mlp_biases_{i}"]
-        if i < layers - 1:
-            points = _activate(points, activation)
-    return points
-
-
-def _activate(x: FloatArray, activation: str) -> FloatArray:
-    if activation == "tanh":
-        return np.tanh(x)
-    if activation == "logistic":
-        return 0.5 * (1.0 + np.tanh(0.5 * x))
-    if activation == "relu":
-        return np.maximum(x, 0.0)
-    raise ValueError(f"Unknown activation '{activation}'; known are {', '.join(ACTIVATIONS)}.")
