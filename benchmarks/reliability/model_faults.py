@@ -7,7 +7,7 @@ from typing import Any
 
 def reload_on_loop() -> None:
     """Versions are loaded on the event loop."""
-    from bnserve_service.maintenance import Maintenance
+    from bnserve_service.models.maintenance import Maintenance
 
     async def refresh(self: Maintenance, force: bool = False) -> Any:
         report = self._loader.refresh(force)
@@ -22,7 +22,7 @@ def mixed_versions() -> None:
     """The model of the served version is replaced first, and its name a moment later."""
     import time
 
-    from bnserve_service.registry import Registry
+    from bnserve_service.models.registry import Registry
 
     swap = Registry.swap
 
@@ -42,7 +42,7 @@ def no_verification() -> None:
     """Versions are served as they are read."""
     from types import SimpleNamespace
 
-    from bnserve_service.loading import Loader
+    from bnserve_service.models.loading import Loader
     from bnserve_store import _artifact
 
     class _EqualToAll:
@@ -75,7 +75,7 @@ def no_verification() -> None:
 
 def batch_bits() -> None:
     """Batches are rounded otherwise than single waveforms."""
-    from bnserve_service import evaluation
+    from bnserve_service.evaluation import waveform_evaluator as evaluation
 
     evaluate = evaluation.evaluate_output
 

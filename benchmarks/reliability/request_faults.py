@@ -21,7 +21,7 @@ def open_files() -> None:
 
 def _after_each_group(what: Callable[[Any], Any]) -> None:
     """Keep what is made of the outcomes of each group for ever."""
-    from bnserve_service.evaluation import Evaluator
+    from bnserve_service.evaluation.waveform_evaluator import Evaluator
 
     kept: list[Any] = []
     evaluate = Evaluator.__call__
@@ -36,7 +36,7 @@ def _after_each_group(what: Callable[[Any], Any]) -> None:
 
 def no_watch() -> None:
     """Nobody looks whether the caller is still there."""
-    from bnserve_service.routes import waiting
+    from bnserve_service.evaluation import waiting
 
     async def forget_never(*_: Any) -> None:
         """Let the work of those who went away be done."""
@@ -46,8 +46,8 @@ def no_watch() -> None:
 
 def no_cap() -> None:
     """Bodies are read to their end, whatever their size."""
-    from bnserve_service.transport.body import IncomingBody
-    from bnserve_service.transport.body_room import BodyRoom
+    from bnserve_service.admission.body_room import BodyRoom
+    from bnserve_service.http.body import IncomingBody
 
     async def read_all(self: IncomingBody, receive: Any, _limit: int) -> bytes:
         return await self._collect(receive, 2**62)
@@ -59,7 +59,7 @@ def no_cap() -> None:
 def prefix_compare() -> None:
     """A token is compared up to the length of what was sent."""
     from bnserve_protocol import Unauthorized
-    from bnserve_service.transport.access import AccessMiddleware
+    from bnserve_service.admission.access import AccessMiddleware
 
     find: Any = AccessMiddleware._find
     known: list[bytes] = []
@@ -81,7 +81,7 @@ def prefix_compare() -> None:
 
 def log_tokens() -> None:
     """The access log shows who asked with what."""
-    from bnserve_service.transport import context
+    from bnserve_service.http import context
 
     new = context.new_context
 
@@ -102,7 +102,7 @@ def no_drain() -> None:
 
 def no_timers() -> None:
     """Connections may take their time."""
-    from bnserve_service.transport.protocol import BoundedProtocol
+    from bnserve_service.http.protocol import BoundedProtocol
 
     BoundedProtocol._arm = lambda self, waiting: None  # type: ignore[method-assign]
     no_cap()
@@ -110,7 +110,7 @@ def no_timers() -> None:
 
 def patience_restarts() -> None:
     """A peer that takes something has all of its time again."""
-    from bnserve_service.transport.pace import Pace
+    from bnserve_service.http.pace import Pace
 
     count = Pace._count
 
@@ -125,7 +125,7 @@ def patience_restarts() -> None:
 
 def room_to_the_end() -> None:
     """An answer takes its room until all of it has left."""
-    from bnserve_service.transport import answers
+    from bnserve_service.http import answers
 
     answers._SLOW = float("inf")
 
@@ -133,7 +133,7 @@ def room_to_the_end() -> None:
 def unpickle_bodies() -> None:
     """Arrays of objects in bodies are read, as msgpack-numpy does."""
     from benchmarks.reliability.hostile import unpickle_what_is_found
-    from bnserve_service import answering
+    from bnserve_service.evaluation import waveforms as answering
 
     decode: Any = answering.decode_request  # type: ignore[attr-defined]
 
@@ -146,8 +146,8 @@ def unpickle_bodies() -> None:
 
 def endless_queue() -> None:
     """The queue takes everything, and computes it whatever its deadline."""
-    from bnserve_service.batching import WorkQueue
-    from bnserve_service.holdings import Holdings
+    from bnserve_service.admission.capacity import Holdings
+    from bnserve_service.admission.queue import WorkQueue
 
     submit: Any = WorkQueue.submit
 
@@ -163,7 +163,7 @@ def endless_queue() -> None:
 
 def endless_frames() -> None:
     """Nothing but bodies is counted."""
-    from bnserve_service.transport.framing import Frame
+    from bnserve_service.http.framing import Frame
 
     Frame.check = lambda self: None  # type: ignore[method-assign]
     Frame.trailer = lambda self, name, value: None  # type: ignore[method-assign]
@@ -173,7 +173,7 @@ def trailers_as_headers() -> None:
     """Trailers are headers."""
     from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 
-    from bnserve_service.transport.protocol import BoundedProtocol
+    from bnserve_service.http.protocol import BoundedProtocol
 
     BoundedProtocol.on_header = HttpToolsProtocol.on_header  # type: ignore[method-assign]
 
@@ -181,7 +181,7 @@ def trailers_as_headers() -> None:
 def bare_errors() -> None:
     """What goes wrong while a body is decoded comes out as it is, without a name."""
     from bnserve_protocol import UndecodableBody
-    from bnserve_service import answering
+    from bnserve_service.evaluation import waveforms as answering
 
     decode = answering.decode_request
 

@@ -12,7 +12,7 @@ from typing import Any
 
 from benchmarks.structure.sources import PACKAGES
 from bnserve_service import Settings, create_app
-from bnserve_service.listening import address_of, listen_tcp
+from bnserve_service.process.listening import address_of, listen_tcp
 from bnserve_service.server import BnserveServer
 
 

@@ -14,16 +14,16 @@ from bnserve_service._version import __version__
 if typing.TYPE_CHECKING:
     from bnserve_service.app import Application, create_app
     from bnserve_service.background import BackgroundServer
-    from bnserve_service.registry import ModelFactory, ModelSource, ServedModel
+    from bnserve_service.models.registry import ModelFactory, ModelSource, ServedModel
     from bnserve_service.server import serve
     from bnserve_service.settings import ServiceLimits, Settings, Token, load_settings
 
 _HOMES = {
     "Application": "app",
     "BackgroundServer": "background",
-    "ModelFactory": "registry",
-    "ModelSource": "registry",
-    "ServedModel": "registry",
+    "ModelFactory": "models.registry",
+    "ModelSource": "models.registry",
+    "ServedModel": "models.registry",
     "ServiceLimits": "settings",
     "Settings": "settings",
     "Token": "settings",

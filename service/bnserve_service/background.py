@@ -8,7 +8,7 @@ import threading
 from typing import Any, Self
 
 from bnserve_service.app import create_app
-from bnserve_service.listening import address_of, listening, open_metrics_listener
+from bnserve_service.process.listening import address_of, listening, open_metrics_listener
 from bnserve_service.server import BnserveServer, check_one_process
 from bnserve_service.settings import Settings
 

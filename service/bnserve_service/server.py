@@ -15,13 +15,13 @@ import uvicorn
 
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
-from bnserve_service.errors import SettingsInvalid
-from bnserve_service.listening import BACKLOG, address_of, listening, open_metrics_listener
-from bnserve_service.loading import RefreshReport
-from bnserve_service.metrics_port import metrics_address, serving_metrics
+from bnserve_service.http.errors import SettingsInvalid
+from bnserve_service.http.fast_path import QuickLane
+from bnserve_service.http.protocol import bounded_protocol
+from bnserve_service.models.loading import RefreshReport
+from bnserve_service.process.listening import BACKLOG, address_of, listening, open_metrics_listener
 from bnserve_service.settings import Settings
-from bnserve_service.transport.protocol import bounded_protocol
-from bnserve_service.transport.quick import QuickLane
+from bnserve_service.telemetry.metrics_port import metrics_address, serving_metrics
 
 logger = logging.getLogger("bnserve.server")
 

@@ -14,8 +14,8 @@ import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_service import Settings, create_app
-from bnserve_service.openapi import openapi_document
-from bnserve_service.routes.waveforms import PATHS
+from bnserve_service.evaluation.waveform_endpoint import PATHS
+from bnserve_service.reference.openapi import openapi_document
 from bnserve_surrogate import Model as LocalModel
 from tests.deploy.fake_servers import FakeServer, break_off, reply
 from tests.deploy.proxies import CONFIGURATION, haproxy, proxy_before, proxy_environment

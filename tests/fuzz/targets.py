@@ -21,7 +21,7 @@ from bnserve_protocol.wire import (
     decode_likelihood_request,
     decode_request,
 )
-from bnserve_service.grids import GridCache
+from bnserve_service.uploads.grids import GridCache
 from bnserve_store._artifact import MANIFEST_FILE, TENSORS_FILE, read_artifact
 from bnserve_store._labels import LABELS_FILE, read_labels
 from bnserve_store._manifest import decode_manifest

@@ -9,7 +9,7 @@ from tests.architecture.rooms import run_python
 USED_AGAIN = """
 import resource
 import numpy as np
-from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
+from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
 
 kept = keep_freed_memory()
 forget_what_is_imported()
@@ -39,7 +39,7 @@ GIVEN_BACK = """
 import pathlib
 import numpy as np
 from bnserve_protocol import result_memory
-from bnserve_service.allocator import give_back_freed_memory, keep_freed_memory
+from bnserve_service.process.allocator import give_back_freed_memory, keep_freed_memory
 
 keep_freed_memory()
 

@@ -11,9 +11,9 @@ from bnserve_protocol import (
     encode_analysis,
 )
 from bnserve_service import Settings
-from bnserve_service.analyses import AnalysisStore
-from bnserve_service.errors import SettingsInvalid
+from bnserve_service.http.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
+from bnserve_service.uploads.analyses import AnalysisStore
 from tests.service.injections import name_of, small_analysis
 
 ANALYSES = [small_analysis(seed=seed) for seed in range(5)]

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from bnserve_protocol import DeadlineExceeded, Draining, Overloaded
-from bnserve_service.batching import WorkQueue
-from bnserve_service.foresight import Foresight
-from bnserve_service.metrics import Metrics
+from bnserve_service.admission.cost_estimates import Foresight
+from bnserve_service.admission.queue import WorkQueue
+from bnserve_service.telemetry.metrics import Metrics
 from tests.service.asking import GW170817, MSGPACK, evaluate, question, raw_connection, read_msgpack
 from tests.service.chirp import ChirpModel, GatedModel, until
 

@@ -9,7 +9,7 @@ import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_service import Settings, Token
-from bnserve_service.transport.body import UNCOUNTED
+from bnserve_service.http.body import UNCOUNTED
 from tests.service.asking import ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, until
 from tests.service.test_metrics import value

@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bnserve_protocol import Overloaded, ShareExceeded
-from bnserve_service.fair_line import FairLine
-from bnserve_service.holdings import Holdings
-from bnserve_service.loop_turns import PER_TURN, LoopTurns
+from bnserve_service.admission.capacity import Holdings
+from bnserve_service.admission.fair_line import FairLine
+from bnserve_service.admission.loop_turns import PER_TURN, LoopTurns
 from tests.service.test_batching import busy, with_queue
 
 

@@ -5,8 +5,8 @@ import threading
 import pytest
 
 from bnserve_protocol import ArtifactCorrupted, ModelLoading, ModelUnknown, StoreUnknown
-from bnserve_service.loading import Loader, Selection
-from bnserve_service.registry import Registry
+from bnserve_service.models.loading import Loader, Selection
+from bnserve_service.models.registry import Registry
 from tests.service.asking import ask, evaluate, question
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is, until
 

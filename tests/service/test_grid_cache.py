@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from bnserve_protocol import GridUnknown, InvalidFrequencies
-from bnserve_service.grids import GridCache
+from bnserve_service.uploads.grids import GridCache
 from tests.service.asking import ask
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from bnserve_client import DigestUnknown, InvalidRequest, Model, ModelUnknown, ParametersWithExtrinsic
 from bnserve_protocol import AnswerCorrupted, ModelLoading, RunManifest
-from bnserve_service.registry import Registry
+from bnserve_service.models.registry import Registry
 from tests.service.asking import ask, evaluate, question
 from tests.service.chirp import ChirpModel, MemorySource, QuickChirpModel, until
 

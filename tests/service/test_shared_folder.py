@@ -13,12 +13,12 @@ from prometheus_client import CollectorRegistry, Counter, Gauge
 
 from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, encode_analysis
 from bnserve_service import BackgroundServer, Settings, Token
-from bnserve_service.analyses import AnalysisStore
-from bnserve_service.grids import GridCache
 from bnserve_service.shared.files import Shelf
 from bnserve_service.shared.folder import SharedFolder
 from bnserve_service.shared.loads import SharedLoads
 from bnserve_service.shared.metrics import SharedMetrics
+from bnserve_service.uploads.analyses import AnalysisStore
+from bnserve_service.uploads.grids import GridCache
 from tests.architecture.rooms import room_environment
 from tests.service.asking import ask, evaluate, question
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is

@@ -12,8 +12,8 @@ import importlib
 import importlib.util
 from collections.abc import Sequence
 
-from bnserve_service import output
 from bnserve_service._version import __version__
+from bnserve_service.cli import output
 
 __all__ = ["SUBCOMMANDS", "build_parser", "main"]
 

@@ -12,13 +12,13 @@ import numpy as np
 from bnserve_client import Model as RemoteModel
 from bnserve_protocol import InvalidRequest, ParameterBatch, ParametersWithExtrinsic, UniformGrid, WaveformModel
 from bnserve_service._version import __version__
-from bnserve_service.cpu import available_cpus
 from bnserve_service.demo.binaries import like_gw170817
 from bnserve_service.demo.chirp import evaluate_chirp
 from bnserve_service.demo.measuring import identical_numbers, medians
 from bnserve_service.demo.picture import check_output, save_picture
 from bnserve_service.demo.report import Report
 from bnserve_service.demo.server_process import ServerProcess
+from bnserve_service.process.cpu import available_cpus
 from bnserve_surrogate import Model as LocalModel
 
 MOST_BINARIES = 1024

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from bnserve_service.registry import Catalogue
+from bnserve_service.models.registry import Catalogue
 from bnserve_service.workers.report import models_file
 
 

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable
 from typing import NoReturn
 
-from bnserve_service.listening import address_of, listening, open_metrics_listener
+from bnserve_service.process.listening import address_of, listening, open_metrics_listener
 from bnserve_service.settings import Settings
 from bnserve_service.workers.template_keeper import NO_DESCRIPTOR
 

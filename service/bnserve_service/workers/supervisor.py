@@ -19,10 +19,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from bnserve_service.output import OutputLost, announce, complain, printing
-from bnserve_service.process_name import name_process
+from bnserve_service.cli.output import OutputLost, announce, complain, printing
+from bnserve_service.process.name import name_process
+from bnserve_service.process.socket_file import SocketFile
 from bnserve_service.shared.folder import SharedFolder
-from bnserve_service.socket_file import SocketFile
 from bnserve_service.workers.crew import Crew
 from bnserve_service.workers.events import Events, ended_children
 from bnserve_service.workers.roster import BackOff, Rules, Verdict, Worker, judge

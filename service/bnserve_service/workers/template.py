@@ -16,7 +16,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from bnserve_service.process_name import name_process
+from bnserve_service.process.name import name_process
 from bnserve_service.workers.channel import Channel, Closed
 
 ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
@@ -57,7 +57,7 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _serve_template(supervisor: Channel, listener: int, metrics_listener: int, settings_file: int) -> int:
-    from bnserve_service.allocator import forget_what_is_imported, keep_freed_memory
+    from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
     from bnserve_service.workers.worker import Belongings, Models, work
 
     keep_freed_memory()

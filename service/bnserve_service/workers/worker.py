@@ -14,10 +14,10 @@ from typing import Self
 
 from bnserve_protocol import BnserveError
 from bnserve_service.app import Application, create_app, loader_of
-from bnserve_service.cpu import available_cpus
-from bnserve_service.loading import Loader, RefreshReport
-from bnserve_service.process_name import name_process
-from bnserve_service.registry import Registry
+from bnserve_service.models.loading import Loader, RefreshReport
+from bnserve_service.models.registry import Registry
+from bnserve_service.process.cpu import available_cpus
+from bnserve_service.process.name import name_process
 from bnserve_service.server import BnserveServer, models_missing
 from bnserve_service.settings import Settings
 from bnserve_service.shared.folder import SharedFolder

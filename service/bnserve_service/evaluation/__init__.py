@@ -1,0 +1,3 @@
+"""Questions to models: read, evaluated, packed, answered."""
+
+__all__: list[str] = []

@@ -1,0 +1,3 @@
+"""HTTP as bytes and headers: listening, framing, negotiation, errors, answers, the fast path."""
+
+__all__: list[str] = []

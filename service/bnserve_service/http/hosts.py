@@ -1,0 +1,129 @@
+"""Which ``Host`` and ``Origin`` are answered, because a web browser may carry anybody's requests here.
+
+A page whose host name is made to point at 127.0.0.1 (DNS rebinding) is, for its visitor's browser, of one origin with
+a server on the visitor's machine: it reads every answer and may ask for anything. Its requests still name its host.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from ipaddress import ip_address
+
+from starlette.types import ASGIApp, Receive, Scope, Send
+
+from bnserve_protocol import Forbidden
+from bnserve_service.http.context import context_of
+from bnserve_service.process.listening import is_loopback
+from bnserve_service.settings import ANY_HOST, Settings
+
+_AUTHORITY = re.compile(rb"(?:\[([0-9A-Fa-f:.]{2,45})\]|([A-Za-z0-9._-]{1,253}))(?::[0-9]{0,5})?")
+_HEALTH = "/v2/"
+"""Probes name whatever they like (an address of a pod, the name of a balancer's backend), and learn nothing."""
+_READING = frozenset({"GET", "HEAD", "OPTIONS"})
+
+
+class HostCheck:
+    """Refuses requests for other hosts, and changes that pages of other sites ask for.
+
+    Refused with 403, as Jupyter, Rails and Ollama do (starlette's and Django's answer is 400): nothing is wrong with
+    the message, and no client takes it for a body that it should mend, or as with 421 for a request to send again.
+
+    Parameters
+    ----------
+    names:
+        The hosts that this server is called by beside those of the loopback interface; None answers to every host.
+    """
+
+    def __init__(self, names: Iterable[str] | None) -> None:
+        self._any = names is None
+        self._names = frozenset(name.lower() for name in names or () if not _is_loopback_name(name.lower()))
+        self._known = b""
+        """The last header that was right: a sampler sends the same for hours."""
+
+    @classmethod
+    def of(cls, settings: Settings) -> HostCheck:
+        """By ``allowed_hosts``; without it, every host unless only this machine can connect."""
+        if ANY_HOST in settings.allowed_hosts:
+            return cls(None)
+        if settings.allowed_hosts:
+            return cls(settings.allowed_hosts)
+        if settings.uds is not None:
+            return cls(())
+        return cls((settings.host,) if is_loopback(settings.host) else None)
+
+    @classmethod
+    def of_metrics(cls, settings: Settings) -> HostCheck:
+        """For the metrics port: by loopback names and ``allowed_hosts``, or every host where others can connect."""
+        everybody = ANY_HOST in settings.allowed_hosts or not is_loopback(settings.metrics_host)
+        return cls(None if everybody else (settings.metrics_host, *settings.allowed_hosts))
+
+    def check(self, headers: Mapping[bytes, bytes], method: str, route: str) -> None:
+        """Look at the headers of one request.
+
+        Raises
+        ------
+        Forbidden
+            With what to configure if the caller is right.
+        """
+        host = headers.get(b"host", b"")
+        if host != self._known and not route.startswith(_HEALTH):
+            self._check_host(host)
+        if b"origin" in headers and method not in _READING:
+            self._check_origin(headers[b"origin"], host)
+
+    def _check_host(self, host: bytes) -> None:
+        if self._any or not host:  # only HTTP/1.0, which no browser speaks, may leave it out
+            return
+        name = _name_of(host)
+        if not (_is_loopback_name(name) or name in self._names):
+            raise Forbidden(
+                f"This server does not go by the host '{name}' (Host header). Connect to it by a name of its own; if "
+                "this is one, its operators add it to the setting `allowed_hosts` (--allowed-host)."
+            )
+        self._known = host
+
+    def _check_origin(self, origin: bytes, host: bytes) -> None:
+        authority = origin.partition(b"://")[2]
+        if authority.lower() == host.lower() != b"" or _name_of(authority) in self._names:
+            return
+        raise Forbidden(
+            "A web page of another site (Origin header) asks for this, which only this server's own pages may. If the "
+            "page is this server's, behind a proxy, its operators add its host to `allowed_hosts` (--allowed-host)."
+        )
+
+
+class HostMiddleware:
+    """Lets a :class:`HostCheck` look at every request.
+
+    Parameters
+    ----------
+    app:
+        The rest of the service.
+    hosts:
+        The check.
+    """
+
+    def __init__(self, app: ASGIApp, hosts: HostCheck) -> None:
+        self._app = app
+        self._hosts = hosts
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Serve one HTTP request."""
+        context = context_of(scope)
+        self._hosts.check(context.headers, scope["method"], context.route)
+        await self._app(scope, receive, send)
+
+
+def _name_of(authority: bytes) -> str:
+    """The host of ``host:port``, without the brackets of IPv6; empty when it is none."""
+    found = _AUTHORITY.fullmatch(authority)
+    return (found[1] or found[2]).decode().lower().removesuffix(".") if found is not None else ""
+
+
+def _is_loopback_name(name: str) -> bool:
+    """Whether ``name`` means the machine of whoever uses it; browsers never ask DNS for these (RFC 6761, 6.3)."""
+    try:
+        return ip_address(name).is_loopback
+    except ValueError:
+        return name == "localhost" or name.endswith(".localhost")

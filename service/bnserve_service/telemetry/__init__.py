@@ -1,0 +1,3 @@
+"""What operators see: metrics and health."""
+
+__all__: list[str] = []

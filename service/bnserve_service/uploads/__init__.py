@@ -1,0 +1,3 @@
+"""Grids and analyses that callers leave here."""
+
+__all__: list[str] = []
