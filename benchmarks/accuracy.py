@@ -77,7 +77,13 @@ def measured(artifact: Artifact, options: argparse.Namespace) -> list[Row]:
     for case in CASES:
         counts = {"uniform": count, **({"edges": edges} if case.edges else {})}
         validations = validate_artifact(
-            artifact, options.work, counts=counts, seed=options.seed, n_jobs=options.jobs, **case.options
+            artifact,
+            options.work,
+            counts=counts,
+            seed=options.seed,
+            n_jobs=options.jobs,
+            own_function=options.generator,
+            **case.options,
         )
         rows += [_row(name, case.label, kind, validation) for kind, validation in validations.items()]
     return rows
@@ -127,6 +133,9 @@ def _parser() -> argparse.ArgumentParser:
         "models", nargs="*", default=["default", "fast", "paper"], metavar="MODEL", help="(all shipped)"
     )
     parser.add_argument("--store", type=Path, action="append", metavar="DIR", help="searched before the shipped models")
+    parser.add_argument(
+        "--generator", metavar="MODULE:FUNCTION", help="of models trained on a function of yours, which is imported"
+    )
     parser.add_argument("--work", type=Path, default=Path("runs"), metavar="DIR", help="where data are kept (runs)")
     parser.add_argument("--count", type=int, default=4096, metavar="N", help="waveforms, uniform in the box (4096)")
     parser.add_argument("--edges", type=int, default=1024, metavar="N", help="on faces, edges, corners (1024)")

@@ -93,7 +93,7 @@ WORKER = """
 import json, sys, time
 from pathlib import Path
 from tests.surrogate.searching import run, toy_search
-from bnserve_surrogate.training import search
+from bnserve_surrogate.training.search import trials as search
 
 evaluate = search.evaluate
 def slow(*arguments):

@@ -255,14 +255,14 @@ def test_a_directory_is_no_configuration(tmp_path):
         read_configuration(tmp_path)
 
 
-@pytest.mark.parametrize("command", ["train", "validate"])
-def test_a_missing_package_names_itself_and_the_way_to_get_it(tmp_path, command):
+@pytest.mark.parametrize(("command", "package"), [("train", "sklearn"), ("validate", "scipy")])
+def test_a_missing_package_names_itself_and_the_way_to_get_it(tmp_path, command, package):
     more = arguments(tmp_path, written(tmp_path)) if command == "train" else ["validate", "default"]
-    process = in_a_process(more, script="import sys; sys.modules['sklearn'] = None")
+    process = in_a_process(more, script=f"import sys; sys.modules['{package}'] = None")
     output, error = process.communicate(timeout=120)
     assert process.returncode == 2
     assert output == ""
-    assert "Training needs the package 'sklearn'" in error
+    assert f"Training needs the package '{package}'" in error
     assert "pip install '.[train]'" in error
     assert "Traceback" not in error
 
