@@ -25,6 +25,16 @@ RANGES = {
 }
 
 
+def linear_basis(basis, model=None):
+    """All linear rows of a basis, (n, len(grid))."""
+    return np.concatenate([piece for _, piece in basis.linear_chunks(model)], axis=1)
+
+
+def quadratic_basis(basis, model=None):
+    """All quadratic rows of a basis, (n, len(grid))."""
+    return np.concatenate([piece for _, piece in basis.quadratic_chunks(model)], axis=1)
+
+
 def interpolant(term, rows, frequencies):
     """An interpolant of the family that ``rows`` span, by pivoting: nodes and rows as any construction gives them."""
     basis = np.linalg.svd(rows / np.linalg.norm(rows, axis=1)[:, None], full_matrices=False)

@@ -101,14 +101,6 @@ class ReducedOrderQuadrature:
         self.check_model(model)
         yield from self.quadratic.chunks(model, self.grid, self.alignment)
 
-    def linear_basis(self, model: WaveformModel | None = None) -> NDArray[np.complex128]:
-        """All linear rows, ``(n_linear, len(grid))`` complex128: a gigabyte for GW170817."""
-        return np.concatenate([piece for _, piece in self.linear_chunks(model)], axis=1)
-
-    def quadratic_basis(self, model: WaveformModel | None = None) -> FloatArray:
-        """All quadratic rows, ``(n_quadratic, len(grid))`` float64."""
-        return np.concatenate([piece for _, piece in self.quadratic_chunks(model)], axis=1)
-
     def check_model(self, model: WaveformModel | None) -> None:
         """Refuse a model other than the one the basis was built for.
 

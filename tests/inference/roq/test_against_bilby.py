@@ -7,6 +7,7 @@ import pytest
 
 from bnserve_inference.roq import save_bilby
 from bnserve_protocol import EvaluationOptions, ParametersWithExtrinsic
+from tests.inference.bases import linear_basis, quadratic_basis
 
 with warnings.catch_warnings():  # of the packages that bilby imports
     warnings.simplefilter("ignore")
@@ -110,7 +111,7 @@ def bilbys(basis, model, source, detectors, tmp_path_factory):
 
 def direct_log_likelihood_ratio(basis, model, detectors, binary):
     """Sum over detectors of sum_j w_j h(F_j) - sum_k v_k abs(h(F_k))**2 / 2, with the weights as they are defined."""
-    rows, squares = basis.linear_basis(model), basis.quadratic_basis(model)
+    rows, squares = linear_basis(basis, model), quadratic_basis(basis, model)
     frequencies = basis.grid.frequencies()
     total = 0.0
     for detector in detectors:

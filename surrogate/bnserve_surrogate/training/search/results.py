@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
-import tempfile
+import io
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,11 +11,12 @@ from optuna.trial import TrialState
 
 from bnserve_protocol import require
 from bnserve_surrogate.training.data.generation import configured_generator
-from bnserve_surrogate.training.errors import DatasetUnwritable, TrainingError
+from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.search.pareto import Hyperparameters, ParetoCollection, ParetoEntry, ParetoSetup
 from bnserve_surrogate.training.search.study import failures, read_study
 from bnserve_surrogate.training.search.trials import Search
 from bnserve_surrogate.training.search.values import nested
+from bnserve_surrogate.training.validation.report import write_whole
 
 
 class SearchEmpty(TrainingError):
@@ -70,10 +69,8 @@ def results_table(results: SearchResults) -> str:
 
 def plot_results(path: Path, title: str, results: SearchResults) -> None:
     """Write the two costs of every trial and the Pareto front as a picture; raises ``DatasetUnwritable``."""
-    require("matplotlib", "The picture of a search", "train")
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(9, 4.2), layout="constrained")
+    drawing = require("matplotlib.figure", "The picture of a search", "train")
+    figure = drawing.Figure(figsize=(9, 4.2), layout="constrained")
     left, right = figure.subplots(1, 2)
     front = sorted(results.pareto.entry, key=lambda entry: entry.cost_seconds)
     for axis, by in ((left, "cost_seconds"), (right, "waveforms")):
@@ -85,18 +82,9 @@ def plot_results(path: Path, title: str, results: SearchResults) -> None:
     left.set(xlabel="waveforms and training [s]", ylabel="average squared error on validation waveforms", title=title)
     right.set(xlabel="training waveforms")
     right.legend(frameon=False)
-    try:
-        descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        try:
-            with os.fdopen(descriptor, "wb") as file:
-                figure.savefig(file, format="png", dpi=130)
-            Path(name).replace(path)
-        except BaseException:
-            with contextlib.suppress(OSError):
-                Path(name).unlink()
-            raise
-    except OSError as error:
-        raise DatasetUnwritable(f"Cannot write {path}: {error.strerror}. Make room or choose another place.") from error
+    picture = io.BytesIO()
+    figure.savefig(picture, format="png", dpi=130)
+    write_whole(path, picture.getvalue())
 
 
 def _entry(search: Search, trial: optuna.trial.FrozenTrial) -> ParetoEntry:

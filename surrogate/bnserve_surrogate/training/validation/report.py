@@ -84,6 +84,11 @@ pre{{background:#f3f5f8;padding:1rem;overflow-x:auto}}</style>
 
 
 def write_text(path: Path, text: str) -> None:
+    """As :func:`write_whole`, in UTF-8."""
+    write_whole(path, text.encode())
+
+
+def write_whole(path: Path, data: bytes) -> None:
     """Write a file whole or not at all.
 
     Raises
@@ -95,8 +100,8 @@ def write_text(path: Path, text: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
         try:
-            with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-                file.write(text)
+            with os.fdopen(descriptor, "wb") as file:
+                file.write(data)
                 file.flush()
                 os.fsync(file.fileno())
             Path(name).replace(path)
