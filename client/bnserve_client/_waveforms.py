@@ -1,4 +1,4 @@
-"""Waveforms as a question, and the methods of a waveform model as conversations about one pinned model.
+"""Waveforms as a question, their grids as they travel, and the methods of a waveform model as conversations.
 
 From the arrays of an answer to those that a user keeps: writable, and of small arrays never holding the answer. Large
 arrays are used where they have arrived, when the transport received them into memory of ours.
@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,6 @@ from numpy.typing import DTypeLike, NDArray
 
 from bnserve_client._addresses import Address
 from bnserve_client._evaluation import Arrays, Evaluator, Question, Upload, check_model
-from bnserve_client._grids import IN_FULL_ONCE, ExplicitGrid, GridMemory, ends_of
 from bnserve_client._messages import Conversation
 from bnserve_client._session import Pinned, Session
 from bnserve_client._settings import Settings
@@ -37,10 +37,21 @@ from bnserve_protocol import (
     Polarizations,
     TooLarge,
     UniformGrid,
+    as_frequencies,
     check_dtype,
     check_options,
+    grid_digest,
+    plain_grid,
 )
-from bnserve_protocol.wire import OutputName, WaveformRequest, decode_answer, encode_request, result_memory
+from bnserve_protocol.wire import (
+    Grid,
+    GridDigest,
+    OutputName,
+    WaveformRequest,
+    decode_answer,
+    encode_request,
+    result_memory,
+)
 
 _TRIES = 3
 """With an uploaded grid; then it travels in full."""
@@ -58,6 +69,76 @@ _SAMPLES: dict[OutputName, tuple[str, ...]] = {
 _FACTORS: dict[str, np.dtype[Any]] = {"plus": np.dtype("<f8"), "cross": np.dtype("<c16")}
 _OF_A_ROW: dict[str, np.dtype[Any]] = {"status": np.dtype("|u1"), "estimated_mismatch": np.dtype("<f8")}
 """Arrays of an answer beside its samples; the second only from models that estimate their error."""
+
+
+_IN_FULL_ONCE = 512
+"""Grids of more points (4 KiB) are uploaded before their first use, smaller ones before their second."""
+_IN_FULL_ALWAYS = 16
+"""So few points are shorter than a digest with what belongs to it."""
+
+_REMEMBERED = 4
+
+
+class ExplicitGrid:
+    """A checked copy of a user's frequencies, ``(M,)`` in Hz, and its digest."""
+
+    def __init__(self, frequencies: NDArray[np.float64]) -> None:
+        self.frequencies = frequencies.copy()
+        self.frequencies.flags.writeable = False
+        self.in_full = len(frequencies) <= _IN_FULL_ALWAYS
+        """Whether it always travels in full: because it is tiny, or because the service does not take uploads."""
+        self._used_at: set[Address] = set()
+
+    def __len__(self) -> int:
+        return len(self.frequencies)
+
+    @cached_property
+    def sha256(self) -> str:
+        """The name of the grid on the wire."""
+        return grid_digest(self.frequencies)
+
+    def on_the_wire(self, address: Address) -> Grid:
+        """The grid in a request: in full, or its digest where this replica can be expected to know it."""
+        first_use = address not in self._used_at
+        self._used_at.add(address)
+        if self.in_full or (first_use and len(self) <= _IN_FULL_ONCE):
+            return self.frequencies
+        return GridDigest(sha256=self.sha256)
+
+
+class GridMemory:
+    """The grids that were checked and digested a moment ago: comparing 2 MB is ten times faster than hashing them.
+
+    The user's array may change between calls, so it is compared with a copy, never recognised by identity.
+    """
+
+    def __init__(self) -> None:
+        self._recent: tuple[ExplicitGrid, ...] = ()
+
+    def recall(self, grid: GridLike) -> UniformGrid | ExplicitGrid:
+        """Check a grid, or recognise it.
+
+        Raises
+        ------
+        InvalidFrequencies
+        """
+        plain = plain_grid(grid)
+        if isinstance(plain, UniformGrid):
+            return plain
+        for known in self._recent:
+            if known.frequencies.shape == plain.shape and (known.frequencies == plain).all():
+                return known
+        checked = ExplicitGrid(as_frequencies(plain))
+        self._recent = (checked, *self._recent[: _REMEMBERED - 1])
+        return checked
+
+
+def _ends_of(grid: UniformGrid | ExplicitGrid) -> ExplicitGrid:
+    """The first and the last frequency alone, on which the checks of a batch depend."""
+    places = [0] if len(grid) == 1 else [0, len(grid) - 1]
+    if isinstance(grid, UniformGrid):
+        return ExplicitGrid(grid.at(np.array(places)))
+    return ExplicitGrid(grid.frequencies[places])
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +176,7 @@ class Waveforms(Question):
         if isinstance(grid, ExplicitGrid) and address is not None:
             grid = grid.on_the_wire(address)
         elif isinstance(grid, ExplicitGrid):
-            grid.in_full = grid.in_full or len(grid) <= IN_FULL_ONCE  # short enough not to try again each time
+            grid.in_full = grid.in_full or len(grid) <= _IN_FULL_ONCE  # short enough not to try again each time
             grid = grid.frequencies
         part = ParameterBatch(self.batch.values[start:stop])
         request = WaveformRequest(batch=part, grid=grid, output=self.output, dtype=self.dtype, options=self.options)
@@ -126,7 +207,7 @@ class Waveforms(Question):
         """As :class:`Question`: all rows at the ends of the grid, on which the checks of a batch depend."""
         if self.options.out_of_domain != "error":
             return None
-        return replace(self, grid=ends_of(self.grid), chunk_samples=_ANY_SIZE)
+        return replace(self, grid=_ends_of(self.grid), chunk_samples=_ANY_SIZE)
 
     def smaller_may_pass(self, limits: Limits) -> bool:
         """As :class:`Question`."""

@@ -14,11 +14,10 @@ from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooL
 from bnserve_protocol._grids import UniformGrid, as_frequencies
 from bnserve_protocol._model import DtypeName, EvaluationOptions, ModelIdentity
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
-from bnserve_protocol.wire._arrays import array_header, decode_array, encode_array, is_array
+from bnserve_protocol.wire._arrays import Template, array_header, decode_array, encode_array, is_array
 from bnserve_protocol.wire._envelope import JSON, MSGPACK
 from bnserve_protocol.wire._keys import read_map, read_object, refuse_repeated_keys
 from bnserve_protocol.wire._memory import address_of
-from bnserve_protocol.wire._templates import Template
 
 OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
 
