@@ -13,42 +13,26 @@ import weakref
 from collections.abc import Awaitable, Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import closing
-from typing import Any, Protocol, TypeVar, cast
+from typing import Any, TypeVar, cast
 
 from bnserve_client._addresses import Address
-from bnserve_client._messages import Conversation, Effect, HttpResponse, LookUp, Send, Sleep, Together
+from bnserve_client._messages import (
+    AsyncTransport,
+    Conversation,
+    Effect,
+    HttpResponse,
+    LookUp,
+    Send,
+    Sleep,
+    Together,
+    Transport,
+)
 from bnserve_client._resolver import behind_proxy, several_hosts
 from bnserve_client._sockets import AsyncSocketTransport, SocketTransport
 from bnserve_client._transport_factory import TransportFactory
 from bnserve_protocol import BnserveError
 
 _T = TypeVar("_T")
-
-
-class Transport(Protocol):
-    """Carries requests to one address."""
-
-    def send(self, send: Send) -> HttpResponse:
-        """Perform one :class:`Send`."""
-
-    def close(self) -> None:
-        """Close the connections."""
-
-    def let_go(self) -> None:
-        """In a forked child: drop the inherited descriptors without a word on the wire."""
-
-
-class AsyncTransport(Protocol):
-    """The asynchronous sister of :class:`Transport`."""
-
-    async def send(self, send: Send) -> HttpResponse:
-        """Perform one :class:`Send`."""
-
-    async def close(self) -> None:
-        """Close the connections."""
-
-    def let_go(self) -> None:
-        """In a forked child: drop the inherited descriptors without a word on the wire."""
 
 
 class Connections:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeVar
+from typing import Any
 
 import msgspec
 import numpy as np
@@ -34,7 +34,6 @@ from bnserve_protocol import (
 )
 from bnserve_protocol.wire import MSGPACK, decode_likelihood_answer, encode_likelihood_request
 
-_T = TypeVar("_T")
 _BYTES_PER_ROW = 16
 """The most that one row takes in an answer."""
 _HEAD_BYTES = 4096
@@ -58,7 +57,7 @@ class LogLikelihoods(Question):
         self._analysis = analysis
         self._samples = samples
         self._batch = batch
-        self.path = f"likelihoods/{_sha256(analysis)}"
+        self.path = f"likelihoods/{analysis.digest.removeprefix('sha256:')}"
 
     def __len__(self) -> int:
         return len(self._batch)
@@ -70,8 +69,7 @@ class LogLikelihoods(Question):
 
     def encode(self, start: int, stop: int, address: Address | None) -> bytes:
         """As :class:`Question`."""
-        whole = stop - start == len(self._batch)
-        part = self._batch if whole else self._batch.rows(slice(start, stop))
+        part = self._batch if stop - start == len(self) else self._batch.rows(slice(start, stop))
         return encode_likelihood_request(self._analysis.digest, part)
 
     def max_bytes(self, rows: int) -> int:
@@ -104,12 +102,8 @@ class LogLikelihoods(Question):
         raise error
 
 
-def _sha256(analysis: Analysis) -> str:
-    return analysis.digest.removeprefix("sha256:")
-
-
 def _path(analysis: Analysis) -> str:
-    return f"/v1/analyses/{_sha256(analysis)}"
+    return f"/v1/analyses/{analysis.digest.removeprefix('sha256:')}"
 
 
 def _bytes_per_row(batch: LikelihoodBatch) -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, Protocol, TypeAlias, TypeVar
 
 from bnserve_client._addresses import Address
 
@@ -93,3 +93,29 @@ class Together:
 
 Effect: TypeAlias = Send | Sleep | LookUp | Together
 Conversation: TypeAlias = Generator[Effect, Any, T]
+
+
+class Transport(Protocol):
+    """Carries requests to one address."""
+
+    def send(self, send: Send) -> HttpResponse:
+        """Perform one :class:`Send`."""
+
+    def close(self) -> None:
+        """Close the connections."""
+
+    def let_go(self) -> None:
+        """In a forked child: drop the inherited descriptors without a word on the wire."""
+
+
+class AsyncTransport(Protocol):
+    """The asynchronous sister of :class:`Transport`."""
+
+    async def send(self, send: Send) -> HttpResponse:
+        """Perform one :class:`Send`."""
+
+    async def close(self) -> None:
+        """Close the connections."""
+
+    def let_go(self) -> None:
+        """In a forked child: drop the inherited descriptors without a word on the wire."""

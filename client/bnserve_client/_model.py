@@ -11,7 +11,7 @@ from numpy.typing import DTypeLike
 from bnserve_client._connections import Connections, run
 from bnserve_client._likelihoods import Likelihood
 from bnserve_client._messages import Conversation
-from bnserve_client._session import Pinned, connecting
+from bnserve_client._pinned import Pinned, connecting
 from bnserve_client._settings import Settings, settings_from
 from bnserve_client._tokens import Token, TokenLike
 from bnserve_client._transport_factory import TransportFactory

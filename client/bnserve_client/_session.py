@@ -6,12 +6,8 @@ import os
 import time
 from collections.abc import Callable
 from typing import TypeVar
-from urllib.parse import quote
-
-import msgspec
 
 from bnserve_client._answers import problem_of, read_description, stranger
-from bnserve_client._failures import not_bnserve
 from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, LookUp, Send, Sleep
 from bnserve_client._resolver import Resolver, names_to_resolve
 from bnserve_client._retry_policy import Replicas, RetryPolicy
@@ -19,63 +15,15 @@ from bnserve_client._settings import Settings
 from bnserve_protocol import (
     AnswerCorrupted,
     BnserveError,
-    DigestUnknown,
-    Limits,
-    ModelDescription,
-    ModelIdentity,
-    ModelUnknown,
     RunManifest,
     __version__,
-    check_model_digest,
 )
 from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON, WANTED_DIGEST, content_digest, request_digest
 
 _T = TypeVar("_T")
 
-_CONNECT_RETRIES = 3
-"""At the first contact a wrong address is likelier than an outage, so it is reported soon."""
-
 _SMALL_ANSWER = 2**20
 """No description, limit or problem is larger."""
-_OCTETS = "application/octet-stream"
-
-
-class Pinned(msgspec.Struct, frozen=True):
-    """What connecting found out and what stays for the life of a model."""
-
-    description: ModelDescription
-    limits: Limits
-    by_digest: bool = False
-    """Whether every request names the digest, because the user did; the version otherwise."""
-
-    @property
-    def path(self) -> str:
-        """Of the one artifact that answers."""
-        named = self.description.digest if self.by_digest else self.description.version
-        return model_path(self.description.name, named)
-
-    @property
-    def identity(self) -> ModelIdentity:
-        """What every answer must say about its model."""
-        return ModelIdentity(
-            name=self.description.name, version=self.description.version, digest=self.description.digest
-        )
-
-
-def model_path(name: str, version: str) -> str:
-    """The path of a version, label or digest of a model."""
-    return f"/v1/models/{quote(name, safe='')}/versions/{quote(version, safe=':')}"
-
-
-def _is_name(text: str) -> bool:
-    return isinstance(text, str) and bool(text) and text.isprintable()
-
-
-class _ModelDocument(ModelDescription, frozen=True, kw_only=True):
-    """``GET /v1/models/{name}/versions/{version or label}``."""
-
-    labels: dict[str, str]
-    limits: Limits
 
 
 def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
@@ -131,27 +79,6 @@ class Session:
     def retry_policy(self) -> RetryPolicy:
         """A fresh deadline."""
         return RetryPolicy(self.settings, self._replicas)
-
-    def connect(self, name: str, version: str, digest: str | None = None) -> Conversation[Pinned]:
-        """Find a model, turn a label into the version it stands for now, and learn the limits.
-
-        Raises
-        ------
-        ModelUnknown, DigestUnknown, NotBnserve, ConnectionFailed, Unauthorized, InvalidRequest
-        """
-        if not (_is_name(name) and _is_name(version)):
-            raise ModelUnknown("A model has a name and a version or label, such as 'default' and 'stable'.")
-        if digest is not None:
-            check_model_digest(digest)
-        retries = self.retry_policy()
-        found = yield from self.get(model_path(name, digest or version), _ModelDocument, retries)
-        if digest is not None and found.digest == digest and version not in (found.version, *found.labels):
-            raise DigestUnknown(f"The digest {digest} is that of '{name}' {found.version}, not of {version}.")
-        right = found.version == found.labels.get(version, version) if digest is None else found.digest == digest
-        if found.name != name or not right:
-            raise not_bnserve(retries.address.text, f"asked for the model '{name}' {version}, it describes another")
-        fields = {field: getattr(found, field) for field in ModelDescription.__struct_fields__}
-        return Pinned(description=ModelDescription(**fields), limits=found.limits, by_digest=digest is not None)
 
     def get(self, path: str, message: type[_T], retries: RetryPolicy) -> Conversation[_T]:
         """Ask for a structured answer."""
@@ -242,9 +169,3 @@ class Session:
             self._replicas.wake(resting)
         else:
             self._replicas.rest(resting)
-
-
-def connecting(settings: Settings, name: str, version: str, digest: str | None) -> Conversation[Pinned]:
-    """The first contact: see :meth:`Session.connect`."""
-    retries = _CONNECT_RETRIES if settings.retries is None else settings.retries
-    return Session(settings.with_retries(retries)).connect(name, version, digest)

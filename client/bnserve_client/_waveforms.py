@@ -17,7 +17,8 @@ from numpy.typing import DTypeLike, NDArray
 from bnserve_client._addresses import Address
 from bnserve_client._evaluation import Arrays, Evaluator, Question, Upload, check_model
 from bnserve_client._messages import Conversation
-from bnserve_client._session import Pinned, Session
+from bnserve_client._pinned import Pinned
+from bnserve_client._session import Session
 from bnserve_client._settings import Settings
 from bnserve_protocol import (
     AmplitudePhase,

@@ -24,8 +24,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._analysis_checks import check_arrays, check_settings
 from bnserve_protocol._analysis_settings import DEFAULT_ERROR_BOUND, AnalysisSettings, Calibration, time_steps
-from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest, UndecodableBody
-from bnserve_protocol._model import ModelDescription, ModelIdentity
+from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBody
 from bnserve_protocol._numbers import NotNumbers, as_numbers
 from bnserve_protocol.wire._arrays import decode_array, encode_array
 from bnserve_protocol.wire._keys import read_map, read_maps
@@ -203,29 +202,6 @@ def _decode(name: str, raw: msgspec.Raw) -> NDArray[Any]:
     if array.dtype.str not in ("<f8", "<c16"):
         raise AnalysisInvalid(f"Array '{name}' of the analysis travels as <f8 or <c16; got {array.dtype.str}.")
     return array
-
-
-def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) -> None:
-    """Refuse to evaluate an analysis with another model than the one it is made for, if it is made for one.
-
-    Raises
-    ------
-    AnalysisInvalid
-    InvalidRequest
-        It is no analysis at all.
-    """
-    if not isinstance(analysis, Analysis):
-        raise InvalidRequest(
-            f"A likelihood is that of an Analysis; got {type(analysis).__name__}. full_analysis, roq_analysis and "
-            "relative_binning_analysis of bnserve_inference build one."
-        )
-    wanted = analysis.settings.model_digest
-    if wanted not in (None, model.digest):
-        raise AnalysisInvalid(
-            f"The analysis was made for the model {wanted}, and this is {model.name} {model.version} ({model.digest}). "
-            "Use that model, or build the analysis again for this one.",
-            errors=[FieldError(reason="made for another model", parameter="model_digest", value=model.digest)],
-        )
 
 
 def likelihood_nodes(analysis: Analysis) -> int:
