@@ -17,9 +17,8 @@ from bnserve_inference.roq._errors import (
     RoqConfigurationInvalid,
     RoqError,
 )
-from bnserve_inference.roq._file import load_basis, save_basis
 from bnserve_inference.roq._interpolant import Interpolant, TabulatedInterpolant, WaveformInterpolant
-from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
+from bnserve_inference.roq._quadrature import ReducedOrderQuadrature, load_basis, save_basis
 from bnserve_inference.roq._report import write_roq_report
 from bnserve_inference.roq._shipped import load_shipped_basis, shipped_bases
 from bnserve_inference.roq._validation import validate_basis

@@ -10,6 +10,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,6 @@ import numpy as np
 
 from bnserve_inference.roq._errors import BasisFileInvalid
 from bnserve_inference.roq._interpolant import Term, WaveformInterpolant
-from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._storage import replacing
 from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, require
 from bnserve_protocol.wire import unique_keys
@@ -25,12 +25,13 @@ from bnserve_protocol.wire import unique_keys
 SCHEMA = "bnserve-roq-1"
 """Of this layout; another one is refused."""
 
+_PLAIN = ("f_min", "f_max", "duration", "alignment", "model_name", "model_version", "model_digest")
 _MOST_ELEMENTS = 20_000
 """A basis of more is no reduction, and its coefficients would fill the memory."""
 
 
-def save_basis(path: Path | str, basis: ReducedOrderQuadrature) -> None:
-    """Write the compact file of a basis of waveforms: some megabytes, read by :func:`load_basis`.
+def write_basis(path: Path | str, basis: Mapping[str, Any]) -> None:
+    """Write the compact file of the fields of a basis, as :meth:`ReducedOrderQuadrature.save` does.
 
     Raises
     ------
@@ -39,31 +40,25 @@ def save_basis(path: Path | str, basis: ReducedOrderQuadrature) -> None:
     BasisUnwritable
     """
     h5py = require("h5py", "The file of a basis", "roq")
-    linear, quadratic = basis.linear, basis.quadratic
+    linear, quadratic = basis["linear"], basis["quadratic"]
     if not (isinstance(linear, WaveformInterpolant) and isinstance(quadratic, WaveformInterpolant)):
         raise BasisFileInvalid("A basis read from another program's file has no compact form; keep that file.")
     with replacing(Path(path)) as temporary, h5py.File(temporary, "w") as file:
         file.attrs.update(
             {
                 "schema": SCHEMA,
-                "f_min": basis.f_min,
-                "f_max": basis.f_max,
-                "duration": basis.duration,
-                "alignment": basis.alignment,
-                "model_name": basis.model_name,
-                "model_version": basis.model_version,
-                "model_digest": basis.model_digest,
-                "prior": json.dumps({name: list(pair) for name, pair in basis.prior.items()}),
+                **{name: basis[name] for name in _PLAIN},
+                "prior": json.dumps({name: list(pair) for name, pair in basis["prior"].items()}),
             }
         )
         # A dataset: attributes are limited to 64 KiB.
-        file["diagnostics"] = json.dumps(dict(basis.diagnostics))
+        file["diagnostics"] = json.dumps(dict(basis["diagnostics"]))
         _write_term(file.create_group("linear"), linear)
         _write_term(file.create_group("quadratic"), quadratic)
 
 
-def load_basis(path: Path | str) -> ReducedOrderQuadrature:
-    """Read a compact file.
+def read_basis(path: Path | str) -> dict[str, Any]:
+    """The fields of a basis from a compact file, as :meth:`ReducedOrderQuadrature.load` takes them.
 
     Raises
     ------
@@ -79,19 +74,19 @@ def load_basis(path: Path | str) -> ReducedOrderQuadrature:
                     f"{path} is not a compact basis of this version (schema {schema[:40]!r}, not {SCHEMA!r}). For "
                     "bilby's or bajes' layout use load_bilby or load_bajes; else build the basis again."
                 )
-            return ReducedOrderQuadrature(
-                linear=_read_term(file["linear"], "linear"),
-                quadratic=_read_term(file["quadratic"], "quadratic"),
-                f_min=float(file.attrs["f_min"]),
-                f_max=float(file.attrs["f_max"]),
-                duration=float(file.attrs["duration"]),
-                alignment=_alignment(file.attrs["alignment"]),
-                prior={name: (float(low), float(high)) for name, (low, high) in _json(file.attrs["prior"]).items()},
-                model_name=str(file.attrs["model_name"]),
-                model_version=str(file.attrs["model_version"]),
-                model_digest=str(file.attrs["model_digest"]),
-                diagnostics=_json(file["diagnostics"].asstr()[()]),
-            )
+            return {
+                "linear": _read_term(file["linear"], "linear"),
+                "quadratic": _read_term(file["quadratic"], "quadratic"),
+                "f_min": float(file.attrs["f_min"]),
+                "f_max": float(file.attrs["f_max"]),
+                "duration": float(file.attrs["duration"]),
+                "alignment": _alignment(file.attrs["alignment"]),
+                "prior": {name: (float(low), float(high)) for name, (low, high) in _json(file.attrs["prior"]).items()},
+                "model_name": str(file.attrs["model_name"]),
+                "model_version": str(file.attrs["model_version"]),
+                "model_digest": str(file.attrs["model_digest"]),
+                "diagnostics": _json(file["diagnostics"].asstr()[()]),
+            }
     except (OSError, KeyError, TypeError, ValueError, AttributeError, RuntimeError) as error:
         raise BasisFileInvalid(
             f"{path} is not a readable basis ({error}). Build it again, or fetch it anew."

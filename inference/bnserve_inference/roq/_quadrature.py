@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference._units import real_ranges
 from bnserve_inference.roq._errors import BasisMismatch, PriorNotCovered
+from bnserve_inference.roq._file import read_basis, write_basis
 from bnserve_inference.roq._interpolant import Alignment, FloatArray, Interpolant, TabulatedInterpolant
 from bnserve_protocol import UniformGrid, WaveformModel
 
@@ -138,14 +139,34 @@ class ReducedOrderQuadrature:
             )
 
     def save(self, path: Path | str) -> None:
-        """Write the compact file; see :func:`~bnserve_inference.roq.save_basis`."""
-        from bnserve_inference.roq._file import save_basis
+        """Write the compact file of a basis of waveforms: some megabytes, read by :meth:`load`.
 
-        save_basis(path, self)
+        Raises
+        ------
+        BasisFileInvalid
+            A tabulated basis, which has no compact form.
+        BasisUnwritable
+            No room, or no permission.
+        """
+        write_basis(path, {entry.name: getattr(self, entry.name) for entry in fields(self)})
 
     @classmethod
     def load(cls, path: Path | str) -> ReducedOrderQuadrature:
-        """Read a compact file; see :func:`~bnserve_inference.roq.load_basis`."""
-        from bnserve_inference.roq._file import load_basis
+        """Read a compact file.
 
-        return load_basis(path)
+        Raises
+        ------
+        BasisFileInvalid
+            Not there, not such a file, or a damaged one.
+        """
+        return cls(**read_basis(path))
+
+
+def save_basis(path: Path | str, basis: ReducedOrderQuadrature) -> None:
+    """As :meth:`ReducedOrderQuadrature.save`."""
+    basis.save(path)
+
+
+def load_basis(path: Path | str) -> ReducedOrderQuadrature:
+    """As :meth:`ReducedOrderQuadrature.load`."""
+    return ReducedOrderQuadrature.load(path)

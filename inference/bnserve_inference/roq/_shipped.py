@@ -5,8 +5,7 @@ from __future__ import annotations
 from importlib.resources import as_file, files
 
 from bnserve_inference.roq._errors import BasisFileInvalid
-from bnserve_inference.roq._file import load_basis
-from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
+from bnserve_inference.roq._quadrature import ReducedOrderQuadrature, load_basis
 
 
 def shipped_bases() -> list[str]:
