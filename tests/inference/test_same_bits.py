@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from bnserve_inference import likelihood
-from bnserve_inference.kernel._contraction import ASSEMBLY, DIGEST_PREFIX
+from bnserve_inference.kernel._contraction import ASSEMBLY
 from bnserve_inference.kernel._digest import source_digest
 from bnserve_protocol import (
     Calibration,
@@ -17,6 +17,7 @@ from bnserve_protocol import (
     decode_analysis,
     encode_analysis,
 )
+from bnserve_surrogate.kernel._loader import DIGEST_PREFIX
 from tests.inference.networks import F_MAX, F_MIN, columns, full
 from tests.inference.test_kinds_agree import binned
 

@@ -18,7 +18,6 @@ from bnserve_protocol import Analysis, LikelihoodBatch
 from bnserve_surrogate.kernel import load_assembly
 
 ASSEMBLY = Path(__file__).with_name("contraction.ll")
-DIGEST_PREFIX = "; sources: "
 ENTRY_POINT = "bnserve_contract"
 _SIGNATURE = "pp pi i pi pi pi pi pi pi pi pi pi pi pi pi pi pi i pi pi pi pi pi"
 

@@ -1,18 +1,14 @@
 """Compile the contraction to LLVM's portable assembly: ``python -m bnserve_inference.kernel.build``.
 
-As with the surrogate's kernel: numba is needed here alone, the output carries a digest of its sources, and a test
-refuses one that is older than they are. Run it again after every change of a source.
+As with the surrogate's kernel: numba is needed here alone, the output carries a digest of its sources and the tools
+that made it, and tests refuse what the sources do not compile to. Run it again after every change of a source.
 """
 
 from __future__ import annotations
 
-import argparse
-
-import llvmlite.binding as llvm
-
-from bnserve_inference.kernel._contraction import ASSEMBLY, DIGEST_PREFIX, ENTRY_POINT
+from bnserve_inference.kernel._contraction import ASSEMBLY, ENTRY_POINT
 from bnserve_inference.kernel._digest import source_digest
-from bnserve_surrogate.kernel.build import configure_numba, detach
+from bnserve_surrogate.kernel.build import configure_numba, detach, write_assembly
 
 
 def compile_kernel() -> str:
@@ -58,14 +54,5 @@ def compile_kernel() -> str:
     return detach(entry, ENTRY_POINT)
 
 
-def main() -> None:
-    """Write ``contraction.ll`` beside the sources."""
-    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
-    llvm.initialize_native_target()
-    text = f"{DIGEST_PREFIX}{source_digest()}\n{compile_kernel()}"
-    ASSEMBLY.write_text(text)
-    print(f"Wrote {ASSEMBLY.name}: {len(text) // 1024} KiB of LLVM assembly.")
-
-
 if __name__ == "__main__":
-    main()
+    write_assembly(ASSEMBLY, source_digest(), compile_kernel)

@@ -1,4 +1,5 @@
 ; sources: 96705932f3cbd6dcd4dc90777a61b11b0056491cbee99706acc200f17893272f
+; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
 

@@ -1,21 +1,28 @@
 """Compile the kernel's source to LLVM's portable assembly: ``python -m bnserve_surrogate.kernel.build``.
 
 numba takes many seconds to do this, so it is done once, here; :mod:`._loader` turns the result into machine code for
-the processor it runs on, in a fraction of that time and without numba. The output carries a digest of the sources, and
-a test refuses a kernel that is older than they are. Run it again after every change of a source.
+the processor it runs on, in a fraction of that time and without numba. The output carries a digest of the sources and
+the tools that made it; tests refuse a kernel that is older than its sources, or that is not what they compile to. Run
+it again after every change of a source.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import platform
 import re
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
 
 from bnserve_surrogate.kernel._digest import source_digest
 from bnserve_surrogate.kernel._loader import ASSEMBLY, DIGEST_PREFIX, ENTRY_POINT
+
+TOOLCHAIN_PREFIX = "; built by: "
 
 
 def compile_kernel() -> str:
@@ -92,14 +99,23 @@ def _shorten(assembly: str) -> str:
     return assembly
 
 
-def main() -> None:
-    """Write ``kernel.ll`` beside the sources."""
-    argparse.ArgumentParser(description=__doc__.splitlines()[0]).parse_args()
+def toolchain() -> str:
+    """The tools at hand that decide which assembly is made; the same ones make the same bytes."""
+    python = ".".join(platform.python_version_tuple()[:2])
+    tools = f"numba {version('numba')}, llvmlite {version('llvmlite')}, Python {python}"
+    return f"{TOOLCHAIN_PREFIX}{tools}, {platform.machine()}"
+
+
+def write_assembly(assembly: Path, digest: str, compile_kernel: Callable[[], str]) -> None:
+    """The command of a build: write ``assembly``, or the file that the command line names."""
+    parser = argparse.ArgumentParser(description=f"Compile the sources of {assembly.name}.")
+    parser.add_argument("--output", type=Path, default=assembly, metavar="FILE.ll", help="the file (the one shipped)")
+    output = parser.parse_args().output
     llvm.initialize_native_target()
-    text = f"{DIGEST_PREFIX}{source_digest()}\n{compile_kernel()}"
-    ASSEMBLY.write_text(text)
-    print(f"Wrote {ASSEMBLY.name}: {len(text) // 1024} KiB of LLVM assembly.")
+    text = f"{DIGEST_PREFIX}{digest}\n{toolchain()}\n{compile_kernel()}"
+    output.write_text(text)
+    print(f"Wrote {output.name}: {len(text) // 1024} KiB of LLVM assembly.")
 
 
 if __name__ == "__main__":
-    main()
+    write_assembly(ASSEMBLY, source_digest(), compile_kernel)

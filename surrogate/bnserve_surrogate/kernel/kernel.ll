@@ -1,4 +1,5 @@
 ; sources: e54ea0504204b6b172e150da28ac989c9f1e898db3068abe759c3b1919ad936a
+; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
 

@@ -1,0 +1,74 @@
+"""The compiled kernels that are shipped, and run, are what their sources compile to."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bnserve_inference.kernel._contraction as contraction
+import bnserve_surrogate.kernel._evaluate as surrogate
+import bnserve_surrogate.kernel._loader as loader
+from bnserve_inference import likelihood
+from bnserve_protocol import Calibration, ParameterBatch
+from bnserve_surrogate import Model
+from bnserve_surrogate.kernel.build import TOOLCHAIN_PREFIX, toolchain
+from tests.inference.networks import F_MAX, F_MIN, columns, full, network
+from tests.inference.test_kinds_agree import binned, errors
+from tests.surrogate.conftest import random_batch
+
+pytestmark = pytest.mark.slow
+
+TOLERANCE = 1e-10
+"""Relative, between builds of different compilers: each may fuse and order operations in its own way."""
+
+
+def rebuilt(package: str, shipped: Path, folder: Path) -> Path:
+    """A kernel built anew; checked byte for byte where the tools are those that built the one shipped."""
+    file = folder / shipped.name
+    command = [sys.executable, "-m", f"{package}.kernel.build", "--output", str(file)]
+    before = shipped.read_bytes()
+    # numba's settings are the build's alone.
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("NUMBA_")}
+    subprocess.run(command, check=True, env=environment)
+    assert shipped.read_bytes() == before
+    built_by = before.decode().splitlines()[1]
+    assert built_by.startswith(TOOLCHAIN_PREFIX)
+    if built_by == toolchain():
+        assert file.read_bytes() == before, f"run: python -m {package}.kernel.build"
+    return file
+
+
+def assert_close(found, expected):
+    np.testing.assert_allclose(found, expected, rtol=TOLERANCE, atol=TOLERANCE * np.abs(expected).max())
+
+
+def test_the_kernel_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_surrogate", loader.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, loader.ENTRY_POINT, "ppp", vectorise=False)
+    batch, model = ParameterBatch(random_batch(11)), Model.default()
+    for f in (np.geomspace(3.0, 2700.0, 300), np.linspace(3.0, 2700.0, 20_000)):
+        expected = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
+        with monkeypatch.context() as patch:
+            patch.setattr(surrogate, "load_kernel", lambda: again)
+            found = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
+        assert_close(found[0].plus, expected[0].plus)
+        assert_close(found[0].cross, expected[0].cross)
+        assert_close(found[1].amplitude, expected[1].amplitude)
+        assert_close(found[1].phase, expected[1].phase)
+
+
+def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_inference", contraction.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, contraction.ENTRY_POINT, contraction._SIGNATURE)
+    model = Model.load("fast")
+    data, batch = network(model), columns(20)
+    calibration = Calibration(nodes=5, f_min=F_MIN, f_max=F_MAX)
+    for analysis in (full(data, calibration=calibration), binned(model, data, calibration=calibration)):
+        ours, given = likelihood(model, analysis), batch | errors(batch)
+        expected = ours.log_likelihood(given)
+        with monkeypatch.context() as patch:
+            patch.setattr(contraction, "load_contraction", lambda: again)
+            assert_close(ours.log_likelihood(given), expected)
