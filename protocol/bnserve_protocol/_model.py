@@ -72,14 +72,15 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
     Parameters
     ----------
     out_of_domain:
-        ``"error"`` raises; ``"flag"`` returns those rows as NaN with a :class:`RowStatus`.
+        ``"error"``: a row outside the trained range is an error; ``"flag"``: such rows come back NaN, with a
+        :class:`RowStatus`.
     below_band:
-        ``"extend"`` continues the waveform with the post-Newtonian baseline; ``"error"`` raises ``OutOfBand`` wherever
-        a frequency is below the band. So low that double precision leaves nothing of the phase (M f below 1e-9), a
-        frequency is an error in any case.
+        ``"extend"`` continues the waveform with the post-Newtonian baseline at every frequency below the band;
+        ``"error"``: a frequency below it is an error (``OutOfBand``). So low that double precision
+        leaves nothing of the phase (M f below 1e-9), a frequency is an error in any case.
     above_band:
-        ``"zero"`` returns zeros at every frequency above the band, also where the whole grid is; ``"error"`` raises
-        ``OutOfBand`` wherever a frequency is above it. Neither depends on what else is asked for at the same time.
+        ``"zero"`` returns zeros at every frequency above the band, also where the whole grid is; ``"error"``: a
+        frequency above it is an error (``OutOfBand``). Neither depends on what else is asked for at the same time.
     alignment:
         ``"post_newtonian"``: time and phase of the TaylorF2 baseline, as in the paper. ``"merger"``: the merger is
         at t = 0, as in TEOBResumS.

@@ -118,6 +118,24 @@ def test_parameters_are_those_of_the_protocol(document):
     assert set(forms[0]["properties"]) == set(PARAMETER_NAMES)
 
 
+@pytest.mark.parametrize("name", ["WaveformRequest", "LikelihoodRequest"])
+def test_every_field_and_parameter_of_a_request_is_described(document, name):
+    fields = document["components"]["schemas"][name]["properties"]
+    parameters = fields["parameters"]["oneOf"][0]["properties"]
+    assert [key for key, field in (fields | parameters).items() if not field.get("description")] == []
+    assert "in Mpc" in parameters["distance_mpc"]["description"]
+    assert "in radians" in parameters["inclination"]["description"]
+    assert not re.search(r":\w+:`|----", str([fields, parameters])), "marks of docstrings"
+
+
+def test_what_is_left_out_is_described_as_what_it_is_taken_for(server, document):
+    fields = document["components"]["schemas"]["WaveformRequest"]["properties"]
+    defaults = {key: field["default"] for key, field in fields.items() if "default" in field}
+    assert set(defaults) == {"output", "dtype", "out_of_domain", "below_band", "above_band", "alignment"}
+    written = evaluate_json(server.address, question(**defaults))
+    assert written.document == evaluate_json(server.address, question()).document
+
+
 @pytest.mark.parametrize("path", ["/", "/docs"])
 def test_pages_load_nothing_from_elsewhere(server, path):
     answer = ask(server.address, "GET", path)

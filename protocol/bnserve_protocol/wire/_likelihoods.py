@@ -46,7 +46,21 @@ _ALL_NAMES = list(LIKELIHOOD_NAMES)
 _Named: TypeAlias = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)]
 
 
-class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+    """A batch, as it travels.
+
+    Parameters
+    ----------
+    parameters:
+        A map of named numbers or vectors, or with 'names' one [N, P] array. What is marginalised may be left out.
+    names:
+        Of the columns of 'parameters', where it is an array.
+    analysis:
+        Repeats the digest of the path, as 'sha256:...'.
+    calibration_amplitude, calibration_phase:
+        By detector, [N, nodes]: errors at the calibration nodes of the analysis, relative and in radians.
+    """
+
     parameters: msgspec.Raw
     names: Annotated[list[str], msgspec.Meta(max_length=_MOST_NAMES)] | None = None
     analysis: str | None = None
@@ -54,7 +68,18 @@ class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=Tru
     calibration_phase: _Named = {}
 
 
-class _WireAnswer(msgspec.Struct, kw_only=True):
+class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
+    """The log-likelihoods of a batch, as they travel.
+
+    Parameters
+    ----------
+    log_likelihood:
+        [N]: natural logarithm of the ratio to the likelihood of no signal. -inf, in JSON null, wherever 'status' is
+        not 0.
+    status:
+        [N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band, 4 out of the analysis' prior.
+    """
+
     model: ModelIdentity
     analysis: str
     log_likelihood: msgspec.Raw
@@ -65,12 +90,12 @@ class _Reader:
     """The decoders of one media type."""
 
     def __init__(self, module: ModuleType, arrays: bool) -> None:
-        self.request = module.Decoder(_WireRequest)
+        self.request = module.Decoder(LikelihoodBody)
         self.columns = module.Decoder(_Named)
         self.numbers = module.Decoder(float | list[float | list[float]])
         self.arrays = arrays
 
-    def check_keys(self, body: bytes | memoryview, wire: _WireRequest) -> None:
+    def check_keys(self, body: bytes | memoryview, wire: LikelihoodBody) -> None:
         """Refuse a message in which a map has a key twice."""
         fields = read_map(body) if self.arrays else read_object(body)
         objects = [fields[name] for name in ("calibration_amplitude", "calibration_phase") if name in fields]
@@ -95,7 +120,7 @@ class _Reader:
 
 
 _READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
-_answer_decoder = msgspec.msgpack.Decoder(_WireAnswer)
+_answer_decoder = msgspec.msgpack.Decoder(LikelihoodAnswerBody)
 
 
 def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
@@ -113,7 +138,7 @@ def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
     if batch.absent:
         values = np.ascontiguousarray(values[:, [LIKELIHOOD_NAMES.index(name) for name in names]])
     return msgspec.msgpack.encode(
-        _WireRequest(
+        LikelihoodBody(
             analysis=analysis,
             names=names,
             parameters=_raw(values),
@@ -152,7 +177,7 @@ def decode_likelihood_request(
     """
     reader = _READERS[media_type]
     try:
-        wire: _WireRequest = reader.request.decode(body)
+        wire: LikelihoodBody = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
         reader.check_keys(body, wire)
     except msgspec.ValidationError as error:
@@ -162,7 +187,7 @@ def decode_likelihood_request(
     return LikelihoodRequest(analysis=wire.analysis, batch=batch)
 
 
-def _batch(reader: _Reader, wire: _WireRequest, max_rows: int) -> LikelihoodBatch:
+def _batch(reader: _Reader, wire: LikelihoodBody, max_rows: int) -> LikelihoodBatch:
     columns: dict[str, NDArray[np.float64]] = {}
     rows = None
     if wire.names is None:

@@ -47,7 +47,9 @@ _MOST_NAMES = 64
 """More names than a request has parameters, so that the answer can still say which of them is unknown."""
 
 
-class _WireGrid(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
+class GridBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
+    """A grid as it travels; each of its forms has fields of its own."""
+
     f_min: float | None = None
     f_max: float | None = None
     delta_f: float | None = None
@@ -55,9 +57,28 @@ class _WireGrid(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
     sha256: str | None = None
 
 
-class _WireRequest(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+class WaveformBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+    """A batch on a grid, and what to return, as it travels; the options are those of ``EvaluationOptions``.
+
+    Parameters
+    ----------
+    parameters:
+        A map of named numbers or vectors, or with 'names' one [N, P] array.
+    grid:
+        One of its three forms: uniform, its frequencies in Hz, or the digest of one that was uploaded.
+    names:
+        Of the columns of 'parameters', where it is an array.
+    output:
+        'modes': h_22 is the mode at the given distance, without the factors of the inclination; 'factored':
+        h_plus = plus * h and h_cross = cross * h.
+    dtype:
+        complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square underflows in
+        single precision: convert to double precision, or multiply by 1e22, before squaring. Amplitude and phase are
+        float64 in any case.
+    """
+
     parameters: msgspec.Raw
-    grid: _WireGrid
+    grid: GridBody
     names: Annotated[list[str], msgspec.Meta(max_length=_MOST_NAMES)] | None = None
     output: OutputName = "polarizations"
     dtype: DtypeName = "complex128"
@@ -78,14 +99,14 @@ class _Reader:
     """The decoders of one media type."""
 
     def __init__(self, module: ModuleType, arrays: bool) -> None:
-        self.request = module.Decoder(_WireRequest)
+        self.request = module.Decoder(WaveformBody)
         self.columns = module.Decoder(Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)])
         self.column = module.Decoder(float | _Vector)
         self.rows = module.Decoder(_Rows)
         self.vector = module.Decoder(_Vector)
         self.arrays = arrays
 
-    def check_keys(self, body: bytes | memoryview, wire: _WireRequest) -> None:
+    def check_keys(self, body: bytes | memoryview, wire: WaveformBody) -> None:
         """Refuse a message in which a map has a key twice."""
         named = [wire.parameters] if wire.names is None else []
         if self.arrays:
@@ -120,7 +141,7 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows
     """
     reader = _READERS[media_type]
     try:
-        wire: _WireRequest = reader.request.decode(body)
+        wire: WaveformBody = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
         grid = _grid(reader, wire.grid)
         reader.check_keys(body, wire)
@@ -137,7 +158,7 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows
     return WaveformRequest(batch=batch, grid=grid, output=wire.output, dtype=wire.dtype, options=options)
 
 
-def _batch(reader: _Reader, wire: _WireRequest, max_rows: int) -> ParameterBatch:
+def _batch(reader: _Reader, wire: WaveformBody, max_rows: int) -> ParameterBatch:
     if wire.names is not None:
         return _batch_from_rows(reader, wire.parameters, wire.names, max_rows)
     columns = reader.columns.decode(wire.parameters)
@@ -200,7 +221,7 @@ def _real(array: NDArray[Any]) -> NDArray[np.float64]:
     return np.asarray(array, dtype=np.float64)
 
 
-def _grid(reader: _Reader, wire: _WireGrid) -> Grid:
+def _grid(reader: _Reader, wire: GridBody) -> Grid:
     uniform = (wire.f_min, wire.f_max, wire.delta_f)
     forms = (
         any(value is not None for value in uniform),
@@ -224,7 +245,7 @@ def _grid(reader: _Reader, wire: _WireGrid) -> Grid:
 
 def encode_request(request: WaveformRequest) -> bytes:
     """Write a request as MessagePack: the parameters as one ``[N, 10]`` array with names."""
-    wire = _WireRequest(
+    wire = WaveformBody(
         parameters=msgspec.Raw(b"".join(encode_array(request.batch.values))),
         names=list(PARAMETER_NAMES),
         grid=_wire_grid(request.grid),
@@ -238,12 +259,12 @@ def encode_request(request: WaveformRequest) -> bytes:
     return msgspec.msgpack.encode(wire)
 
 
-def _wire_grid(grid: Grid) -> _WireGrid:
+def _wire_grid(grid: Grid) -> GridBody:
     if isinstance(grid, GridDigest):
-        return _WireGrid(sha256=grid.sha256)
+        return GridBody(sha256=grid.sha256)
     if isinstance(grid, UniformGrid):
-        return _WireGrid(f_min=grid.f_min, f_max=grid.f_max, delta_f=grid.delta_f)
-    return _WireGrid(frequencies=msgspec.Raw(b"".join(encode_array(grid))))
+        return GridBody(f_min=grid.f_min, f_max=grid.f_max, delta_f=grid.delta_f)
+    return GridBody(frequencies=msgspec.Raw(b"".join(encode_array(grid))))
 
 
 ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")

@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-import copy
 import re
-from collections.abc import Mapping
 from typing import Any
 
 import msgspec
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
-from bnserve_protocol import PARAMETER_DEFAULTS, PARAMETER_NAMES, RunManifest, __version__
-from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON, Problem
-from bnserve_service.models.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList, ReloadDocument
-from bnserve_service.settings import ServiceLimits
-
-_REF = "#/components/schemas/{name}"
-_STRUCTS = [
-    Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, ServiceLimits, RunManifest, ReloadDocument,
-]  # fmt: skip
+from bnserve_protocol import __version__
+from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON
+from bnserve_service.reference.schemas import reference, schemas
 
 _DESCRIPTION = """Gravitational waveforms of binary neutron stars from trained surrogates.
 
@@ -43,13 +35,8 @@ _STATUSES = {
 }
 
 
-def reference(name: str) -> dict[str, Any]:
-    """A reference to the schema of that name."""
-    return {"$ref": _REF.format(name=name)}
-
-
 def _json_content(name: str) -> dict[str, Any]:
-    schema = {"$ref": _REF.format(name=name)}
+    schema = reference(name)
     return {JSON: {"schema": schema}, MSGPACK: {"schema": schema}}
 
 
@@ -57,7 +44,7 @@ def _problem(description: str) -> dict[str, Any]:
     return {
         "description": description,
         "headers": {"Retry-After": {"description": "Seconds (429 and 503)", "schema": {"type": "integer"}}},
-        "content": {PROBLEM_JSON: {"schema": {"$ref": _REF.format(name="Problem")}}},
+        "content": {PROBLEM_JSON: {"schema": reference("Problem")}},
     }
 
 
@@ -105,134 +92,6 @@ def _first_line(struct: type[msgspec.Struct]) -> str:
     return (struct.__doc__ or struct.__name__).strip().partition("\n")[0]
 
 
-_NUMBERS = {"type": "array", "items": {"type": "number"}}
-_VECTOR = {"oneOf": [{"type": "number"}, _NUMBERS, {"$ref": _REF.format(name="Array")}]}
-_MATRIX = {"type": "array", "items": _NUMBERS}
-_PART = {"type": "array", "items": {"type": "array", "items": {"type": ["number", "null"]}}}
-"""In JSON, NaN is null."""
-_COMPLEX = {
-    "oneOf": [
-        {"type": "object", "properties": {"re": _PART, "im": _PART}, "required": ["re", "im"]},
-        {"$ref": _REF.format(name="Array")},
-    ]
-}
-_REAL = {"oneOf": [_PART, {"$ref": _REF.format(name="Array")}]}
-
-_ARRAY = {
-    "type": "object",
-    "description": "MessagePack only: a numpy array as msgpack-numpy writes it.",
-    "properties": {
-        "nd": {"const": True},
-        "type": {"enum": ["<f8", "<f4", "<c16", "<c8", "|u1"]},
-        "kind": {"const": ""},
-        "shape": {"type": "array", "items": {"type": "integer", "minimum": 0}, "maxItems": 2},
-        "data": {"type": "string", "format": "binary"},
-    },
-    "required": ["nd", "type", "kind", "shape", "data"],
-}
-
-_REQUEST = {
-    "type": "object",
-    "additionalProperties": False,
-    "required": ["parameters", "grid"],
-    "properties": {
-        "parameters": {
-            "description": "A map of named numbers or vectors, or with 'names' one [N, P] array.",
-            "oneOf": [
-                {
-                    "type": "object",
-                    "additionalProperties": False,
-                    "properties": dict.fromkeys(PARAMETER_NAMES, _VECTOR),
-                    "required": [name for name in PARAMETER_NAMES if name not in PARAMETER_DEFAULTS],
-                },
-                _MATRIX,
-                {"$ref": _REF.format(name="Array")},
-            ],
-        },
-        "names": {"type": "array", "items": {"enum": list(PARAMETER_NAMES)}, "uniqueItems": True},
-        "grid": {
-            "oneOf": [
-                {
-                    "type": "object",
-                    "additionalProperties": False,
-                    "properties": {key: {"type": "number", "exclusiveMinimum": 0} for key in
-                                   ("f_min", "f_max", "delta_f")},
-                    "required": ["f_min", "f_max", "delta_f"],
-                },
-                {
-                    "type": "object",
-                    "additionalProperties": False,
-                    "properties": {"frequencies": {"oneOf": [_NUMBERS, {"$ref": _REF.format(name="Array")}]}},
-                    "required": ["frequencies"],
-                },
-                {
-                    "type": "object",
-                    "additionalProperties": False,
-                    "properties": {"sha256": {"type": "string"}},
-                    "required": ["sha256"],
-                },
-            ]
-        },
-        "output": {
-            "enum": ["polarizations", "factored", "amplitude_phase", "modes"],
-            "default": "polarizations",
-            "description": "'modes': h_22 is the mode at the given distance, without the factors of the inclination; "
-            "'factored': h_plus = plus * h and h_cross = cross * h.",
-        },
-        "dtype": {
-            "enum": ["complex128", "complex64"],
-            "default": "complex128",
-            "description": "complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square "
-            "underflows in single precision: convert to double precision, or multiply by 1e22, before squaring. "
-            "Amplitude and phase are float64 in any case.",
-        },
-        "out_of_domain": {
-            "enum": ["error", "flag"],
-            "default": "error",
-            "description": "'flag': rows outside the trained range come back NaN, with a status.",
-        },
-        "below_band": {
-            "enum": ["extend", "error"],
-            "default": "extend",
-            "description": "'extend': the post-Newtonian continuation at every frequency below the band; 'error': a "
-            "frequency below it is an error.",
-        },
-        "above_band": {
-            "enum": ["zero", "error"],
-            "default": "zero",
-            "description": "'zero': zeros at every frequency above the band, also where all are; 'error': a frequency "
-            "above it is an error.",
-        },
-        "alignment": {"enum": ["post_newtonian", "merger"], "default": "post_newtonian"},
-    },
-}  # fmt: skip
-
-_ANSWER = {
-    "type": "object",
-    "required": ["model", "status"],
-    "description": "The arrays of the requested output, [N, M] unless stated.",
-    "properties": {
-        "model": {
-            "type": "object",
-            "properties": {key: {"type": "string"} for key in ("name", "version", "digest")},
-            "required": ["name", "version", "digest"],
-        },
-        "status": {
-            "oneOf": [{"type": "array", "items": {"enum": [0, 1, 2, 3]}}, {"$ref": _REF.format(name="Array")}],
-            "description": "[N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band.",
-        },
-        "h_plus": _COMPLEX,
-        "h_cross": _COMPLEX,
-        "h": _COMPLEX,
-        "plus": _VECTOR | {"description": "[N], with 'h'"},
-        "cross": {"description": "[N], complex, with 'h'"},
-        "amplitude": _REAL,
-        "phase": _REAL,
-        "h_22": _COMPLEX,
-        "estimated_mismatch": _VECTOR | {"description": "[N], the model's own estimate, if it has one"},
-    },
-}
-
 _EXAMPLE = {
     "parameters": {
         "mass_ratio": 1.2, "lambda_1": 400, "lambda_2": 600, "chi_1": 0.01, "chi_2": 0, "distance_mpc": 40,
@@ -246,70 +105,62 @@ _HEADERS_IN = {
     "X-Request-Deadline-Ms": ("number", "Milliseconds after which the answer is of no use"),
     "Want-Content-Digest": ("string", "RFC 9530; waveforms carry crc32c where it is preferred, all else sha-256"),
 }
+_HEADERS_OUT = {
+    name: {"schema": {"type": "string"}} for name in ("Content-Digest", "X-Request-Digest", "Server-Timing")
+}
 
 
-def post_operation(path: str, described: Mapping[str, Any], schemas: tuple[str, str], example: Any) -> dict[str, Any]:
-    """The path item of a ``POST`` that evaluates.
+def post_operation(path: str, tag: str, what: tuple[str, str], name: str, example: Any) -> dict[str, Any]:
+    """The path item of a ``POST`` that evaluates; of a given version where its path has one.
 
     Parameters
     ----------
     path:
         Its template.
-    described:
-        ``tags``, ``summary``, ``operationId``.
-    schemas:
-        Names of the request and of the answer.
+    tag:
+        What it is listed under.
+    what:
+        ``operationId`` and ``summary``.
+    name:
+        Its bodies have the schemas ``<name>Request`` and ``<name>Answer``.
     example:
         A request in JSON.
     """
-    request, answer = ({"schema": {"$ref": _REF.format(name=name)}} for name in schemas)
-    names = re.findall(r"\{(\w+)\}", path)
-    return {
-        "post": {
-            **described,
-            "parameters": [
-                {"name": name, "in": "path", "required": True, "schema": {"type": "string"}} for name in names
-            ]
-            + [
-                {"name": name, "in": "header", "required": False, "schema": {"type": kind}, "description": text}
-                for name, (kind, text) in _HEADERS_IN.items()
-            ],
-            "requestBody": {"required": True, "content": {MSGPACK: request, JSON: request | {"example": example}}},
-            "responses": {
-                "200": {
-                    "description": "The answer",
-                    "headers": {
-                        "Content-Digest": {"schema": {"type": "string"}},
-                        "X-Request-Digest": {"schema": {"type": "string"}},
-                        "Server-Timing": {"schema": {"type": "string"}},
-                    },
-                    "content": {MSGPACK: answer, JSON: answer},
-                },
-                **{status: _problem(text) for status, text in _STATUSES.items()},
-                "default": _problem("Any other error"),
-            },
-        }
+    identifier, summary = what
+    if "{version}" in path:
+        identifier, summary = f"{identifier}_version", f"{summary} with a given version"
+    request, answer = ({"schema": reference(name + kind)} for kind in ("Request", "Answer"))
+    ok = {"description": "The answer", "headers": _HEADERS_OUT, "content": {MSGPACK: answer, JSON: answer}}
+    problems = {status: _problem(text) for status, text in _STATUSES.items()}
+    operation = {
+        "tags": [tag],
+        "summary": summary,
+        "operationId": identifier,
+        "parameters": _parameters(path),
+        "requestBody": {"required": True, "content": {MSGPACK: request, JSON: request | {"example": example}}},
+        "responses": {"200": ok, **problems, "default": _problem("Any other error")},
     }
+    return {"post": operation}
 
 
-def _waveform_operation(path: str) -> dict[str, Any]:
-    versioned = "{version}" in path
-    described = {
-        "tags": ["waveforms"],
-        "summary": "Evaluate a batch of waveforms" + (" with a given version" if versioned else ""),
-        "operationId": "evaluate" + ("_version" if versioned else ""),
-    }
-    return post_operation(path, described, ("WaveformRequest", "WaveformAnswer"), _EXAMPLE)
+def _parameters(path: str) -> list[dict[str, Any]]:
+    return [
+        {"name": name, "in": "path", "required": True, "schema": {"type": "string"}}
+        for name in re.findall(r"\{(\w+)\}", path)
+    ] + [
+        {"name": name, "in": "header", "required": False, "schema": {"type": kind}, "description": text}
+        for name, (kind, text) in _HEADERS_IN.items()
+    ]
 
 
 def openapi_document(app: FastAPI, waveform_paths: tuple[str, ...], with_tokens: bool) -> dict[str, Any]:
     """The document: FastAPI's account of its routes, and ours of the bodies it does not decode."""
     document = get_openapi(title="bnserve", version=__version__, description=_DESCRIPTION, routes=app.routes)
-    document["paths"] |= {path: _waveform_operation(path) for path in waveform_paths}
-    _, schemas = msgspec.json.schema_components(_STRUCTS, ref_template=_REF)
-    schemas |= copy.deepcopy({"WaveformRequest": _REQUEST, "WaveformAnswer": _ANSWER, "Array": _ARRAY})
+    what = ("evaluate", "Evaluate a batch of waveforms")
+    for path in waveform_paths:
+        document["paths"][path] = post_operation(path, "waveforms", what, "Waveform", _EXAMPLE)
     components = document.setdefault("components", {})
-    components["schemas"] = schemas
+    components["schemas"] = schemas()
     if with_tokens:
         components["securitySchemes"] = {"token": {"type": "http", "scheme": "bearer"}}
         document["security"] = [{"token": []}]

@@ -1,0 +1,138 @@
+"""Schemas of bodies, from the structures that read and write them, and descriptions from their docstrings; written here
+is only what the types do not know: the forms in which arrays travel.
+"""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Iterable
+from typing import Any
+
+import msgspec
+
+from bnserve_protocol import (
+    LIKELIHOOD_NAMES,
+    PARAMETER_DEFAULTS,
+    PARAMETER_NAMES,
+    EvaluationOptions,
+    LikelihoodParameters,
+    ParametersWithExtrinsic,
+    RunManifest,
+)
+from bnserve_protocol.wire import LikelihoodAnswerBody, LikelihoodBody, Problem, WaveformBody
+from bnserve_service.models.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList, ReloadDocument
+from bnserve_service.settings import ServiceLimits
+
+_REF = "#/components/schemas/{name}"
+_STRUCTS = [
+    Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, ServiceLimits, RunManifest, ReloadDocument,
+]  # fmt: skip
+
+
+def reference(name: str) -> dict[str, Any]:
+    """A reference to the schema of that name."""
+    return {"$ref": _REF.format(name=name)}
+
+
+def _array_or(*forms: dict[str, Any]) -> dict[str, Any]:
+    return {"oneOf": [*forms, reference("Array")]}
+
+
+def _list(items: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "array", "items": items}
+
+
+def _object(properties: dict[str, Any], optional: Iterable[str] = ()) -> dict[str, Any]:
+    required = [name for name in properties if name not in optional]
+    return {"type": "object", "additionalProperties": False, "properties": properties, "required": required}
+
+
+_NUMBERS = _list({"type": "number"})
+_VECTOR = _array_or({"type": "number"}, _NUMBERS)
+_PART = _list(_list({"type": ["number", "null"]}))
+"""In JSON, NaN is null."""
+_COMPLEX = _array_or({"type": "object", "properties": {"re": _PART, "im": _PART}, "required": ["re", "im"]})
+_ARRAY = _object(
+    {
+        "nd": {"const": True},
+        "type": {"enum": ["<f8", "<f4", "<c16", "<c8", "|u1"]},
+        "kind": {"const": ""},
+        "shape": _list({"type": "integer", "minimum": 0}) | {"maxItems": 2},
+        "data": {"type": "string", "format": "binary"},
+    }
+) | {"description": "MessagePack only: a numpy array as msgpack-numpy writes it."}
+_GRID = {
+    "oneOf": [
+        _object({key: {"type": "number", "exclusiveMinimum": 0} for key in ("f_min", "f_max", "delta_f")}),
+        _object({"frequencies": _array_or(_NUMBERS)}),
+        _object({"sha256": {"type": "string"}}),
+    ]
+}
+_WAVEFORMS = {
+    "type": "object",
+    "required": ["model", "status"],
+    "description": "The arrays of the requested output, [N, M] unless stated.",
+    "properties": {
+        "model": reference("ModelIdentity"),
+        "status": _array_or(_list({"enum": [0, 1, 2, 3]}))
+        | {"description": "[N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band."},
+        **dict.fromkeys(("h_plus", "h_cross", "h", "h_22"), _COMPLEX),
+        **dict.fromkeys(("amplitude", "phase"), _array_or(_PART)),
+        "plus": _VECTOR | {"description": "[N], with 'h'"},
+        "cross": {"description": "[N], complex, with 'h'"},
+        "estimated_mismatch": _VECTOR | {"description": "[N], the model's own estimate, if it has one"},
+    },
+}
+
+
+def _texts(*structs: type) -> dict[str, str]:
+    """What the sections ``Parameters`` of docstrings say, by name; of equal names the last counts."""
+    found: dict[str, str] = {}
+    for struct in structs:
+        section = (inspect.getdoc(struct) or "").partition("Parameters\n----------\n")[2].partition("\n\n")[0]
+        for names, text in re.findall(r"^(\w[\w, ]*):\n((?:    .*\n?)+)", section, re.MULTILINE):
+            plain = re.sub(r":\w+:`([^`]*)`", r"\1", " ".join(text.split()))
+            if not plain.startswith("As in "):
+                found |= dict.fromkeys(names.split(", "), plain)
+    return found
+
+
+def _parameter_forms(names: tuple[str, ...], optional: Iterable[str], *structs: type) -> dict[str, Any]:
+    texts = _texts(*structs)
+    columns = {name: _VECTOR | {"description": texts.get(name, "")} for name in names}
+    return {
+        "parameters": _array_or(_object(columns, optional), _list(_NUMBERS)),
+        "names": _list({"enum": list(names)}) | {"uniqueItems": True},
+    }
+
+
+def _body(name: str, schema: dict[str, Any], forms: dict[str, Any], *structs: type) -> dict[str, Any]:
+    """A generated schema with the forms of its arrays, and what the docstrings say of its fields."""
+    texts = {name: {"description": text} for name, text in _texts(*structs).items()}
+    fields = {name: forms.get(name, field) | texts.get(name, {}) for name, field in schema["properties"].items()}
+    summary = schema.get("description", "").partition("\n\nParameters\n")[0]
+    return {name: schema | {"title": name, "properties": fields, "description": summary}}
+
+
+def schemas() -> dict[str, Any]:
+    """The schemas of everything that travels, by name."""
+    bodies = (WaveformBody, LikelihoodBody, LikelihoodAnswerBody)
+    _, made = msgspec.json.schema_components([*_STRUCTS, *bodies], ref_template=_REF)
+    question, sample, values = (made.pop(body.__name__) for body in bodies)
+    calibration = {"type": "object", "maxProperties": 64, "additionalProperties": _array_or(_list(_NUMBERS))}
+    waveforms = _parameter_forms(PARAMETER_NAMES, PARAMETER_DEFAULTS, ParametersWithExtrinsic)
+    optional = ("distance_mpc", "coalescence_time", "reference_phase")
+    likelihoods = _parameter_forms(LIKELIHOOD_NAMES, optional, ParametersWithExtrinsic, LikelihoodParameters)
+    likelihoods |= dict.fromkeys(("calibration_amplitude", "calibration_phase"), calibration)
+    answers = {
+        "log_likelihood": _array_or(_list({"type": ["number", "null"]})),
+        "status": _array_or(_list({"enum": [0, 1, 2, 3, 4]})),
+    }
+    return (
+        made
+        | {"Array": _ARRAY, "GridBody": _GRID, "WaveformAnswer": _WAVEFORMS}
+        | _body("WaveformRequest", question, waveforms, EvaluationOptions, WaveformBody)
+        | _body("LikelihoodRequest", sample, likelihoods, LikelihoodBody)
+        | _body("LikelihoodAnswer", values, answers, LikelihoodAnswerBody)
+    )
