@@ -59,7 +59,7 @@ def no_cap() -> None:
 def prefix_compare() -> None:
     """A token is compared up to the length of what was sent."""
     from bnserve_protocol import Unauthorized
-    from bnserve_service.admission.access import AccessMiddleware
+    from bnserve_service.http.access import AccessMiddleware
 
     find: Any = AccessMiddleware._find
     known: list[bytes] = []

@@ -14,11 +14,10 @@ from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Analysis, BnserveError, Likelihood, Unavailable, WaveformModel, decode_analysis
-from bnserve_service.admission.access import AccessMiddleware
 from bnserve_service.admission.lifecycle import Lifecycle
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.quotas import shares_of
-from bnserve_service.admission.storage_quotas import Keeping, StoredShares
+from bnserve_service.evaluation.fast_path import QuickLane
 from bnserve_service.evaluation.likelihood_endpoint import PATHS as LIKELIHOOD_PATHS
 from bnserve_service.evaluation.likelihood_endpoint import LikelihoodEndpoint
 from bnserve_service.evaluation.likelihood_evaluator import LikelihoodEvaluator, evaluating_both
@@ -26,34 +25,35 @@ from bnserve_service.evaluation.likelihoods import LikelihoodService
 from bnserve_service.evaluation.waveform_endpoint import PATHS, WaveformEndpoint
 from bnserve_service.evaluation.waveform_evaluator import Evaluator
 from bnserve_service.evaluation.waveforms import WaveformService
+from bnserve_service.http.access import AccessMiddleware
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.context import RequestContextMiddleware
 from bnserve_service.http.dispatch import Dispatcher
-from bnserve_service.http.fast_path import QuickLane
 from bnserve_service.http.hosts import HostCheck, HostMiddleware
-from bnserve_service.models.limits_routes import limits_router
+from bnserve_service.models.health import Health
 from bnserve_service.models.loading import Loader, Selection
 from bnserve_service.models.maintenance import Maintenance
-from bnserve_service.models.manifest_routes import manifest_router
 from bnserve_service.models.registry import ModelFactory, ModelSource, Registry
-from bnserve_service.models.routes import model_router
+from bnserve_service.models.shared_models import SharedModels
 from bnserve_service.process.cpu import available_cpus
 from bnserve_service.reference.explorer import explorer_router
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_service.reference.openapi_likelihoods import with_likelihoods
+from bnserve_service.routes.analyses import analysis_router
+from bnserve_service.routes.grids import grid_router
+from bnserve_service.routes.health import health_router
+from bnserve_service.routes.limits import limits_router
+from bnserve_service.routes.manifests import manifest_router
+from bnserve_service.routes.metrics import metrics_router
+from bnserve_service.routes.models import model_router
 from bnserve_service.settings import Settings
 from bnserve_service.shared.files import Shelf, gone
 from bnserve_service.shared.metrics import SharedMetrics
-from bnserve_service.shared.models import SharedModels
-from bnserve_service.telemetry.health import Health
-from bnserve_service.telemetry.health_routes import health_router
 from bnserve_service.telemetry.metrics import Metrics
-from bnserve_service.telemetry.metrics_routes import metrics_router
 from bnserve_service.uploads.analyses import AnalysisStore, LikelihoodFactory
-from bnserve_service.uploads.analysis_routes import analysis_router
-from bnserve_service.uploads.grid_routes import grid_router
 from bnserve_service.uploads.grids import GridCache
 from bnserve_service.uploads.records import Kind
+from bnserve_service.uploads.storage_quotas import Keeping, StoredShares
 
 
 @dataclass(frozen=True, slots=True)

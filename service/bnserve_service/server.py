@@ -15,8 +15,8 @@ import uvicorn
 
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
-from bnserve_service.http.errors import SettingsInvalid
-from bnserve_service.http.fast_path import QuickLane
+from bnserve_service.errors import SettingsInvalid
+from bnserve_service.evaluation.fast_path import QuickLane
 from bnserve_service.http.protocol import bounded_protocol
 from bnserve_service.models.loading import RefreshReport
 from bnserve_service.process.listening import BACKLOG, address_of, listening, open_metrics_listener

@@ -14,8 +14,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from bnserve_protocol import Limits
 from bnserve_protocol.wire import JSON
-from bnserve_service.http.errors import SettingsInvalid
-from bnserve_service.process.guarded_files import read_text
+from bnserve_service.errors import SettingsInvalid
+from bnserve_service.guarded_files import read_text
 
 Scope: TypeAlias = Literal["evaluate", "upload", "admin"]
 USUAL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")

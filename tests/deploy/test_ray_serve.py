@@ -11,7 +11,7 @@ import pytest
 import yaml
 
 from bnserve_client import Model, OutOfDomain, ParametersWithExtrinsic
-from bnserve_service.http.errors import SettingsInvalid
+from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import Settings
 from bnserve_surrogate import Model as LocalModel
 from tests.running_server import free_port

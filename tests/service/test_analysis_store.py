@@ -11,7 +11,7 @@ from bnserve_protocol import (
     encode_analysis,
 )
 from bnserve_service import Settings
-from bnserve_service.http.errors import SettingsInvalid
+from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
 from bnserve_service.uploads.analyses import AnalysisStore
 from tests.service.injections import name_of, small_analysis

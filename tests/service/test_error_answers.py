@@ -7,7 +7,7 @@ import msgpack
 import numpy as np
 import pytest
 
-from bnserve_service.http.errors import STATUS_OF, status_of
+from bnserve_service.errors import STATUS_OF, status_of
 from tests.service.asking import (
     GW170817,
     JSON,

@@ -7,7 +7,7 @@ import pytest
 from pydantic import ValidationError
 
 from bnserve_service import Settings, Token, load_settings
-from bnserve_service.http.errors import SettingsInvalid
+from bnserve_service.errors import SettingsInvalid
 
 
 def write(folder, text):

@@ -12,7 +12,7 @@ from bnserve_protocol import ShareExceeded
 from bnserve_service import Settings, Token
 from bnserve_service.admission import quotas as shares_module
 from bnserve_service.admission.quotas import shares_of
-from bnserve_service.http.errors import SettingsInvalid
+from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
 from bnserve_service.shared import cells as cells_module
 from bnserve_service.shared.cells import Cells

@@ -10,8 +10,8 @@ import pytest
 
 from bnserve_protocol import ShareExceeded, TooLarge
 from bnserve_service import BackgroundServer, Settings, Token
-from bnserve_service.admission import storage_quotas as stored_shares_module
-from bnserve_service.admission.storage_quotas import Keeping, StoredShares
+from bnserve_service.uploads import storage_quotas as stored_shares_module
+from bnserve_service.uploads.storage_quotas import Keeping, StoredShares
 from tests.service.asking import ask
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
 from tests.service.conftest import SMALL_LIMITS

@@ -3,7 +3,7 @@
 import pytest
 
 from bnserve_service import BackgroundServer, Settings, serve
-from bnserve_service.http.errors import SettingsInvalid
+from bnserve_service.errors import SettingsInvalid
 from bnserve_service.workers.channel import Channel, Closed
 from bnserve_service.workers.roster import (
     COPY_SECONDS,

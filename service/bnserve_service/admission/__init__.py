@@ -1,3 +1,3 @@
-"""Who is let in, how much of what everybody may have, and what waits for its turn."""
+"""How much of what everybody may have, and what waits for its turn."""
 
 __all__: list[str] = []

@@ -13,7 +13,7 @@ import importlib.util
 from collections.abc import Sequence
 
 from bnserve_service._version import __version__
-from bnserve_service.cli import output
+from bnserve_service.process import output
 
 __all__ = ["SUBCOMMANDS", "build_parser", "main"]
 

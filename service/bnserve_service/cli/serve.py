@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import Any
 
-from bnserve_service.cli.output import announce
+from bnserve_service.process.output import announce
 
 ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 """The service has its own worker threads; libraries that start more inside each of them only get in the way, and do
@@ -83,8 +83,8 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _tokens(options: argparse.Namespace) -> list[Any]:
-    from bnserve_service.http.errors import SettingsInvalid
-    from bnserve_service.process.guarded_files import read_text
+    from bnserve_service.errors import SettingsInvalid
+    from bnserve_service.guarded_files import read_text
     from bnserve_service.settings import Token
 
     texts = list(options.token or ())

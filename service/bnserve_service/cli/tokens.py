@@ -44,7 +44,7 @@ def new_token(options: argparse.Namespace) -> int:
 def _token(text: str, options: argparse.Namespace) -> Token:
     from pydantic import ValidationError
 
-    from bnserve_service.http.errors import SettingsInvalid
+    from bnserve_service.errors import SettingsInvalid
     from bnserve_service.settings import USUAL_SCOPES, Token
 
     limits = {

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from starlette.types import Receive
 
 from bnserve_service.admission.queue import Job
-from bnserve_service.http.errors import ClientDisconnected
+from bnserve_service.errors import ClientDisconnected
 
 R = TypeVar("R")
 

@@ -1,3 +1,3 @@
-"""HTTP as bytes and headers: listening, framing, negotiation, errors, answers, the fast path."""
+"""HTTP as bytes and headers: listening, framing, negotiation, access, answers."""
 
 __all__: list[str] = []

@@ -18,14 +18,14 @@ from bnserve_protocol import BnserveError, InvalidRequest
 from bnserve_protocol.wire import PROBLEM_JSON
 from bnserve_service.admission.lifecycle import Lifecycle
 from bnserve_service.admission.quotas import Share
-from bnserve_service.http.answers import Header, body_headers, send_answer
-from bnserve_service.http.errors import (
+from bnserve_service.errors import (
     ClientDisconnected,
     from_http_status,
     internal_error,
     problem_body,
     problem_headers,
 )
+from bnserve_service.http.answers import Header, body_headers, send_answer
 from bnserve_service.telemetry.log_words import log_word
 from bnserve_service.telemetry.metrics import Metrics
 

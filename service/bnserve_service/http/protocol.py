@@ -13,10 +13,10 @@ from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 
 from bnserve_protocol import UndecodableBody
 from bnserve_protocol.wire import PROBLEM_JSON, Problem
+from bnserve_service.evaluation.fast_path import QUICK_BODY, QuickLane
 from bnserve_service.http.answers import Header
 from bnserve_service.http.complaints import Complaints
 from bnserve_service.http.digests import content_digest
-from bnserve_service.http.fast_path import QUICK_BODY, QuickLane
 from bnserve_service.http.framing import (
     MOST_PIPELINED,
     PIECE,

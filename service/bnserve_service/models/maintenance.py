@@ -6,10 +6,10 @@ import asyncio
 import logging
 from concurrent.futures import ThreadPoolExecutor
 
+from bnserve_service.models.health import Health
 from bnserve_service.models.loading import Loader, RefreshReport
 from bnserve_service.models.registry import Registry
 from bnserve_service.process.allocator import give_back_freed_memory
-from bnserve_service.telemetry.health import Health
 from bnserve_service.telemetry.metrics import Metrics
 
 logger = logging.getLogger("bnserve.models")

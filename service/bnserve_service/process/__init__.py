@@ -1,3 +1,3 @@
-"""What belongs to a process: its name, memory, processors, sockets and files."""
+"""What belongs to a process: its name, memory, processors, sockets and output."""
 
 __all__: list[str] = []

@@ -1,3 +1,3 @@
-"""The pages that describe the interface: OpenAPI, and the explorer."""
+"""The pages that describe the interface: OpenAPI, the documents it describes, and the explorer."""
 
 __all__: list[str] = []

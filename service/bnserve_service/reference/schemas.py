@@ -21,7 +21,7 @@ from bnserve_protocol import (
     RunManifest,
 )
 from bnserve_protocol.wire import LikelihoodAnswerBody, LikelihoodBody, Problem, WaveformBody
-from bnserve_service.models.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList, ReloadDocument
+from bnserve_service.reference.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList, ReloadDocument
 from bnserve_service.settings import ServiceLimits
 
 _REF = "#/components/schemas/{name}"

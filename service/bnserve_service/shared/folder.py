@@ -17,6 +17,13 @@ from typing import Self
 _IN_MEMORY = Path("/dev/shm")
 _PREFIX = "bnserve-"
 _LOCK = "alive"
+REPORT = "supervisor.json"
+"""The file in it in which the supervisor tells of the workers, in the form of ``shared.metrics``."""
+
+
+def models_file(shared: Path, place: int) -> Path:
+    """The file in it in which the worker in a place says which models it has; removed once nobody is there."""
+    return shared / f"models-{place}.json"
 
 
 class SharedFolder:

@@ -14,7 +14,7 @@ from typing import TypeAlias
 import msgspec
 from prometheus_client import Metric
 
-from bnserve_service.workers.report import REPORT
+from bnserve_service.shared.folder import REPORT
 
 Labels: TypeAlias = tuple[tuple[str, str], ...]
 

@@ -1,3 +1,3 @@
-"""What operators see: metrics and health."""
+"""What operators see: metrics, and the words of the log."""
 
 __all__: list[str] = []

@@ -1,3 +1,3 @@
-"""Grids and analyses that callers leave here."""
+"""Grids and analyses that callers leave here, within their quotas."""
 
 __all__: list[str] = []

@@ -14,10 +14,11 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from bnserve_service.shared.folder import models_file
 from bnserve_service.shared.loads import SharedLoads
 from bnserve_service.workers.channel import Channel, Message
 from bnserve_service.workers.events import Events, exists
-from bnserve_service.workers.report import models_file, write_report
+from bnserve_service.workers.report import write_report
 from bnserve_service.workers.roster import BackOff, Worker
 from bnserve_service.workers.template_keeper import Template
 

@@ -9,9 +9,9 @@ import json
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from bnserve_service.shared.folder import REPORT
 from bnserve_service.workers.roster import Worker
 
-REPORT = "supervisor.json"
 REASONS = ("killed", "ended", "hung", "silent", "slow", "stopped", "stuck", "unready")
 
 
@@ -48,8 +48,3 @@ def _family(
         "description": description,
         "samples": [[name + suffix, labels, float(value)] for labels, value in samples],
     }
-
-
-def models_file(shared: Path, place: int) -> Path:
-    """Where the worker in a place writes; it is removed once nobody is there."""
-    return shared / f"models-{place}.json"

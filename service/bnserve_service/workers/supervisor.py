@@ -19,8 +19,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from bnserve_service.cli.output import OutputLost, announce, complain, printing
 from bnserve_service.process.name import name_process
+from bnserve_service.process.output import OutputLost, announce, complain, printing
 from bnserve_service.process.socket_file import SocketFile
 from bnserve_service.shared.folder import SharedFolder
 from bnserve_service.workers.crew import Crew

@@ -6,16 +6,16 @@ from fastapi import APIRouter, Request, Response
 
 from bnserve_protocol import UnsupportedMediaType
 from bnserve_protocol.wire import MSGPACK
-from bnserve_service.admission.storage_quotas import StoredShares
 from bnserve_service.evaluation.likelihoods import LikelihoodService
 from bnserve_service.http.answers import data_response
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.context import context_of
 from bnserve_service.http.negotiation import media_type_of, refuse_encoded
-from bnserve_service.models.documents import AnalysisDocument, analysis_document
+from bnserve_service.reference.documents import AnalysisDocument, analysis_document
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GONE, answers_with
 from bnserve_service.reference.openapi_likelihoods import ANALYSIS_BODY
 from bnserve_service.uploads.analyses import AnalysisStore
+from bnserve_service.uploads.storage_quotas import StoredShares
 
 
 def analysis_router(

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fastapi import APIRouter, Request, Response
 
 from bnserve_service.http.answers import data_response
-from bnserve_service.models.documents import ModelDocument, ModelList, model_document, model_list
 from bnserve_service.models.registry import Registry
+from bnserve_service.reference.documents import ModelDocument, ModelList, model_document, model_list
 from bnserve_service.reference.openapi import answers_with
 from bnserve_service.settings import ServiceLimits
 

@@ -9,9 +9,9 @@ from fastapi import APIRouter, Request, Response
 
 from bnserve_protocol import ManifestModel, RunManifest
 from bnserve_service.http.answers import data_response
-from bnserve_service.models.documents import ReloadDocument, reload_document
 from bnserve_service.models.maintenance import Maintenance
 from bnserve_service.models.registry import Catalogue, Registry
+from bnserve_service.reference.documents import ReloadDocument, reload_document
 from bnserve_service.reference.openapi import answers_with
 from bnserve_service.settings import ServiceLimits
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import msgspec
 
 from bnserve_service.models.registry import Catalogue
-from bnserve_service.workers.report import models_file
+from bnserve_service.shared.folder import models_file
 
 
 class _Offer(msgspec.Struct):

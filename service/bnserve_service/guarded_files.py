@@ -8,7 +8,7 @@ import stat
 from pathlib import Path
 from typing import NamedTuple
 
-from bnserve_service.http.errors import SettingsInvalid
+from bnserve_service.errors import SettingsInvalid
 
 logger = logging.getLogger("bnserve.server")
 

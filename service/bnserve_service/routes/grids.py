@@ -5,15 +5,15 @@ from __future__ import annotations
 from fastapi import APIRouter, Request, Response
 
 from bnserve_protocol import UnsupportedMediaType
-from bnserve_service.admission.storage_quotas import StoredShares
 from bnserve_service.evaluation.waveforms import WaveformService
 from bnserve_service.http.answers import data_response
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.context import context_of
 from bnserve_service.http.negotiation import OCTETS, media_type_of, refuse_encoded
-from bnserve_service.models.documents import GridDocument
+from bnserve_service.reference.documents import GridDocument
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GRID_BODY, answers_with
 from bnserve_service.uploads.grids import GridCache
+from bnserve_service.uploads.storage_quotas import StoredShares
 
 
 def grid_router(

@@ -13,11 +13,11 @@ from typing import TypeAlias
 
 from bnserve_protocol import ShareExceeded
 from bnserve_protocol.wire import MSGPACK
-from bnserve_service.admission.access import AccessMiddleware
 from bnserve_service.admission.lifecycle import Lifecycle
 from bnserve_service.evaluation.waveform_endpoint import PATHS, answer_headers
 from bnserve_service.evaluation.waveform_evaluator import Packed, Question
 from bnserve_service.evaluation.waveforms import WaveformService
+from bnserve_service.http.access import AccessMiddleware
 from bnserve_service.http.answers import Header
 from bnserve_service.http.context import RequestContext, RequestContextMiddleware, new_context
 from bnserve_service.http.hosts import HostCheck
