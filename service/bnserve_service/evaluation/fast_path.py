@@ -8,8 +8,6 @@ does not take goes the way of every other request.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from typing import TypeAlias
 
 from bnserve_protocol import ShareExceeded
 from bnserve_protocol.wire import MSGPACK
@@ -18,16 +16,10 @@ from bnserve_service.evaluation.waveform_endpoint import PATHS, answer_headers
 from bnserve_service.evaluation.waveform_evaluator import Packed, Question
 from bnserve_service.evaluation.waveforms import WaveformService
 from bnserve_service.http.access import AccessMiddleware
-from bnserve_service.http.answers import Header
+from bnserve_service.http.answers import Finish, Header
 from bnserve_service.http.context import RequestContext, RequestContextMiddleware, new_context
 from bnserve_service.http.hosts import HostCheck
 from bnserve_service.http.negotiation import answer_digest, answer_media_type, request_media_type
-
-QUICK_BODY = 2**14
-"""Larger bodies rarely come in one piece, and are not quick."""
-
-Finish: TypeAlias = Callable[[int, list[Header], bytes], None]
-"""Called with the status, the headers and the body of an answer."""
 
 _URL = re.compile(rb"/v1/models/([A-Za-z0-9_.-]+)(?:/versions/([A-Za-z0-9_.:-]+))?/waveforms")
 

@@ -18,6 +18,8 @@ from bnserve_service.http.digests import Buffer, content_digest
 from bnserve_service.http.negotiation import answer_media_type
 
 Header: TypeAlias = tuple[bytes, bytes]
+Finish: TypeAlias = Callable[[int, list[Header], bytes], None]
+"""Called with the status, the headers and the body of an answer."""
 
 SLICE = 2**20
 """Bytes handed to the socket at a time, so that a slow client holds up its own answer and not the event loop."""

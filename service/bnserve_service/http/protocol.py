@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import asyncio
 import enum
-from typing import Any
+from typing import Any, Protocol
 
 import httptools
 import msgspec
@@ -13,8 +13,7 @@ from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 
 from bnserve_protocol import UndecodableBody
 from bnserve_protocol.wire import PROBLEM_JSON, Problem
-from bnserve_service.evaluation.fast_path import QUICK_BODY, QuickLane
-from bnserve_service.http.answers import Header
+from bnserve_service.http.answers import Finish, Header
 from bnserve_service.http.complaints import Complaints
 from bnserve_service.http.digests import content_digest
 from bnserve_service.http.framing import (
@@ -29,6 +28,8 @@ from bnserve_service.http.framing import (
 from bnserve_service.http.pace import Pace
 from bnserve_service.settings import Settings
 
+QUICK_BODY = 2**14
+"""Larger bodies rarely come in one piece, and are not quick."""
 _BODY_MARGIN = 2.0
 """Seconds after which a body is cut off that the application's own, politer limit has not ended."""
 _LINGER = 1.0
@@ -61,6 +62,16 @@ class _QuickCycle:
         self.message_event = _NOBODY_WAITS
 
 
+class Lane(Protocol):
+    """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.fast_path.QuickLane`."""
+
+    def offers(self, url: bytes) -> bool:
+        """Whether a POST to ``url`` may be for it."""
+
+    def take(self, url: bytes, headers: list[Header], body: bytes, finish: Finish) -> bool:
+        """Begin to answer a request; false when it goes the other way, and nothing has happened."""
+
+
 class BoundedProtocol(HttpToolsProtocol):
     """One connection that cannot be held open by a slow or silent peer.
 
@@ -72,7 +83,7 @@ class BoundedProtocol(HttpToolsProtocol):
     body_timeout: float = 30.0
     write_timeout: float = 30.0
     write_rate: float = 2.0**19
-    lane: QuickLane | None = None
+    lane: Lane | None = None
     complaints: Complaints
     _pace: Pace
 
@@ -322,7 +333,7 @@ class BoundedProtocol(HttpToolsProtocol):
             self._read_timer = self.loop.call_later(seconds, self.transport.abort)
 
 
-def bounded_protocol(settings: Settings, lane: QuickLane | None = None) -> type[BoundedProtocol]:
+def bounded_protocol(settings: Settings, lane: Lane | None = None) -> type[BoundedProtocol]:
     """The protocol class with the limits of ``settings`` and a quick lane; what uvicorn's ``http`` option takes."""
     limits = {
         "lane": lane,
