@@ -9,6 +9,7 @@ import warnings
 from bnserve_protocol import wire
 from bnserve_protocol._analyses import (
     Analysis,
+    check_model_of,
     decode_analysis,
     encode_analysis,
     likelihood_nodes,
@@ -74,7 +75,6 @@ from bnserve_protocol._likelihood import (
     LikelihoodCounts,
     LikelihoodValues,
     check_invalid_rows,
-    check_model_of,
     refuse_rows,
 )
 from bnserve_protocol._likelihood_parameters import (

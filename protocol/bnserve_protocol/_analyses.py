@@ -23,23 +23,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._analysis_checks import check_arrays, check_settings
-from bnserve_protocol._analysis_settings import DEFAULT_ERROR_BOUND, AnalysisSettings, Calibration, time_steps
-from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBody
+from bnserve_protocol._analysis_settings import AnalysisSettings, canonical, encode_settings, time_steps, with_step
+from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest, UndecodableBody
+from bnserve_protocol._model import ModelDescription, ModelIdentity
 from bnserve_protocol._numbers import NotNumbers, as_numbers
 from bnserve_protocol.wire._arrays import decode_array, encode_array
 from bnserve_protocol.wire._keys import read_map, read_maps
-
-
-def _plain(value: Any) -> Any:
-    """A number, truth value or text of numpy as that of Python; what carries a unit is none of them."""
-    plain = isinstance(value, np.generic) or type(value) is np.ndarray
-    if plain and value.ndim == 0 and value.dtype.kind in "biufU":
-        return value.item()
-    raise NotImplementedError(f"{type(value).__name__} does not travel; give plain numbers in the units of the fields")
-
-
-_settings_encoder = msgspec.msgpack.Encoder(order="deterministic", enc_hook=_plain)
-_settings_decoder = msgspec.msgpack.Decoder(AnalysisSettings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,9 +57,9 @@ class Analysis:
     digest: str = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "settings", _canonical(self.settings))
+        object.__setattr__(self, "settings", canonical(self.settings))
         check_settings(self.settings)
-        object.__setattr__(self, "settings", _with_step(self.settings))
+        object.__setattr__(self, "settings", with_step(self.settings))
         arrays = {name: _frozen_array(name, self.arrays[name]) for name in sorted(self.arrays)}
         check_arrays(self.settings, arrays)
         object.__setattr__(self, "arrays", MappingProxyType(arrays))
@@ -101,35 +90,8 @@ class Analysis:
         return self.settings.grid.frequencies() if self.settings.kind == "full" else self.arrays[name]
 
 
-def _canonical(settings: AnalysisSettings) -> AnalysisSettings:
-    """The same settings in the types of the schema: an integer is another message than the float of its value.
-
-    What equals its default and may be left out is left out: msgspec leaves out the very object that is the default.
-    """
-    try:
-        found = _settings_decoder.decode(_settings_encoder.encode(settings))
-    except (msgspec.MsgspecError, TypeError, NotImplementedError) as error:
-        raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
-    if found.error_bound == DEFAULT_ERROR_BOUND:
-        found = msgspec.structs.replace(found, error_bound=msgspec.UNSET)
-    if found.calibration is not None:
-        fields = {f.name: (getattr(found.calibration, f.name), f.default) for f in msgspec.structs.fields(Calibration)}
-        stated = {name: value for name, (value, default) in fields.items() if value != default}
-        found = msgspec.structs.replace(found, calibration=Calibration(**stated))
-    return found
-
-
 _ARRAY_UNITS = {"response": "1", "location": "m", "linear_nodes": "Hz", "quadratic_nodes": "Hz"}
 """Of the arrays of an analysis that may be given with one; weights are made by us, without."""
-
-
-def _with_step(settings: AnalysisSettings) -> AnalysisSettings:
-    """The same settings with the step between coalescence times stated, as it always travels."""
-    times = settings.time_marginalisation
-    if times is None or times.step is not None:
-        return settings
-    stated = msgspec.structs.replace(times, step=time_steps(settings)[1])
-    return msgspec.structs.replace(settings, time_marginalisation=stated)
 
 
 def _frozen_array(name: str, value: NDArray[Any]) -> NDArray[Any]:
@@ -163,7 +125,7 @@ def encode_analysis(analysis: Analysis) -> list[bytes | memoryview]:
     Joined, they are the MessagePack map ``{settings: {...}, arrays: {name: array}}`` in canonical form: names sorted,
     arrays as msgpack-numpy writes them. The digest of an analysis is the SHA-256 of these bytes.
     """
-    head = b"\x82" + msgspec.msgpack.encode("settings") + _settings_encoder.encode(analysis.settings)
+    head = b"\x82" + msgspec.msgpack.encode("settings") + encode_settings(analysis.settings)
     parts: list[bytes | memoryview] = [head + msgspec.msgpack.encode("arrays") + _map_header(len(analysis.arrays))]
     for name in sorted(analysis.arrays):
         header, data = encode_array(analysis.arrays[name])
@@ -202,6 +164,29 @@ def _decode(name: str, raw: msgspec.Raw) -> NDArray[Any]:
     if array.dtype.str not in ("<f8", "<c16"):
         raise AnalysisInvalid(f"Array '{name}' of the analysis travels as <f8 or <c16; got {array.dtype.str}.")
     return array
+
+
+def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) -> None:
+    """Refuse to evaluate an analysis with another model than the one it is made for, if it is made for one.
+
+    Raises
+    ------
+    AnalysisInvalid
+    InvalidRequest
+        It is no analysis at all.
+    """
+    if not isinstance(analysis, Analysis):
+        raise InvalidRequest(
+            f"A likelihood is that of an Analysis; got {type(analysis).__name__}. full_analysis, roq_analysis and "
+            "relative_binning_analysis of bnserve_inference build one."
+        )
+    wanted = analysis.settings.model_digest
+    if wanted not in (None, model.digest):
+        raise AnalysisInvalid(
+            f"The analysis was made for the model {wanted}, and this is {model.name} {model.version} ({model.digest}). "
+            "Use that model, or build the analysis again for this one.",
+            errors=[FieldError(reason="made for another model", parameter="model_digest", value=model.digest)],
+        )
 
 
 def likelihood_nodes(analysis: Analysis) -> int:

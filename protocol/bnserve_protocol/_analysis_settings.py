@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 import msgspec
+import numpy as np
 
 from bnserve_protocol._errors import AnalysisInvalid, FieldError
 from bnserve_protocol._grids import UniformGrid
@@ -182,3 +183,42 @@ def time_steps(settings: AnalysisSettings) -> tuple[int, float]:
     # The slack: a step that was made here stays as it is.
     count = max(_FEWEST_STEPS, math.ceil(min(width / longest, _COUNTLESS) - 1e-6))
     return count, width / count
+
+
+def _plain(value: Any) -> Any:
+    """A number, truth value or text of numpy as that of Python; what carries a unit is none of them."""
+    plain = isinstance(value, np.generic) or type(value) is np.ndarray
+    if plain and value.ndim == 0 and value.dtype.kind in "biufU":
+        return value.item()
+    raise NotImplementedError(f"{type(value).__name__} does not travel; give plain numbers in the units of the fields")
+
+
+encode_settings = msgspec.msgpack.Encoder(order="deterministic", enc_hook=_plain).encode
+_settings_decoder = msgspec.msgpack.Decoder(AnalysisSettings)
+
+
+def canonical(settings: AnalysisSettings) -> AnalysisSettings:
+    """The same settings in the types of the schema: an integer is another message than the float of its value.
+
+    What equals its default and may be left out is left out: msgspec leaves out the very object that is the default.
+    """
+    try:
+        found = _settings_decoder.decode(encode_settings(settings))
+    except (msgspec.MsgspecError, TypeError, NotImplementedError) as error:
+        raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
+    if found.error_bound == DEFAULT_ERROR_BOUND:
+        found = msgspec.structs.replace(found, error_bound=msgspec.UNSET)
+    if found.calibration is not None:
+        fields = {f.name: (getattr(found.calibration, f.name), f.default) for f in msgspec.structs.fields(Calibration)}
+        stated = {name: value for name, (value, default) in fields.items() if value != default}
+        found = msgspec.structs.replace(found, calibration=Calibration(**stated))
+    return found
+
+
+def with_step(settings: AnalysisSettings) -> AnalysisSettings:
+    """The same settings with the step between coalescence times stated, as it always travels."""
+    times = settings.time_marginalisation
+    if times is None or times.step is not None:
+        return settings
+    stated = msgspec.structs.replace(times, step=time_steps(settings)[1])
+    return msgspec.structs.replace(settings, time_marginalisation=stated)

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._analyses import Analysis
-from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest, OutOfDomain
+from bnserve_protocol._errors import FieldError, InvalidRequest, OutOfDomain
 from bnserve_protocol._likelihood_parameters import LikelihoodBatchLike
-from bnserve_protocol._model import ModelDescription, ModelIdentity, RowStatus
+from bnserve_protocol._model import RowStatus
 
 InvalidRows: TypeAlias = Literal["flag", "error"]
 """What becomes of rows outside the prior's or the model's range: -inf and counted, or an error."""
@@ -97,26 +97,3 @@ def refuse_rows(status: NDArray[np.uint8]) -> None:
         f"Row {problems[0].row} {problems[0].reason}; {len(bad)} of {len(status)} rows cannot be evaluated.",
         errors=problems,
     )
-
-
-def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) -> None:
-    """Refuse to evaluate an analysis with another model than the one it is made for, if it is made for one.
-
-    Raises
-    ------
-    AnalysisInvalid
-    InvalidRequest
-        It is no analysis at all.
-    """
-    if not isinstance(analysis, Analysis):
-        raise InvalidRequest(
-            f"A likelihood is that of an Analysis; got {type(analysis).__name__}. full_analysis, roq_analysis and "
-            "relative_binning_analysis of bnserve_inference build one."
-        )
-    wanted = analysis.settings.model_digest
-    if wanted not in (None, model.digest):
-        raise AnalysisInvalid(
-            f"The analysis was made for the model {wanted}, and this is {model.name} {model.version} ({model.digest}). "
-            "Use that model, or build the analysis again for this one.",
-            errors=[FieldError(reason="made for another model", parameter="model_digest", value=model.digest)],
-        )
