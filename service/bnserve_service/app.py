@@ -219,23 +219,64 @@ def create_app(
     follow:
         Whether the stores are looked at; otherwise there are no models but those of ``registry``.
     """
-    settings = settings or Settings()
-    registry, lifecycle = registry or Registry(), Lifecycle()
+    settings, registry = settings or Settings(), registry or Registry()
+    loader = loader_of(settings, registry, source, factory)
+    parts = _parts(settings, registry, loader, bind or _likelihood, shared, worker)
+    _watch(parts)
+    return Application(parts, wait_for_models, follow)
+
+
+def _parts(
+    settings: Settings,
+    registry: Registry,
+    loader: Loader,
+    bind: LikelihoodFactory,
+    shared: Path | None,
+    worker: int,
+) -> Parts:
+    lifecycle = Lifecycle()
     metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
     grids = GridCache(
         settings.max_grids, settings.max_grid_bytes, settings.max_frequencies, grid_shelf(settings, shared)
     )
     analyses = AnalysisStore(settings, decode_analysis, analysis_shelf(settings, shared))
     workers = settings.threads or available_cpus()
-    queue: WorkQueue[Any, Any] = WorkQueue(
-        evaluating_both(Evaluator(metrics), LikelihoodEvaluator(metrics, bind or _likelihood)),
+    queue = _queue(settings, metrics, bind, workers)
+    health = _health(settings, registry, lifecycle, queue, shared)
+    maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
+    if shared is not None:
+        registry.join(SharedModels(shared, worker), maintenance.poke)
+    return Parts(
+        settings=settings,
+        registry=registry,
+        grids=grids,
+        analyses=analyses,
+        queue=queue,
+        waveforms=WaveformService(settings, registry, grids, queue, lifecycle),
+        likelihoods=LikelihoodService(settings, registry, analyses, queue, lifecycle, workers),
+        lifecycle=lifecycle,
+        health=health,
+        maintenance=maintenance,
+        metrics=metrics,
+        bodies=BodyReader(settings.incoming_bytes, settings.body_timeout),
+        shared=shared,
+    )
+
+
+def _queue(settings: Settings, metrics: Metrics, bind: LikelihoodFactory, workers: int) -> WorkQueue[Any, Any]:
+    return WorkQueue(
+        evaluating_both(Evaluator(metrics), LikelihoodEvaluator(metrics, bind)),
         workers=workers,
         capacity=settings.queue_samples,
         group_cost=settings.group_samples,
         metrics=metrics,
     )
-    loader = loader_of(settings, registry, source, factory)
-    health = Health(
+
+
+def _health(
+    settings: Settings, registry: Registry, lifecycle: Lifecycle, queue: WorkQueue[Any, Any], shared: Path | None
+) -> Health:
+    return Health(
         registry,
         lifecycle,
         queue.longest_evaluation,
@@ -243,38 +284,6 @@ def create_app(
         settings.stuck_seconds,
         lambda: _missing(settings, shared),
     )
-    maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
-    if shared is not None:
-        registry.join(SharedModels(shared, worker), maintenance.poke)
-    waveforms = WaveformService(settings, registry, grids, queue, lifecycle)
-    likelihoods = LikelihoodService(settings, registry, analyses, queue, lifecycle, workers)
-    _watch(metrics, settings, queue, health)
-    metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: waveforms.answer_bytes)
-    metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: grids.stored_bytes, is_common=True)
-    metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses), is_common=True)
-    metrics.watch(
-        "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
-    )
-    bodies = BodyReader(settings.incoming_bytes, settings.body_timeout)
-    metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: bodies.room.held_bytes)
-    if shared is None:
-        metrics.watch("bnserve_workers", "Worker processes", lambda: 1.0)
-    parts = Parts(
-        settings,
-        registry,
-        grids,
-        analyses,
-        queue,
-        waveforms,
-        likelihoods,
-        lifecycle,
-        health,
-        maintenance,
-        metrics,
-        bodies,
-        shared,
-    )
-    return Application(parts, wait_for_models, follow)
 
 
 def _missing(settings: Settings, shared: Path | None) -> BnserveError | None:
@@ -308,13 +317,23 @@ def analysis_shelf(settings: Settings, shared: Path | None) -> Shelf | None:
     return Shelf(shared / "analyses", settings.max_analyses, own, together)
 
 
-def _watch(metrics: Metrics, settings: Settings, queue: WorkQueue[Any, Any], health: Health) -> None:
-    """Show what operators look at first."""
+def _watch(parts: Parts) -> None:
+    """Show what operators look at, the first things first."""
+    metrics, queue, analyses = parts.metrics, parts.queue, parts.analyses
     ready = "1 when the ready path answers 200"
-    metrics.watch("bnserve_ready", ready, lambda: float(health.reason_unready() is None), is_common=True)
+    metrics.watch("bnserve_ready", ready, lambda: float(parts.health.reason_unready() is None), is_common=True)
     metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
     metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.waiting)
-    metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: settings.queue_samples)
+    metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: parts.settings.queue_samples)
+    metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: parts.waveforms.answer_bytes)
+    metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: parts.grids.stored_bytes, is_common=True)
+    metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses), is_common=True)
+    metrics.watch(
+        "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
+    )
+    metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: parts.bodies.room.held_bytes)
+    if parts.shared is None:
+        metrics.watch("bnserve_workers", "Worker processes", lambda: 1.0)
 
 
 def _stores(settings: Settings) -> ModelSource:

@@ -126,14 +126,19 @@ def _raise_first(
             + ' Use out_of_domain="flag" to get such rows back as NaN.',
             errors=problems,
         )
-    row = int(np.argmax(status == RowStatus.OUT_OF_BAND))
+    raise _out_of_band(int(np.argmax(status == RowStatus.OUT_OF_BAND)), values, frequencies, mf_band)
+
+
+def _out_of_band(
+    row: int, values: NDArray[np.float64], frequencies: NDArray[np.float64], mf_band: tuple[float, float]
+) -> OutOfBand:
     hint = (
         " So low, its phase exceeds double precision."
         if frequencies[0] * values[row, 7] * SOLAR_MASS_SECONDS < _LEAST_MF
         else ""
     )
     low, high = (edge / (values[row, 7] * SOLAR_MASS_SECONDS) for edge in mf_band)
-    raise OutOfBand(
+    return OutOfBand(
         f"Row {row}: the frequencies {frequencies[0]:g} to {frequencies[-1]:g} Hz do not fit the model's band at "
         f"total mass {values[row, 7]:g} Msun, {low:.6g} to {high:.6g} Hz.{hint}",
         errors=[FieldError(reason="outside the band", parameter="frequencies", row=row)],

@@ -50,6 +50,19 @@ def refuse_encoded(headers: Mapping[bytes, bytes]) -> None:
         raise UnsupportedMediaType("Compressed bodies are not accepted; send it without Content-Encoding.")
 
 
+def require_media_type(headers: Mapping[bytes, bytes], wanted: str, advice: str) -> None:
+    """Take bodies of one media type, which may be left out, and as they are.
+
+    Raises
+    ------
+    UnsupportedMediaType
+        Another one, with the ``advice``; or an encoded body.
+    """
+    refuse_encoded(headers)
+    if media_type_of(headers) not in ("", wanted):
+        raise UnsupportedMediaType(advice)
+
+
 def answer_media_type(headers: Mapping[bytes, bytes], preferred: str) -> str:
     """The offered media type that the ``Accept`` header likes best; ``preferred`` breaks ties.
 

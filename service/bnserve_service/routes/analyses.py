@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Request, Response
 
-from bnserve_protocol import UnsupportedMediaType
 from bnserve_protocol.wire import MSGPACK
 from bnserve_service.evaluation.likelihoods import LikelihoodService
 from bnserve_service.http.answers import data_response
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.context import context_of
-from bnserve_service.http.negotiation import media_type_of, refuse_encoded
+from bnserve_service.http.negotiation import require_media_type
 from bnserve_service.reference.documents import AnalysisDocument, analysis_document
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GONE, answers_with
 from bnserve_service.reference.openapi_likelihoods import ANALYSIS_BODY
@@ -33,9 +32,7 @@ def analysis_router(
     async def upload_analysis(request: Request, sha256: str) -> Response:
         """Upload an analysis. 201 when it is new to this caller, 200 when it was here."""
         context = context_of(request.scope)
-        refuse_encoded(context.headers)
-        if media_type_of(context.headers) not in ("", MSGPACK):
-            raise UnsupportedMediaType(f"Send the analysis as {MSGPACK}.")
+        require_media_type(context.headers, MSGPACK, f"Send the analysis as {MSGPACK}.")
         with bodies.of(context) as incoming:
             body = await incoming.read(request.receive, limit)
             context.request_digest = await service.digest(body)

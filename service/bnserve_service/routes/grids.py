@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Request, Response
 
-from bnserve_protocol import UnsupportedMediaType
 from bnserve_service.evaluation.waveforms import WaveformService
 from bnserve_service.http.answers import data_response
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.context import context_of
-from bnserve_service.http.negotiation import OCTETS, media_type_of, refuse_encoded
+from bnserve_service.http.negotiation import OCTETS, require_media_type
 from bnserve_service.reference.documents import GridDocument
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GRID_BODY, answers_with
 from bnserve_service.uploads.grids import GridCache
@@ -31,9 +30,7 @@ def grid_router(
     async def upload_grid(request: Request, sha256: str) -> Response:
         """Upload a grid: raw little-endian float64 in Hz, increasing. 201 when it is new, 200 when it was here."""
         context = context_of(request.scope)
-        refuse_encoded(context.headers)
-        if media_type_of(context.headers) not in ("", OCTETS):
-            raise UnsupportedMediaType(f"Send the grid as {OCTETS}: raw little-endian float64.")
+        require_media_type(context.headers, OCTETS, f"Send the grid as {OCTETS}: raw little-endian float64.")
         with bodies.of(context) as incoming:
             body = await incoming.read(request.receive, limit)
             context.request_digest = await service.digest(body)
