@@ -41,8 +41,8 @@ def rebuilt(package: str, shipped: Path, folder: Path) -> Path:
     return file
 
 
-def assert_close(found, expected):
-    np.testing.assert_allclose(found, expected, rtol=TOLERANCE, atol=TOLERANCE * np.abs(expected).max())
+def assert_close(shipped, anew):
+    np.testing.assert_allclose(shipped, anew, rtol=TOLERANCE, atol=TOLERANCE * np.abs(anew).max())
 
 
 def test_the_kernel_is_what_its_sources_compile_to(tmp_path, monkeypatch):
@@ -50,14 +50,14 @@ def test_the_kernel_is_what_its_sources_compile_to(tmp_path, monkeypatch):
     again = loader.load_assembly(file, loader.ENTRY_POINT, "ppp", vectorise=False)
     batch, model = ParameterBatch(random_batch(11)), Model.default()
     for f in (np.geomspace(3.0, 2700.0, 300), np.linspace(3.0, 2700.0, 20_000)):
-        expected = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
+        shipped = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
         with monkeypatch.context() as patch:
             patch.setattr(surrogate, "load_kernel", lambda: again)
-            found = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
-        assert_close(found[0].plus, expected[0].plus)
-        assert_close(found[0].cross, expected[0].cross)
-        assert_close(found[1].amplitude, expected[1].amplitude)
-        assert_close(found[1].phase, expected[1].phase)
+            anew = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
+        assert_close(shipped[0].plus, anew[0].plus)
+        assert_close(shipped[0].cross, anew[0].cross)
+        assert_close(shipped[1].amplitude, anew[1].amplitude)
+        assert_close(shipped[1].phase, anew[1].phase)
 
 
 def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):
@@ -68,7 +68,7 @@ def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):
     calibration = Calibration(nodes=5, f_min=F_MIN, f_max=F_MAX)
     for analysis in (full(data, calibration=calibration), binned(model, data, calibration=calibration)):
         ours, given = likelihood(model, analysis), batch | errors(batch)
-        expected = ours.log_likelihood(given)
+        shipped = ours.log_likelihood(given)
         with monkeypatch.context() as patch:
             patch.setattr(contraction, "load_contraction", lambda: again)
-            assert_close(ours.log_likelihood(given), expected)
+            assert_close(shipped, ours.log_likelihood(given))
