@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
@@ -38,6 +40,33 @@ ANY = 1 << 30
 BUFFER = BLOCK + LANES
 
 
+@njit(inline="always")
+def _views(scratch: Floats, n_a: int, n_p: int, n_c: int) -> Any:
+    """A row's working memory, for splines of n_a and n_p knots and n_c cells; ``_layout.scratch_size`` counts it."""
+    ends = 40 + 4 * (n_a + n_p)
+    block = ends + n_a + n_p
+    tail = block + 4 * BUFFER
+    cells = tail + 2 * LANES + n_c
+    return (
+        floats_in(scratch, 0, 40),
+        (floats_in(scratch, 40, 4 * n_a), floats_in(scratch, 40 + 4 * n_a, 4 * n_p)),
+        (
+            integers_in(scratch, ends, n_a),
+            integers_in(scratch, ends + n_a, n_p),
+            integers_in(scratch, cells - n_c, n_c),
+        ),
+        (
+            floats_in(scratch, block, BUFFER),
+            floats_in(scratch, block + BUFFER, BUFFER),
+            floats_in(scratch, block + 2 * BUFFER, BUFFER),
+            floats_in(scratch, block + 3 * BUFFER, BUFFER),
+        ),
+        floats_in(scratch, tail, 2 * LANES),
+        (floats_in(scratch, cells, LANES * n_c), floats_in(scratch, cells + LANES * n_c, LANES * n_c)),
+        floats_in(scratch, cells + 2 * LANES * n_c, ANY),
+    )
+
+
 @njit(**JIT_OPTIONS)
 def evaluate_row(
     i: int,
@@ -62,21 +91,10 @@ def evaluate_row(
     gauge = floats_in(linear, 2 * (n_a + n_p), 4)
     cells = contents[c.CELLS]
     n_c = (cells + LANES - 1) // LANES * LANES
-    series, cubics_a = floats_in(scratch, 0, 40), floats_in(scratch, 40, 4 * n_a)
-    place = 40 + 4 * n_a
-    cubics_p = floats_in(scratch, place, 4 * n_p)
-    place += 4 * n_p
-    ends_a, ends_p = integers_in(scratch, place, n_a), integers_in(scratch, place + n_a, n_p)
-    place += n_a + n_p
-    a, p = floats_in(scratch, place, BUFFER), floats_in(scratch, place + BUFFER, BUFFER)
-    place += 2 * BUFFER
-    amplitude, phase = floats_in(scratch, place, BUFFER), floats_in(scratch, place + BUFFER, BUFFER)
-    place += 2 * BUFFER
-    tail, ends = floats_in(scratch, place, 2 * LANES), integers_in(scratch, place + 2 * LANES, n_c)
-    place += 2 * LANES + n_c
-    polynomials_a = floats_in(scratch, place, LANES * n_c)
-    polynomials_p = floats_in(scratch, place + LANES * n_c, LANES * n_c)
-    work = floats_in(scratch, place + 2 * LANES * n_c, ANY)
+    series, cubics, (ends_a, ends_p, ends), (a, p, amplitude, phase), tail, fitted, work = _views(
+        scratch, n_a, n_p, n_c
+    )
+    cubics_a, cubics_p = cubics
     knots_a = floats_in(weights, contents[c.AMPLITUDE_KNOTS_AT], ANY)
     knots_p = floats_in(weights, contents[c.PHASE_KNOTS_AT], ANY)
     fill_cells(linear, floats_in(linear, n_a, n_a), knots_a, amplitude_cells, n_a, cubics_a)
@@ -94,8 +112,7 @@ def evaluate_row(
     dense = contents[c.CELLS] > 0 and points >= DENSE and arguments[c.OUTPUT] != c.AMPLITUDE_PHASE
     own = floats_in(weights, contents[c.CELLS_AT], ANY)
     if dense:
-        cubics = (cubics_a, cubics_p)
-        fit_cells(row, linear, contents, weights, alignment, cubics, n_a, series, work, polynomials_a, polynomials_p)
+        fit_cells(row, linear, contents, weights, alignment, cubics, n_a, series, work, *fitted)
         find_ends(places, own, cells, shift, band_stop, ends)
     constant = 0.0
     if not dense or band_start > 0:
@@ -135,7 +152,7 @@ def evaluate_row(
         if dense:
             out = (floats_in(amplitude, below - start, ANY), floats_in(phase, below - start, ANY))
             columns = (floats_in(own, n_c, n_c), floats_in(own, 2 * n_c, n_c))
-            cell = polynomials(grid, below, inside, mass, *columns, ends, cell, polynomials_a, polynomials_p, *out)
+            cell = polynomials(grid, below, inside, mass, *columns, ends, cell, *fitted, *out)
         write_block(i, start, inside, stop, arguments, amplitude, phase, (plus, cross), tail)
 
 

@@ -1,4 +1,4 @@
-; sources: e54ea0504204b6b172e150da28ac989c9f1e898db3068abe759c3b1919ad936a
+; sources: 98ad21e1ca036a9ea65734c2f18bd2286f4b57e51195d89fa01b05abb053e13b
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -1747,26 +1747,26 @@ B846.endif.else.endif.endif:                      ; preds = %B846.endif.else.end
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc noundef range(i32 0, 2) i32 @inner_4(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 8, 0) %arg.linear.5.0, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4, double %arg.plus, double %arg.cross) unnamed_addr #5 {
 entry:
-  %.2572 = alloca i64, align 8
-  store i64 0, ptr %.2572, align 8
-  %.2700 = alloca i64, align 8
-  store i64 0, ptr %.2700, align 8
-  %.2826 = alloca i64, align 8
-  store i64 0, ptr %.2826, align 8
-  %.2981 = alloca i64, align 8
-  store i64 0, ptr %.2981, align 8
-  %.3317 = alloca ptr, align 8
-  store ptr null, ptr %.3317, align 8
+  %.3408 = alloca i64, align 8
+  store i64 0, ptr %.3408, align 8
+  %.3536 = alloca i64, align 8
+  store i64 0, ptr %.3536, align 8
+  %.3662 = alloca i64, align 8
+  store i64 0, ptr %.3662, align 8
+  %.3817 = alloca i64, align 8
+  store i64 0, ptr %.3817, align 8
+  %.4367 = alloca ptr, align 8
+  store ptr null, ptr %.4367, align 8
   %excinfo.33 = alloca ptr, align 8
   store ptr null, ptr %excinfo.33, align 8
-  %.3460 = alloca double, align 8
-  store double 0.000000e+00, ptr %.3460, align 8
+  %.4534 = alloca double, align 8
+  store double 0.000000e+00, ptr %.4534, align 8
   %excinfo.35 = alloca ptr, align 8
   store ptr null, ptr %excinfo.35, align 8
-  %.5114 = alloca ptr, align 8
-  store ptr null, ptr %.5114, align 8
-  %.6036 = alloca ptr, align 8
-  store ptr null, ptr %.6036, align 8
+  %.6188 = alloca ptr, align 8
+  store ptr null, ptr %.6188, align 8
+  %.7151 = alloca ptr, align 8
+  store ptr null, ptr %.7151, align 8
   %.125 = getelementptr i8, ptr %arg.arguments.4, i64 16
   %.126 = load i64, ptr %.125, align 8
   %.155 = getelementptr i8, ptr %arg.arguments.4, i64 32
@@ -1809,122 +1809,136 @@ B308:                                             ; preds = %B228, %entry
   %.765 = load i64, ptr %.764, align 8
   %.771 = add nsw i64 %.765, 7
   %.812 = and i64 %.771, -8
-  %.891 = getelementptr i8, ptr %arg.scratch.4, i64 320
+  %.830 = shl nsw i64 %.667, 2
+  %.831 = add nsw i64 %.830, 40
+  %.832 = add nsw i64 %.831, %.614
+  %.833 = add nsw i64 %.832, %.660
+  %.837 = add nsw i64 %.833, 4144
+  %.911 = getelementptr i8, ptr %arg.scratch.4, i64 320
   %.idx2 = shl i64 %.614, 5
   %1 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx2
-  %.976 = getelementptr i8, ptr %1, i64 320
-  %.1048.idx = shl i64 %.660, 5
-  %.1048 = getelementptr i8, ptr %.976, i64 %.1048.idx
-  %.1114 = getelementptr double, ptr %.1048, i64 %.614
-  %.1199 = getelementptr double, ptr %.1048, i64 %.667
-  %.1344 = getelementptr i8, ptr %.1199, i64 16512
-  %.1407 = getelementptr i8, ptr %.1199, i64 24768
-  %.1490 = getelementptr i8, ptr %.1199, i64 33024
-  %.1555 = getelementptr i8, ptr %.1199, i64 33152
-  %.1642 = getelementptr double, ptr %.1555, i64 %.812
-  %.1715.idx = shl i64 %.812, 6
-  %.1715 = getelementptr i8, ptr %.1642, i64 %.1715.idx
-  %.1792.idx = shl i64 %.812, 7
-  %.1792 = getelementptr i8, ptr %.1642, i64 %.1792.idx
-  %.1878 = getelementptr i8, ptr %arg.contents.4, i64 112
-  %.1879 = load i64, ptr %.1878, align 8
-  %.1890 = getelementptr double, ptr %arg.weights.4, i64 %.1879
-  %.1976 = getelementptr i8, ptr %arg.contents.4, i64 120
-  %.1977 = load i64, ptr %.1976, align 8
-  %.1988 = getelementptr double, ptr %arg.weights.4, i64 %.1977
+  %.975 = getelementptr i8, ptr %1, i64 320
+  %.1052 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.831
+  %.1115 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.832
+  %.1178 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.837
+  %.1264 = getelementptr double, ptr %arg.scratch.4, i64 %.833
+  %.1389 = getelementptr i8, ptr %.1264, i64 16512
+  %.1452 = getelementptr i8, ptr %.1264, i64 24768
+  %.1546 = getelementptr i8, ptr %.1264, i64 33024
+  %2 = getelementptr double, ptr %arg.scratch.4, i64 %.812
+  %.1608 = getelementptr double, ptr %2, i64 %.837
+  %.1672.idx = shl i64 %.812, 6
+  %.1672 = getelementptr i8, ptr %.1608, i64 %.1672.idx
+  %.1755.idx = shl i64 %.812, 7
+  %.1755 = getelementptr i8, ptr %.1608, i64 %.1755.idx
+  %.2714 = getelementptr i8, ptr %arg.contents.4, i64 112
+  %.2715 = load i64, ptr %.2714, align 8
+  %.2726 = getelementptr double, ptr %arg.weights.4, i64 %.2715
+  %.2812 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.2813 = load i64, ptr %.2812, align 8
+  %.2824 = getelementptr double, ptr %arg.weights.4, i64 %.2813
   %.234.i = shl i64 %.614, 1
-  %2 = add i64 %.533, 6
-  %.486.i = lshr i64 %2, 3
+  %3 = add i64 %.533, 6
+  %.486.i = lshr i64 %3, 3
   %.463.inv.i = icmp slt i64 %.533, 2
   %.507321.not325.i = icmp eq i64 %.486.i, 0
   %.507321.not.i = select i1 %.463.inv.i, i1 true, i1 %.507321.not325.i
   br i1 %.507321.not.i, label %B308.endif.endif.endif.en...endif.3.endif.endif, label %B94.if.lr.ph.i
 
-B2668:                                            ; preds = %B308.endif.endif.endif.en...endif.4.endif
-  %.3182 = getelementptr i8, ptr %arg.arguments.4, i64 112
-  %.3183 = load i64, ptr %.3182, align 8
-  %.3184.not = icmp eq i64 %.3183, 4
-  %.3223 = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.3224 = load i64, ptr %.3223, align 8
-  %.3235 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.3224
-  br i1 %.3184.not, label %B2868, label %B2750
+B1920:                                            ; preds = %B308.endif.endif.endif.en...endif.4.endif
+  %.4018 = getelementptr i8, ptr %arg.arguments.4, i64 112
+  %.4019 = load i64, ptr %.4018, align 8
+  %.4020.not = icmp eq i64 %.4019, 4
+  %.4059 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.4060 = load i64, ptr %.4059, align 8
+  %.4071 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4060
+  br i1 %.4020.not, label %B2104, label %B2002
 
-B2750:                                            ; preds = %B2668
-  store ptr null, ptr %.3317, align 8
-  %.3343 = call fastcc i32 @inner_8(ptr nonnull %.3317, ptr nonnull %excinfo.33, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.3107, ptr nonnull %.891, ptr nonnull %.976, i64 %.614, ptr %arg.scratch.4, ptr %.1792, ptr %.1642, ptr %.1715)
-  %cond = icmp eq i32 %.3343, 0
-  br i1 %cond, label %B2750.endif, label %B2750.if, !prof !0
+B2002:                                            ; preds = %B1920
+  store ptr null, ptr %.4367, align 8
+  %.4393 = call fastcc i32 @inner_8(ptr nonnull %.4367, ptr nonnull %excinfo.33, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.3943, ptr nonnull %.911, ptr %.975, i64 %.614, ptr %arg.scratch.4, ptr %.1755, ptr %.1608, ptr %.1672)
+  %cond = icmp eq i32 %.4393, 0
+  br i1 %cond, label %B2002.endif, label %B2002.if, !prof !0
 
-B2868:                                            ; preds = %B2668, %B2668.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.323511 = phi ptr [ %.3235, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.32356, %B2668.thread ], [ %.3235, %B2668 ]
-  %"$phi2668.0.3.08" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B2668.thread ], [ false, %B2668 ]
-  store double 0.000000e+00, ptr %.3460, align 8
-  %.3474 = call fastcc i32 @inner_9(ptr nonnull %.3460, ptr nonnull %excinfo.35, ptr %arg.row.4, double %.2361, ptr %arg.weights.4, i64 %.2410, ptr %.679, i64 %.3107, ptr %.1199, ptr %arg.scratch.4)
-  %.3484 = load double, ptr %.3460, align 8
-  %cond1 = icmp eq i32 %.3474, 0
-  br i1 %cond1, label %B2868.endif, label %B2868.if, !prof !0
+B2084:                                            ; preds = %B386.i, %B2002.endif
+  %.586.inv.i = icmp sgt i64 %.765, 0
+  %.587.i = select i1 %.586.inv.i, i64 0, i64 %.812
+  %4 = getelementptr i64, ptr %.1178, i64 %.143.i
+  %.601.i = getelementptr i64, ptr %4, i64 %.587.i
+  store i64 %.3554, ptr %.601.i, align 8, !noalias !12
+  %.4521 = icmp slt i64 %.3426, 1
+  br i1 %.4521, label %B2292, label %B2104
 
-B2986:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575
-  %.135.i576 = load double, ptr %.298, align 8, !noalias !12
+B2104:                                            ; preds = %B1920, %B1920.thread, %B2084
+  %"$phi1920.0.3.0716" = phi i1 [ true, %B2084 ], [ false, %B1920.thread ], [ false, %B1920 ]
+  %.4071814 = phi ptr [ %.4071, %B2084 ], [ %.40716, %B1920.thread ], [ %.4071, %B1920 ]
+  store double 0.000000e+00, ptr %.4534, align 8
+  %.4548 = call fastcc i32 @inner_9(ptr nonnull %.4534, ptr nonnull %excinfo.35, ptr %arg.row.4, double %.3197, ptr %arg.weights.4, i64 %.3246, ptr %.679, i64 %.3943, ptr %.1264, ptr %arg.scratch.4)
+  %.4558 = load double, ptr %.4534, align 8
+  %cond1 = icmp eq i32 %.4548, 0
+  br i1 %cond1, label %B2104.endif, label %B2104.if, !prof !0
+
+B2222:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575
+  %.135.i576 = load double, ptr %.298, align 8, !noalias !15
   %.143.i577 = add nsw i64 %.533, -2
   %.181.i578 = icmp slt i64 %.533, 3
   %..143.i579 = select i1 %.181.i578, i64 0, i64 %.143.i577
   %.225207.i580 = icmp sgt i64 %..143.i579, 0
-  br i1 %.225207.i580, label %B92.if.preheader.i584, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619
+  br i1 %.225207.i580, label %B92.if.preheader.i584, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619
 
-B3056:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.323510 = phi ptr [ %.323511, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %.323511, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ %.3235, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ]
-  %"$phi2668.0.3.07" = phi i1 [ %"$phi2668.0.3.08", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %"$phi2668.0.3.08", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ]
-  %constant.2.1 = phi double [ %.3484, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %.3484, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ]
-  %3 = add nuw i64 %.126, 1023
-  %.3838 = lshr i64 %3, 10
-  %.3817.inv = icmp slt i64 %.126, 1
+B2292:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575, %B2084
+  %"$phi1920.0.3.0717" = phi i1 [ %"$phi1920.0.3.0716", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %"$phi1920.0.3.0716", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ true, %B2084 ]
+  %.4071815 = phi ptr [ %.4071814, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %.4071814, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ %.4071, %B2084 ]
+  %constant.2.1 = phi double [ %.4558, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %.4558, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ 0.000000e+00, %B2084 ]
+  %5 = add nuw i64 %.126, 1023
+  %.4912 = lshr i64 %5, 10
+  %.4891.inv = icmp slt i64 %.126, 1
   %.idx = shl i64 %.156, 4
-  %4 = getelementptr i8, ptr %.229, i64 %.idx
-  %.idx2950 = mul i64 %.156, 24
-  %.idx2951 = shl i64 %.156, 5
-  %5 = getelementptr i8, ptr %.229, i64 %.idx2951
-  %.5518 = getelementptr inbounds double, ptr %.323510, i64 %.812
-  %.5583.idx = shl nsw i64 %.812, 4
-  %.5583 = getelementptr inbounds i8, ptr %.323510, i64 %.5583.idx
-  %.3859276.not285 = icmp eq i64 %.3838, 0
-  %.3859276.not = select i1 %.3817.inv, i1 true, i1 %.3859276.not285
-  br i1 %.3859276.not, label %B4572, label %B3116.lr.ph
+  %6 = getelementptr i8, ptr %.229, i64 %.idx
+  %.idx3015 = mul i64 %.156, 24
+  %.idx3016 = shl i64 %.156, 5
+  %7 = getelementptr i8, ptr %.229, i64 %.idx3016
+  %.6592 = getelementptr inbounds double, ptr %.4071815, i64 %.812
+  %.6657.idx = shl nsw i64 %.812, 4
+  %.6657 = getelementptr inbounds i8, ptr %.4071815, i64 %.6657.idx
+  %.4933276.not285 = icmp eq i64 %.4912, 0
+  %.4933276.not = select i1 %.4891.inv, i1 true, i1 %.4933276.not285
+  br i1 %.4933276.not, label %B3804, label %B2352.lr.ph
 
-B3116.lr.ph:                                      ; preds = %B3056
-  %6 = icmp slt i64 %.533, -7
-  %7 = tail call i64 @llvm.smax.i64(i64 %.3838, i64 1)
+B2352.lr.ph:                                      ; preds = %B2292
+  %8 = icmp slt i64 %.533, -7
+  %9 = tail call i64 @llvm.smax.i64(i64 %.4912, i64 1)
   %.277.i = mul nsw i64 %.614, 3
-  %8 = getelementptr double, ptr %.891, i64 %.614
-  %9 = getelementptr i8, ptr %.891, i64 %.2164.idx
+  %10 = getelementptr double, ptr %.911, i64 %.614
+  %11 = getelementptr i8, ptr %.911, i64 %.3000.idx
   %.idx221.i = mul i64 %.614, 24
-  %10 = getelementptr i8, ptr %.891, i64 %.idx221.i
-  %11 = getelementptr double, ptr %.976, i64 %.660
+  %12 = getelementptr i8, ptr %.911, i64 %.idx221.i
+  %13 = getelementptr double, ptr %.975, i64 %.660
   %.idx.i641 = shl i64 %.660, 4
-  %12 = getelementptr i8, ptr %.976, i64 %.idx.i641
+  %14 = getelementptr i8, ptr %.975, i64 %.idx.i641
   %.idx221.i642 = mul i64 %.660, 24
-  %13 = getelementptr i8, ptr %.976, i64 %.idx221.i642
-  %14 = lshr i64 %.619, 3
-  %15 = lshr i64 %.573, 3
-  %16 = add nuw nsw i64 %14, %15
-  %17 = mul i64 %16, 320
-  %18 = getelementptr i8, ptr %arg.scratch.4, i64 %17
-  %19 = mul i64 %15, 320
-  %20 = shl i64 %14, 8
-  %21 = shl i64 %16, 8
-  %22 = getelementptr i8, ptr %arg.scratch.4, i64 %21
-  %scevgep1171 = getelementptr i8, ptr %22, i64 328
-  %scevgep1173 = getelementptr i8, ptr %18, i64 320
-  %scevgep1185 = getelementptr i8, ptr %18, i64 25088
-  %23 = shl i64 %arg.linear.5.0, 3
-  %sunkaddr = select i1 %6, i64 %23, i64 0
-  %24 = getelementptr i8, ptr %arg.scratch.4, i64 %19
-  %25 = getelementptr i8, ptr %24, i64 %20
-  %scevgep19 = getelementptr i8, ptr %25, i64 328
-  %scevgep24 = getelementptr i8, ptr %18, i64 8576
-  %sunkaddr90 = getelementptr inbounds i8, ptr %.2164, i64 %sunkaddr
+  %15 = getelementptr i8, ptr %.975, i64 %.idx221.i642
+  %16 = lshr i64 %.573, 3
+  %17 = lshr i64 %.619, 3
+  %18 = add nuw nsw i64 %17, %16
+  %19 = mul i64 %18, 320
+  %20 = getelementptr i8, ptr %arg.scratch.4, i64 %19
+  %21 = mul i64 %16, 320
+  %22 = shl i64 %17, 8
+  %23 = shl i64 %18, 8
+  %24 = getelementptr i8, ptr %arg.scratch.4, i64 %23
+  %scevgep1171 = getelementptr i8, ptr %24, i64 328
+  %scevgep1173 = getelementptr i8, ptr %20, i64 320
+  %scevgep1185 = getelementptr i8, ptr %20, i64 25088
+  %25 = shl i64 %arg.linear.5.0, 3
+  %sunkaddr = select i1 %8, i64 %25, i64 0
+  %26 = getelementptr i8, ptr %arg.scratch.4, i64 %21
+  %27 = getelementptr i8, ptr %26, i64 %22
+  %scevgep19 = getelementptr i8, ptr %27, i64 328
+  %scevgep24 = getelementptr i8, ptr %20, i64 8576
+  %sunkaddr90 = getelementptr inbounds i8, ptr %.3000, i64 %sunkaddr
   %sunkaddr91 = getelementptr i8, ptr %.679, i64 8
-  %26 = icmp eq i64 %.3076, 0
+  %28 = icmp eq i64 %.3912, 0
   %sunkaddr105 = getelementptr i8, ptr %arg.scratch.4, i64 264
   %sunkaddr106 = getelementptr i8, ptr %arg.scratch.4, i64 256
   %sunkaddr107 = getelementptr i8, ptr %arg.scratch.4, i64 248
@@ -1952,53 +1966,53 @@ B3116.lr.ph:                                      ; preds = %B3056
   %sunkaddr129 = getelementptr i8, ptr %arg.scratch.4, i64 72
   %sunkaddr130 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 64
   %sunkaddr131 = shl i64 %.156, 3
-  br label %B3116
+  br label %B2352
 
-B3116:                                            ; preds = %B4518, %B3116.lr.ph
-  %.3849.sroa.0.0284 = phi i64 [ 0, %B3116.lr.ph ], [ %.3849.sroa.0.0, %B4518 ]
-  %.3806.1283.in = phi i64 [ %7, %B3116.lr.ph ], [ %38, %B4518 ]
-  %.3803.1282 = phi i64 [ 1024, %B3116.lr.ph ], [ %.3803.1, %B4518 ]
-  %cell.2.0281 = phi i64 [ 0, %B3116.lr.ph ], [ %cell.3.1, %B4518 ]
-  %cell_p.3.0280 = phi i64 [ 0, %B3116.lr.ph ], [ %cell_p.4.1, %B4518 ]
-  %cell_a.2.0279 = phi i64 [ 0, %B3116.lr.ph ], [ %cell_a.3.1, %B4518 ]
-  %.3901 = add nsw i64 %.3849.sroa.0.0284, 1024
-  %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.3901)
-  %.13.i620 = tail call i64 @llvm.smax.i64(i64 %.3849.sroa.0.0284, i64 %.2718)
+B2352:                                            ; preds = %B3750, %B2352.lr.ph
+  %.4923.sroa.0.0284 = phi i64 [ 0, %B2352.lr.ph ], [ %.4923.sroa.0.0, %B3750 ]
+  %.4880.1283.in = phi i64 [ %9, %B2352.lr.ph ], [ %40, %B3750 ]
+  %.4877.1282 = phi i64 [ 1024, %B2352.lr.ph ], [ %.4877.1, %B3750 ]
+  %cell.2.0281 = phi i64 [ 0, %B2352.lr.ph ], [ %cell.3.1, %B3750 ]
+  %cell_p.3.0280 = phi i64 [ 0, %B2352.lr.ph ], [ %cell_p.4.1, %B3750 ]
+  %cell_a.2.0279 = phi i64 [ 0, %B2352.lr.ph ], [ %cell_a.3.1, %B3750 ]
+  %.4975 = add nsw i64 %.4923.sroa.0.0284, 1024
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.4975)
+  %.13.i620 = tail call i64 @llvm.smax.i64(i64 %.4923.sroa.0.0284, i64 %.3554)
   %.13.i621 = tail call i64 @llvm.smin.i64(i64 %.13.i, i64 %.13.i620)
-  %.13.i622 = tail call i64 @llvm.smax.i64(i64 %.3849.sroa.0.0284, i64 %.2590)
+  %.13.i622 = tail call i64 @llvm.smax.i64(i64 %.4923.sroa.0.0284, i64 %.3426)
   %.13.i623 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.13.i622)
-  %.4060 = icmp sgt i64 %.13.i623, %.3849.sroa.0.0284
-  br i1 %.4060, label %B3298, label %B3440
+  %.5134 = icmp sgt i64 %.13.i623, %.4923.sroa.0.0284
+  br i1 %.5134, label %B2534, label %B2676
 
-B3298:                                            ; preds = %B3116
-  %.4091 = load double, ptr %arg.linear.4, align 8
-  %.4123 = load double, ptr %sunkaddr90, align 8
-  %.4141 = getelementptr double, ptr %.229, i64 %.3849.sroa.0.0284
-  %.4194 = sub nsw i64 %.13.i623, %.3849.sroa.0.0284
-  %.4224 = load double, ptr %sunkaddr91, align 8
-  %.145103.not.i = icmp slt i64 %.4194, 1
-  br i1 %.145103.not.i, label %B3440, label %B34.if.i
+B2534:                                            ; preds = %B2352
+  %.5165 = load double, ptr %arg.linear.4, align 8
+  %.5197 = load double, ptr %sunkaddr90, align 8
+  %.5215 = getelementptr double, ptr %.229, i64 %.4923.sroa.0.0284
+  %.5268 = sub nsw i64 %.13.i623, %.4923.sroa.0.0284
+  %.5298 = load double, ptr %sunkaddr91, align 8
+  %.145103.not.i = icmp slt i64 %.5268, 1
+  br i1 %.145103.not.i, label %B2676, label %B34.if.i
 
-B3440:                                            ; preds = %B144.i, %B3298, %B3116
-  br i1 %"$phi2668.0.3.07", label %B3708, label %B3554
+B2676:                                            ; preds = %B144.i, %B2534, %B2352
+  br i1 %"$phi1920.0.3.0717", label %B2944, label %B2790
 
-B3554:                                            ; preds = %B3440
-  %27 = icmp slt i64 %.13.i622, %.13.i621
-  br i1 %26, label %B3612, label %B3558
+B2790:                                            ; preds = %B2676
+  %29 = icmp slt i64 %.13.i622, %.13.i621
+  br i1 %28, label %B2848, label %B2794
 
-B3558:                                            ; preds = %B3554
-  br i1 %27, label %B22.preheader.i, label %B3708
+B2794:                                            ; preds = %B2790
+  br i1 %29, label %B22.preheader.i, label %B2944
 
-B22.preheader.i:                                  ; preds = %B3558
-  %28 = mul i64 %.3849.sroa.0.0284, -8
-  %scevgep25 = getelementptr i8, ptr %scevgep24, i64 %28
+B22.preheader.i:                                  ; preds = %B2794
+  %30 = mul i64 %.4923.sroa.0.0284, -8
+  %scevgep25 = getelementptr i8, ptr %scevgep24, i64 %30
   br label %B22.i
 
 B22.i:                                            ; preds = %B926.i, %B22.preheader.i
   %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %cell_p.3.0280, %B22.preheader.i ]
   %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i623, %B22.preheader.i ]
-  %.149.i = getelementptr inbounds i64, ptr %.1114, i64 %cell.2.0.i
-  %.150.i = load i64, ptr %.149.i, align 8, !noalias !15
+  %.149.i = getelementptr inbounds i64, ptr %.1115, i64 %cell.2.0.i
+  %.150.i = load i64, ptr %.149.i, align 8, !noalias !18
   %.154.not.i = icmp sgt i64 %.150.i, %start.2.0.i
   br i1 %.154.not.i, label %B112.i, label %B62.i
 
@@ -2007,18 +2021,18 @@ B62.i:                                            ; preds = %B22.i, %B62.i
   %.157.i = add i64 %cell.4.1.i, 1
   %sunkaddr.i = shl i64 %cell.4.1.i, 3
   %scevgep20 = getelementptr i8, ptr %scevgep19, i64 %sunkaddr.i
-  %.170.i = load i64, ptr %scevgep20, align 8, !noalias !15
+  %.170.i = load i64, ptr %scevgep20, align 8, !noalias !18
   %.172.not.i = icmp sgt i64 %.170.i, %start.2.0.i
   br i1 %.172.not.i, label %B112.i, label %B62.i
 
 B112.i:                                           ; preds = %B62.i, %B22.i
   %cell.3.2.i = phi i64 [ %cell.2.0.i, %B22.i ], [ %.157.i, %B62.i ]
-  %.184.i = getelementptr inbounds i64, ptr %.1114, i64 %cell.3.2.i
-  %.185.i = load i64, ptr %.184.i, align 8, !noalias !15
+  %.184.i = getelementptr inbounds i64, ptr %.1115, i64 %cell.3.2.i
+  %.185.i = load i64, ptr %.184.i, align 8, !noalias !18
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.185.i)
   %.395.i = sub i64 %.13.i.i, %start.2.0.i
-  %29 = add i64 %.395.i, 7
-  %.417.i = lshr i64 %29, 3
+  %31 = add i64 %.395.i, 7
+  %.417.i = lshr i64 %31, 3
   %.396.inv.i = icmp slt i64 %.395.i, 1
   %.438305.not326.i = icmp eq i64 %.417.i, 0
   %.438305.not.i = or i1 %.396.inv.i, %.438305.not326.i
@@ -2026,31 +2040,31 @@ B112.i:                                           ; preds = %B62.i, %B22.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
   %.602.i = icmp slt i64 %.185.i, %.13.i621
-  br i1 %.602.i, label %B22.i, label %B3708
+  br i1 %.602.i, label %B22.i, label %B2944
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
-  %.228.i = getelementptr inbounds double, ptr %.1988, i64 %cell.3.2.i
-  %.229.i = load double, ptr %.228.i, align 8, !noalias !15
-  %.231.i = fsub contract double %.2373.le, %.229.i
+  %.228.i = getelementptr inbounds double, ptr %.2824, i64 %cell.3.2.i
+  %.229.i = load double, ptr %.228.i, align 8, !noalias !18
+  %.231.i = fsub contract double %.3209.le, %.229.i
   %.279.i = add nsw i64 %cell.3.2.i, %.277.i
-  %.347.i = getelementptr inbounds double, ptr %.976, i64 %.279.i
-  %.348.i = load double, ptr %.347.i, align 8, !noalias !15
+  %.347.i = getelementptr inbounds double, ptr %.975, i64 %.279.i
+  %.348.i = load double, ptr %.347.i, align 8, !noalias !18
   %.266.i = add nsw i64 %cell.3.2.i, %.234.i
-  %.334.i = getelementptr inbounds double, ptr %.976, i64 %.266.i
-  %.335.i = load double, ptr %.334.i, align 8, !noalias !15
+  %.334.i = getelementptr inbounds double, ptr %.975, i64 %.266.i
+  %.335.i = load double, ptr %.334.i, align 8, !noalias !18
   %.247.i = add nsw i64 %cell.3.2.i, %.614
-  %.315.i = getelementptr inbounds double, ptr %.976, i64 %.247.i
-  %.316.i = load double, ptr %.315.i, align 8, !noalias !15
-  %.303.i = getelementptr inbounds double, ptr %.976, i64 %cell.3.2.i
-  %.304.i = load double, ptr %.303.i, align 8, !noalias !15
-  %.287.i = getelementptr inbounds double, ptr %.891, i64 %.279.i
-  %.288.i = load double, ptr %.287.i, align 8, !noalias !15
-  %.274.i = getelementptr inbounds double, ptr %.891, i64 %.266.i
-  %.275.i = load double, ptr %.274.i, align 8, !noalias !15
-  %.255.i = getelementptr inbounds double, ptr %.891, i64 %.247.i
-  %.256.i = load double, ptr %.255.i, align 8, !noalias !15
-  %.243.i = getelementptr inbounds double, ptr %.891, i64 %cell.3.2.i
-  %.244.i = load double, ptr %.243.i, align 8, !noalias !15
+  %.315.i = getelementptr inbounds double, ptr %.975, i64 %.247.i
+  %.316.i = load double, ptr %.315.i, align 8, !noalias !18
+  %.303.i = getelementptr inbounds double, ptr %.975, i64 %cell.3.2.i
+  %.304.i = load double, ptr %.303.i, align 8, !noalias !18
+  %.287.i = getelementptr inbounds double, ptr %.911, i64 %.279.i
+  %.288.i = load double, ptr %.287.i, align 8, !noalias !18
+  %.274.i = getelementptr inbounds double, ptr %.911, i64 %.266.i
+  %.275.i = load double, ptr %.274.i, align 8, !noalias !18
+  %.255.i = getelementptr inbounds double, ptr %.911, i64 %.247.i
+  %.256.i = load double, ptr %.255.i, align 8, !noalias !18
+  %.243.i = getelementptr inbounds double, ptr %.911, i64 %cell.3.2.i
+  %.244.i = load double, ptr %.243.i, align 8, !noalias !18
   %.514.i = insertelement <8 x double> poison, double %.288.i, i64 0
   %.515.i = shufflevector <8 x double> %.514.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i = insertelement <8 x double> poison, double %.275.i, i64 0
@@ -2069,44 +2083,44 @@ B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.553.i = shufflevector <8 x double> %.552.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.6.i.i = insertelement <8 x double> poison, double %.231.i, i64 0
   %.7.i.i = shufflevector <8 x double> %.6.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %30 = shl i64 %start.2.0.i, 3
-  %31 = add nuw nsw i64 %.417.i, 5
+  %32 = shl i64 %start.2.0.i, 3
+  %33 = add nuw nsw i64 %.417.i, 5
   br label %B570.if.i
 
 B570.if.i:                                        ; preds = %B570.if.i, %B570.if.lr.ph.i
-  %lsr.iv21 = phi i64 [ %lsr.iv.next22, %B570.if.i ], [ %31, %B570.if.lr.ph.i ]
-  %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %30, %B570.if.lr.ph.i ]
+  %lsr.iv21 = phi i64 [ %lsr.iv.next22, %B570.if.i ], [ %33, %B570.if.lr.ph.i ]
+  %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %32, %B570.if.lr.ph.i ]
   %scevgep13.i = getelementptr i8, ptr %.298, i64 %lsr.iv8.i
-  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !15
+  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !18
   %.8.i.i = fadd contract <8 x double> %.7.i.i, %.485.i
   %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.515.i, <8 x double> %.518.i)
   %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.519.i, <8 x double> %.522.i)
   %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.523.i, <8 x double> %.526.i)
   %scevgep27 = getelementptr i8, ptr %scevgep25, i64 %lsr.iv8.i
   %scevgep30 = getelementptr i8, ptr %scevgep27, i64 -8256
-  store <8 x double> %.527.i, ptr %scevgep30, align 8, !noalias !15
+  store <8 x double> %.527.i, ptr %scevgep30, align 8, !noalias !18
   %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.542.i, <8 x double> %.545.i)
   %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.546.i, <8 x double> %.549.i)
   %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.550.i, <8 x double> %.553.i)
-  store <8 x double> %.554.i, ptr %scevgep27, align 8, !noalias !15
+  store <8 x double> %.554.i, ptr %scevgep27, align 8, !noalias !18
   %lsr.iv.next9.i = add i64 %lsr.iv8.i, 64
   %lsr.iv.next22 = add nsw i64 %lsr.iv21, -1
   %.438.i = icmp sgt i64 %lsr.iv21, 6
   br i1 %.438.i, label %B570.if.i, label %B926.i
 
-B3612:                                            ; preds = %B3554
-  br i1 %27, label %B22.preheader.i312, label %B3612.endif
+B2848:                                            ; preds = %B2790
+  br i1 %29, label %B22.preheader.i312, label %B2848.endif
 
-B22.preheader.i312:                               ; preds = %B3612
-  %32 = mul i64 %.3849.sroa.0.0284, -8
-  %scevgep1174 = getelementptr i8, ptr %scevgep1173, i64 %32
+B22.preheader.i312:                               ; preds = %B2848
+  %34 = mul i64 %.4923.sroa.0.0284, -8
+  %scevgep1174 = getelementptr i8, ptr %scevgep1173, i64 %34
   br label %B22.i314
 
 B22.i314:                                         ; preds = %B612.i, %B22.preheader.i312
   %cell.2.0.i315 = phi i64 [ %cell.3.2.i321, %B612.i ], [ %cell_a.2.0279, %B22.preheader.i312 ]
   %start.2.0.i316 = phi i64 [ %.13.i.i323, %B612.i ], [ %.13.i623, %B22.preheader.i312 ]
-  %.121.i = getelementptr inbounds i64, ptr %.1048, i64 %cell.2.0.i315
-  %.122.i = load i64, ptr %.121.i, align 8, !noalias !18
+  %.121.i = getelementptr inbounds i64, ptr %.1052, i64 %cell.2.0.i315
+  %.122.i = load i64, ptr %.121.i, align 8, !noalias !21
   %.126.not.i = icmp sgt i64 %.122.i, %start.2.0.i316
   br i1 %.126.not.i, label %B112.i320, label %B62.i317
 
@@ -2115,18 +2129,18 @@ B62.i317:                                         ; preds = %B22.i314, %B62.i317
   %.129.i = add i64 %cell.4.1.i318, 1
   %sunkaddr.i319 = shl i64 %cell.4.1.i318, 3
   %scevgep1172 = getelementptr i8, ptr %scevgep1171, i64 %sunkaddr.i319
-  %.142.i = load i64, ptr %scevgep1172, align 8, !noalias !18
+  %.142.i = load i64, ptr %scevgep1172, align 8, !noalias !21
   %.144.not.i = icmp sgt i64 %.142.i, %start.2.0.i316
   br i1 %.144.not.i, label %B112.i320, label %B62.i317
 
 B112.i320:                                        ; preds = %B62.i317, %B22.i314
   %cell.3.2.i321 = phi i64 [ %cell.2.0.i315, %B22.i314 ], [ %.129.i, %B62.i317 ]
-  %.156.i = getelementptr inbounds i64, ptr %.1048, i64 %cell.3.2.i321
-  %.157.i322 = load i64, ptr %.156.i, align 8, !noalias !18
+  %.156.i = getelementptr inbounds i64, ptr %.1052, i64 %cell.3.2.i321
+  %.157.i322 = load i64, ptr %.156.i, align 8, !noalias !21
   %.13.i.i323 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.157.i322)
   %.307.i = sub i64 %.13.i.i323, %start.2.0.i316
-  %33 = add i64 %.307.i, 7
-  %.329.i = lshr i64 %33, 3
+  %35 = add i64 %.307.i, 7
+  %.329.i = lshr i64 %35, 3
   %.308.inv.i = icmp slt i64 %.307.i, 1
   %.350229.not250.i = icmp eq i64 %.329.i, 0
   %.350229.not.i = or i1 %.308.inv.i, %.350229.not250.i
@@ -2134,20 +2148,20 @@ B112.i320:                                        ; preds = %B62.i317, %B22.i314
 
 B612.i:                                           ; preds = %B412.if.i, %B112.i320
   %.479.i = icmp slt i64 %.157.i322, %.13.i621
-  br i1 %.479.i, label %B22.i314, label %B3612.endif
+  br i1 %.479.i, label %B22.i314, label %B2848.endif
 
 B412.if.lr.ph.i:                                  ; preds = %B112.i320
-  %.200.i = getelementptr inbounds double, ptr %.1890, i64 %cell.3.2.i321
-  %.201.i = load double, ptr %.200.i, align 8, !noalias !18
-  %.203.i = fsub contract double %.2373.le, %.201.i
-  %.259.i = getelementptr double, ptr %10, i64 %cell.3.2.i321
-  %.260.i = load double, ptr %.259.i, align 8, !noalias !18
-  %.246.i = getelementptr double, ptr %9, i64 %cell.3.2.i321
-  %.247.i324 = load double, ptr %.246.i, align 8, !noalias !18
-  %.227.i = getelementptr double, ptr %8, i64 %cell.3.2.i321
-  %.228.i325 = load double, ptr %.227.i, align 8, !noalias !18
-  %.215.i = getelementptr inbounds double, ptr %.891, i64 %cell.3.2.i321
-  %.216.i = load double, ptr %.215.i, align 8, !noalias !18
+  %.200.i = getelementptr inbounds double, ptr %.2726, i64 %cell.3.2.i321
+  %.201.i = load double, ptr %.200.i, align 8, !noalias !21
+  %.203.i = fsub contract double %.3209.le, %.201.i
+  %.259.i = getelementptr double, ptr %12, i64 %cell.3.2.i321
+  %.260.i = load double, ptr %.259.i, align 8, !noalias !21
+  %.246.i = getelementptr double, ptr %11, i64 %cell.3.2.i321
+  %.247.i324 = load double, ptr %.246.i, align 8, !noalias !21
+  %.227.i = getelementptr double, ptr %10, i64 %cell.3.2.i321
+  %.228.i325 = load double, ptr %.227.i, align 8, !noalias !21
+  %.215.i = getelementptr inbounds double, ptr %.911, i64 %cell.3.2.i321
+  %.216.i = load double, ptr %.215.i, align 8, !noalias !21
   %.426.i = insertelement <8 x double> poison, double %.260.i, i64 0
   %.427.i = shufflevector <8 x double> %.426.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.429.i = insertelement <8 x double> poison, double %.247.i324, i64 0
@@ -2158,143 +2172,143 @@ B412.if.lr.ph.i:                                  ; preds = %B112.i320
   %.438.i326 = shufflevector <8 x double> %.437.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.6.i.i327 = insertelement <8 x double> poison, double %.203.i, i64 0
   %.7.i.i328 = shufflevector <8 x double> %.6.i.i327, <8 x double> poison, <8 x i32> zeroinitializer
-  %34 = shl i64 %start.2.0.i316, 3
-  %35 = add nuw nsw i64 %.329.i, 5
+  %36 = shl i64 %start.2.0.i316, 3
+  %37 = add nuw nsw i64 %.329.i, 5
   br label %B412.if.i
 
 B412.if.i:                                        ; preds = %B412.if.i, %B412.if.lr.ph.i
-  %lsr.iv31 = phi i64 [ %lsr.iv.next32, %B412.if.i ], [ %35, %B412.if.lr.ph.i ]
-  %lsr.iv8.i329 = phi i64 [ %lsr.iv.next9.i335, %B412.if.i ], [ %34, %B412.if.lr.ph.i ]
+  %lsr.iv31 = phi i64 [ %lsr.iv.next32, %B412.if.i ], [ %37, %B412.if.lr.ph.i ]
+  %lsr.iv8.i329 = phi i64 [ %lsr.iv.next9.i335, %B412.if.i ], [ %36, %B412.if.lr.ph.i ]
   %scevgep11.i331 = getelementptr i8, ptr %.298, i64 %lsr.iv8.i329
-  %.397.i = load <8 x double>, ptr %scevgep11.i331, align 8, !noalias !18
+  %.397.i = load <8 x double>, ptr %scevgep11.i331, align 8, !noalias !21
   %.8.i.i332 = fadd contract <8 x double> %.7.i.i328, %.397.i
   %.431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i332, <8 x double> %.427.i, <8 x double> %.430.i)
   %.435.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i332, <8 x double> %.431.i, <8 x double> %.434.i)
   %.439.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i332, <8 x double> %.435.i, <8 x double> %.438.i326)
   %scevgep1175 = getelementptr i8, ptr %scevgep1174, i64 %lsr.iv8.i329
-  store <8 x double> %.439.i, ptr %scevgep1175, align 8, !noalias !18
+  store <8 x double> %.439.i, ptr %scevgep1175, align 8, !noalias !21
   %lsr.iv.next9.i335 = add i64 %lsr.iv8.i329, 64
   %lsr.iv.next32 = add nsw i64 %lsr.iv31, -1
   %.350.i = icmp sgt i64 %lsr.iv31, 6
   br i1 %.350.i, label %B412.if.i, label %B612.i
 
-B3708:                                            ; preds = %B926.i, %B612.i703, %B3612.endif, %B3558, %B3440
-  %cell_a.3.1 = phi i64 [ %cell.5.1.i311, %B612.i703 ], [ %cell.5.1.i311, %B3612.endif ], [ %cell_a.2.0279, %B3440 ], [ %cell_a.2.0279, %B3558 ], [ %cell_a.2.0279, %B926.i ]
-  %cell_p.4.1 = phi i64 [ %cell.3.2.i659, %B612.i703 ], [ %cell_p.3.0280, %B3612.endif ], [ %cell_p.3.0280, %B3440 ], [ %cell_p.3.0280, %B3558 ], [ %cell.3.2.i, %B926.i ]
-  %direct.2.1 = phi i64 [ %.13.i621, %B612.i703 ], [ %.13.i621, %B3612.endif ], [ %.13.i623, %B3440 ], [ %.13.i621, %B3558 ], [ %.13.i621, %B926.i ]
-  %.4645 = icmp sgt i64 %direct.2.1, %.3849.sroa.0.0284
-  br i1 %.4645, label %B3722, label %B4288
+B2944:                                            ; preds = %B926.i, %B612.i703, %B2848.endif, %B2794, %B2676
+  %cell_a.3.1 = phi i64 [ %cell.5.1.i311, %B612.i703 ], [ %cell.5.1.i311, %B2848.endif ], [ %cell_a.2.0279, %B2676 ], [ %cell_a.2.0279, %B2794 ], [ %cell_a.2.0279, %B926.i ]
+  %cell_p.4.1 = phi i64 [ %cell.3.2.i659, %B612.i703 ], [ %cell_p.3.0280, %B2848.endif ], [ %cell_p.3.0280, %B2676 ], [ %cell_p.3.0280, %B2794 ], [ %cell.3.2.i, %B926.i ]
+  %direct.2.1 = phi i64 [ %.13.i621, %B612.i703 ], [ %.13.i621, %B2848.endif ], [ %.13.i623, %B2676 ], [ %.13.i621, %B2794 ], [ %.13.i621, %B926.i ]
+  %.5719 = icmp sgt i64 %direct.2.1, %.4923.sroa.0.0284
+  br i1 %.5719, label %B2958, label %B3524
 
-B3722:                                            ; preds = %B3708
-  %.4649 = sub nsw i64 %direct.2.1, %.3849.sroa.0.0284
-  %.4654 = sub nsw i64 %.13.i519, %.3849.sroa.0.0284
-  %.13.i336 = tail call i64 @llvm.smax.i64(i64 %.4654, i64 0)
-  %.13.i706 = tail call i64 @llvm.smin.i64(i64 %.4649, i64 %.13.i336)
-  %.4713 = sub nsw i64 %.13.i520, %.3849.sroa.0.0284
-  %.13.i707 = tail call i64 @llvm.smax.i64(i64 %.4713, i64 0)
-  %.13.i708 = tail call i64 @llvm.smin.i64(i64 %.4649, i64 %.13.i707)
-  %.4788 = getelementptr double, ptr %.229, i64 %.3849.sroa.0.0284
-  %.4925 = getelementptr double, ptr %4, i64 %.3849.sroa.0.0284
-  %.5057 = getelementptr double, ptr %5, i64 %.3849.sroa.0.0284
-  store ptr null, ptr %.5114, align 8
-  call fastcc void @inner_10(ptr nonnull %.5114, ptr %.4788, ptr %.4925, ptr %.5057, i64 %.13.i706, i64 %.13.i708, i64 %.4649, double %.2361, ptr %arg.scratch.4, double %constant.2.1, ptr %.1199, ptr %.1344)
-  %36 = add nuw i64 %.4649, 7
-  %.1167.i = lshr i64 %36, 3
-  %.1144.inv.i = icmp slt i64 %.4649, 1
+B2958:                                            ; preds = %B2944
+  %.5723 = sub nsw i64 %direct.2.1, %.4923.sroa.0.0284
+  %.5728 = sub nsw i64 %.13.i519, %.4923.sroa.0.0284
+  %.13.i336 = tail call i64 @llvm.smax.i64(i64 %.5728, i64 0)
+  %.13.i706 = tail call i64 @llvm.smin.i64(i64 %.5723, i64 %.13.i336)
+  %.5787 = sub nsw i64 %.13.i520, %.4923.sroa.0.0284
+  %.13.i707 = tail call i64 @llvm.smax.i64(i64 %.5787, i64 0)
+  %.13.i708 = tail call i64 @llvm.smin.i64(i64 %.5723, i64 %.13.i707)
+  %.5862 = getelementptr double, ptr %.229, i64 %.4923.sroa.0.0284
+  %.5999 = getelementptr double, ptr %6, i64 %.4923.sroa.0.0284
+  %.6131 = getelementptr double, ptr %7, i64 %.4923.sroa.0.0284
+  store ptr null, ptr %.6188, align 8
+  call fastcc void @inner_10(ptr nonnull %.6188, ptr %.5862, ptr %.5999, ptr %.6131, i64 %.13.i706, i64 %.13.i708, i64 %.5723, double %.3197, ptr %arg.scratch.4, double %constant.2.1, ptr %.1264, ptr %.1389)
+  %38 = add nuw i64 %.5723, 7
+  %.1167.i = lshr i64 %38, 3
+  %.1144.inv.i = icmp slt i64 %.5723, 1
   %.1189570.not574.i = icmp eq i64 %.1167.i, 0
   %.1189570.not.i = or i1 %.1144.inv.i, %.1189570.not574.i
-  br i1 %.1189570.not.i, label %B4288, label %B484.if.lr.ph.i
+  br i1 %.1189570.not.i, label %B3524, label %B484.if.lr.ph.i
 
-B4288:                                            ; preds = %B484.if.i, %B3722, %B3708
+B3524:                                            ; preds = %B484.if.i, %B2958, %B2944
   %.137.i = icmp slt i64 %.13.i622, %.13.i621
-  %or.cond21 = and i1 %"$phi2668.0.3.07", %.137.i
-  br i1 %or.cond21, label %B22.preheader.i770, label %B4518
+  %or.cond26 = and i1 %"$phi1920.0.3.0717", %.137.i
+  br i1 %or.cond26, label %B22.preheader.i770, label %B3750
 
-B4518:                                            ; preds = %B1344.i, %B4288
-  %cell.3.1 = phi i64 [ %cell.2.0281, %B4288 ], [ %cell.3.2.i780, %B1344.i ]
-  store ptr null, ptr %.6036, align 8
-  call fastcc void @inner_11(ptr nonnull %.6036, i64 %arg.i, i64 %.3849.sroa.0.0284, i64 %.13.i621, i64 %.13.i, ptr %arg.arguments.4, ptr %.1344, ptr %.1407, double %arg.plus, double %arg.cross, ptr %.1490)
-  %.3859 = icmp samesign ugt i64 %.3806.1283.in, 1
-  %.3872 = add i64 %.3803.1282, 1024
-  %.3803.1 = select i1 %.3859, i64 %.3872, i64 %.3803.1282
-  %37 = tail call i64 @llvm.smax.i64(i64 %.3806.1283.in, i64 2)
-  %38 = add nsw i64 %37, -1
-  %.3849.sroa.0.0 = select i1 %.3859, i64 %.3803.1282, i64 0
-  br i1 %.3859, label %B3116, label %B4572
+B3750:                                            ; preds = %B1344.i, %B3524
+  %cell.3.1 = phi i64 [ %cell.2.0281, %B3524 ], [ %cell.3.2.i780, %B1344.i ]
+  store ptr null, ptr %.7151, align 8
+  call fastcc void @inner_11(ptr nonnull %.7151, i64 %arg.i, i64 %.4923.sroa.0.0284, i64 %.13.i621, i64 %.13.i, ptr %arg.arguments.4, ptr %.1389, ptr %.1452, double %arg.plus, double %arg.cross, ptr %.1546)
+  %.4933 = icmp samesign ugt i64 %.4880.1283.in, 1
+  %.4946 = add i64 %.4877.1282, 1024
+  %.4877.1 = select i1 %.4933, i64 %.4946, i64 %.4877.1282
+  %39 = tail call i64 @llvm.smax.i64(i64 %.4880.1283.in, i64 2)
+  %40 = add nsw i64 %39, -1
+  %.4923.sroa.0.0 = select i1 %.4933, i64 %.4877.1282, i64 0
+  br i1 %.4933, label %B2352, label %B3804
 
-common.ret:                                       ; preds = %B2868.if, %B2750.if, %B4572
-  %common.ret.op = phi i32 [ 0, %B4572 ], [ 1, %B2868.if ], [ 1, %B2750.if ]
+common.ret:                                       ; preds = %B2104.if, %B2002.if, %B3804
+  %common.ret.op = phi i32 [ 0, %B3804 ], [ 1, %B2104.if ], [ 1, %B2002.if ]
   ret i32 %common.ret.op
 
-B4572:                                            ; preds = %B4518, %B3056
+B3804:                                            ; preds = %B3750, %B2292
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
 B94.if.lr.ph.i:                                   ; preds = %B308
-  %39 = tail call i64 @llvm.smax.i64(i64 %.234.i, i64 0)
-  %.260.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %39, i64 1073741824)
-  %40 = tail call i64 @llvm.smax.i64(i64 %.614, i64 0)
-  %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %40, i64 1073741824)
-  %41 = getelementptr double, ptr %.891, i64 %.614
-  %42 = getelementptr double, ptr %.891, i64 %.234.i
+  %41 = tail call i64 @llvm.smax.i64(i64 %.234.i, i64 0)
+  %.260.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %41, i64 1073741824)
+  %42 = tail call i64 @llvm.smax.i64(i64 %.614, i64 0)
+  %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %42, i64 1073741824)
+  %43 = getelementptr double, ptr %.911, i64 %.614
+  %44 = getelementptr double, ptr %.911, i64 %.234.i
   %.idx.i440 = mul i64 %.614, 24
-  %43 = getelementptr i8, ptr %.891, i64 %.idx.i440
-  %44 = shl i64 %.573, 3
-  %45 = and i64 %44, -64
-  %46 = getelementptr i8, ptr %arg.linear.4, i64 %45
-  %scevgep1223 = getelementptr i8, ptr %46, i64 8
-  %47 = add i64 %.260.sroa.0.3.i, %.1879
-  %48 = shl i64 %47, 3
-  %scevgep71 = getelementptr i8, ptr %arg.weights.4, i64 %48
-  %49 = add i64 %.88.sroa.0.3.i, %.1879
+  %45 = getelementptr i8, ptr %.911, i64 %.idx.i440
+  %46 = shl i64 %.573, 3
+  %47 = and i64 %46, -64
+  %48 = getelementptr i8, ptr %arg.linear.4, i64 %47
+  %scevgep1223 = getelementptr i8, ptr %48, i64 8
+  %49 = add i64 %.260.sroa.0.3.i, %.2715
   %50 = shl i64 %49, 3
-  %scevgep73 = getelementptr i8, ptr %arg.weights.4, i64 %50
-  %51 = add nuw nsw i64 %.486.i, 5
+  %scevgep76 = getelementptr i8, ptr %arg.weights.4, i64 %50
+  %51 = add i64 %.88.sroa.0.3.i, %.2715
+  %52 = shl i64 %51, 3
+  %scevgep78 = getelementptr i8, ptr %arg.weights.4, i64 %52
+  %53 = add nuw nsw i64 %.486.i, 5
   br label %B94.if.i
 
 B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
-  %lsr.iv58 = phi i64 [ %lsr.iv.next59, %B94.if.i ], [ %51, %B94.if.lr.ph.i ]
+  %lsr.iv58 = phi i64 [ %lsr.iv.next59, %B94.if.i ], [ %53, %B94.if.lr.ph.i ]
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
   %sunkaddr92 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
-  %.554.i443 = load <8 x double>, ptr %sunkaddr92, align 8, !noalias !21
+  %.554.i443 = load <8 x double>, ptr %sunkaddr92, align 8, !noalias !24
   %sunkaddr94 = getelementptr i8, ptr %sunkaddr92, i64 8
-  %.565.i = load <8 x double>, ptr %sunkaddr94, align 8, !noalias !21
+  %.565.i = load <8 x double>, ptr %sunkaddr94, align 8, !noalias !24
   %scevgep1225 = getelementptr i8, ptr %scevgep1223, i64 %lsr.iv53.i
   %scevgep1226 = getelementptr i8, ptr %scevgep1225, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep1226, align 8, !noalias !21
-  %.586.i = load <8 x double>, ptr %scevgep1225, align 8, !noalias !21
-  %scevgep74 = getelementptr i8, ptr %scevgep73, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep74, align 8, !noalias !21
-  %scevgep72 = getelementptr i8, ptr %scevgep71, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep72, align 8, !noalias !21
+  %.575.i = load <8 x double>, ptr %scevgep1226, align 8, !noalias !24
+  %.586.i = load <8 x double>, ptr %scevgep1225, align 8, !noalias !24
+  %scevgep79 = getelementptr i8, ptr %scevgep78, i64 %lsr.iv53.i
+  %.596.i = load <8 x double>, ptr %scevgep79, align 8, !noalias !24
+  %scevgep77 = getelementptr i8, ptr %scevgep76, i64 %lsr.iv53.i
+  %.606.i = load <8 x double>, ptr %scevgep77, align 8, !noalias !24
   %.6.i.i444 = fsub contract <8 x double> %.565.i, %.554.i443
   %.6.i46.i = fmul contract <8 x double> %.6.i.i444, %.606.i
-  %scevgep65.i = getelementptr i8, ptr %.891, i64 %lsr.iv53.i
-  store <8 x double> %.554.i443, ptr %scevgep65.i, align 8, !noalias !21
+  %scevgep65.i = getelementptr i8, ptr %.911, i64 %lsr.iv53.i
+  store <8 x double> %.554.i443, ptr %scevgep65.i, align 8, !noalias !24
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
   %.8.i.i445 = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
   %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i445
   %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
-  %scevgep64.i = getelementptr i8, ptr %41, i64 %lsr.iv53.i
-  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !21
+  %scevgep64.i = getelementptr i8, ptr %43, i64 %lsr.iv53.i
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !24
   %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
-  %scevgep63.i = getelementptr i8, ptr %42, i64 %lsr.iv53.i
-  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !21
+  %scevgep63.i = getelementptr i8, ptr %44, i64 %lsr.iv53.i
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !24
   %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
   %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
   %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
-  %scevgep62.i = getelementptr i8, ptr %43, i64 %lsr.iv53.i
-  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !21
+  %scevgep62.i = getelementptr i8, ptr %45, i64 %lsr.iv53.i
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !24
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
   %lsr.iv.next59 = add nsw i64 %lsr.iv58, -1
   %.507.i = icmp sgt i64 %lsr.iv58, 6
   br i1 %.507.i, label %B94.if.i, label %B308.endif.endif.endif.en...endif.3.endif.endif
 
 B308.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B308
-  %.2164.idx = shl i64 %.614, 4
-  %.2164 = getelementptr i8, ptr %arg.linear.4, i64 %.2164.idx
-  %52 = add i64 %.564, 6
-  %.486.i478 = lshr i64 %52, 3
+  %.3000.idx = shl i64 %.614, 4
+  %.3000 = getelementptr i8, ptr %arg.linear.4, i64 %.3000.idx
+  %54 = add i64 %.564, 6
+  %.486.i478 = lshr i64 %54, 3
   %.463.inv.i479 = icmp slt i64 %.564, 2
   %.507321.not325.i480 = icmp eq i64 %.486.i478, 0
   %.507321.not.i481 = select i1 %.463.inv.i479, i1 true, i1 %.507321.not325.i480
@@ -2302,146 +2316,146 @@ B308.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B308
 
 B94.if.lr.ph.i482:                                ; preds = %B308.endif.endif.endif.en...endif.3.endif.endif
   %.234.i468 = shl i64 %.660, 1
-  %53 = tail call i64 @llvm.smax.i64(i64 %.234.i468, i64 0)
-  %.260.sroa.0.3.i476 = tail call i64 @llvm.smin.i64(i64 %53, i64 1073741824)
-  %54 = tail call i64 @llvm.smax.i64(i64 %.660, i64 0)
-  %.88.sroa.0.3.i466 = tail call i64 @llvm.smin.i64(i64 %54, i64 1073741824)
-  %55 = getelementptr double, ptr %.976, i64 %.660
+  %55 = tail call i64 @llvm.smax.i64(i64 %.234.i468, i64 0)
+  %.260.sroa.0.3.i476 = tail call i64 @llvm.smin.i64(i64 %55, i64 1073741824)
+  %56 = tail call i64 @llvm.smax.i64(i64 %.660, i64 0)
+  %.88.sroa.0.3.i466 = tail call i64 @llvm.smin.i64(i64 %56, i64 1073741824)
+  %57 = getelementptr double, ptr %.975, i64 %.660
   %.idx.i483 = mul i64 %.660, 24
-  %56 = shl i64 %.573, 5
-  %57 = and i64 %56, -256
-  %58 = shl i64 %.619, 3
-  %59 = and i64 %58, -64
-  %60 = getelementptr i8, ptr %.2164, i64 %59
-  %scevgep1213 = getelementptr i8, ptr %60, i64 8
-  %61 = shl i64 %.619, 4
-  %62 = and i64 %61, -128
-  %63 = add i64 %.260.sroa.0.3.i476, %.1977
-  %64 = shl i64 %63, 3
-  %scevgep65 = getelementptr i8, ptr %arg.weights.4, i64 %64
-  %65 = add i64 %.88.sroa.0.3.i466, %.1977
+  %58 = shl i64 %.573, 5
+  %59 = and i64 %58, -256
+  %60 = shl i64 %.619, 3
+  %61 = and i64 %60, -64
+  %62 = getelementptr i8, ptr %.3000, i64 %61
+  %scevgep1213 = getelementptr i8, ptr %62, i64 8
+  %63 = shl i64 %.619, 4
+  %64 = and i64 %63, -128
+  %65 = add i64 %.260.sroa.0.3.i476, %.2813
   %66 = shl i64 %65, 3
-  %scevgep67 = getelementptr i8, ptr %arg.weights.4, i64 %66
-  %67 = getelementptr i8, ptr %arg.scratch.4, i64 %57
-  %68 = getelementptr i8, ptr %67, i64 %62
-  %scevgep44 = getelementptr i8, ptr %68, i64 320
-  %69 = add nuw nsw i64 %.486.i478, 5
-  %70 = getelementptr i8, ptr %67, i64 %.idx.i483
-  %scevgep56 = getelementptr i8, ptr %70, i64 320
+  %scevgep70 = getelementptr i8, ptr %arg.weights.4, i64 %66
+  %67 = add i64 %.88.sroa.0.3.i466, %.2813
+  %68 = shl i64 %67, 3
+  %scevgep72 = getelementptr i8, ptr %arg.weights.4, i64 %68
+  %69 = getelementptr i8, ptr %arg.scratch.4, i64 %59
+  %70 = getelementptr i8, ptr %69, i64 %64
+  %scevgep44 = getelementptr i8, ptr %70, i64 320
+  %71 = add nuw nsw i64 %.486.i478, 5
+  %72 = getelementptr i8, ptr %69, i64 %.idx.i483
+  %scevgep56 = getelementptr i8, ptr %72, i64 320
   br label %B94.if.i484
 
 B94.if.i484:                                      ; preds = %B94.if.i484, %B94.if.lr.ph.i482
-  %lsr.iv54 = phi i64 [ %lsr.iv.next55, %B94.if.i484 ], [ %69, %B94.if.lr.ph.i482 ]
+  %lsr.iv54 = phi i64 [ %lsr.iv.next55, %B94.if.i484 ], [ %71, %B94.if.lr.ph.i482 ]
   %lsr.iv53.i485 = phi i64 [ %lsr.iv.next54.i514, %B94.if.i484 ], [ 0, %B94.if.lr.ph.i482 ]
-  %sunkaddr95 = getelementptr i8, ptr %.2164, i64 %lsr.iv53.i485
-  %.554.i488 = load <8 x double>, ptr %sunkaddr95, align 8, !noalias !24
+  %sunkaddr95 = getelementptr i8, ptr %.3000, i64 %lsr.iv53.i485
+  %.554.i488 = load <8 x double>, ptr %sunkaddr95, align 8, !noalias !27
   %sunkaddr97 = getelementptr i8, ptr %sunkaddr95, i64 8
-  %.565.i490 = load <8 x double>, ptr %sunkaddr97, align 8, !noalias !24
+  %.565.i490 = load <8 x double>, ptr %sunkaddr97, align 8, !noalias !27
   %scevgep1215 = getelementptr i8, ptr %scevgep1213, i64 %lsr.iv53.i485
   %scevgep1216 = getelementptr i8, ptr %scevgep1215, i64 -8
-  %.575.i492 = load <8 x double>, ptr %scevgep1216, align 8, !noalias !24
-  %.586.i494 = load <8 x double>, ptr %scevgep1215, align 8, !noalias !24
-  %scevgep68 = getelementptr i8, ptr %scevgep67, i64 %lsr.iv53.i485
-  %.596.i496 = load <8 x double>, ptr %scevgep68, align 8, !noalias !24
-  %scevgep66 = getelementptr i8, ptr %scevgep65, i64 %lsr.iv53.i485
-  %.606.i498 = load <8 x double>, ptr %scevgep66, align 8, !noalias !24
+  %.575.i492 = load <8 x double>, ptr %scevgep1216, align 8, !noalias !27
+  %.586.i494 = load <8 x double>, ptr %scevgep1215, align 8, !noalias !27
+  %scevgep73 = getelementptr i8, ptr %scevgep72, i64 %lsr.iv53.i485
+  %.596.i496 = load <8 x double>, ptr %scevgep73, align 8, !noalias !27
+  %scevgep71 = getelementptr i8, ptr %scevgep70, i64 %lsr.iv53.i485
+  %.606.i498 = load <8 x double>, ptr %scevgep71, align 8, !noalias !27
   %.6.i.i499 = fsub contract <8 x double> %.565.i490, %.554.i488
   %.6.i46.i500 = fmul contract <8 x double> %.6.i.i499, %.606.i498
-  %scevgep65.i501 = getelementptr i8, ptr %.976, i64 %lsr.iv53.i485
-  store <8 x double> %.554.i488, ptr %scevgep65.i501, align 8, !noalias !24
+  %scevgep65.i501 = getelementptr i8, ptr %.975, i64 %lsr.iv53.i485
+  store <8 x double> %.554.i488, ptr %scevgep65.i501, align 8, !noalias !27
   %.669.i502 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i492, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i494)
   %.8.i.i503 = fmul contract <8 x double> %.669.i502, splat (double 0x3FC5555555555555)
   %.6.i47.i504 = fmul contract <8 x double> %.596.i496, %.8.i.i503
   %.6.i48.i505 = fsub contract <8 x double> %.6.i46.i500, %.6.i47.i504
-  %scevgep64.i506 = getelementptr i8, ptr %55, i64 %lsr.iv53.i485
-  store <8 x double> %.6.i48.i505, ptr %scevgep64.i506, align 8, !noalias !24
+  %scevgep64.i506 = getelementptr i8, ptr %57, i64 %lsr.iv53.i485
+  store <8 x double> %.6.i48.i505, ptr %scevgep64.i506, align 8, !noalias !27
   %.8.i49.i507 = fmul contract <8 x double> %.575.i492, splat (double 5.000000e-01)
   %scevgep45 = getelementptr i8, ptr %scevgep44, i64 %lsr.iv53.i485
-  store <8 x double> %.8.i49.i507, ptr %scevgep45, align 8, !noalias !24
+  store <8 x double> %.8.i49.i507, ptr %scevgep45, align 8, !noalias !27
   %.6.i50.i509 = fsub contract <8 x double> %.586.i494, %.575.i492
   %.6.i51.i510 = fmul contract <8 x double> %.6.i50.i509, %.606.i498
   %.8.i52.i511 = fmul contract <8 x double> %.6.i51.i510, splat (double 0x3FC5555555555555)
   %scevgep57 = getelementptr i8, ptr %scevgep56, i64 %lsr.iv53.i485
-  store <8 x double> %.8.i52.i511, ptr %scevgep57, align 8, !noalias !24
+  store <8 x double> %.8.i52.i511, ptr %scevgep57, align 8, !noalias !27
   %lsr.iv.next54.i514 = add i64 %lsr.iv53.i485, 64
   %lsr.iv.next55 = add nsw i64 %lsr.iv54, -1
   %.507.i515 = icmp sgt i64 %lsr.iv54, 6
   br i1 %.507.i515, label %B94.if.i484, label %B308.endif.endif.endif.en...endif.4.endif
 
 B308.endif.endif.endif.en...endif.4.endif:        ; preds = %B94.if.i484, %B308.endif.endif.endif.en...endif.3.endif.endif
-  %71 = inttoptr i64 %.425 to ptr
-  %.2359 = getelementptr i8, ptr %arg.row.4, i64 56
-  %.2360 = load double, ptr %.2359, align 8
-  %.2361 = fmul contract double %.2360, 0x3ED4A8B4A9ED04E3
-  %.2373.le = tail call contract double @llvm.log.f64(double %.2361)
-  %.2409 = getelementptr i8, ptr %arg.contents.4, i64 128
-  %.2410 = load i64, ptr %.2409, align 8
-  %72 = lshr i64 %.2410, 33
-  %.2429 = and i64 %72, 1073741824
-  %73 = getelementptr double, ptr %arg.weights.4, i64 %.2410
-  %.2443 = getelementptr double, ptr %73, i64 %.2429
-  %.2444 = load double, ptr %.2443, align 8
-  %.2460 = icmp slt i64 %.2410, -1
-  %.2461 = select i1 %.2460, i64 1073741824, i64 0
-  %74 = getelementptr i8, ptr %73, i64 8
-  %.2475 = getelementptr double, ptr %74, i64 %.2461
-  %.2476 = load double, ptr %.2475, align 8
-  %.2512 = fmul contract double %.2444, 0x3FEFFFFFFF768FA1
-  %.2520.le = tail call contract double @llvm.log.f64(double %.2512)
-  %.2526 = fsub contract double %.2520.le, %.2373.le
-  store i64 0, ptr %.2572, align 8
-  call fastcc void @inner_12(ptr nonnull %.2572, ptr %.298, i64 %.126, ptr %71, i64 %.186, double %"$phi308.0.2.0", double %.2526)
-  %.2590 = load i64, ptr %.2572, align 8
-  %.2640 = fmul contract double %.2476, 0x3FF000000044B830
-  %.2648.le = tail call contract double @llvm.log.f64(double %.2640)
-  %.2654 = fsub contract double %.2648.le, %.2373.le
-  store i64 0, ptr %.2700, align 8
-  call fastcc void @inner_12(ptr nonnull %.2700, ptr %.298, i64 %.126, ptr %71, i64 %.186, double %"$phi308.0.2.0", double %.2654)
-  %.2718 = load i64, ptr %.2700, align 8
-  %.2780 = fsub contract double 0xC0126BB1BBB55515, %.2373.le
-  store i64 0, ptr %.2826, align 8
-  call fastcc void @inner_12(ptr nonnull %.2826, ptr %.298, i64 %.126, ptr %71, i64 %.186, double %"$phi308.0.2.0", double %.2780)
-  %.2844 = load i64, ptr %.2826, align 8
-  %.13.i519 = tail call i64 @llvm.smin.i64(i64 %.2718, i64 %.2844)
-  %.2935 = fsub contract double 0xC00F4BD2B7AC1BAF, %.2373.le
-  store i64 0, ptr %.2981, align 8
-  call fastcc void @inner_12(ptr nonnull %.2981, ptr %.298, i64 %.126, ptr %71, i64 %.186, double %"$phi308.0.2.0", double %.2935)
-  %.2999 = load i64, ptr %.2981, align 8
-  %.13.i520 = tail call i64 @llvm.smin.i64(i64 %.2718, i64 %.2999)
-  %.3075 = getelementptr i8, ptr %arg.contents.4, i64 72
-  %.3076 = load i64, ptr %.3075, align 8
-  %.3106 = getelementptr i8, ptr %arg.arguments.4, i64 88
-  %.3107 = load i64, ptr %.3106, align 8
-  %.3143 = load i64, ptr %.764, align 8
-  %.3144 = icmp sgt i64 %.3143, 0
-  %.3150 = icmp sgt i64 %.126, 2047
-  %or.cond = select i1 %.3144, i1 %.3150, i1 false
-  br i1 %or.cond, label %B2668, label %B2668.thread
+  %73 = inttoptr i64 %.425 to ptr
+  %.3195 = getelementptr i8, ptr %arg.row.4, i64 56
+  %.3196 = load double, ptr %.3195, align 8
+  %.3197 = fmul contract double %.3196, 0x3ED4A8B4A9ED04E3
+  %.3209.le = tail call contract double @llvm.log.f64(double %.3197)
+  %.3245 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.3246 = load i64, ptr %.3245, align 8
+  %74 = lshr i64 %.3246, 33
+  %.3265 = and i64 %74, 1073741824
+  %75 = getelementptr double, ptr %arg.weights.4, i64 %.3246
+  %.3279 = getelementptr double, ptr %75, i64 %.3265
+  %.3280 = load double, ptr %.3279, align 8
+  %.3296 = icmp slt i64 %.3246, -1
+  %.3297 = select i1 %.3296, i64 1073741824, i64 0
+  %76 = getelementptr i8, ptr %75, i64 8
+  %.3311 = getelementptr double, ptr %76, i64 %.3297
+  %.3312 = load double, ptr %.3311, align 8
+  %.3348 = fmul contract double %.3280, 0x3FEFFFFFFF768FA1
+  %.3356.le = tail call contract double @llvm.log.f64(double %.3348)
+  %.3362 = fsub contract double %.3356.le, %.3209.le
+  store i64 0, ptr %.3408, align 8
+  call fastcc void @inner_12(ptr nonnull %.3408, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3362)
+  %.3426 = load i64, ptr %.3408, align 8
+  %.3476 = fmul contract double %.3312, 0x3FF000000044B830
+  %.3484.le = tail call contract double @llvm.log.f64(double %.3476)
+  %.3490 = fsub contract double %.3484.le, %.3209.le
+  store i64 0, ptr %.3536, align 8
+  call fastcc void @inner_12(ptr nonnull %.3536, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3490)
+  %.3554 = load i64, ptr %.3536, align 8
+  %.3616 = fsub contract double 0xC0126BB1BBB55515, %.3209.le
+  store i64 0, ptr %.3662, align 8
+  call fastcc void @inner_12(ptr nonnull %.3662, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3616)
+  %.3680 = load i64, ptr %.3662, align 8
+  %.13.i519 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %.3680)
+  %.3771 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3209.le
+  store i64 0, ptr %.3817, align 8
+  call fastcc void @inner_12(ptr nonnull %.3817, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3771)
+  %.3835 = load i64, ptr %.3817, align 8
+  %.13.i520 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %.3835)
+  %.3911 = getelementptr i8, ptr %arg.contents.4, i64 72
+  %.3912 = load i64, ptr %.3911, align 8
+  %.3942 = getelementptr i8, ptr %arg.arguments.4, i64 88
+  %.3943 = load i64, ptr %.3942, align 8
+  %.3979 = load i64, ptr %.764, align 8
+  %.3980 = icmp sgt i64 %.3979, 0
+  %.3986 = icmp sgt i64 %.126, 2047
+  %or.cond = select i1 %.3980, i1 %.3986, i1 false
+  br i1 %or.cond, label %B1920, label %B1920.thread
 
-B2668.thread:                                     ; preds = %B308.endif.endif.endif.en...endif.4.endif
-  %.32234 = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.32245 = load i64, ptr %.32234, align 8
-  %.32356 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.32245
-  br label %B2868
+B1920.thread:                                     ; preds = %B308.endif.endif.endif.en...endif.4.endif
+  %.40594 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.40605 = load i64, ptr %.40594, align 8
+  %.40716 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.40605
+  br label %B2104
 
-B2750.if:                                         ; preds = %B2750
-  %.3344 = load ptr, ptr %excinfo.33, align 8
-  store ptr %.3344, ptr %excinfo, align 8
+B2002.if:                                         ; preds = %B2002
+  %.4394 = load ptr, ptr %excinfo.33, align 8
+  store ptr %.4394, ptr %excinfo, align 8
   br label %common.ret
 
-B2750.endif:                                      ; preds = %B2750
-  %.135.i = load double, ptr %.298, align 8, !noalias !27
+B2002.endif:                                      ; preds = %B2002
+  %.135.i = load double, ptr %.298, align 8, !noalias !12
   %.143.i = add nsw i64 %.765, -1
   %.181.i = icmp slt i64 %.765, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %B2084
 
-B92.if.preheader.i:                               ; preds = %B2750.endif
-  %75 = add i64 %.2718, -1
-  %76 = shl i64 %.156, 3
-  %77 = getelementptr i8, ptr %.229, i64 %76
-  %scevgep1209 = getelementptr i8, ptr %77, i64 8
+B92.if.preheader.i:                               ; preds = %B2002.endif
+  %77 = add i64 %.3554, -1
+  %78 = shl i64 %.156, 3
+  %79 = getelementptr i8, ptr %.229, i64 %78
+  %scevgep1209 = getelementptr i8, ptr %79, i64 8
   br label %B92.if.i
 
 B146.i:                                           ; preds = %B92.if.i
@@ -2449,76 +2463,67 @@ B146.i:                                           ; preds = %B92.if.i
   %.293.i = fmul contract double %"$phi308.0.2.0", %.291.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.186, i64 %.5.i.i)
-  %.354.i = getelementptr inbounds i64, ptr %71, i64 %.13.i5.i
-  %.355.i = load i64, ptr %.354.i, align 8, !noalias !27
+  %.354.i = getelementptr inbounds i64, ptr %73, i64 %.13.i5.i
+  %.355.i = load i64, ptr %.354.i, align 8, !noalias !12
   %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
-  %.395.i523 = icmp slt i64 %.13.i6.i, %.2718
+  %.395.i523 = icmp slt i64 %.13.i6.i, %.3554
   br i1 %.395.i523, label %B284.i, label %B386.i
 
 B284.i:                                           ; preds = %B146.i
   %.412.i = getelementptr inbounds nuw double, ptr %.298, i64 %.13.i6.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !27
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !12
   %.417.i525 = fcmp contract ugt double %.413.i, %.281.i
   br i1 %.417.i525, label %B386.i, label %B324.i
 
 B324.i:                                           ; preds = %B284.i, %B346.i
   %end.5.2.i = phi i64 [ %.423.i, %B346.i ], [ %.13.i6.i, %B284.i ]
-  %exitcond.not.i = icmp eq i64 %75, %end.5.2.i
+  %exitcond.not.i = icmp eq i64 %77, %end.5.2.i
   br i1 %exitcond.not.i, label %B386.i, label %B346.i
 
 B346.i:                                           ; preds = %B324.i
   %.423.i = add i64 %end.5.2.i, 1
-  %78 = shl i64 %end.5.2.i, 3
-  %scevgep1210 = getelementptr i8, ptr %scevgep1209, i64 %78
-  %.451.i = load double, ptr %scevgep1210, align 8, !noalias !27
+  %80 = shl i64 %end.5.2.i, 3
+  %scevgep1210 = getelementptr i8, ptr %scevgep1209, i64 %80
+  %.451.i = load double, ptr %scevgep1210, align 8, !noalias !12
   %.455.i = fcmp contract ugt double %.451.i, %.281.i
   br i1 %.455.i, label %B386.i, label %B324.i
 
 B386.i:                                           ; preds = %B346.i, %B324.i, %B92.if.i, %B284.i, %B146.i
-  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.2718, %B324.i ], [ %.423.i, %B346.i ]
-  %.13.i.i524 = tail call i64 @llvm.smin.i64(i64 %.2718, i64 %end.4.1.i)
-  %79 = getelementptr i64, ptr %.1555, i64 %.231203208.i
-  store i64 %.13.i.i524, ptr %79, align 8, !noalias !27
+  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.3554, %B324.i ], [ %.423.i, %B346.i ]
+  %.13.i.i524 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %end.4.1.i)
+  %81 = getelementptr i64, ptr %.1178, i64 %.231203208.i
+  store i64 %.13.i.i524, ptr %81, align 8, !noalias !12
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %B2084, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
   %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
   %.238.i = add nuw nsw i64 %.231203208.i, 1
-  %.278.i = getelementptr inbounds nuw double, ptr %.3235, i64 %.231203208.i
-  %.279.i521 = load double, ptr %.278.i, align 8, !noalias !27
-  %.281.i = fsub contract double %.279.i521, %.2373.le
+  %.278.i = getelementptr inbounds nuw double, ptr %.4071, i64 %.231203208.i
+  %.279.i521 = load double, ptr %.278.i, align 8, !noalias !12
+  %.281.i = fsub contract double %.279.i521, %.3209.le
   %.287.i522 = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i522, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B2750.endif
-  %.586.inv.i = icmp sgt i64 %.765, 0
-  %.587.i = select i1 %.586.inv.i, i64 0, i64 %.812
-  %80 = getelementptr i64, ptr %.1555, i64 %.143.i
-  %.601.i = getelementptr i64, ptr %80, i64 %.587.i
-  store i64 %.2718, ptr %.601.i, align 8, !noalias !27
-  %.3447 = icmp sgt i64 %.2590, 0
-  br i1 %.3447, label %B2868, label %B3056
-
-B2868.if:                                         ; preds = %B2868
-  %.3475 = load ptr, ptr %excinfo.35, align 8
-  store ptr %.3475, ptr %excinfo, align 8
+B2104.if:                                         ; preds = %B2104
+  %.4549 = load ptr, ptr %excinfo.35, align 8
+  store ptr %.4549, ptr %excinfo, align 8
   br label %common.ret
 
-B2868.endif:                                      ; preds = %B2868
+B2104.endif:                                      ; preds = %B2104
   %.135.i532 = load double, ptr %.298, align 8, !noalias !30
   %.143.i533 = add nsw i64 %.564, -2
   %.181.i534 = icmp slt i64 %.564, 3
   %..143.i535 = select i1 %.181.i534, i64 0, i64 %.143.i533
   %.225207.i536 = icmp sgt i64 %..143.i535, 0
-  br i1 %.225207.i536, label %B92.if.preheader.i540, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575
+  br i1 %.225207.i536, label %B92.if.preheader.i540, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575
 
-B92.if.preheader.i540:                            ; preds = %B2868.endif
-  %81 = add i64 %.2718, -1
-  %82 = shl i64 %.156, 3
-  %83 = getelementptr i8, ptr %.229, i64 %82
-  %scevgep1207 = getelementptr i8, ptr %83, i64 8
+B92.if.preheader.i540:                            ; preds = %B2104.endif
+  %82 = add i64 %.3554, -1
+  %83 = shl i64 %.156, 3
+  %84 = getelementptr i8, ptr %.229, i64 %83
+  %scevgep1207 = getelementptr i8, ptr %84, i64 8
   br label %B92.if.i541
 
 B146.i549:                                        ; preds = %B92.if.i541
@@ -2526,10 +2531,10 @@ B146.i549:                                        ; preds = %B92.if.i541
   %.293.i551 = fmul contract double %"$phi308.0.2.0", %.291.i550
   %.5.i.i552 = fptosi double %.293.i551 to i64
   %.13.i5.i553 = tail call i64 @llvm.smin.i64(i64 %.186, i64 %.5.i.i552)
-  %.354.i554 = getelementptr inbounds i64, ptr %71, i64 %.13.i5.i553
+  %.354.i554 = getelementptr inbounds i64, ptr %73, i64 %.13.i5.i553
   %.355.i555 = load i64, ptr %.354.i554, align 8, !noalias !30
   %.13.i6.i556 = tail call i64 @llvm.smax.i64(i64 %.355.i555, i64 %end.3.0210.i542)
-  %.395.i557 = icmp slt i64 %.13.i6.i556, %.2718
+  %.395.i557 = icmp slt i64 %.13.i6.i556, %.3554
   br i1 %.395.i557, label %B284.i562, label %B386.i558
 
 B284.i562:                                        ; preds = %B146.i549
@@ -2540,51 +2545,51 @@ B284.i562:                                        ; preds = %B146.i549
 
 B324.i566:                                        ; preds = %B284.i562, %B346.i569
   %end.5.2.i567 = phi i64 [ %.423.i570, %B346.i569 ], [ %.13.i6.i556, %B284.i562 ]
-  %exitcond.not.i568 = icmp eq i64 %81, %end.5.2.i567
+  %exitcond.not.i568 = icmp eq i64 %82, %end.5.2.i567
   br i1 %exitcond.not.i568, label %B386.i558, label %B346.i569
 
 B346.i569:                                        ; preds = %B324.i566
   %.423.i570 = add i64 %end.5.2.i567, 1
-  %84 = shl i64 %end.5.2.i567, 3
-  %scevgep1208 = getelementptr i8, ptr %scevgep1207, i64 %84
+  %85 = shl i64 %end.5.2.i567, 3
+  %scevgep1208 = getelementptr i8, ptr %scevgep1207, i64 %85
   %.451.i573 = load double, ptr %scevgep1208, align 8, !noalias !30
   %.455.i574 = fcmp contract ugt double %.451.i573, %.281.i547
   br i1 %.455.i574, label %B386.i558, label %B324.i566
 
 B386.i558:                                        ; preds = %B346.i569, %B324.i566, %B92.if.i541, %B284.i562, %B146.i549
-  %end.4.1.i559 = phi i64 [ %.13.i6.i556, %B146.i549 ], [ %end.3.0210.i542, %B92.if.i541 ], [ %.13.i6.i556, %B284.i562 ], [ %.2718, %B324.i566 ], [ %.423.i570, %B346.i569 ]
-  %.13.i.i560 = tail call i64 @llvm.smin.i64(i64 %.2718, i64 %end.4.1.i559)
-  %85 = getelementptr i64, ptr %.1114, i64 %.231203208.i543
-  store i64 %.13.i.i560, ptr %85, align 8, !noalias !30
+  %end.4.1.i559 = phi i64 [ %.13.i6.i556, %B146.i549 ], [ %end.3.0210.i542, %B92.if.i541 ], [ %.13.i6.i556, %B284.i562 ], [ %.3554, %B324.i566 ], [ %.423.i570, %B346.i569 ]
+  %.13.i.i560 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %end.4.1.i559)
+  %86 = getelementptr i64, ptr %.1115, i64 %.231203208.i543
+  store i64 %.13.i.i560, ptr %86, align 8, !noalias !30
   %exitcond216.not.i561 = icmp eq i64 %.238.i544, %..143.i535
-  br i1 %exitcond216.not.i561, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575, label %B92.if.i541
+  br i1 %exitcond216.not.i561, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575, label %B92.if.i541
 
 B92.if.i541:                                      ; preds = %B386.i558, %B92.if.preheader.i540
   %end.3.0210.i542 = phi i64 [ %end.4.1.i559, %B386.i558 ], [ 0, %B92.if.preheader.i540 ]
   %.231203208.i543 = phi i64 [ %.238.i544, %B386.i558 ], [ 0, %B92.if.preheader.i540 ]
   %.238.i544 = add nuw nsw i64 %.231203208.i543, 1
   %sunkaddr1239 = shl i64 %.231203208.i543, 3
-  %sunkaddr1240 = getelementptr inbounds i8, ptr %.1988, i64 %sunkaddr1239
+  %sunkaddr1240 = getelementptr inbounds i8, ptr %.2824, i64 %sunkaddr1239
   %sunkaddr1241 = getelementptr inbounds nuw i8, ptr %sunkaddr1240, i64 8
   %.279.i546 = load double, ptr %sunkaddr1241, align 8, !noalias !30
-  %.281.i547 = fsub contract double %.279.i546, %.2373.le
+  %.281.i547 = fsub contract double %.279.i546, %.3209.le
   %.287.i548 = fcmp contract ult double %.281.i547, %.135.i532
   br i1 %.287.i548, label %B386.i558, label %B146.i549
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575: ; preds = %B386.i558, %B2868.endif
-  %86 = icmp eq i64 %.3076, 0
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575: ; preds = %B386.i558, %B2104.endif
+  %87 = icmp eq i64 %.3912, 0
   %.586.inv.i537 = icmp sgt i64 %.564, 1
   %.587.i538 = select i1 %.586.inv.i537, i64 0, i64 %.660
-  %87 = getelementptr i64, ptr %.1114, i64 %.143.i533
-  %.601.i539 = getelementptr i64, ptr %87, i64 %.587.i538
-  store i64 %.2718, ptr %.601.i539, align 8, !noalias !30
-  br i1 %86, label %B2986, label %B3056
+  %88 = getelementptr i64, ptr %.1115, i64 %.143.i533
+  %.601.i539 = getelementptr i64, ptr %88, i64 %.587.i538
+  store i64 %.3554, ptr %.601.i539, align 8, !noalias !30
+  br i1 %87, label %B2222, label %B2292
 
-B92.if.preheader.i584:                            ; preds = %B2986
-  %88 = add i64 %.2718, -1
-  %89 = shl i64 %.156, 3
-  %90 = getelementptr i8, ptr %.229, i64 %89
-  %scevgep1205 = getelementptr i8, ptr %90, i64 8
+B92.if.preheader.i584:                            ; preds = %B2222
+  %89 = add i64 %.3554, -1
+  %90 = shl i64 %.156, 3
+  %91 = getelementptr i8, ptr %.229, i64 %90
+  %scevgep1205 = getelementptr i8, ptr %91, i64 8
   br label %B92.if.i585
 
 B146.i593:                                        ; preds = %B92.if.i585
@@ -2592,58 +2597,58 @@ B146.i593:                                        ; preds = %B92.if.i585
   %.293.i595 = fmul contract double %"$phi308.0.2.0", %.291.i594
   %.5.i.i596 = fptosi double %.293.i595 to i64
   %.13.i5.i597 = tail call i64 @llvm.smin.i64(i64 %.186, i64 %.5.i.i596)
-  %.354.i598 = getelementptr inbounds i64, ptr %71, i64 %.13.i5.i597
-  %.355.i599 = load i64, ptr %.354.i598, align 8, !noalias !12
+  %.354.i598 = getelementptr inbounds i64, ptr %73, i64 %.13.i5.i597
+  %.355.i599 = load i64, ptr %.354.i598, align 8, !noalias !15
   %.13.i6.i600 = tail call i64 @llvm.smax.i64(i64 %.355.i599, i64 %end.3.0210.i586)
-  %.395.i601 = icmp slt i64 %.13.i6.i600, %.2718
+  %.395.i601 = icmp slt i64 %.13.i6.i600, %.3554
   br i1 %.395.i601, label %B284.i606, label %B386.i602
 
 B284.i606:                                        ; preds = %B146.i593
   %.412.i607 = getelementptr inbounds nuw double, ptr %.298, i64 %.13.i6.i600
-  %.413.i608 = load double, ptr %.412.i607, align 8, !noalias !12
+  %.413.i608 = load double, ptr %.412.i607, align 8, !noalias !15
   %.417.i609 = fcmp contract ugt double %.413.i608, %.281.i591
   br i1 %.417.i609, label %B386.i602, label %B324.i610
 
 B324.i610:                                        ; preds = %B284.i606, %B346.i613
   %end.5.2.i611 = phi i64 [ %.423.i614, %B346.i613 ], [ %.13.i6.i600, %B284.i606 ]
-  %exitcond.not.i612 = icmp eq i64 %88, %end.5.2.i611
+  %exitcond.not.i612 = icmp eq i64 %89, %end.5.2.i611
   br i1 %exitcond.not.i612, label %B386.i602, label %B346.i613
 
 B346.i613:                                        ; preds = %B324.i610
   %.423.i614 = add i64 %end.5.2.i611, 1
-  %91 = shl i64 %end.5.2.i611, 3
-  %scevgep1206 = getelementptr i8, ptr %scevgep1205, i64 %91
-  %.451.i617 = load double, ptr %scevgep1206, align 8, !noalias !12
+  %92 = shl i64 %end.5.2.i611, 3
+  %scevgep1206 = getelementptr i8, ptr %scevgep1205, i64 %92
+  %.451.i617 = load double, ptr %scevgep1206, align 8, !noalias !15
   %.455.i618 = fcmp contract ugt double %.451.i617, %.281.i591
   br i1 %.455.i618, label %B386.i602, label %B324.i610
 
 B386.i602:                                        ; preds = %B346.i613, %B324.i610, %B92.if.i585, %B284.i606, %B146.i593
-  %end.4.1.i603 = phi i64 [ %.13.i6.i600, %B146.i593 ], [ %end.3.0210.i586, %B92.if.i585 ], [ %.13.i6.i600, %B284.i606 ], [ %.2718, %B324.i610 ], [ %.423.i614, %B346.i613 ]
-  %.13.i.i604 = tail call i64 @llvm.smin.i64(i64 %.2718, i64 %end.4.1.i603)
-  %92 = getelementptr i64, ptr %.1048, i64 %.231203208.i587
-  store i64 %.13.i.i604, ptr %92, align 8, !noalias !12
+  %end.4.1.i603 = phi i64 [ %.13.i6.i600, %B146.i593 ], [ %end.3.0210.i586, %B92.if.i585 ], [ %.13.i6.i600, %B284.i606 ], [ %.3554, %B324.i610 ], [ %.423.i614, %B346.i613 ]
+  %.13.i.i604 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %end.4.1.i603)
+  %93 = getelementptr i64, ptr %.1052, i64 %.231203208.i587
+  store i64 %.13.i.i604, ptr %93, align 8, !noalias !15
   %exitcond216.not.i605 = icmp eq i64 %.238.i588, %..143.i579
-  br i1 %exitcond216.not.i605, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619, label %B92.if.i585
+  br i1 %exitcond216.not.i605, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619, label %B92.if.i585
 
 B92.if.i585:                                      ; preds = %B386.i602, %B92.if.preheader.i584
   %end.3.0210.i586 = phi i64 [ %end.4.1.i603, %B386.i602 ], [ 0, %B92.if.preheader.i584 ]
   %.231203208.i587 = phi i64 [ %.238.i588, %B386.i602 ], [ 0, %B92.if.preheader.i584 ]
   %.238.i588 = add nuw nsw i64 %.231203208.i587, 1
   %sunkaddr1242 = shl i64 %.231203208.i587, 3
-  %sunkaddr1243 = getelementptr inbounds i8, ptr %.1890, i64 %sunkaddr1242
+  %sunkaddr1243 = getelementptr inbounds i8, ptr %.2726, i64 %sunkaddr1242
   %sunkaddr1244 = getelementptr inbounds nuw i8, ptr %sunkaddr1243, i64 8
-  %.279.i590 = load double, ptr %sunkaddr1244, align 8, !noalias !12
-  %.281.i591 = fsub contract double %.279.i590, %.2373.le
+  %.279.i590 = load double, ptr %sunkaddr1244, align 8, !noalias !15
+  %.281.i591 = fsub contract double %.279.i590, %.3209.le
   %.287.i592 = fcmp contract ult double %.281.i591, %.135.i576
   br i1 %.287.i592, label %B386.i602, label %B146.i593
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619: ; preds = %B386.i602, %B2986
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619: ; preds = %B386.i602, %B2222
   %.586.inv.i581 = icmp sgt i64 %.533, 1
   %.587.i582 = select i1 %.586.inv.i581, i64 0, i64 %.614
-  %93 = getelementptr i64, ptr %.1048, i64 %.143.i577
-  %.601.i583 = getelementptr i64, ptr %93, i64 %.587.i582
-  store i64 %.2718, ptr %.601.i583, align 8, !noalias !12
-  br label %B3056
+  %94 = getelementptr i64, ptr %.1052, i64 %.143.i577
+  %.601.i583 = getelementptr i64, ptr %94, i64 %.587.i582
+  store i64 %.3554, ptr %.601.i583, align 8, !noalias !15
+  br label %B2292
 
 B94.i:                                            ; preds = %B34.if.i
   %.6.i.i629 = fmul contract double %.229.i626, 0x400921FB54442D18
@@ -2654,8 +2659,8 @@ B94.i:                                            ; preds = %B34.if.i
   %.39.i.i = fmul contract double %.38.i.i, %.38.i.i
   %.56.i.i = bitcast double %.7.i.i630 to i64
   %.60.i.i = and i64 %.56.i.i, 1
-  %94 = icmp eq i64 %.60.i.i, 0
-  br i1 %94, label %select.true.sink.i.i, label %select.false.sink.i.i
+  %95 = icmp eq i64 %.60.i.i, 0
+  br i1 %95, label %select.true.sink.i.i, label %select.false.sink.i.i
 
 select.true.sink.i.i:                             ; preds = %B94.i
   %.48.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
@@ -2666,7 +2671,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -2677,9 +2682,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -2688,49 +2693,49 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.72.i.i = xor i64 %.67.i.i, %.71.i.i
   %.73.i.i = bitcast i64 %.72.i.i to double
   %.89.i.i = tail call contract double @llvm.fma.f64(double %.73.i.i, double -5.000000e-01, double 5.000000e-01)
-  %.266.i632 = fmul contract double %.4091, %.89.i.i
+  %.266.i632 = fmul contract double %.5165, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i632, %_ZN17bnserve_surrogate6kernel7_points4stepB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
-  %sunkaddr100 = getelementptr i8, ptr %18, i64 %96
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i632, %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+  %sunkaddr100 = getelementptr i8, ptr %20, i64 %97
   %sunkaddr101 = getelementptr i8, ptr %sunkaddr100, i64 320
   store double %"$phi144.1.2.1.i", ptr %sunkaddr101, align 8, !noalias !33
-  %.314.i = fsub contract double %.218.i, %.2444
-  %95 = fmul contract double %.4224, %.314.i
-  %.319.i = fsub contract double %.4123, %95
+  %.314.i = fsub contract double %.218.i, %.3280
+  %96 = fmul contract double %.5298, %.314.i
+  %.319.i = fsub contract double %.5197, %96
   %sunkaddr104 = getelementptr i8, ptr %sunkaddr100, i64 8576
   store double %.319.i, ptr %sunkaddr104, align 8, !noalias !33
-  %exitcond.not.i628 = icmp eq i64 %.4194, %.158.i
-  br i1 %exitcond.not.i628, label %B3440, label %B34.if.i
+  %exitcond.not.i628 = icmp eq i64 %.5268, %.158.i
+  br i1 %exitcond.not.i628, label %B2676, label %B34.if.i
 
-B34.if.i:                                         ; preds = %B3298, %B144.i
-  %.151102104.i = phi i64 [ %.158.i, %B144.i ], [ 0, %B3298 ]
+B34.if.i:                                         ; preds = %B2534, %B144.i
+  %.151102104.i = phi i64 [ %.158.i, %B144.i ], [ 0, %B2534 ]
   %.158.i = add nuw nsw i64 %.151102104.i, 1
-  %96 = shl i64 %.151102104.i, 3
-  %scevgep2.i = getelementptr i8, ptr %.4141, i64 %96
+  %97 = shl i64 %.151102104.i, 3
+  %scevgep2.i = getelementptr i8, ptr %.5215, i64 %97
   %.216.i624 = load double, ptr %scevgep2.i, align 8, !noalias !33
-  %.218.i = fmul contract double %.2361, %.216.i624
+  %.218.i = fmul contract double %.3197, %.216.i624
   %.223.i = fmul contract double %.218.i, 2.000000e+00
-  %.228.i625 = fdiv contract double %.223.i, %.2444
+  %.228.i625 = fdiv contract double %.223.i, %.3280
   %.228.fr.i = freeze double %.228.i625
   %.229.i626 = fadd contract double %.228.fr.i, -1.000000e+00
   %.234.i627 = fcmp contract ogt double %.229.i626, 0.000000e+00
   br i1 %.234.i627, label %B94.i, label %B144.i
 
-B3612.endif:                                      ; preds = %B612.i, %B3612
-  %cell.5.1.i311 = phi i64 [ %cell_a.2.0279, %B3612 ], [ %cell.3.2.i321, %B612.i ]
-  br i1 %27, label %B22.preheader.i640, label %B3708
+B2848.endif:                                      ; preds = %B612.i, %B2848
+  %cell.5.1.i311 = phi i64 [ %cell_a.2.0279, %B2848 ], [ %cell.3.2.i321, %B612.i ]
+  br i1 %29, label %B22.preheader.i640, label %B2944
 
-B22.preheader.i640:                               ; preds = %B3612.endif
-  %97 = mul i64 %.3849.sroa.0.0284, -8
-  %scevgep41 = getelementptr i8, ptr %scevgep24, i64 %97
+B22.preheader.i640:                               ; preds = %B2848.endif
+  %98 = mul i64 %.4923.sroa.0.0284, -8
+  %scevgep41 = getelementptr i8, ptr %scevgep24, i64 %98
   br label %B22.i644
 
 B22.i644:                                         ; preds = %B612.i703, %B22.preheader.i640
   %cell.2.0.i645 = phi i64 [ %cell.3.2.i659, %B612.i703 ], [ %cell_p.3.0280, %B22.preheader.i640 ]
   %start.2.0.i646 = phi i64 [ %.13.i.i662, %B612.i703 ], [ %.13.i623, %B22.preheader.i640 ]
-  %.121.i647 = getelementptr inbounds i64, ptr %.1114, i64 %cell.2.0.i645
+  %.121.i647 = getelementptr inbounds i64, ptr %.1115, i64 %cell.2.0.i645
   %.122.i648 = load i64, ptr %.121.i647, align 8, !noalias !36
   %.126.not.i649 = icmp sgt i64 %.122.i648, %start.2.0.i646
   br i1 %.126.not.i649, label %B112.i658, label %B62.i650
@@ -2746,12 +2751,12 @@ B62.i650:                                         ; preds = %B22.i644, %B62.i650
 
 B112.i658:                                        ; preds = %B62.i650, %B22.i644
   %cell.3.2.i659 = phi i64 [ %cell.2.0.i645, %B22.i644 ], [ %.129.i652, %B62.i650 ]
-  %.156.i660 = getelementptr inbounds i64, ptr %.1114, i64 %cell.3.2.i659
+  %.156.i660 = getelementptr inbounds i64, ptr %.1115, i64 %cell.3.2.i659
   %.157.i661 = load i64, ptr %.156.i660, align 8, !noalias !36
   %.13.i.i662 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.157.i661)
   %.307.i663 = sub i64 %.13.i.i662, %start.2.0.i646
-  %98 = add i64 %.307.i663, 7
-  %.329.i664 = lshr i64 %98, 3
+  %99 = add i64 %.307.i663, 7
+  %.329.i664 = lshr i64 %99, 3
   %.308.inv.i665 = icmp slt i64 %.307.i663, 1
   %.350229.not250.i666 = icmp eq i64 %.329.i664, 0
   %.350229.not.i667 = or i1 %.308.inv.i665, %.350229.not250.i666
@@ -2759,19 +2764,19 @@ B112.i658:                                        ; preds = %B62.i650, %B22.i644
 
 B612.i703:                                        ; preds = %B412.if.i690, %B112.i658
   %.479.i704 = icmp slt i64 %.157.i661, %.13.i621
-  br i1 %.479.i704, label %B22.i644, label %B3708
+  br i1 %.479.i704, label %B22.i644, label %B2944
 
 B412.if.lr.ph.i668:                               ; preds = %B112.i658
-  %.200.i669 = getelementptr inbounds double, ptr %.1988, i64 %cell.3.2.i659
+  %.200.i669 = getelementptr inbounds double, ptr %.2824, i64 %cell.3.2.i659
   %.201.i670 = load double, ptr %.200.i669, align 8, !noalias !36
-  %.203.i671 = fsub contract double %.2373.le, %.201.i670
-  %.259.i672 = getelementptr double, ptr %13, i64 %cell.3.2.i659
+  %.203.i671 = fsub contract double %.3209.le, %.201.i670
+  %.259.i672 = getelementptr double, ptr %15, i64 %cell.3.2.i659
   %.260.i673 = load double, ptr %.259.i672, align 8, !noalias !36
-  %.246.i674 = getelementptr double, ptr %12, i64 %cell.3.2.i659
+  %.246.i674 = getelementptr double, ptr %14, i64 %cell.3.2.i659
   %.247.i675 = load double, ptr %.246.i674, align 8, !noalias !36
-  %.227.i676 = getelementptr double, ptr %11, i64 %cell.3.2.i659
+  %.227.i676 = getelementptr double, ptr %13, i64 %cell.3.2.i659
   %.228.i677 = load double, ptr %.227.i676, align 8, !noalias !36
-  %.215.i678 = getelementptr inbounds double, ptr %.976, i64 %cell.3.2.i659
+  %.215.i678 = getelementptr inbounds double, ptr %.975, i64 %cell.3.2.i659
   %.216.i679 = load double, ptr %.215.i678, align 8, !noalias !36
   %.426.i680 = insertelement <8 x double> poison, double %.260.i673, i64 0
   %.427.i681 = shufflevector <8 x double> %.426.i680, <8 x double> poison, <8 x i32> zeroinitializer
@@ -2783,13 +2788,13 @@ B412.if.lr.ph.i668:                               ; preds = %B112.i658
   %.438.i687 = shufflevector <8 x double> %.437.i686, <8 x double> poison, <8 x i32> zeroinitializer
   %.6.i.i688 = insertelement <8 x double> poison, double %.203.i671, i64 0
   %.7.i.i689 = shufflevector <8 x double> %.6.i.i688, <8 x double> poison, <8 x i32> zeroinitializer
-  %99 = shl i64 %start.2.0.i646, 3
-  %100 = add nuw nsw i64 %.329.i664, 5
+  %100 = shl i64 %start.2.0.i646, 3
+  %101 = add nuw nsw i64 %.329.i664, 5
   br label %B412.if.i690
 
 B412.if.i690:                                     ; preds = %B412.if.i690, %B412.if.lr.ph.i668
-  %lsr.iv35 = phi i64 [ %lsr.iv.next36, %B412.if.i690 ], [ %100, %B412.if.lr.ph.i668 ]
-  %lsr.iv8.i691 = phi i64 [ %lsr.iv.next9.i701, %B412.if.i690 ], [ %99, %B412.if.lr.ph.i668 ]
+  %lsr.iv35 = phi i64 [ %lsr.iv.next36, %B412.if.i690 ], [ %101, %B412.if.lr.ph.i668 ]
+  %lsr.iv8.i691 = phi i64 [ %lsr.iv.next9.i701, %B412.if.i690 ], [ %100, %B412.if.lr.ph.i668 ]
   %scevgep11.i693 = getelementptr i8, ptr %.298, i64 %lsr.iv8.i691
   %.397.i694 = load <8 x double>, ptr %scevgep11.i693, align 8, !noalias !36
   %.8.i.i695 = fadd contract <8 x double> %.7.i.i689, %.397.i694
@@ -2803,7 +2808,7 @@ B412.if.i690:                                     ; preds = %B412.if.i690, %B412
   %.350.i702 = icmp sgt i64 %lsr.iv35, 6
   br i1 %.350.i702, label %B412.if.i690, label %B612.i703
 
-B484.if.lr.ph.i:                                  ; preds = %B3722
+B484.if.lr.ph.i:                                  ; preds = %B2958
   %.1013.i = load double, ptr %sunkaddr105, align 8, !noalias !39
   %.984.i = load double, ptr %sunkaddr106, align 8, !noalias !39
   %.955.i = load double, ptr %sunkaddr107, align 8, !noalias !39
@@ -2882,12 +2887,12 @@ B484.if.lr.ph.i:                                  ; preds = %B3722
   %.1447.i = shufflevector <8 x double> %.1446.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1448.i = insertelement <8 x double> poison, double %.984.i, i64 0
   %.1449.i = shufflevector <8 x double> %.1448.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %101 = add nuw nsw i64 %.1167.i, 5
+  %102 = add nuw nsw i64 %.1167.i, 5
   br label %B484.if.i
 
 B484.if.i:                                        ; preds = %B484.if.i, %B484.if.lr.ph.i
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %101, %B484.if.lr.ph.i ]
-  %lsr.iv1189 = phi ptr [ %scevgep1190, %B484.if.i ], [ %.4788, %B484.if.lr.ph.i ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %102, %B484.if.lr.ph.i ]
+  %lsr.iv1189 = phi ptr [ %scevgep1190, %B484.if.i ], [ %.5862, %B484.if.lr.ph.i ]
   %lsr.iv1186 = phi ptr [ %scevgep1187, %B484.if.i ], [ %scevgep1185, %B484.if.lr.ph.i ]
   %scevgep1193 = getelementptr i8, ptr %lsr.iv1189, i64 %.idx
   %.1236.i = load <8 x double>, ptr %scevgep1193, align 8, !noalias !39
@@ -2913,7 +2918,7 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1358.i, <8 x double> %.1361.i)
   %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
-  %scevgep1191 = getelementptr i8, ptr %lsr.iv1189, i64 %.idx2950
+  %scevgep1191 = getelementptr i8, ptr %lsr.iv1189, i64 %.idx3015
   %.1377.i = load <8 x double>, ptr %scevgep1191, align 8, !noalias !39
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
@@ -2932,17 +2937,17 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %scevgep1190 = getelementptr i8, ptr %lsr.iv1189, i64 64
   %lsr.iv.next = add nsw i64 %lsr.iv, -1
   %.1189.i = icmp sgt i64 %lsr.iv, 6
-  br i1 %.1189.i, label %B484.if.i, label %B4288
+  br i1 %.1189.i, label %B484.if.i, label %B3524
 
-B22.preheader.i770:                               ; preds = %B4288
-  %102 = mul i64 %.3849.sroa.0.0284, -8
-  %scevgep51 = getelementptr i8, ptr %scevgep1185, i64 %102
+B22.preheader.i770:                               ; preds = %B3524
+  %103 = mul i64 %.4923.sroa.0.0284, -8
+  %scevgep51 = getelementptr i8, ptr %scevgep1185, i64 %103
   br label %B22.i771
 
 B22.i771:                                         ; preds = %B1344.i, %B22.preheader.i770
   %cell.2.0.i772 = phi i64 [ %cell.3.2.i780, %B1344.i ], [ %cell.2.0281, %B22.preheader.i770 ]
   %start.2.0.i773 = phi i64 [ %.13.i.i781, %B1344.i ], [ %.13.i623, %B22.preheader.i770 ]
-  %.160.i = getelementptr inbounds i64, ptr %.1555, i64 %cell.2.0.i772
+  %.160.i = getelementptr inbounds i64, ptr %.1178, i64 %cell.2.0.i772
   %.161.i = load i64, ptr %.160.i, align 8, !noalias !42
   %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i773
   br i1 %.165.not.i, label %B112.i779, label %B62.i774
@@ -2951,7 +2956,7 @@ B62.i774:                                         ; preds = %B22.i771, %B62.i774
   %cell.4.1.i775 = phi i64 [ %.168.i, %B62.i774 ], [ %cell.2.0.i772, %B22.i771 ]
   %.168.i = add i64 %cell.4.1.i775, 1
   %sunkaddr133 = shl i64 %.168.i, 3
-  %sunkaddr134 = getelementptr i8, ptr %18, i64 %sunkaddr133
+  %sunkaddr134 = getelementptr i8, ptr %20, i64 %sunkaddr133
   %sunkaddr135 = getelementptr i8, ptr %sunkaddr134, i64 33472
   %.181.i778 = load i64, ptr %sunkaddr135, align 8, !noalias !42
   %.183.not.i = icmp sgt i64 %.181.i778, %start.2.0.i773
@@ -2959,12 +2964,12 @@ B62.i774:                                         ; preds = %B22.i771, %B62.i774
 
 B112.i779:                                        ; preds = %B62.i774, %B22.i771
   %cell.3.2.i780 = phi i64 [ %cell.2.0.i772, %B22.i771 ], [ %.168.i, %B62.i774 ]
-  %.195.i = getelementptr inbounds i64, ptr %.1555, i64 %cell.3.2.i780
+  %.195.i = getelementptr inbounds i64, ptr %.1178, i64 %cell.3.2.i780
   %.196.i = load i64, ptr %.195.i, align 8, !noalias !42
   %.13.i.i781 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.196.i)
   %.529.i = sub i64 %.13.i.i781, %start.2.0.i773
-  %103 = add i64 %.529.i, 7
-  %.551.i = lshr i64 %103, 3
+  %104 = add i64 %.529.i, 7
+  %.551.i = lshr i64 %104, 3
   %.530.inv.i = icmp slt i64 %.529.i, 1
   %.573363.not375.i = icmp eq i64 %.551.i, 0
   %.573363.not.i = or i1 %.530.inv.i, %.573363.not375.i
@@ -2972,47 +2977,47 @@ B112.i779:                                        ; preds = %B62.i774, %B22.i771
 
 B1344.i:                                          ; preds = %B808.if.i, %B112.i779
   %.751.i = icmp slt i64 %.196.i, %.13.i621
-  br i1 %.751.i, label %B22.i771, label %B4518
+  br i1 %.751.i, label %B22.i771, label %B3750
 
 B808.if.lr.ph.i:                                  ; preds = %B112.i779
   %.261.i = shl nsw i64 %cell.3.2.i780, 3
-  %104 = getelementptr double, ptr %.1715, i64 %.261.i
-  %.478.i = getelementptr i8, ptr %104, i64 48
+  %105 = getelementptr double, ptr %.1672, i64 %.261.i
+  %.478.i = getelementptr i8, ptr %105, i64 48
   %.479.i782 = load double, ptr %.478.i, align 8, !noalias !42
   %.311.i = or disjoint i64 %.261.i, 5
-  %.468.i = getelementptr inbounds double, ptr %.1715, i64 %.311.i
+  %.468.i = getelementptr inbounds double, ptr %.1672, i64 %.311.i
   %.469.i = load double, ptr %.468.i, align 8, !noalias !42
   %.301.i = or disjoint i64 %.261.i, 4
-  %.458.i = getelementptr inbounds double, ptr %.1715, i64 %.301.i
+  %.458.i = getelementptr inbounds double, ptr %.1672, i64 %.301.i
   %.459.i = load double, ptr %.458.i, align 8, !noalias !42
   %.291.i783 = or disjoint i64 %.261.i, 3
-  %.412.i784 = getelementptr inbounds double, ptr %.1715, i64 %.291.i783
+  %.412.i784 = getelementptr inbounds double, ptr %.1672, i64 %.291.i783
   %.413.i785 = load double, ptr %.412.i784, align 8, !noalias !42
   %.281.i786 = or disjoint i64 %.261.i, 2
-  %.402.i = getelementptr inbounds double, ptr %.1715, i64 %.281.i786
+  %.402.i = getelementptr inbounds double, ptr %.1672, i64 %.281.i786
   %.403.i = load double, ptr %.402.i, align 8, !noalias !42
   %.271.i = or disjoint i64 %.261.i, 1
-  %.392.i = getelementptr inbounds double, ptr %.1715, i64 %.271.i
+  %.392.i = getelementptr inbounds double, ptr %.1672, i64 %.271.i
   %.393.i = load double, ptr %.392.i, align 8, !noalias !42
-  %.383.i = load double, ptr %104, align 8, !noalias !42
-  %.319.i787 = getelementptr inbounds double, ptr %.1642, i64 %.311.i
+  %.383.i = load double, ptr %105, align 8, !noalias !42
+  %.319.i787 = getelementptr inbounds double, ptr %.1608, i64 %.311.i
   %.320.i = load double, ptr %.319.i787, align 8, !noalias !42
-  %.309.i = getelementptr inbounds double, ptr %.1642, i64 %.301.i
+  %.309.i = getelementptr inbounds double, ptr %.1608, i64 %.301.i
   %.310.i = load double, ptr %.309.i, align 8, !noalias !42
-  %.299.i = getelementptr inbounds double, ptr %.1642, i64 %.291.i783
+  %.299.i = getelementptr inbounds double, ptr %.1608, i64 %.291.i783
   %.300.i = load double, ptr %.299.i, align 8, !noalias !42
-  %.289.i = getelementptr inbounds double, ptr %.1642, i64 %.281.i786
+  %.289.i = getelementptr inbounds double, ptr %.1608, i64 %.281.i786
   %.290.i = load double, ptr %.289.i, align 8, !noalias !42
-  %.279.i788 = getelementptr inbounds double, ptr %.1642, i64 %.271.i
+  %.279.i788 = getelementptr inbounds double, ptr %.1608, i64 %.271.i
   %.280.i = load double, ptr %.279.i788, align 8, !noalias !42
-  %.269.i = getelementptr inbounds double, ptr %.1642, i64 %.261.i
+  %.269.i = getelementptr inbounds double, ptr %.1608, i64 %.261.i
   %.270.i = load double, ptr %.269.i, align 8, !noalias !42
-  %.251.i = getelementptr inbounds double, ptr %.5583, i64 %cell.3.2.i780
+  %.251.i = getelementptr inbounds double, ptr %.6657, i64 %cell.3.2.i780
   %.252.i = load double, ptr %.251.i, align 8, !noalias !42
   %.253.i = fsub contract double 0.000000e+00, %.252.i
-  %.239.i = getelementptr inbounds double, ptr %.5518, i64 %cell.3.2.i780
+  %.239.i = getelementptr inbounds double, ptr %.6592, i64 %cell.3.2.i780
   %.240.i = load double, ptr %.239.i, align 8, !noalias !42
-  %.242.i = fmul contract double %.2361, %.240.i
+  %.242.i = fmul contract double %.3197, %.240.i
   %.623.i = insertelement <8 x double> poison, double %.242.i, i64 0
   %.624.i = shufflevector <8 x double> %.623.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.625.i = insertelement <8 x double> poison, double %.253.i, i64 0
@@ -3043,13 +3048,13 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i779
   %.686.i = shufflevector <8 x double> %.685.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.689.i = insertelement <8 x double> poison, double %.383.i, i64 0
   %.690.i = shufflevector <8 x double> %.689.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %105 = shl i64 %start.2.0.i773, 3
-  %106 = add nuw nsw i64 %.551.i, 5
+  %106 = shl i64 %start.2.0.i773, 3
+  %107 = add nuw nsw i64 %.551.i, 5
   br label %B808.if.i
 
 B808.if.i:                                        ; preds = %B808.if.i, %B808.if.lr.ph.i
-  %lsr.iv48 = phi i64 [ %lsr.iv.next49, %B808.if.i ], [ %106, %B808.if.lr.ph.i ]
-  %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %105, %B808.if.lr.ph.i ]
+  %lsr.iv48 = phi i64 [ %lsr.iv.next49, %B808.if.i ], [ %107, %B808.if.lr.ph.i ]
+  %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %106, %B808.if.lr.ph.i ]
   %scevgep10.i791 = getelementptr i8, ptr %.229, i64 %lsr.iv5.i
   %.620.i = load <8 x double>, ptr %scevgep10.i791, align 8, !noalias !42
   %.627.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.620.i, <8 x double> %.624.i, <8 x double> %.626.i)
@@ -3739,7 +3744,7 @@ B0.endif.endif.endif.endi...endif.2.endif:        ; preds = %B34.if.i, %B0.endif
   store ptr null, ptr %.1286, align 8
   call fastcc void @inner_10(ptr nonnull %.1286, ptr %.576, ptr %.699, ptr %.1235, i64 %low.4.1.i27, i64 %low.4.1.i428, i64 %.202, double 1.000000e+00, ptr %arg.series.4, double %.1099, ptr %arg.work.4, ptr %.830)
   %5 = icmp slt i64 %.158, 1
-  br i1 %5, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109, label %B64.if.i.preheader
+  br i1 %5, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109, label %B64.if.i.preheader
 
 B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif
   %6 = shl i64 %.232, 3
@@ -3834,9 +3839,9 @@ B34.if.i74:                                       ; preds = %B34.if.i74, %B34.if
   %lsr.iv.next.i106 = add nuw i64 %lsr.iv.i76, 8
   %lsr.iv.next5.i107 = add i64 %lsr.iv4.i75, -1
   %exitcond.not.i108 = icmp eq i64 %lsr.iv.next5.i107, 0
-  br i1 %exitcond.not.i108, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109, label %B34.if.i74
+  br i1 %exitcond.not.i108, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109, label %B34.if.i74
 
-_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109: ; preds = %B34.if.i74, %B0.endif.endif.endif.endi...endif.2.endif
+_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109: ; preds = %B34.if.i74, %B0.endif.endif.endif.endi...endif.2.endif
   %.1630.idx = mul i64 %.158, 192
   %.1630 = getelementptr i8, ptr %.576, i64 %.1630.idx
   %.1167.i = and i64 %.158, 2305843009213693951
@@ -3844,7 +3849,7 @@ _ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSg
   %.1189570.not.i = or i1 %5, %.1189570.not574.i
   br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif, label %B484.if.lr.ph.i
 
-B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109
+B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109
   %.1561 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
   %.1497 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
   %.1012.i = getelementptr i8, ptr %arg.series.4, i64 264
@@ -4001,7 +4006,7 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %.1189.i = icmp sgt i64 %lsr.iv3, 7
   br i1 %.1189.i, label %B484.if.i, label %B64.if.i131.preheader
 
-B0.endif.endif.endif.endi...endif.4.endif.endif:  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109
+B0.endif.endif.endif.endi...endif.4.endif.endif:  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109
   br i1 %5, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif, label %B64.if.i131.preheader
 
 B64.if.i131.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.4.endif.endif
@@ -4839,7 +4844,7 @@ B1466:                                            ; preds = %B1294
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
 
 B134.if.lr.ph.i:                                  ; preds = %B1466
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
@@ -4876,9 +4881,9 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %50 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv, i64 1)
   %math = extractvalue { i64, i1 } %50, 0
   %ov = extractvalue { i64, i1 } %50, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1466
+_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1466
   %.2120.0 = phi double [ 0.000000e+00, %B1466 ], [ %.488.i, %B134.if.i ]
   %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1466 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B1466.endif, label %B1466.if, !prof !0
@@ -4926,11 +4931,11 @@ B1080.if:                                         ; preds = %entry, %B1282
   %or.cond791 = icmp ult i64 %52, 7
   br i1 %or.cond791, label %B1198, label %B1282
 
-B1466.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1466.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.6.0, ptr %excinfo, align 8
   br label %common.ret
 
-B1466.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1466.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   %.2157 = fadd contract double %.2008, %.2120.0
   store double %.2157, ptr %sunkaddr24, align 8
   br label %B1526
@@ -7419,38 +7424,38 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
 !11 = distinct !{!11, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !12 = !{!13}
-!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!14 = distinct !{!14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!14 = distinct !{!14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v96B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v96B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v96B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v96B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v143B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v143B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !39 = !{!40}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v147B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v147B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v148B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v148B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!"branch_weights", i32 146201250, i32 2001282398}
 !46 = !{!"branch_weights", i32 166258294, i32 1981225354}
 !47 = !{!"branch_weights", i32 1030503492, i32 1116980156}
@@ -7469,69 +7474,69 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !60 = distinct !{!60, !56}
 !61 = distinct !{!61, !56}
 !62 = !{!63}
-!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !65 = !{!66}
-!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !68 = !{!69}
-!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !71 = !{!72}
-!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v139B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v139B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !74 = !{!75}
-!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !77 = !{!78}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !80 = !{!81}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v139B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v139B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !83 = !{!84}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v120B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v120B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v121B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v121B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v123B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v123B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v124B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v124B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !89 = !{!90, !87}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v124B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v124B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !92 = !{!93, !87}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !95 = !{!96, !87}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !98 = !{!99, !87}
-!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !101 = !{!102, !87}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !104 = !{!105, !87}
-!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !107 = !{!108, !87}
-!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !110 = !{!111, !87}
-!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !113 = !{!114, !116}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !117 = !{!118}
-!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
 !120 = !{!121}
-!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
 !123 = !{!124}
-!124 = distinct !{!124, !125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v162B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!125 = distinct !{!125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v162B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!124 = distinct !{!124, !125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v163B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!125 = distinct !{!125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v163B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !126 = !{i32 1}
 !127 = distinct !{!127, !52}
 !128 = distinct !{!128, !52}
