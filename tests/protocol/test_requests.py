@@ -60,6 +60,18 @@ def test_what_our_client_sends_comes_back(grid, output):
     assert (received.output, received.dtype, received.options) == (output, "complex64", options)
 
 
+@pytest.mark.parametrize("grid", GRIDS.values(), ids=GRIDS)
+def test_a_message_that_repeats_but_for_its_numbers_has_its_own(grid):
+    """Of one binary, what was read before is looked up."""
+    for number, output in enumerate(["factored", "modes", "factored", "factored"]):
+        batch = ParameterBatch(np.full((1, 10), 1.0 + number))
+        received = decode_request(encode_request(WaveformRequest(batch=batch, grid=grid, output=output)))
+        np.testing.assert_array_equal(received.batch.values, batch.values)
+        received.batch.values[:] = np.nan  # they are nobody else's
+        assert same_grid(received.grid, grid)
+        assert received.output == output
+
+
 def test_what_our_client_sends_is_plain_messagepack():
     message = read_message(encode_request(WaveformRequest(batch=BATCH, grid=FREQUENCIES)))
     np.testing.assert_array_equal(message["parameters"], BATCH.values)

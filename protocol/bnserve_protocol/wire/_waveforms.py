@@ -118,6 +118,15 @@ class _Reader:
 
 _READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
 
+_ONE_ROW = msgspec.msgpack.encode("parameters") + bytes(encode_array(np.zeros((1, len(PARAMETER_NAMES))))[0])
+"""How our client's requests for one binary begin, after the number of fields and up to the numbers."""
+_NUMBERS_AT = 1 + len(_ONE_ROW)
+_TAIL_AT = _NUMBERS_AT + 8 * len(PARAMETER_NAMES)
+_LONGEST_TAIL, _MOST_TAILS = 2**10, 256
+_known: dict[tuple[bytes, bytes], WaveformRequest] = {}
+"""What was read in full from messages for one binary, by all but the numbers: samplers repeat it for hours, and reading
+it again takes 6.5 us where looking it up takes 1.5, of the 170 us of processor time of one waveform on 277 points."""
+
 
 def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows: int = 2**16) -> WaveformRequest:
     """Read a request.
@@ -139,6 +148,22 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows
         Names, shapes and frequencies that no model could accept.
     TooLarge
     """
+    if media_type != MSGPACK or len(body) > _TAIL_AT + _LONGEST_TAIL or body[1:_NUMBERS_AT] != _ONE_ROW:
+        return _decode_request(body, media_type, max_rows)
+    around = bytes(body[:1]), bytes(body[_TAIL_AT:])
+    known = _known.get(around)
+    if known is not None:
+        values = np.frombuffer(body, np.dtype("<f8"), len(PARAMETER_NAMES), _NUMBERS_AT).astype(np.float64)
+        return msgspec.structs.replace(known, batch=ParameterBatch.of_one(values))
+    request = _decode_request(body, media_type, max_rows)
+    if not isinstance(request.grid, np.ndarray):
+        if len(_known) >= _MOST_TAILS:
+            _known.clear()
+        _known[around] = request
+    return request
+
+
+def _decode_request(body: bytes | memoryview, media_type: str, max_rows: int) -> WaveformRequest:
     reader = _READERS[media_type]
     try:
         wire: WaveformBody = reader.request.decode(body)
