@@ -24,17 +24,14 @@ from bnserve_protocol.wire._likelihoods import (
     encode_likelihood_request,
 )
 from bnserve_protocol.wire._memory import ResultMemory, address_of, result_memory
+from bnserve_protocol.wire._waveform_answers import WaveformAnswer, decode_answer, encode_answer, encode_answer_json
 from bnserve_protocol.wire._waveforms import (
     Grid,
     GridDigest,
     OutputName,
-    WaveformAnswer,
     WaveformBody,
     WaveformRequest,
-    decode_answer,
     decode_request,
-    encode_answer,
-    encode_answer_json,
     encode_request,
 )
 
