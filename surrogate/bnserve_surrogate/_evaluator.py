@@ -84,6 +84,10 @@ class _OneRow(threading.local):
         self.results_at = address_of(wide)
 
 
+def _is_list(frequencies: NDArray[Any]) -> bool:
+    return frequencies.dtype == np.float64 and frequencies.ndim == 1
+
+
 class Evaluator:
     """One mode on prepared grids.
 
@@ -116,12 +120,7 @@ class Evaluator:
         """One waveform on a grid that is prepared already, the shortest way; None if anything about it is unusual."""
         name = dtype if isinstance(dtype, str) else ""
         kind = _KINDS.get(name)
-        if (
-            kind is None
-            or type(options) is not EvaluationOptions
-            or frequencies.dtype != np.float64
-            or frequencies.ndim != 1
-        ):
+        if kind is None or type(options) is not EvaluationOptions or not _is_list(frequencies):
             return None
         points = len(frequencies)
         grid = self._grids.candidate(frequencies)

@@ -118,14 +118,12 @@ def build_basis(
         )
         edge_errors = validate(linear, quadrature, edges, workers, checkpoints, "edges", bars)
         clock.stage("validation", f"{draws.count} fresh binaries, {edges.count} that crowd at the edges of the prior")
-        measured = {
+        figures = {
             "grid": {"points": len(grid), "full": len(full), "gram_error": grid.gram_error},
-            "validation": validation_figures(configuration, errors),
-            "edges": validation_figures(configuration, edge_errors),
-            "full_grid": full_grid_figures(configuration, quadrature, linear),
+            **_errors_found(configuration, quadrature, linear, errors, edge_errors),
         }
         clock.stage("full grid", "errors compared with those on the thinned one")
-    diagnostics = {**quadrature.diagnostics, **measured}
+    diagnostics = {**quadrature.diagnostics, **figures}
     return BuiltBasis(replace(quadrature, diagnostics=diagnostics), growth, errors, grid, clock.seconds)
 
 
@@ -179,6 +177,21 @@ def _assembled(
         model_digest=description.digest,
         diagnostics=diagnostics,
     )
+
+
+def _errors_found(
+    configuration: RoqConfiguration,
+    quadrature: ReducedOrderQuadrature,
+    linear: Family,
+    errors: FloatArray,
+    edge_errors: FloatArray,
+) -> dict[str, Any]:
+    """The diagnostics of validation."""
+    return {
+        "validation": validation_figures(configuration, errors),
+        "edges": validation_figures(configuration, edge_errors),
+        "full_grid": full_grid_figures(configuration, quadrature, linear),
+    }
 
 
 class _Clock:
