@@ -163,10 +163,11 @@ class Evaluator:
 
     def _pieces(self, question: Question) -> list[tuple[int, int]]:
         """Equal parts, as few as the limits allow: the service itself gives a large request to all its threads."""
-        rows = len(question)
-        count = max(1, -(-rows // question.rows_per_request(self._limits)))
-        step = max(1, -(-rows // count))
-        return [(start, min(start + step, rows)) for start in range(0, max(rows, 1), step)]
+        rows, most = len(question), question.rows_per_request(self._limits)
+        if rows <= most:
+            return [(0, rows)]
+        step = -(-rows // -(-rows // most))
+        return [(start, min(start + step, rows)) for start in range(0, rows, step)]
 
     def _piece(
         self, question: Question, start: int, stop: int, keep: Callable[[int, Arrays], None]

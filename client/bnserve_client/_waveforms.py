@@ -142,9 +142,9 @@ def _ends_of(grid: UniformGrid | ExplicitGrid) -> ExplicitGrid:
     return ExplicitGrid(grid.frequencies[places])
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Waveforms(Question):
-    """The waveforms of a batch on a grid."""
+    """The waveforms of a batch on a grid; not frozen, which would take 2 us for every waveform."""
 
     batch: ParameterBatch
     grid: UniformGrid | ExplicitGrid
