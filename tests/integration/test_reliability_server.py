@@ -10,6 +10,7 @@ import pytest
 
 from benchmarks.reliability.__main__ import main
 from benchmarks.reliability.outcome import NAMES, find, names, promise_of
+from benchmarks.reliability.page import FIRST
 from benchmarks.reliability.soak import theil_sen
 
 MIB = 2**20
@@ -173,7 +174,9 @@ def test_figures_are_kept_and_fill_the_page(tmp_path, capsys):
     paths = ["--results", str(results), "--page-file", str(page), "--readme", str(readme)]
     assert main(["--page", *paths]) == 0
     assert printed["summary"] in page.read_text()
-    assert f"| {printed['summary']} |" in readme.read_text()
+    shown = readme.read_text()  # those that come first, measured or not
+    assert [name for name in FIRST if f"`python -m benchmarks.reliability {name}`" in shown] == list(FIRST)
+    assert shown.count("not measured yet") == len(FIRST)
 
 
 @pytest.mark.parametrize("arguments", [["nothing"], ["tokens", "--plant", "nothing"], []])
