@@ -14,6 +14,7 @@ from tests.service.asking import (
     MSGPACK,
     as_array,
     ask,
+    closing_connection,
     evaluate,
     evaluate_json,
     question,
@@ -61,6 +62,40 @@ def test_415_a_media_type_that_is_not_offered(server, content_type):
 
 def test_415_a_compressed_body(server):
     check(evaluate(server.address, question(), content_encoding="gzip"), 415, "media-type-unsupported", "Compressed")
+
+
+@pytest.mark.parametrize(
+    ("headers", "status", "code"),
+    [
+        ([("content-type", JSON), ("content-type", JSON)], 415, "media-type-unsupported"),
+        ([("content-type", f"{JSON}; charset=utf-8"), ("content-type", MSGPACK)], 415, "media-type-unsupported"),
+        ([("content-type", JSON), ("content-encoding", "identity"), ("content-encoding", "gzip")], 415,
+         "media-type-unsupported"),
+        ([("content-type", JSON), ("x-request-deadline-ms", "1"), ("x-request-deadline-ms", "60000")], 422,
+         "request-invalid"),
+    ],
+)  # fmt: skip
+def test_of_headers_that_are_there_twice_none_wins(server, headers, status, code):
+    body = json.dumps(question()).encode()
+    with closing_connection(server.address) as connection:
+        connection.putrequest("POST", PATH)
+        for name, value in [*headers, ("content-length", str(len(body)))]:
+            connection.putheader(name, value)
+        connection.endheaders(body)
+        response = connection.getresponse()
+        document = json.loads(response.read())
+    assert (response.status, document["code"]) == (status, code)
+
+
+def test_lists_may_come_in_several_headers(server):
+    with closing_connection(server.address) as connection:
+        connection.putrequest("GET", "/v1/models")
+        for accept in (MSGPACK, f"{JSON};q=0.1"):
+            connection.putheader("accept", accept)
+        connection.endheaders()
+        response = connection.getresponse()
+        response.read()
+    assert (response.status, response.getheader("content-type")) == (200, MSGPACK)
 
 
 @pytest.mark.parametrize("accept", ["text/html", "image/*", f"{MSGPACK};q=0, {JSON};q=0", "nonsense"])

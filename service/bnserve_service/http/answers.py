@@ -29,6 +29,17 @@ _SLOW = 1.0
 """Seconds after which the memory of what has left is worth a copy of the rest."""
 
 
+def header_fields(headers: Sequence[Header]) -> dict[bytes, bytes]:
+    """Headers by name, those that are there several times as one list (RFC 9110, 5.3).
+
+    None of several values wins without a word: where one belongs, a list is none.
+    """
+    fields = dict(headers)
+    if len(fields) != len(headers):
+        fields = {name: b", ".join(value for other, value in headers if other == name) for name in fields}
+    return fields
+
+
 def body_headers(parts: Sequence[Buffer], media_type: str) -> list[Header]:
     """Content type, length and digest of a body."""
     return [
@@ -89,7 +100,7 @@ async def _copy(pieces: deque[Buffer]) -> None:
 
 def data_response(request: Request, value: Any, status: int = 200) -> Response:
     """A small structured answer in JSON, or in MessagePack for callers who prefer it."""
-    media_type = answer_media_type(dict(request.scope["headers"]), preferred=JSON)
+    media_type = answer_media_type(header_fields(request.scope["headers"]), preferred=JSON)
     body = msgspec.msgpack.encode(value) if media_type == MSGPACK else msgspec.json.encode(value)
     return plain_response(body, media_type, status)
 

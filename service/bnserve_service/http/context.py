@@ -6,7 +6,7 @@ import logging
 import os
 import re
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 
@@ -25,7 +25,7 @@ from bnserve_service.errors import (
     problem_body,
     problem_headers,
 )
-from bnserve_service.http.answers import Header, body_headers, send_answer
+from bnserve_service.http.answers import Header, body_headers, header_fields, send_answer
 from bnserve_service.telemetry.log_words import log_word
 from bnserve_service.telemetry.metrics import Metrics
 
@@ -188,9 +188,9 @@ class RequestContextMiddleware:
             )  # fmt: skip
 
 
-def new_context(given_headers: Iterable[Header]) -> RequestContext:
+def new_context(given_headers: Sequence[Header]) -> RequestContext:
     """The context of a request that arrives now; header names are lower case."""
-    headers = dict(given_headers)
+    headers = header_fields(given_headers)
     given = headers.get(b"x-request-id", b"")
     request_id = given.decode("ascii") if _REQUEST_ID.fullmatch(given) else os.urandom(16).hex()
     return RequestContext(request_id=request_id, headers=headers, arrived=time.monotonic())

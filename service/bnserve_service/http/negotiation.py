@@ -34,7 +34,9 @@ def request_media_type(headers: Mapping[bytes, bytes]) -> str:
 
 def media_type_of(headers: Mapping[bytes, bytes]) -> str:
     """The ``Content-Type`` without its parameters, lower case, old names of MessagePack replaced; '' if missing."""
-    given = headers.get(b"content-type", b"").partition(b";")[0].strip().lower().decode("latin-1")
+    value = headers.get(b"content-type", b"")
+    one = value if b"," in value else value.partition(b";")[0]  # several are no media type, whichever comes first
+    given = one.strip().lower().decode("latin-1")
     return _ALIASES.get(given, given)
 
 
