@@ -14,7 +14,7 @@ from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Analysis, BnserveError, Likelihood, Unavailable, WaveformModel, decode_analysis
-from bnserve_service.admission.lifecycle import Lifecycle
+from bnserve_service.admission.lifecycle import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.quotas import shares_of
 from bnserve_service.evaluation.fast_path import QuickLane
@@ -177,7 +177,7 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
         yield
     finally:
         await parts.maintenance.stop()
-        parts.queue.stop()
+        parts.queue.stop(patience=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
         parts.waveforms.close()
         parts.likelihoods.close()
 

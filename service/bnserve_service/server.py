@@ -155,6 +155,8 @@ class BnserveServer:
             metrics = _configuration(self._app.metrics, self._settings, None)
             async with serving_metrics(metrics, metrics_listener):
                 await self._uvicorn.serve(sockets=[listener])
+            if self._uvicorn.force_exit:  # uvicorn leaves the lifespan as it is then, to be cancelled with a traceback
+                await self._uvicorn.lifespan.shutdown()
         finally:
             for task in others:
                 task.cancel()
@@ -185,7 +187,7 @@ class BnserveServer:
 
     def stop_now(self) -> None:
         """Stop without waiting for what is in flight."""
-        self._app.parts.lifecycle.refuse()
+        self._app.parts.lifecycle.abort()
         self._uvicorn.force_exit = self._uvicorn.should_exit = True
 
     def stop_from_thread(self) -> None:

@@ -120,6 +120,7 @@ def test_a_second_signal_ends_it_at_once(tmp_path):
         server.process.send_signal(signal.SIGINT)
         server.process.send_signal(signal.SIGINT)
         assert server.process.wait(30) == 0
+    assert "Traceback" not in (tmp_path / "log").read_text()
 
 
 def test_the_shipped_models_verify():

@@ -15,6 +15,8 @@ class Phase(enum.Enum):
     """Told to stop: not ready any more, yet everything is answered, each answer closing its connection."""
     REFUSING = "refusing"
     """What is in flight finishes; what is new is refused with ``Draining``."""
+    ABORTING = "aborting"
+    """Told so twice: nothing is waited for."""
 
 
 class Lifecycle:
@@ -40,9 +42,14 @@ class Lifecycle:
 
     def refuse(self) -> None:
         """Accept no new work."""
-        self.phase = Phase.REFUSING
+        if self.phase is not Phase.ABORTING:
+            self.phase = Phase.REFUSING
+
+    def abort(self) -> None:
+        """Wait for nothing."""
+        self.phase = Phase.ABORTING
 
     def check_accepting(self) -> None:
         """Raise ``Draining`` once new work is refused."""
-        if self.phase is Phase.REFUSING:
+        if self.phase in (Phase.REFUSING, Phase.ABORTING):
             raise Draining("This server is shutting down; send the request to another replica.", retry_after=1.0)

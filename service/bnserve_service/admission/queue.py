@@ -127,8 +127,8 @@ class WorkQueue(Generic[P, R]):
         for worker in self._workers:
             worker.thread.start()
 
-    def stop(self) -> None:
-        """Refuse what waits, and wait for what runs."""
+    def stop(self, patience: float = 10.0) -> None:
+        """Refuse what waits, and wait for what runs, seconds at the longest for each."""
         with self._changed:
             self._stopping = True
             waiting = self._line.clear()
@@ -138,7 +138,7 @@ class WorkQueue(Generic[P, R]):
             _resolve(job, Draining("This server is shutting down; send the request to another replica."))
         for worker in self._workers:
             if worker.thread.is_alive():
-                worker.thread.join(timeout=10.0)
+                worker.thread.join(timeout=patience)
 
     def submit(
         self,
