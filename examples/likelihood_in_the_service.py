@@ -2,7 +2,7 @@
 
 With a server running anywhere, and its address (building an analysis takes the detectors from LAL):
 
-    pip install 'bnserve-inference[detectors]'
+    pip install '.[detectors]'
     python examples/likelihood_in_the_service.py http://127.0.0.1:8000
 """
 

@@ -1,4 +1,4 @@
-"""Detectors and the rotation of the Earth, from LAL (``bnserve-inference[detectors]``).
+"""Detectors and the rotation of the Earth, from LAL (the extra ``detectors``).
 
 LAL and not astropy, because its detectors are the ones that every published analysis uses, to the bit, and
 because it has both them and the sidereal time; astropy knows no gravitational-wave detector and wants tables from the

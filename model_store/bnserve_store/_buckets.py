@@ -22,7 +22,7 @@ class BucketRoot:
         except ModuleNotFoundError as error:
             raise StoreUnknown(
                 f"The model store '{url}' is a URL, which needs more packages (missing: {error.name}): "
-                "pip install 'bnserve-store[fsspec]' and the fsspec package of its protocol."
+                "pip install '.[buckets]' in the repository of bnserve, and the fsspec package of its protocol."
             ) from error
         except Exception as error:  # every protocol of fsspec raises its own errors
             raise self._unreachable(error) from error

@@ -40,7 +40,7 @@ class ModelStore:
     ----------
     roots:
         Directories (as strings, or whatever has a path), or URLs that fsspec understands (``s3://bucket/models``;
-        read-only; needs ``bnserve-store[fsspec]``). Directories need not exist before they are used.
+        read-only; needs the extra ``buckets``). Directories need not exist before they are used.
 
     Raises
     ------

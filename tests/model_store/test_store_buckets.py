@@ -12,7 +12,7 @@ from bnserve_store import ModelStore
 @pytest.fixture
 def bucket(store, root):
     """The store of the other tests, copied into fsspec's bucket in memory."""
-    fsspec = pytest.importorskip("fsspec", reason="buckets are the extra bnserve-store[fsspec]")
+    fsspec = pytest.importorskip("fsspec", reason="buckets are an extra")
     files = fsspec.filesystem("memory")
     files.put(str(root), "/models", recursive=True)
     yield files
@@ -63,7 +63,7 @@ def test_without_fsspec_a_url_says_what_to_install(tmp_path):
         "except StoreUnknown as error:\n    print(error.detail)\n"
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert "pip install 'bnserve-store[fsspec]'" in answer.stdout
+    assert "pip install '.[buckets]'" in answer.stdout
 
 
 def test_importing_the_store_brings_in_nothing_heavy():
