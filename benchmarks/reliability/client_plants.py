@@ -8,8 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 from unittest.mock import patch
 
-from bnserve_client import _connections, _session
-from bnserve_client import _retry_policy as _patience
+from bnserve_client import _connections, _retry_policy, _session
 from bnserve_client._messages import HttpResponse
 
 _trusted_body = _session.trusted_body
@@ -34,7 +33,7 @@ def _raise(self: Any, error: Exception) -> float:
 PLANTS = {
     "no-digests": (_session, "trusted_body", _body_as_it_came),
     "no-echo": (_session, "trusted_body", _whole_body),
-    "no-retries": (_patience.RetryPolicy, "pause_after", _raise),
+    "no-retries": (_retry_policy.RetryPolicy, "pause_after", _raise),
     "shared-sockets": (_connections, "os", _ONE_PROCESS),
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,10 +38,12 @@ NAMES = (
     "outage",
     "faults",
     "history",
-    "shares",
+    "quotas",
     "cpu_types",
 )
 """The promises, in the order of the tables."""
+_RENAMED = {"shares": "quotas"}
+"""Names of before, for one version."""
 
 
 class PromiseUnknown(BnserveError):
@@ -87,6 +90,9 @@ def find(name: str, plant: str | None = None) -> Promise:
     PromiseUnknown
         No such promise, or it knows no such fault.
     """
+    if name in _RENAMED:
+        warnings.warn(f"'{name}' is '{_RENAMED[name]}'.", DeprecationWarning, stacklevel=2)
+        name = _RENAMED[name]
     if name not in names():
         raise PromiseUnknown(f"There is no promise '{name}'; there are: {', '.join(names())}.")
     promise = cast(Promise, importlib.import_module(f"benchmarks.reliability.{name}"))

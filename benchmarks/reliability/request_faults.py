@@ -146,7 +146,7 @@ def unpickle_bodies() -> None:
 
 def endless_queue() -> None:
     """The queue takes everything, and computes it whatever its deadline."""
-    from bnserve_service.admission.capacity import Holdings
+    from bnserve_service.admission.capacity import Capacity
     from bnserve_service.admission.queue import WorkQueue
 
     submit: Any = WorkQueue.submit
@@ -158,7 +158,7 @@ def endless_queue() -> None:
 
     WorkQueue.submit = submit_anyway  # type: ignore[method-assign]
     WorkQueue.check_room = lambda *_: None  # type: ignore[method-assign]
-    Holdings.fits = lambda self, size: True  # type: ignore[method-assign]
+    Capacity.fits = lambda self, size: True  # type: ignore[method-assign]
 
 
 def endless_frames() -> None:

@@ -10,6 +10,9 @@
 Every error is one of :mod:`bnserve_protocol`; those that a remote model adds to the local ones are re-exported here.
 """
 
+import typing
+import warnings
+
 from bnserve_client._async_model import AsyncModel
 from bnserve_client._likelihoods import AsyncLikelihood, Likelihood
 from bnserve_client._model import Model
@@ -37,9 +40,9 @@ from bnserve_protocol import (
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
+    QuotaExceeded,
     RowStatus,
     RunManifest,
-    ShareExceeded,
     TooLarge,
     Unauthorized,
     Unavailable,
@@ -76,9 +79,9 @@ __all__ = [
     "ParameterBatch",
     "ParametersWithExtrinsic",
     "Polarizations",
+    "QuotaExceeded",
     "RowStatus",
     "RunManifest",
-    "ShareExceeded",
     "TooLarge",
     "Unauthorized",
     "Unavailable",
@@ -86,3 +89,12 @@ __all__ = [
     "UntrustedAnswer",
     "__version__",
 ]
+
+if not typing.TYPE_CHECKING:
+
+    def __getattr__(name: str) -> typing.Any:
+        """A name that has another since 0.2, for one version."""
+        if name != "ShareExceeded":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        warnings.warn("ShareExceeded is QuotaExceeded.", DeprecationWarning, stacklevel=2)
+        return QuotaExceeded

@@ -23,7 +23,7 @@ from bnserve_protocol import (
     NotAcceptable,
     Overloaded,
     PathUnknown,
-    ShareExceeded,
+    QuotaExceeded,
     TooLarge,
     Unauthorized,
     UndecodableBody,
@@ -245,8 +245,8 @@ class RetryPolicy:
         )
 
     def _pause(self, error: BnserveError) -> float:
-        if isinstance(error, ShareExceeded):
-            if error.retry_after:  # exact: a share is a sum, not a guess
+        if isinstance(error, QuotaExceeded):
+            if error.retry_after:  # exact: a quota is a sum, not a guess
                 return error.retry_after * _chance.uniform(1.0, 1.25)
         else:
             self._replicas.rest(self.address, error.retry_after or 0.0, broken=not isinstance(error, Overloaded))

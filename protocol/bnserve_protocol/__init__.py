@@ -57,8 +57,8 @@ from bnserve_protocol._errors import (
     OutOfDomain,
     Overloaded,
     PathUnknown,
+    QuotaExceeded,
     SchemaUnknown,
-    ShareExceeded,
     StoreUnknown,
     TooLarge,
     Unauthorized,
@@ -189,10 +189,10 @@ __all__ = [
     "PathUnknown",
     "Polarizations",
     "ProcessorDescription",
+    "QuotaExceeded",
     "RowStatus",
     "RunManifest",
     "SchemaUnknown",
-    "ShareExceeded",
     "StoreUnknown",
     "TimeGrid",
     "TimeMarginalisation",
@@ -234,7 +234,10 @@ __all__ = [
 if not typing.TYPE_CHECKING:
 
     def __getattr__(name: str) -> typing.Any:
-        """Names that :mod:`bnserve_protocol.wire` has since 0.2, for one version."""
+        """Names that have another, or that :mod:`bnserve_protocol.wire` has, since 0.2; for one version."""
+        if name == "ShareExceeded":
+            warnings.warn("ShareExceeded is QuotaExceeded.", DeprecationWarning, stacklevel=2)
+            return QuotaExceeded
         if name not in wire.__all__:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         warnings.warn(f"Import {name} from bnserve_protocol.wire.", DeprecationWarning, stacklevel=2)

@@ -30,7 +30,7 @@
     │   └── Forbidden
     ├── Unavailable
     │   ├── Overloaded
-    │   ├── ShareExceeded
+    │   ├── QuotaExceeded
     │   ├── Draining
     │   ├── ModelLoading
     │   ├── DeadlineExceeded
@@ -318,11 +318,11 @@ class Overloaded(Unavailable):
     title = "Queue full"
 
 
-class ShareExceeded(Unavailable):
-    """This caller is over its share."""
+class QuotaExceeded(Unavailable):
+    """This caller is over its quota."""
 
     code = "share-exceeded"
-    title = "Over this caller's share"
+    title = "Over this caller's quota"
 
 
 class Draining(Unavailable):

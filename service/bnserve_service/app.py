@@ -16,7 +16,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from bnserve_protocol import Analysis, BnserveError, Likelihood, Unavailable, WaveformModel, decode_analysis
 from bnserve_service.admission.lifecycle import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
-from bnserve_service.admission.quotas import shares_of
+from bnserve_service.admission.quotas import rate_quotas
 from bnserve_service.evaluation.fast_path import QuickLane
 from bnserve_service.evaluation.likelihood_endpoint import PATHS as LIKELIHOOD_PATHS
 from bnserve_service.evaluation.likelihood_endpoint import LikelihoodEndpoint
@@ -47,13 +47,13 @@ from bnserve_service.routes.manifests import manifest_router
 from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
 from bnserve_service.settings import Settings
-from bnserve_service.shared.files import Shelf, gone
+from bnserve_service.shared.files import BlobStore, gone
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.telemetry.metrics import Metrics
 from bnserve_service.uploads.analyses import AnalysisStore, LikelihoodFactory
 from bnserve_service.uploads.grids import GridCache
 from bnserve_service.uploads.records import Kind
-from bnserve_service.uploads.storage_quotas import Keeping, StoredShares
+from bnserve_service.uploads.storage_quotas import Keeping, StorageQuotas
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,9 +109,8 @@ class Application(FastAPI):
         routes = [route for router in routers for route in router.routes if isinstance(route, Route)]
         dispatcher = Dispatcher(evaluations, routes)
         tokens = parts.settings.tokens
-        access = (
-            AccessMiddleware(dispatcher, tokens, shares_of(tokens, parts.shared), parts.queue.turn) if tokens else None
-        )
+        quotas = rate_quotas(tokens, parts.shared)
+        access = AccessMiddleware(dispatcher, tokens, quotas, parts.queue.turn) if tokens else None
         hosts = HostCheck.of(parts.settings)
         self._front = RequestContextMiddleware(
             HostMiddleware(access or dispatcher, hosts),
@@ -134,7 +133,7 @@ class Application(FastAPI):
         Its router would match every path again, and its exception middlewares answer errors in a form of their own.
         """
         parts, limits = self.parts, self.parts.settings.limits()
-        stored = _stored_shares(parts)
+        stored = _storage_quotas(parts)
         largest_grid = min(parts.settings.max_body_bytes, 8 * parts.settings.max_frequencies)
         largest_analysis = parts.settings.max_analysis_bytes
         routers = [
@@ -177,7 +176,7 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
         yield
     finally:
         await parts.maintenance.stop()
-        parts.queue.stop(patience=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
+        parts.queue.stop(timeout=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
         parts.waveforms.close()
         parts.likelihoods.close()
 
@@ -237,9 +236,9 @@ def _parts(
     lifecycle = Lifecycle()
     metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
     grids = GridCache(
-        settings.max_grids, settings.max_grid_bytes, settings.max_frequencies, grid_shelf(settings, shared)
+        settings.max_grids, settings.max_grid_bytes, settings.max_frequencies, grid_blobs(settings, shared)
     )
-    analyses = AnalysisStore(settings, decode_analysis, analysis_shelf(settings, shared))
+    analyses = AnalysisStore(settings, decode_analysis, analysis_blobs(settings, shared))
     workers = settings.threads or available_cpus()
     queue = _queue(settings, metrics, bind, workers)
     health = _health(settings, registry, lifecycle, queue, shared)
@@ -302,19 +301,19 @@ def loader_of(
     return Loader(registry, source or _stores(settings), factory or _surrogate, Selection(settings.models))
 
 
-def grid_shelf(settings: Settings, shared: Path | None) -> Shelf | None:
+def grid_blobs(settings: Settings, shared: Path | None) -> BlobStore | None:
     """Where the workers of one server keep the grids that were uploaded to any of them."""
     if shared is None:
         return None
-    return Shelf(shared / "grids", settings.max_grids, settings.max_grid_bytes, settings.max_grid_bytes)
+    return BlobStore(shared / "grids", settings.max_grids, settings.max_grid_bytes, settings.max_grid_bytes)
 
 
-def analysis_shelf(settings: Settings, shared: Path | None) -> Shelf | None:
+def analysis_blobs(settings: Settings, shared: Path | None) -> BlobStore | None:
     """Where they keep the analyses."""
     if shared is None:
         return None
     own, together = settings.max_owner_analyses_bytes, settings.max_analyses_bytes
-    return Shelf(shared / "analyses", settings.max_analyses, own, together)
+    return BlobStore(shared / "analyses", settings.max_analyses, own, together)
 
 
 def _watch(parts: Parts) -> None:
@@ -342,13 +341,13 @@ def _stores(settings: Settings) -> ModelSource:
     return ModelStore.default(settings.stores)
 
 
-def _stored_shares(parts: Parts) -> StoredShares:
+def _storage_quotas(parts: Parts) -> StorageQuotas:
     grids, analyses = parts.grids, parts.analyses
     keeping: dict[Kind, Keeping] = {
         "grid": Keeping(lambda _, sha256: grids.has(sha256), lambda _, sha256: grids.drop(sha256), is_common=True),
         "analysis": Keeping(analyses.has, analyses.discard),
     }
-    return StoredShares(parts.settings.tokens, keeping, parts.shared)
+    return StorageQuotas(parts.settings.tokens, keeping, parts.shared)
 
 
 def _surrogate(artifact: Any) -> Any:

@@ -20,7 +20,7 @@ STATUS_OF: dict[type[BnserveError], int] = {
     protocol.Unauthorized: 401,
     protocol.AccessDenied: 403,
     protocol.NotFound: 404,
-    protocol.ShareExceeded: 429,
+    protocol.QuotaExceeded: 429,
     protocol.DeadlineExceeded: 504,
     protocol.Unavailable: 503,
     BnserveError: 500,

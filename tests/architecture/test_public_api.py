@@ -71,3 +71,10 @@ def test_names_that_moved_to_the_wire_are_found_where_they_were_with_a_warning()
 
     assert encode_request is bnserve_protocol.wire.encode_request
     assert not hasattr(bnserve_protocol, "decode_anything")
+
+
+@pytest.mark.parametrize("package", ["bnserve_protocol", "bnserve_client"])
+def test_the_error_of_a_quota_has_its_former_name_with_a_warning(package):
+    with pytest.warns(DeprecationWarning, match="ShareExceeded is QuotaExceeded"):
+        former = importlib.import_module(package).ShareExceeded
+    assert former is bnserve_protocol.QuotaExceeded

@@ -107,7 +107,7 @@ def test_an_unknown_code_of_a_newer_service_is_a_plain_error():
 def test_what_may_be_tried_again():
     retryable = {cls.__name__ for cls in CLASSES if cls.retryable}
     assert retryable == {
-        "Unavailable", "Overloaded", "ShareExceeded", "Draining", "ModelLoading", "ConnectionFailed", "AnswerCorrupted"
+        "Unavailable", "Overloaded", "QuotaExceeded", "Draining", "ModelLoading", "ConnectionFailed", "AnswerCorrupted"
     }  # fmt: skip
 
 

@@ -74,7 +74,7 @@ def test_two_owners_of_the_same_share_its_memory_and_neither_takes_it_from_the_o
     assert (len(analyses), analyses.stored_bytes) == (0, 0)
 
 
-def test_an_owner_over_their_share_loses_what_they_used_longest_ago():
+def test_an_owner_over_their_quota_loses_what_they_used_longest_ago():
     analyses = store(own=2 * SIZE)
     put(analyses, "you", 4)
     put(analyses, "me", 0, 1)

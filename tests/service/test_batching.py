@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from bnserve_protocol import DeadlineExceeded, Draining, Overloaded
-from bnserve_service.admission.cost_estimates import Foresight
+from bnserve_service.admission.cost_estimates import CostEstimates
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.telemetry.metrics import Metrics
 from tests.service.asking import GW170817, MSGPACK, evaluate, question, raw_connection, read_msgpack
@@ -337,15 +337,15 @@ def test_room_can_be_asked_for_without_taking_it():
 
 
 def test_a_request_like_those_before_is_foreseen_to_cost_what_they_did():
-    foresight = Foresight()
-    assert foresight.cost("one", 10_000) is None
-    foresight.learn("one", 10_000, 500)
-    assert foresight.cost("one", 9_000) == 500
-    assert foresight.cost("other", 10_000) is None
-    assert foresight.cost("one", 30_000) is None, "another size, another kind"
-    foresight.learn("one", 10_000, 1500)
-    assert foresight.cost("one", 10_000) == 600, "it leans towards the cheapest"
-    foresight.learn("one", 10_000, 200)
-    assert foresight.cost("one", 10_000) == 200
-    foresight.learn("one", 100, 7)
-    assert foresight.cost("one", 100) is None, "small bodies are decoded"
+    cost_estimates = CostEstimates()
+    assert cost_estimates.cost("one", 10_000) is None
+    cost_estimates.learn("one", 10_000, 500)
+    assert cost_estimates.cost("one", 9_000) == 500
+    assert cost_estimates.cost("other", 10_000) is None
+    assert cost_estimates.cost("one", 30_000) is None, "another size, another kind"
+    cost_estimates.learn("one", 10_000, 1500)
+    assert cost_estimates.cost("one", 10_000) == 600, "it leans towards the cheapest"
+    cost_estimates.learn("one", 10_000, 200)
+    assert cost_estimates.cost("one", 10_000) == 200
+    cost_estimates.learn("one", 100, 7)
+    assert cost_estimates.cost("one", 100) is None, "small bodies are decoded"

@@ -1,4 +1,4 @@
-"""Large bodies on their way: all together have one room, and every token a fair part of it."""
+"""Large bodies on their way: all together have one room, and every token a fair share of it."""
 
 import hashlib
 from concurrent.futures import ThreadPoolExecutor
@@ -112,7 +112,7 @@ def of_two(start):
     return start(ChirpModel(), max_frequencies=2**17, tokens=tokens, **LIMITS)
 
 
-def test_what_one_has_beyond_a_fair_part_makes_room_for_another(of_two):
+def test_what_one_has_beyond_a_fair_share_makes_room_for_another(of_two):
     with bodies_without_end(of_two, 4, token=GREEDY) as greedy, bodies_without_end(of_two, 2, token=MODEST):
         for connection in greedy[2:]:
             refusal(connection, 429, "share-exceeded")

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bnserve_protocol import Overloaded, ShareExceeded
-from bnserve_service.admission.capacity import Holdings
+from bnserve_protocol import Overloaded, QuotaExceeded
+from bnserve_service.admission.capacity import Capacity
 from bnserve_service.admission.fair_line import FairLine
 from bnserve_service.admission.loop_turns import PER_TURN, LoopTurns
 from tests.service.test_batching import busy, with_queue
@@ -103,14 +103,14 @@ def test_while_two_wait_neither_gets_ahead_by_more_than_a_piece(owners):
 
 
 def test_one_owner_may_fill_the_room_and_others_displace_only_what_is_beyond_his_part():
-    room = Holdings(100)
+    room = Capacity(100)
     room.add("greedy", 100)
     assert not room.fits(1)
     assert not room.may_displace("greedy", 1)
     assert room.may_displace("new", 40)
-    assert room.beyond_fair_part("new") == ["greedy"]
+    assert room.beyond_fair_share("new") == ["greedy"]
     room.remove("greedy", 50)
-    assert room.beyond_fair_part("new") == []
+    assert room.beyond_fair_share("new") == []
 
 
 def test_a_newcomer_finds_room_in_a_full_queue_and_the_newest_of_the_greedy_one_is_refused():
@@ -120,10 +120,10 @@ def test_a_newcomer_finds_room_in_a_full_queue_and_the_newest_of_the_greedy_one_
         newcomer = queue.submit("b", 100, 7, owner="new")
         refused = [job for job in greedy if job.result.done()]
         assert refused == [greedy[-1]]
-        with pytest.raises(ShareExceeded) as told:
+        with pytest.raises(QuotaExceeded) as told:
             refused[0].result.result()
         assert told.value.retry_after > 0.0
-        with pytest.raises(ShareExceeded):
+        with pytest.raises(QuotaExceeded):
             queue.submit("a", 111, 1, owner="greedy")
         recorder.gate.set()
         assert await newcomer.result == 49
@@ -133,13 +133,13 @@ def test_a_newcomer_finds_room_in_a_full_queue_and_the_newest_of_the_greedy_one_
     with_queue(check)
 
 
-def test_nobody_beyond_his_fair_part_displaces_others():
+def test_nobody_beyond_his_fair_share_displaces_others():
     async def check(queue, recorder):
         await busy(queue, recorder)
         for owner in ("a", "b"):
             for index in range(4):
                 queue.submit(owner, 111, index, owner=owner)
-        with pytest.raises((ShareExceeded, Overloaded)):
+        with pytest.raises((QuotaExceeded, Overloaded)):
             queue.submit("a", 300, 1, owner="a")
         assert queue.waiting == 8
         queue.submit("c", 300, 1, owner="c")

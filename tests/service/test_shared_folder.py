@@ -13,7 +13,7 @@ from prometheus_client import CollectorRegistry, Counter, Gauge
 
 from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, encode_analysis
 from bnserve_service import BackgroundServer, Settings, Token
-from bnserve_service.shared.files import Shelf
+from bnserve_service.shared.files import BlobStore
 from bnserve_service.shared.folder import SharedFolder
 from bnserve_service.shared.loads import SharedLoads
 from bnserve_service.shared.metrics import SharedMetrics
@@ -35,8 +35,8 @@ def grid(start, points=50):
 
 
 @pytest.fixture
-def shelf(tmp_path):
-    return Shelf(tmp_path / "shelf", max_files=3, max_owner_bytes=1000, max_bytes=1500)
+def blobs(tmp_path):
+    return BlobStore(tmp_path / "blobs", max_files=3, max_owner_bytes=1000, max_bytes=1500)
 
 
 ME, YOU = "a" * 64, "b" * 64
@@ -88,66 +88,66 @@ class TestFolder:
             SharedFolder.create(0, [tmp_path / "missing"])
 
 
-class TestShelf:
-    def test_a_file_comes_back_as_it_was_for_its_owner_alone(self, shelf):
-        assert shelf.put(ME, digest(b"x"), b"x")
-        assert bytes(shelf.read(ME, digest(b"x"))) == b"x"
-        assert shelf.read(YOU, digest(b"x")) is None
-        assert shelf.use(ME, digest(b"x"))
-        assert not shelf.use(YOU, digest(b"x"))
+class TestBlobStore:
+    def test_a_file_comes_back_as_it_was_for_its_owner_alone(self, blobs):
+        assert blobs.put(ME, digest(b"x"), b"x")
+        assert bytes(blobs.read(ME, digest(b"x"))) == b"x"
+        assert blobs.read(YOU, digest(b"x")) is None
+        assert blobs.use(ME, digest(b"x"))
+        assert not blobs.use(YOU, digest(b"x"))
 
     @pytest.mark.parametrize("name", ["../../etc/passwd", "", "A" * 64, "a" * 63, "a" * 65, f"{'a' * 64}\n"])
-    def test_only_digests_become_paths(self, shelf, name):
-        assert not shelf.put(ME, name, b"x")
-        assert not shelf.put(name or "/", digest(b"x"), b"x")
-        assert shelf.read(ME, name) is None
-        assert not shelf.drop(ME, name)
-        assert shelf.usage() == (0, 0)
+    def test_only_digests_become_paths(self, blobs, name):
+        assert not blobs.put(ME, name, b"x")
+        assert not blobs.put(name or "/", digest(b"x"), b"x")
+        assert blobs.read(ME, name) is None
+        assert not blobs.drop(ME, name)
+        assert blobs.usage() == (0, 0)
 
-    def test_owners_of_the_same_share_it_and_neither_takes_it_from_the_other(self, shelf):
+    def test_owners_of_the_same_share_it_and_neither_takes_it_from_the_other(self, blobs):
         body = b"x" * 900
-        assert shelf.put(ME, digest(body), body)
-        assert shelf.put(YOU, digest(body), body)
-        assert shelf.usage() == (1, 900)
-        assert shelf.drop(ME, digest(body))
-        assert not shelf.drop(ME, digest(body))
-        assert shelf.has(YOU, digest(body))
+        assert blobs.put(ME, digest(body), body)
+        assert blobs.put(YOU, digest(body), body)
+        assert blobs.usage() == (1, 900)
+        assert blobs.drop(ME, digest(body))
+        assert not blobs.drop(ME, digest(body))
+        assert blobs.has(YOU, digest(body))
 
-    def test_what_was_used_longest_ago_makes_room(self, shelf):
+    def test_what_was_used_longest_ago_makes_room(self, blobs):
         bodies = [bytes([number]) * 10 for number in range(4)]
         for body in bodies[:3]:
-            shelf.put(ME, digest(body), body)
-        shelf.use(ME, digest(bodies[0]))
-        shelf.put(ME, digest(bodies[3]), bodies[3])
-        assert [shelf.has(ME, digest(body)) for body in bodies] == [True, False, True, True]
+            blobs.put(ME, digest(body), body)
+        blobs.use(ME, digest(bodies[0]))
+        blobs.put(ME, digest(bodies[3]), bodies[3])
+        assert [blobs.has(ME, digest(body)) for body in bodies] == [True, False, True, True]
 
-    def test_when_all_is_full_whoever_has_most_makes_room(self, shelf):
+    def test_when_all_is_full_whoever_has_most_makes_room(self, blobs):
         mine, yours, more = b"m" * 900, b"y" * 500, b"z" * 400
-        shelf.put(ME, digest(mine), mine)
-        shelf.put(YOU, digest(yours), yours)
-        shelf.put(YOU, digest(more), more)
-        assert not shelf.has(ME, digest(mine))
-        assert shelf.usage() == (2, 900)
+        blobs.put(ME, digest(mine), mine)
+        blobs.put(YOU, digest(yours), yours)
+        blobs.put(YOU, digest(more), more)
+        assert not blobs.has(ME, digest(mine))
+        assert blobs.usage() == (2, 900)
 
-    def test_what_is_mapped_outlives_being_dropped(self, shelf):
-        shelf.put(ME, digest(b"abc"), b"abc")
-        content = shelf.read(ME, digest(b"abc"))
-        shelf.drop(ME, digest(b"abc"))
+    def test_what_is_mapped_outlives_being_dropped(self, blobs):
+        blobs.put(ME, digest(b"abc"), b"abc")
+        content = blobs.read(ME, digest(b"abc"))
+        blobs.drop(ME, digest(b"abc"))
         assert bytes(content) == b"abc"
 
-    def test_many_at_once(self, shelf):
+    def test_many_at_once(self, blobs):
         bodies = [bytes([number]) * 100 for number in range(30)]
-        threads = [threading.Thread(target=shelf.put, args=(ME, digest(body), body)) for body in bodies]
+        threads = [threading.Thread(target=blobs.put, args=(ME, digest(body), body)) for body in bodies]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-        assert shelf.usage() == (3, 300)
+        assert blobs.usage() == (3, 300)
 
 
 class TestUploads:
-    def test_a_grid_is_known_to_every_worker(self, shelf):
-        one, other = (GridCache(3, 1000, 100, shelf) for _ in range(2))
+    def test_a_grid_is_known_to_every_worker(self, blobs):
+        one, other = (GridCache(3, 1000, 100, blobs) for _ in range(2))
         body = grid(1.0)
         assert one.put(digest(body), body) == (50, True)
         assert other.put(digest(body), body) == (50, False)
@@ -157,8 +157,8 @@ class TestUploads:
         assert other.get(digest(body)) is frequencies
         assert (len(other), other.stored_bytes) == (1, 400)
 
-    def test_one_that_another_worker_dropped_is_gone(self, shelf):
-        one, other = (GridCache(3, 1000, 100, shelf) for _ in range(2))
+    def test_one_that_another_worker_dropped_is_gone(self, blobs):
+        one, other = (GridCache(3, 1000, 100, blobs) for _ in range(2))
         bodies = [grid(start) for start in (1.0, 2.0, 3.0)]
         one.put(digest(bodies[0]), bodies[0])
         one.get(digest(bodies[0]))
@@ -168,18 +168,18 @@ class TestUploads:
             one.get(digest(bodies[0]))
 
     @pytest.mark.parametrize("wrong", [grid(9.0), b"short", b""])
-    def test_a_file_that_is_not_what_its_name_says_is_refused_and_removed(self, shelf, tmp_path, wrong):
-        cache, body = GridCache(3, 1000, 100, shelf), grid(1.0)
+    def test_a_file_that_is_not_what_its_name_says_is_refused_and_removed(self, blobs, tmp_path, wrong):
+        cache, body = GridCache(3, 1000, 100, blobs), grid(1.0)
         cache.put(digest(body), body)
-        (tmp_path / "shelf" / "everybody" / digest(body)).write_bytes(wrong)
+        (tmp_path / "blobs" / "everybody" / digest(body)).write_bytes(wrong)
         with pytest.raises(GridUnknown):
             cache.get(digest(body))
 
     def test_an_analysis_is_known_to_every_worker_for_its_owner_alone(self, tmp_path):
         analysis = small_analysis(seed=1)
         body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
-        shelf = Shelf(tmp_path, 10, 2**20, 2**20)
-        one, other = (AnalysisStore(Settings(), decode_analysis, shelf) for _ in range(2))
+        blobs = BlobStore(tmp_path, 10, 2**20, 2**20)
+        one, other = (AnalysisStore(Settings(), decode_analysis, blobs) for _ in range(2))
         assert one.put(ME, name, body)[1]
         assert other.bytes_to_read(ME, name) == len(body)
         assert other.get(ME, name).analysis.digest == analysis.digest
@@ -199,8 +199,8 @@ class TestUploads:
     def test_a_damaged_analysis_is_unknown(self, tmp_path):
         analysis = small_analysis(seed=1)
         body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
-        one = AnalysisStore(Settings(), decode_analysis, Shelf(tmp_path, 10, 2**20, 2**20))
-        other = AnalysisStore(Settings(), decode_analysis, Shelf(tmp_path, 10, 2**20, 2**20))
+        one = AnalysisStore(Settings(), decode_analysis, BlobStore(tmp_path, 10, 2**20, 2**20))
+        other = AnalysisStore(Settings(), decode_analysis, BlobStore(tmp_path, 10, 2**20, 2**20))
         one.put("", name, body)
         damaged = bytearray(body)
         damaged[-9] ^= 1

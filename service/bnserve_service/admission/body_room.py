@@ -5,8 +5,8 @@ from __future__ import annotations
 import asyncio
 from dataclasses import dataclass
 
-from bnserve_protocol import Overloaded, ShareExceeded
-from bnserve_service.admission.capacity import Holdings
+from bnserve_protocol import Overloaded, QuotaExceeded
+from bnserve_service.admission.capacity import Capacity
 
 _MOMENT = 1.0
 """Seconds after which another body may have been read and decoded."""
@@ -29,7 +29,7 @@ class BodyRoom:
     """Memory for large bodies that are on their way or not decoded yet.
 
     They are counted as they arrive, so that a slow sender holds no more than it has sent. One owner alone may fill the
-    room, until others come: then what he has beyond his fair part makes room for them, the newest first.
+    room, until others come: then what he has beyond his fair share makes room for them, the newest first.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class BodyRoom:
     """
 
     def __init__(self, capacity: int) -> None:
-        self._held = Holdings(capacity)
+        self._held = Capacity(capacity)
         self._places: dict[Place, None] = {}
 
     @property
@@ -51,7 +51,7 @@ class BodyRoom:
 
         Raises
         ------
-        Overloaded, ShareExceeded
+        Overloaded, QuotaExceeded
         """
         if not (self._held.fits(size) or self._held.may_displace(owner, size)):
             raise self.refusal(owner)
@@ -61,7 +61,7 @@ class BodyRoom:
 
         Raises
         ------
-        Overloaded, ShareExceeded
+        Overloaded, QuotaExceeded
         """
         if place.displaced or size <= 0:
             return
@@ -78,12 +78,12 @@ class BodyRoom:
             self._held.remove(place.owner, place.size)
             place.size = 0
 
-    def refusal(self, owner: str) -> Overloaded | ShareExceeded:
+    def refusal(self, owner: str) -> Overloaded | QuotaExceeded:
         """The error for a body of this owner that there is no room for."""
         if self._held.is_shared_by_others(owner):
-            return ShareExceeded(
-                "This server is reading large bodies of several callers, and you have your fair part of the memory for "
-                "them; try again when some of yours are read.",
+            return QuotaExceeded(
+                "This server is reading large bodies of several callers, and you have your fair share of the memory "
+                "for them; try again when some of yours are read.",
                 retry_after=_MOMENT,
             )
         return Overloaded(
@@ -91,11 +91,11 @@ class BodyRoom:
         )
 
     def _make_room(self, owner: str, size: int) -> None:
-        """End the reading of what others have beyond their fair part, or refuse."""
+        """End the reading of what others have beyond their fair share, or refuse."""
         if not self._held.may_displace(owner, size):
             raise self.refusal(owner)
         while not self._held.fits(size):
-            rich = self._held.beyond_fair_part(owner)
+            rich = self._held.beyond_fair_share(owner)
             victim = next((found for name in rich if (found := self._newest_of(name)) is not None), None)
             if victim is None or victim.reading is None:
                 raise self.refusal(owner)

@@ -14,7 +14,7 @@ _KINDS = 4096
 _FORGET = 0.1
 
 
-class Foresight:
+class CostEstimates:
     """Remembers what bodies of about the same size from the same owner cost, leaning towards the cheapest."""
 
     def __init__(self) -> None:

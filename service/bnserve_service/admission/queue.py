@@ -3,8 +3,8 @@ together.
 
 The queue knows neither physics nor HTTP. A job is a payload with a key, a cost and an owner; jobs of one key may be
 evaluated in one call. Owners are served in fair order, and one alone may fill the queue, until others come: then what
-he has beyond his fair part is refused, the newest first. Everything but the evaluation itself happens on the event loop
-or under one short lock; jobs whose evaluation takes less time than the hand-over to a worker are evaluated there too,
+he has beyond his fair share is refused, the newest first. All but the evaluation itself happens on the event loop or
+under one short lock; jobs whose evaluation takes less time than the hand-over to a worker are evaluated there too,
 all that came in one turn of the loop together.
 """
 
@@ -21,8 +21,8 @@ from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Generic, TypeVar
 
-from bnserve_protocol import DeadlineExceeded, Draining, Overloaded, ShareExceeded
-from bnserve_service.admission.capacity import Holdings
+from bnserve_protocol import DeadlineExceeded, Draining, Overloaded, QuotaExceeded
+from bnserve_service.admission.capacity import Capacity
 from bnserve_service.admission.fair_line import FairLine
 from bnserve_service.admission.loop_turns import Beginning, LoopTurns
 from bnserve_service.telemetry.metrics import Metrics
@@ -52,7 +52,7 @@ class Job(Generic[P, R]):
     quick: bool = False
     """Whether it is evaluated on the event loop."""
     owner: str = ""
-    """Whose share it counts towards."""
+    """Whose fair share it counts towards."""
     timer: asyncio.TimerHandle | None = None
     deliver: Callable[[R | BaseException], None] | None = None
     """Called with the outcome, in place of resolving ``result``."""
@@ -95,7 +95,7 @@ class WorkQueue(Generic[P, R]):
         self._metrics = metrics
         self._line: FairLine[Job[P, R]] = FairLine()
         self._turns: LoopTurns[Job[P, R] | Beginning] = LoopTurns()
-        self._holdings = Holdings(capacity)
+        self._capacity = Capacity(capacity)
         self._rate = _ASSUMED_RATE * workers
         self._changed = threading.Condition()
         self._stopping = False
@@ -108,7 +108,7 @@ class WorkQueue(Generic[P, R]):
     @property
     def cost(self) -> int:
         """Work waiting or running, in samples."""
-        return self._holdings.total
+        return self._capacity.total
 
     @property
     def waiting(self) -> int:
@@ -127,7 +127,7 @@ class WorkQueue(Generic[P, R]):
         for worker in self._workers:
             worker.thread.start()
 
-    def stop(self, patience: float = 10.0) -> None:
+    def stop(self, timeout: float = 10.0) -> None:
         """Refuse what waits, and wait for what runs, seconds at the longest for each."""
         with self._changed:
             self._stopping = True
@@ -138,7 +138,7 @@ class WorkQueue(Generic[P, R]):
             _resolve(job, Draining("This server is shutting down; send the request to another replica."))
         for worker in self._workers:
             if worker.thread.is_alive():
-                worker.thread.join(timeout=patience)
+                worker.thread.join(timeout)
 
     def submit(
         self,
@@ -166,15 +166,15 @@ class WorkQueue(Generic[P, R]):
             Its evaluation takes less time than handing it to a worker: it is done on the event loop, together with
             the others that this turn of the loop brought in.
         owner:
-            Who asks; every owner gets a fair part of the workers and of the queue.
+            Who asks; every owner gets a fair share of the workers and of the queue.
 
         Raises
         ------
         Overloaded
             The queue is full, or what waits before this job takes longer than its deadline allows; ``retry_after``
             says when there may be room, from the measured speed.
-        ShareExceeded
-            The queue is full, others have work in it, and this owner has his fair part of it.
+        QuotaExceeded
+            The queue is full, others have work in it, and this owner has his fair share of it.
         DeadlineExceeded
             It has passed already.
         """
@@ -182,14 +182,14 @@ class WorkQueue(Generic[P, R]):
         now = time.monotonic()
         if deadline is not None:
             self._check_deadline(deadline, now, owner, 0 if quick else cost)
-        if not self._holdings.fits(cost):
+        if not self._capacity.fits(cost):
             self._make_room(owner, cost)
         job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick, owner)
         if quick:  # not held: as many wait as there are connections, for as long as a few of them take
             if self._turns.add(job):
                 self._loop.call_soon(self._take_turns)  # after all that this turn of the loop has brought in
             return job
-        self._holdings.add(owner, cost)
+        self._capacity.add(owner, cost)
         if deadline is not None:
             job.timer = self._loop.call_later(deadline - now, self._expire, job)
         with self._changed:
@@ -201,14 +201,14 @@ class WorkQueue(Generic[P, R]):
         """Raise what :meth:`submit` would raise for a job of this cost, as things are; nothing changes."""
         if deadline is not None:
             self._check_deadline(deadline, time.monotonic(), owner, cost)
-        if not self._holdings.fits(cost) and not self._holdings.may_displace(owner, cost):
+        if not self._capacity.fits(cost) and not self._capacity.may_displace(owner, cost):
             raise self._full(owner)
 
     def _check_deadline(self, deadline: float, now: float, owner: str, cost: int) -> None:
         """Refuse what would be finished too late: computed all the same, it would make others late as well."""
         if deadline <= now:
             raise _too_late()
-        ahead = self._holdings.ahead_of(owner)
+        ahead = self._capacity.ahead_of(owner)
         if ahead and cost and now + (ahead + cost) / self._rate > deadline:
             raise Overloaded(
                 "What waits on this server takes longer than this deadline allows; try another replica, or allow more.",
@@ -233,29 +233,29 @@ class WorkQueue(Generic[P, R]):
         self._its_turn(owner).add_done_callback(lambda _: refusal())
 
     def _make_room(self, owner: str, cost: int) -> None:
-        """Refuse what others have beyond their fair part, or else the job that does not fit."""
-        holdings = self._holdings
-        if not holdings.may_displace(owner, cost):
+        """Refuse what others have beyond their fair share, or else the job that does not fit."""
+        capacity = self._capacity
+        if not capacity.may_displace(owner, cost):
             raise self._full(owner)
-        while not holdings.fits(cost):
-            victim = self._newest_beyond_fair_part(owner)
+        while not capacity.fits(cost):
+            victim = self._newest_beyond_fair_share(owner)
             if victim is None or not self.withdraw(victim, "share"):
                 raise self._full(owner)
             _resolve(victim, self._full(victim.owner))
 
-    def _newest_beyond_fair_part(self, newcomer: str) -> Job[P, R] | None:
+    def _newest_beyond_fair_share(self, newcomer: str) -> Job[P, R] | None:
         with self._changed:
-            for owner in self._holdings.beyond_fair_part(newcomer):
+            for owner in self._capacity.beyond_fair_share(newcomer):
                 job = self._line.newest(owner)
                 if job is not None:
                     return job
         return None
 
-    def _full(self, owner: str) -> Overloaded | ShareExceeded:
-        seconds = min(30.0, self._holdings.backlog(owner) / self._rate)
-        if self._holdings.is_shared_by_others(owner):
-            return ShareExceeded(
-                "This server is busy with the requests of several callers, and you have your fair part of its queue; "
+    def _full(self, owner: str) -> Overloaded | QuotaExceeded:
+        seconds = min(30.0, self._capacity.backlog(owner) / self._rate)
+        if self._capacity.is_shared_by_others(owner):
+            return QuotaExceeded(
+                "This server is busy with the requests of several callers, and you have your fair share of its queue; "
                 "try again when some of yours are answered.",
                 retry_after=max(0.01, seconds),
             )
@@ -299,7 +299,7 @@ class WorkQueue(Generic[P, R]):
     def _release(self, job: Job[P, R]) -> None:
         if job.quick:
             return
-        self._holdings.remove(job.owner, job.cost)
+        self._capacity.remove(job.owner, job.cost)
         if job.timer is not None:
             job.timer.cancel()
 

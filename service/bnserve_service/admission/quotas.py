@@ -1,4 +1,4 @@
-"""What each token may still do now: rows per second and requests at the same time, over all processes of a server."""
+"""Rate quotas: what each token may still do now: rows per second, and requests at the same time, in all processes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from bnserve_protocol import ShareExceeded, Unavailable
+from bnserve_protocol import QuotaExceeded, Unavailable
 from bnserve_service.settings import Token
 from bnserve_service.shared.cells import Cells, name_of
 
@@ -17,8 +17,8 @@ _MOMENT = 0.05
 """Seconds after which a request may have ended: what is said to a token that has as many under way as it may."""
 
 
-class Share:
-    """The share of one token.
+class RateQuota:
+    """What one token may ask for.
 
     Rows are paid from an account that fills at ``rows_per_second`` up to ``burst_rows``. A request is let through when
     there is a row in it, however many it has itself: what it takes beyond leaves a debt, which is paid off before the
@@ -40,7 +40,7 @@ class Share:
 
         Raises
         ------
-        ShareExceeded
+        QuotaExceeded
         """
         if self._rate is not None:
             self._refuse_in_debt(self._balance())
@@ -50,7 +50,7 @@ class Share:
 
         Raises
         ------
-        ShareExceeded
+        QuotaExceeded
             There is no row in the account; ``retry_after`` says when there will be one.
         """
         if self._rate is None:
@@ -81,7 +81,7 @@ class Share:
 
         Raises
         ------
-        ShareExceeded
+        QuotaExceeded
             As many as allowed are under way.
         """
         if self._most_under_way is None:
@@ -92,7 +92,7 @@ class Share:
             self._cells.set_own(under_way, self._cells.own(under_way) + 1.0)
             if self._cells.over_processes(under_way) > self._most_under_way:
                 self.end()
-                raise ShareExceeded(
+                raise QuotaExceeded(
                     f"This token may have {self._most_under_way} requests under way at the same time, and has as many; "
                     "send the next when one is answered.",
                     retry_after=_MOMENT,
@@ -106,7 +106,7 @@ class Share:
 
     def _balance(self) -> float:
         """Rows in the account now; negative while there is a debt."""
-        assert self._rate is not None, "only such shares have an account"
+        assert self._rate is not None, "only such quotas have an account"
         passed = time.monotonic() - self._cells[self._place + _CHANGED]
         if passed < 0.0:  # the machine was started anew since
             return self._burst
@@ -118,16 +118,16 @@ class Share:
 
     def _refuse_in_debt(self, balance: float) -> None:
         if balance < 1.0:
-            assert self._rate is not None, "only such shares have an account"
-            raise ShareExceeded(
+            assert self._rate is not None, "only such quotas have an account"
+            raise QuotaExceeded(
                 f"This token may have {self._rate:g} rows per second evaluated, and is over it; wait, or ask the "
-                "operators for a larger share.",
+                "operators for a larger quota.",
                 retry_after=(1.0 - balance) / self._rate,
             )
 
 
-def shares_of(tokens: Sequence[Token], shared: Path | None = None) -> dict[str, Share]:
-    """The shares of those tokens that have limits, by the token's digest.
+def rate_quotas(tokens: Sequence[Token], shared: Path | None = None) -> dict[str, RateQuota]:
+    """The quotas of those tokens that have limits, by the token's digest.
 
     Parameters
     ----------
@@ -140,4 +140,4 @@ def shares_of(tokens: Sequence[Token], shared: Path | None = None) -> dict[str, 
     if not limited:
         return {}
     cells = Cells(_PER_TOKEN * len(limited), shared, name_of([token.model_dump_json() for token in limited]))
-    return {token.sha256: Share(token, cells, _PER_TOKEN * number) for number, token in enumerate(limited)}
+    return {token.sha256: RateQuota(token, cells, _PER_TOKEN * number) for number, token in enumerate(limited)}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from bnserve_protocol import ShareExceeded
+from bnserve_protocol import QuotaExceeded
 from bnserve_protocol.wire import MSGPACK
 from bnserve_service.admission.lifecycle import Lifecycle
 from bnserve_service.evaluation.waveform_endpoint import PATHS, answer_headers
@@ -70,7 +70,7 @@ class QuickLane:
             if not question.quick:
                 return False
             self._submit(context, question, finish)
-        except ShareExceeded as error:
+        except QuotaExceeded as error:
             told = error.with_traceback(None)  # which knows this call, which knows the error: a ring of garbage
             self._service.refuse(context.owner, lambda: self._finish(context, told, finish))
         except Exception:  # the other way finds it again, and says what is wrong
@@ -91,23 +91,23 @@ class QuickLane:
         return self._service.ask_now(name, version, body, media_type, answer_type, answer_digest(context.headers))
 
     def _submit(self, context: RequestContext, question: Question, finish: Finish) -> None:
-        share = context.share
-        if share is None:
+        quota = context.quota
+        if quota is None:
             self._service.submit_quick(
                 question, context.deadline, lambda outcome: self._finish(context, outcome, finish), context.owner
             )
             return
 
         def deliver(outcome: Packed | BaseException) -> None:
-            share.end()
+            quota.end()
             self._finish(context, outcome, finish)
 
-        share.begin()
+        quota.begin()
         try:
-            with share.paying(len(question.batch)):
+            with quota.paying(len(question.batch)):
                 self._service.submit_quick(question, context.deadline, deliver, context.owner)
         except BaseException:
-            share.end()
+            quota.end()
             raise
 
     def _finish(self, context: RequestContext, outcome: Packed | BaseException, finish: Finish) -> None:

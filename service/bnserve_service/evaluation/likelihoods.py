@@ -111,7 +111,7 @@ class LikelihoodService:
 
         Raises
         ------
-        Overloaded, ShareExceeded, DeadlineExceeded
+        Overloaded, QuotaExceeded, DeadlineExceeded
         """
         jobs: list[Job[Any, Any]] = []
         try:

@@ -10,8 +10,8 @@ from typing import Any, TypeVar
 
 from bnserve_protocol import GridLike, Overloaded, TooLarge, UniformGrid, grid_digest
 from bnserve_protocol.wire import DigestName, GridDigest, WaveformRequest, decode_request
-from bnserve_service.admission.capacity import Holdings
-from bnserve_service.admission.cost_estimates import Foresight
+from bnserve_service.admission.capacity import Capacity
+from bnserve_service.admission.cost_estimates import CostEstimates
 from bnserve_service.admission.lifecycle import Lifecycle
 from bnserve_service.admission.queue import Job, WorkQueue
 from bnserve_service.evaluation.waveform_evaluator import Packed, Question, grid_key
@@ -49,10 +49,10 @@ class WaveformService:
         self._registry = registry
         self._grids = grids
         self._queue = queue
-        self._foresight = Foresight()
+        self._cost_estimates = CostEstimates()
         self._lifecycle = lifecycle
         self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-decode")
-        self._promised = Holdings(settings.max_answer_bytes)
+        self._promised = Capacity(settings.max_answer_bytes)
 
     async def large_or_small(self, size: int, function: Any, *arguments: Any) -> Any:
         """Call ``function`` at once for small bodies and in a helper thread for large ones."""
@@ -164,22 +164,22 @@ class WaveformService:
 
         Raises
         ------
-        Overloaded, ShareExceeded, DeadlineExceeded
+        Overloaded, QuotaExceeded, DeadlineExceeded
         """
-        cost = self._foresight.cost(owner, size)
+        cost = self._cost_estimates.cost(owner, size)
         if cost is not None:
             self._queue.check_room(owner, cost, deadline)
 
     def learn(self, size: int, question: Question, owner: str = "") -> None:
         """Remember what a body of ``size`` bytes cost, for :meth:`foresee`."""
-        self._foresight.learn(owner, size, question.cost)
+        self._cost_estimates.learn(owner, size, question.cost)
 
     def submit(self, question: Question, deadline: float | None, owner: str = "") -> Job[Question, Packed]:
         """Queue a question.
 
         Raises
         ------
-        Overloaded, ShareExceeded, DeadlineExceeded
+        Overloaded, QuotaExceeded, DeadlineExceeded
         """
         return self._queue.submit(question.key, question.cost, question, deadline, quick=question.quick, owner=owner)
 
@@ -195,7 +195,7 @@ class WaveformService:
 
         Raises
         ------
-        Overloaded, ShareExceeded, DeadlineExceeded
+        Overloaded, QuotaExceeded, DeadlineExceeded
         """
         job = self._queue.submit(question.key, question.cost, question, deadline, quick=True, owner=owner)
         job.deliver = deliver

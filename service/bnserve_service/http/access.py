@@ -9,7 +9,7 @@ from collections.abc import Awaitable, Callable, Mapping, Sequence
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Forbidden, Unauthorized
-from bnserve_service.admission.quotas import Share
+from bnserve_service.admission.quotas import RateQuota
 from bnserve_service.http.answers import Header
 from bnserve_service.http.context import RequestContext, context_of
 from bnserve_service.settings import Scope as TokenScope
@@ -24,7 +24,7 @@ _SCOPES: dict[str, TokenScope] = {"POST": "evaluate", "PUT": "upload", "DELETE":
 
 
 class AccessMiddleware:
-    """Let only callers with a known token through, within their shares; probes of health need none.
+    """Let only callers with a known token through, within their quotas; probes of health need none.
 
     Parameters
     ----------
@@ -32,8 +32,8 @@ class AccessMiddleware:
         The rest of the service.
     tokens:
         The tokens that are let in.
-    shares:
-        By digest: the shares of those tokens that have limits.
+    quotas:
+        By digest: the quotas of those tokens that have limits.
     turn:
         Waits until it is the turn of a token, by its digest.
     """
@@ -42,12 +42,12 @@ class AccessMiddleware:
         self,
         app: ASGIApp,
         tokens: Sequence[Token],
-        shares: Mapping[str, Share],
+        quotas: Mapping[str, RateQuota],
         turn: Callable[[str], Awaitable[None]],
     ) -> None:
         self._app = app
         self._tokens = tuple(tokens)
-        self._shares = dict(shares or {})
+        self._quotas = dict(quotas or {})
         self._turn = turn
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -58,24 +58,24 @@ class AccessMiddleware:
             return
         needed = self._identify(context, scope["headers"], scope["method"])
         await self._turn(context.owner)
-        self._check_share(context, needed)
-        if context.share is None:
+        self._check_quota(context, needed)
+        if context.quota is None:
             await self._app(scope, receive, send)
             return
-        context.share.begin()
+        context.quota.begin()
         try:
             await self._app(scope, receive, send)
         finally:
-            context.share.end()
+            context.quota.end()
 
     def check(self, context: RequestContext, headers: Sequence[Header], method: str) -> None:
         """Find out who asks, and whether he may, now.
 
         Raises
         ------
-        Unauthorized, Forbidden, ShareExceeded
+        Unauthorized, Forbidden, QuotaExceeded
         """
-        self._check_share(context, self._identify(context, headers, method))
+        self._check_quota(context, self._identify(context, headers, method))
 
     def _identify(self, context: RequestContext, headers: Sequence[Header], method: str) -> str | None:
         """Find out who asks; the scope that this needs, which he has."""
@@ -84,12 +84,12 @@ class AccessMiddleware:
         needed = "admin" if context.route in ADMIN_ROUTES else _SCOPES.get(method)
         if needed is not None and needed not in token.scopes:
             raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")
-        context.share = self._shares.get(token.sha256)
+        context.quota = self._quotas.get(token.sha256)
         return needed
 
-    def _check_share(self, context: RequestContext, needed: str | None) -> None:
-        if context.share is not None and needed == "evaluate":
-            context.share.check()  # before the body is read
+    def _check_quota(self, context: RequestContext, needed: str | None) -> None:
+        if context.quota is not None and needed == "evaluate":
+            context.quota.check()  # before the body is read
 
     def _find(self, headers: Sequence[Header]) -> Token:
         given = [value for name, value in headers if name == b"authorization"]

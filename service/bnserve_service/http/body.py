@@ -69,7 +69,7 @@ class IncomingBody:
         TooLarge
             The declared or the actual size is over the limit. Of a body that lies about its size, no more than the
             limit and one network read is ever in memory.
-        Overloaded, ShareExceeded
+        Overloaded, QuotaExceeded
             There is no room for it: before any of it is read, if it states its size.
         BodyTooSlow
             It did not arrive in time; the connection ends with the answer.

@@ -17,7 +17,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from bnserve_protocol import BnserveError, InvalidRequest
 from bnserve_protocol.wire import PROBLEM_JSON
 from bnserve_service.admission.lifecycle import Lifecycle
-from bnserve_service.admission.quotas import Share
+from bnserve_service.admission.quotas import RateQuota
 from bnserve_service.errors import (
     ClientDisconnected,
     from_http_status,
@@ -53,7 +53,7 @@ class RequestContext:
     caller: str = "anonymous"
     owner: str = ""
     """To whom belongs what this request uploads: the digest of the token; without tokens, everybody is one."""
-    share: Share | None = None
+    quota: RateQuota | None = None
     """What the token may still do, if that is limited."""
     request_digest: str | None = None
     """SHA-256 of the request body, in hexadecimal, once it was read."""
@@ -81,13 +81,13 @@ class RequestContext:
         return self.arrived + milliseconds / 1e3
 
     def paying(self, rows: int) -> AbstractContextManager[None]:
-        """Charge rows to the caller's share, if there is one; given back when they cannot be evaluated now.
+        """Charge rows to the caller's quota, if there is one; given back when they cannot be evaluated now.
 
         Raises
         ------
-        ShareExceeded
+        QuotaExceeded
         """
-        return _FREE if self.share is None else self.share.paying(rows)
+        return _FREE if self.quota is None else self.quota.paying(rows)
 
 
 def context_of(scope: Scope) -> RequestContext:

@@ -29,7 +29,7 @@ _STATUSES = {
     "413": "Over a limit, which the body states",
     "415": "Media type not offered",
     "422": "Understood but invalid: row, parameter, value, reason",
-    "429": "This caller is over its share; see Retry-After",
+    "429": "This caller is over its quota; see Retry-After",
     "503": "Full, draining or loading; see Retry-After",
     "504": "The deadline passed before the evaluation",
 }

@@ -14,11 +14,11 @@ from bnserve_service.reference.documents import AnalysisDocument, analysis_docum
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GONE, answers_with
 from bnserve_service.reference.openapi_likelihoods import ANALYSIS_BODY
 from bnserve_service.uploads.analyses import AnalysisStore
-from bnserve_service.uploads.storage_quotas import StoredShares
+from bnserve_service.uploads.storage_quotas import StorageQuotas
 
 
 def analysis_router(
-    analyses: AnalysisStore, service: LikelihoodService, bodies: BodyReader, limit: int, shares: StoredShares
+    analyses: AnalysisStore, service: LikelihoodService, bodies: BodyReader, limit: int, quotas: StorageQuotas
 ) -> APIRouter:
     """The paths of uploaded analyses."""
     router = APIRouter(tags=["likelihoods"], default_response_class=Response)
@@ -36,7 +36,7 @@ def analysis_router(
         with bodies.of(context) as incoming:
             body = await incoming.read(request.receive, limit)
             context.request_digest = await service.digest(body)
-            with shares.room(context.owner, "analysis", sha256.lower(), len(body)):
+            with quotas.room(context.owner, "analysis", sha256.lower(), len(body)):
                 stored, is_new = await service.keep(context.owner, sha256.lower(), body)
         return data_response(request, analysis_document(stored), 201 if is_new else 200)
 

@@ -12,11 +12,11 @@ from bnserve_service.http.negotiation import OCTETS, require_media_type
 from bnserve_service.reference.documents import GridDocument
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GRID_BODY, answers_with
 from bnserve_service.uploads.grids import GridCache
-from bnserve_service.uploads.storage_quotas import StoredShares
+from bnserve_service.uploads.storage_quotas import StorageQuotas
 
 
 def grid_router(
-    grids: GridCache, service: WaveformService, bodies: BodyReader, limit: int, stored: StoredShares
+    grids: GridCache, service: WaveformService, bodies: BodyReader, limit: int, stored: StorageQuotas
 ) -> APIRouter:
     """The paths of uploaded grids."""
     router = APIRouter(tags=["grids"], default_response_class=Response)

@@ -50,7 +50,7 @@ class _File:
     used: int
 
 
-class Shelf:
+class BlobStore:
     """Files by owner and digest; safe to use from several threads and processes.
 
     Owners of the same bytes share them. An owner over ``max_owner_bytes`` or ``max_files`` loses the files that they

@@ -19,7 +19,7 @@ from bnserve_protocol import (
 )
 from bnserve_service.models.registry import LoadedModel
 from bnserve_service.settings import Settings
-from bnserve_service.shared.files import Shelf, no_room
+from bnserve_service.shared.files import BlobStore, no_room
 
 LikelihoodFactory: TypeAlias = Callable[[WaveformModel, Analysis], Likelihood]
 """Makes the likelihood of an analysis with a model; ``bnserve_inference.likelihood`` is one."""
@@ -87,14 +87,14 @@ class AnalysisStore:
         The limits.
     decode:
         Turns a body into an analysis, or refuses it.
-    shelf:
+    blobs:
         Where all workers of one server keep them; None for a server of one process.
     """
 
     def __init__(
-        self, settings: Settings, decode: Callable[[bytes | memoryview], Analysis], shelf: Shelf | None = None
+        self, settings: Settings, decode: Callable[[bytes | memoryview], Analysis], blobs: BlobStore | None = None
     ) -> None:
-        self._shelf = shelf
+        self._blobs = blobs
         self._settings = settings
         self._decode = decode
         self._owners: dict[str, _Belongings] = {}
@@ -103,12 +103,12 @@ class AnalysisStore:
         self._lock = threading.Lock()
 
     def __len__(self) -> int:
-        return len(self._holders) if self._shelf is None else self._shelf.usage()[0]
+        return len(self._holders) if self._blobs is None else self._blobs.usage()[0]
 
     @property
     def stored_bytes(self) -> int:
         """Memory of the analyses held now."""
-        return self._bytes if self._shelf is None else self._shelf.usage()[1]
+        return self._bytes if self._blobs is None else self._blobs.usage()[1]
 
     def get(self, owner: str, sha256: str) -> StoredAnalysis:
         """An analysis of this owner.
@@ -120,21 +120,21 @@ class AnalysisStore:
         Unavailable
             What the workers share is gone, and no worker can know.
         """
-        if self._shelf is not None and not self._shelf.use(owner, sha256):
-            self._shelf.check()
+        if self._blobs is not None and not self._blobs.use(owner, sha256):
+            self._blobs.check()
             self._let_go(owner, sha256)
         with self._lock:
             found = self._find(owner, sha256)
-        found = found or self._from_shelf(owner, sha256)
+        found = found or self._from_blobs(owner, sha256)
         if found is None:
             raise AnalysisUnknown(UNKNOWN)
         return found
 
     def bytes_to_read(self, owner: str, sha256: str) -> int:
         """How much :meth:`get` has to read and check: what another worker received, when it is first used here."""
-        if self._shelf is None or sha256 in self._holders:
+        if self._blobs is None or sha256 in self._holders:
             return 0
-        return self._shelf.size(owner, sha256) or 0
+        return self._blobs.size(owner, sha256) or 0
 
     def put(self, owner: str, sha256: str, body: bytes) -> tuple[StoredAnalysis, bool]:
         """Keep an uploaded analysis, after checking that it is one and that its digest is ``sha256``.
@@ -155,11 +155,11 @@ class AnalysisStore:
                 f"The analysis in the body has the digest {analysis.digest}, not the one in the path; if it arrived as "
                 "you meant it, PUT it under that one."
             )
-        if self._shelf is None:
+        if self._blobs is None:
             with self._lock:
                 return self._keep(owner, StoredAnalysis(analysis, len(body)))
-        is_new = not self._shelf.use(owner, sha256)
-        if is_new and not self._shelf.put(owner, sha256, body):
+        is_new = not self._blobs.use(owner, sha256)
+        if is_new and not self._blobs.put(owner, sha256, body):
             raise no_room()
         return self.get(owner, sha256), is_new
 
@@ -176,33 +176,33 @@ class AnalysisStore:
     def discard(self, owner: str, sha256: str) -> bool:
         """Forget an analysis of this owner; whether it was here."""
         was_here = self._let_go(owner, sha256)
-        return was_here if self._shelf is None else self._shelf.drop(owner, sha256)
+        return was_here if self._blobs is None else self._blobs.drop(owner, sha256)
 
     def has(self, owner: str, sha256: str) -> bool:
         """Whether an analysis of this owner is here; that it was asked for does not count as use."""
-        if self._shelf is not None:
-            return self._shelf.has(owner, sha256)
+        if self._blobs is not None:
+            return self._blobs.has(owner, sha256)
         belongings = self._owners.get(owner)
         return belongings is not None and sha256 in belongings.analyses
 
     def tidy(self) -> None:
         """Give back the memory of analyses that another worker has dropped."""
-        if self._shelf is not None:
+        if self._blobs is not None:
             for owner, sha256 in [(owner, name) for owner, has in list(self._owners.items()) for name in has.analyses]:
-                if not self._shelf.has(owner, sha256):
+                if not self._blobs.has(owner, sha256):
                     self._let_go(owner, sha256)
 
-    def _from_shelf(self, owner: str, sha256: str) -> StoredAnalysis | None:
+    def _from_blobs(self, owner: str, sha256: str) -> StoredAnalysis | None:
         """What another worker received, checked as if it had just arrived."""
-        content = self._shelf.read(owner, sha256) if self._shelf is not None else None
-        if content is None or self._shelf is None:
+        content = self._blobs.read(owner, sha256) if self._blobs is not None else None
+        if content is None or self._blobs is None:
             return None
         try:
             analysis = self._decode(content)
         except BnserveError:
             analysis = None
         if analysis is None or analysis.digest != f"sha256:{sha256}":
-            self._shelf.drop(owner, sha256)
+            self._blobs.drop(owner, sha256)
             return None
         with self._lock:
             return self._keep(owner, StoredAnalysis(analysis, len(content)))[0]

@@ -17,7 +17,7 @@ from bnserve_protocol import (
     as_frequencies,
     grid_digest,
 )
-from bnserve_service.shared.files import Shelf, no_room
+from bnserve_service.shared.files import BlobStore, no_room
 
 _EVERYBODY = ""
 """Grids belong to nobody: whoever knows the digest knows the grid."""
@@ -34,12 +34,12 @@ class GridCache:
         Memory of all of them together.
     max_frequencies:
         Points of one grid.
-    shelf:
+    blobs:
         Where all workers of one server keep them; None for a server of one process.
     """
 
-    def __init__(self, max_grids: int, max_bytes: int, max_frequencies: int, shelf: Shelf | None = None) -> None:
-        self._shelf = shelf
+    def __init__(self, max_grids: int, max_bytes: int, max_frequencies: int, blobs: BlobStore | None = None) -> None:
+        self._blobs = blobs
         self._max_grids = max_grids
         self._max_bytes = max_bytes
         self._max_frequencies = max_frequencies
@@ -48,12 +48,12 @@ class GridCache:
         self._lock = threading.Lock()
 
     def __len__(self) -> int:
-        return len(self._grids) if self._shelf is None else self._shelf.usage()[0]
+        return len(self._grids) if self._blobs is None else self._blobs.usage()[0]
 
     @property
     def stored_bytes(self) -> int:
         """Memory of the grids held now."""
-        return self._bytes if self._shelf is None else self._shelf.usage()[1]
+        return self._bytes if self._blobs is None else self._blobs.usage()[1]
 
     def get(self, sha256: str) -> NDArray[np.float64]:
         """The frequencies in Hz, read-only ``(M,)``.
@@ -65,15 +65,15 @@ class GridCache:
         Unavailable
             What the workers share is gone, and no worker can know.
         """
-        if self._shelf is not None and not self._shelf.use(_EVERYBODY, sha256):
-            self._shelf.check()
+        if self._blobs is not None and not self._blobs.use(_EVERYBODY, sha256):
+            self._blobs.check()
             self._forget(sha256)
         with self._lock:
             found = self._grids.get(sha256)
             if found is not None:
                 self._grids.move_to_end(sha256)
                 return found
-        found = self._from_shelf(sha256)
+        found = self._from_blobs(sha256)
         if found is None:
             raise GridUnknown(
                 "No uploaded grid has that digest; upload it with PUT /v1/grids/{sha256} and repeat the request."
@@ -97,28 +97,28 @@ class GridCache:
         if actual != sha256:
             raise InvalidFrequencies(f"The SHA-256 of the body is {actual}, not the digest in the path; send it again.")
         as_frequencies(frequencies)
-        if self._shelf is None:
+        if self._blobs is None:
             return len(frequencies), self._keep(sha256, frequencies)
-        is_new = not self._shelf.use(_EVERYBODY, sha256)
-        if is_new and not self._shelf.put(_EVERYBODY, sha256, body):
+        is_new = not self._blobs.use(_EVERYBODY, sha256)
+        if is_new and not self._blobs.put(_EVERYBODY, sha256, body):
             raise no_room()
         return len(frequencies), is_new
 
     def has(self, sha256: str) -> bool:
         """Whether a grid is here; that it was asked for does not count as use."""
-        return sha256 in self._grids if self._shelf is None else self._shelf.has(_EVERYBODY, sha256)
+        return sha256 in self._grids if self._blobs is None else self._blobs.has(_EVERYBODY, sha256)
 
     def drop(self, sha256: str) -> None:
         """Forget a grid, if it is here."""
         self._forget(sha256)
-        if self._shelf is not None:
-            self._shelf.drop(_EVERYBODY, sha256)
+        if self._blobs is not None:
+            self._blobs.drop(_EVERYBODY, sha256)
 
     def tidy(self) -> None:
         """Give back the memory of grids that another worker has dropped."""
-        if self._shelf is not None:
+        if self._blobs is not None:
             for sha256 in list(self._grids):
-                if not self._shelf.has(_EVERYBODY, sha256):
+                if not self._blobs.has(_EVERYBODY, sha256):
                     self._forget(sha256)
 
     def _keep(self, sha256: str, frequencies: NDArray[np.float64]) -> bool:
@@ -137,10 +137,10 @@ class GridCache:
             dropped = self._grids.pop(sha256, None)
             self._bytes -= dropped.nbytes if dropped is not None else 0
 
-    def _from_shelf(self, sha256: str) -> NDArray[np.float64] | None:
+    def _from_blobs(self, sha256: str) -> NDArray[np.float64] | None:
         """What a worker uploaded, checked as if it had just arrived."""
-        content = self._shelf.read(_EVERYBODY, sha256) if self._shelf is not None else None
-        if content is None or self._shelf is None:
+        content = self._blobs.read(_EVERYBODY, sha256) if self._blobs is not None else None
+        if content is None or self._blobs is None:
             return None
         try:
             frequencies = self._decode(content)
@@ -148,7 +148,7 @@ class GridCache:
                 return frequencies
         except BnserveError:
             pass
-        self._shelf.drop(_EVERYBODY, sha256)
+        self._blobs.drop(_EVERYBODY, sha256)
         return None
 
     def _decode(self, body: bytes | memoryview) -> NDArray[np.float64]:

@@ -1,6 +1,6 @@
 """How much each token may keep uploaded: grids and analyses together, over all processes of a server.
 
-An upload beyond a token's share takes the place of what it uploaded longest ago. What it uploaded within the last
+An upload beyond a token's quota takes the place of what it uploaded longest ago. What it uploaded within the last
 minute is probably in use and stays: then the upload is refused until the minute is over, so that two analyses that do
 not fit beside each other do not drive each other out for ever.
 
@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from bnserve_protocol import ShareExceeded, TooLarge
+from bnserve_protocol import QuotaExceeded, TooLarge
 from bnserve_service.settings import Token
 from bnserve_service.shared.files import gone
 from bnserve_service.uploads.records import LEFT_BEHIND, Kind, OwnRecords, SharedRecords, Upload, UploadRecords
@@ -40,7 +40,7 @@ class Keeping:
     """Whether all owners of one have the same: then it is dropped when the last of them loses it."""
 
 
-class StoredShares:
+class StorageQuotas:
     """What each token has stored and what it may.
 
     Parameters
@@ -65,7 +65,7 @@ class StoredShares:
         self._kept_seconds = KEPT_SECONDS if kept_seconds is None else kept_seconds
         self._most = {token.sha256: token.max_stored_bytes for token in tokens if token.max_stored_bytes is not None}
         self._keeping = keeping
-        self._records: UploadRecords = OwnRecords() if shared is None else SharedRecords(shared / "stored-shares")
+        self._records: UploadRecords = OwnRecords() if shared is None else SharedRecords(shared / "storage-quotas")
 
     @contextmanager
     def room(self, owner: str, kind: Kind, sha256: str, nbytes: int) -> Generator[None, None, None]:
@@ -73,10 +73,10 @@ class StoredShares:
 
         Raises
         ------
-        ShareExceeded
+        QuotaExceeded
             Not now; ``retry_after`` says when.
         TooLarge
-            It alone is larger than the share.
+            It alone is larger than the quota.
         Unavailable
             The folder that workers share is gone.
         """
@@ -118,9 +118,9 @@ class StoredShares:
     def _refuse_while_fresh(self, oldest: Upload, most: int) -> None:
         age = time.time() - oldest.when
         if oldest.coming or 0.0 <= age < self._kept_seconds:
-            raise ShareExceeded(
+            raise QuotaExceeded(
                 f"This token may keep {most} bytes uploaded, and what it has was uploaded a moment ago; "
-                "wait, delete an analysis, or ask the operators for a larger share.",
+                "wait, delete an analysis, or ask the operators for a larger quota.",
                 retry_after=max(_MOMENT, self._kept_seconds - age),
             )
 

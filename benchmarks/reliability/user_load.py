@@ -1,6 +1,6 @@
 """Many clients of several users, each with one request under way, from one process: how long each user's take.
 
-``python -m benchmarks.reliability.share_load`` answers the command of :func:`take_turns`. Clients ask again at once, or
+``python -m benchmarks.reliability.user_load`` answers the command of :func:`take_turns`. Clients ask again at once, or
 after a pause, and never wait for ``Retry-After``: the greediest that there are.
 """
 
@@ -51,8 +51,8 @@ Times = dict[str, NDArray[np.float64]]
 """By status: seconds of each answer."""
 
 
-class ShareLoad:
-    """The other process; made by :func:`share_load`."""
+class UserLoad:
+    """The other process; made by :func:`user_load`."""
 
     def __init__(self, worker: Worker) -> None:
         self._worker = worker
@@ -71,10 +71,10 @@ class ShareLoad:
 
 
 @contextmanager
-def share_load(cpus: set[int] | None = None) -> Iterator[ShareLoad]:
+def user_load(cpus: set[int] | None = None) -> Iterator[UserLoad]:
     """A process that asks, on these processors."""
-    with Worker([sys.executable, "-m", "benchmarks.reliability.share_load"], cpus=cpus) as worker:
-        yield ShareLoad(worker)
+    with Worker([sys.executable, "-m", "benchmarks.reliability.user_load"], cpus=cpus) as worker:
+        yield UserLoad(worker)
 
 
 class _Asking:

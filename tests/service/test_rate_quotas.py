@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
-from bnserve_protocol import ShareExceeded
+from bnserve_protocol import QuotaExceeded
 from bnserve_service import Settings, Token
-from bnserve_service.admission import quotas as shares_module
-from bnserve_service.admission.quotas import shares_of
+from bnserve_service.admission import quotas as quotas_module
+from bnserve_service.admission.quotas import rate_quotas
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
 from bnserve_service.shared import cells as cells_module
@@ -31,13 +31,13 @@ def clock(monkeypatch):
             return self.now
 
     clock = Clock()
-    monkeypatch.setattr(shares_module, "time", clock)
+    monkeypatch.setattr(quotas_module, "time", clock)
     return clock
 
 
-def share(shared=None, **limits):
+def quota(shared=None, **limits):
     token = Token.of("the-token-of-secret", "somebody", **limits)
-    return shares_of([Token.of("the-token-of-other", max_concurrent=1), token], shared)[token.sha256]
+    return rate_quotas([Token.of("the-token-of-other", max_concurrent=1), token], shared)[token.sha256]
 
 
 def rows_of(total_masses):
@@ -48,72 +48,72 @@ def bearer(text):
     return {"authorization": f"Bearer the-token-of-{text}"}
 
 
-def test_a_token_without_limits_has_no_share_to_count():
-    assert shares_of([Token.of("the-token-of-secret", max_stored_bytes=2000)]) == {}
+def test_a_token_without_limits_has_no_quota_to_count():
+    assert rate_quotas([Token.of("the-token-of-secret", max_stored_bytes=2000)]) == {}
 
 
 def test_rows_are_paid_from_an_account_that_fills_at_the_rate(clock):
-    mine = share(rows_per_second=10.0, burst_rows=20.0)
+    mine = quota(rows_per_second=10.0, burst_rows=20.0)
     mine.take(20)
-    with pytest.raises(ShareExceeded) as refused:
+    with pytest.raises(QuotaExceeded) as refused:
         mine.take(1)
     assert refused.value.retry_after == pytest.approx(0.1)
     clock.now += refused.value.retry_after
     mine.take(1)
     clock.now += 100.0
     mine.take(20)
-    with pytest.raises(ShareExceeded):
+    with pytest.raises(QuotaExceeded):
         mine.check()
 
 
 def test_the_wait_that_is_told_is_enough_and_not_more(clock):
-    mine = share(rows_per_second=3.0)
+    mine = quota(rows_per_second=3.0)
     mine.take(50)
-    with pytest.raises(ShareExceeded) as refused:
+    with pytest.raises(QuotaExceeded) as refused:
         mine.take(7)
     clock.now += refused.value.retry_after - 1e-6
-    with pytest.raises(ShareExceeded):
+    with pytest.raises(QuotaExceeded):
         mine.take(7)
     clock.now += 2e-6
     mine.take(7)
 
 
 def test_a_request_larger_than_the_burst_passes_and_leaves_a_debt(clock):
-    mine = share(rows_per_second=10.0, burst_rows=10.0)
+    mine = quota(rows_per_second=10.0, burst_rows=10.0)
     mine.take(1000)
-    with pytest.raises(ShareExceeded) as refused:
+    with pytest.raises(QuotaExceeded) as refused:
         mine.take(1)
     assert refused.value.retry_after == pytest.approx(99.1)
 
 
 def test_nobody_gets_more_than_his_rate_in_the_long_run(clock):
-    mine = share(rows_per_second=10.0)
+    mine = quota(rows_per_second=10.0)
     admitted = 0
     for _ in range(10_000):
         clock.now += 0.01
         try:
             mine.take(37)
-        except ShareExceeded:
+        except QuotaExceeded:
             continue
         admitted += 37
     assert admitted <= 10.0 * 100.0 + 10.0 + 37
 
 
 def test_rows_that_cannot_be_evaluated_are_given_back(clock):
-    mine = share(rows_per_second=10.0)
-    with pytest.raises(ShareExceeded), mine.paying(10):
-        raise ShareExceeded("the queue is full of others' work")
+    mine = quota(rows_per_second=10.0)
+    with pytest.raises(QuotaExceeded), mine.paying(10):
+        raise QuotaExceeded("the queue is full of others' work")
     with pytest.raises(ValueError, match="wrong"), mine.paying(10):
         raise ValueError("wrong")
-    with pytest.raises(ShareExceeded):
+    with pytest.raises(QuotaExceeded):
         mine.check()
 
 
 def test_requests_under_way_are_counted():
-    mine = share(max_concurrent=2)
+    mine = quota(max_concurrent=2)
     mine.begin()
     mine.begin()
-    with pytest.raises(ShareExceeded) as refused:
+    with pytest.raises(QuotaExceeded) as refused:
         mine.begin()
     assert 0.0 < refused.value.retry_after <= 1.0
     mine.end()
@@ -121,7 +121,7 @@ def test_requests_under_way_are_counted():
 
 
 def test_workers_that_cannot_wait_for_each_other_let_none_too_many_through(tmp_path, monkeypatch):
-    first, second = (share(tmp_path, max_concurrent=1) for _ in range(2))
+    first, second = (quota(tmp_path, max_concurrent=1) for _ in range(2))
     monkeypatch.setattr(cells_module, "_lock", lambda number: False)
     counted, refused = Cells.over_processes, []
 
@@ -130,7 +130,7 @@ def test_workers_that_cannot_wait_for_each_other_let_none_too_many_through(tmp_p
         monkeypatch.setattr(Cells, "over_processes", counted)
         try:
             second.begin()
-        except ShareExceeded as error:
+        except QuotaExceeded as error:
             refused.append(error)
         return found
 
@@ -140,23 +140,23 @@ def test_workers_that_cannot_wait_for_each_other_let_none_too_many_through(tmp_p
 
 
 def test_workers_share_one_account(clock, tmp_path):
-    first, second = (share(tmp_path, rows_per_second=10.0, burst_rows=30.0) for _ in range(2))
+    first, second = (quota(tmp_path, rows_per_second=10.0, burst_rows=30.0) for _ in range(2))
     first.take(20)
     second.take(10)
     for mine in (first, second):
-        with pytest.raises(ShareExceeded):
+        with pytest.raises(QuotaExceeded):
             mine.take(1)
 
 
 def test_other_limits_are_another_account(clock, tmp_path):
-    share(tmp_path, rows_per_second=10.0).take(1000)
-    share(tmp_path, rows_per_second=20.0).take(1000)
+    quota(tmp_path, rows_per_second=10.0).take(1000)
+    quota(tmp_path, rows_per_second=20.0).take(1000)
 
 
 def test_a_clock_that_was_set_back_by_a_restart_does_not_lock_anybody_out(clock, tmp_path):
-    share(tmp_path, rows_per_second=10.0).take(1000)
+    quota(tmp_path, rows_per_second=10.0).take(1000)
     clock.now = 5.0
-    share(tmp_path, rows_per_second=10.0).take(1)
+    quota(tmp_path, rows_per_second=10.0).take(1)
 
 
 @pytest.mark.parametrize("model", [ChirpModel, QuickChirpModel])

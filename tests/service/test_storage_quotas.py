@@ -8,17 +8,17 @@ from contextlib import contextmanager
 import numpy as np
 import pytest
 
-from bnserve_protocol import ShareExceeded, TooLarge
+from bnserve_protocol import QuotaExceeded, TooLarge
 from bnserve_service import BackgroundServer, Settings, Token
-from bnserve_service.uploads import storage_quotas as stored_shares_module
-from bnserve_service.uploads.storage_quotas import Keeping, StoredShares
+from bnserve_service.uploads import storage_quotas as storage_quotas_module
+from bnserve_service.uploads.storage_quotas import Keeping, StorageQuotas
 from tests.service.asking import ask
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
 from tests.service.conftest import SMALL_LIMITS
 from tests.service.injections import name_of, small_analysis
 from tests.service.injections import upload as upload_analysis
 
-LIMITED, OTHER = "a-token-with-a-share", "a-token-without-one"
+LIMITED, OTHER = "a-token-with-a-quota", "a-token-without-one"
 NAMES = [hashlib.sha256(bytes([number])).hexdigest() for number in range(4)]
 
 
@@ -53,18 +53,18 @@ def folder(request, tmp_path):
 
 
 class Case:
-    """Two tokens, one with a share of 2000 bytes, in a server of one process or in any worker of several."""
+    """Two tokens, one with a quota of 2000 bytes, in a server of one process or in any worker of several."""
 
     def __init__(self, folder, is_common, kept_seconds):
         tokens = [Token.of(LIMITED, "limited", max_stored_bytes=2000), Token.of(OTHER, "other")]
         self.limited, self.other = (token.sha256 for token in tokens)
         self.kept = Kept(is_common)
         keeping = {"grid": self.kept.keeping(), "analysis": self.kept.keeping()}
-        workers = [StoredShares(tokens, keeping, folder, kept_seconds) for _ in range(1 if folder is None else 2)]
-        self.shares, self.shares_elsewhere = workers[0], workers[-1]
+        workers = [StorageQuotas(tokens, keeping, folder, kept_seconds) for _ in range(1 if folder is None else 2)]
+        self.quotas, self.quotas_elsewhere = workers[0], workers[-1]
 
     def upload(self, owner, name, size, kind="grid"):
-        with self.shares.room(owner, kind, name, size):
+        with self.quotas.room(owner, kind, name, size):
             self.kept.put(owner, name)
 
 
@@ -78,7 +78,7 @@ def test_what_was_uploaded_a_moment_ago_stays(case):
     it.upload(it.limited, NAMES[0], 1200)
     it.upload(it.limited, NAMES[0], 1200)
     it.upload(it.limited, NAMES[1], 800, "analysis")
-    with pytest.raises(ShareExceeded) as refused:
+    with pytest.raises(QuotaExceeded) as refused:
         it.upload(it.limited, NAMES[2], 900)
     assert 50.0 < refused.value.retry_after <= 60.0
     with pytest.raises(TooLarge, match="2000"):
@@ -102,37 +102,37 @@ def test_later_it_makes_room_for_the_next(case):
 
 def test_an_upload_that_is_being_stored_counts(case):
     it = case(kept_seconds=0.0)
-    with it.shares.room(it.limited, "grid", NAMES[0], 1500):
-        with pytest.raises(ShareExceeded) as refused, it.shares_elsewhere.room(it.limited, "analysis", NAMES[1], 501):
+    with it.quotas.room(it.limited, "grid", NAMES[0], 1500):
+        with pytest.raises(QuotaExceeded) as refused, it.quotas_elsewhere.room(it.limited, "analysis", NAMES[1], 501):
             pytest.fail("nothing may be stored")
         assert refused.value.retry_after >= 1.0
-        with it.shares_elsewhere.room(it.limited, "analysis", NAMES[1], 500):
+        with it.quotas_elsewhere.room(it.limited, "analysis", NAMES[1], 500):
             pass
 
 
 def test_one_content_uploaded_several_times_at_once_counts_once(case):
     it = case()
     with (
-        it.shares.room(it.limited, "grid", NAMES[0], 1500),
-        it.shares_elsewhere.room(it.limited, "grid", NAMES[0], 1500),
+        it.quotas.room(it.limited, "grid", NAMES[0], 1500),
+        it.quotas_elsewhere.room(it.limited, "grid", NAMES[0], 1500),
     ):
         it.kept.put(it.limited, NAMES[0])
-    with pytest.raises(ShareExceeded):
+    with pytest.raises(QuotaExceeded):
         it.upload(it.limited, NAMES[1], 600)
     it.upload(it.limited, NAMES[1], 500)
 
 
 def test_an_upload_that_fails_takes_no_room(case):
     it = case()
-    with pytest.raises(ValueError, match="no grid"), it.shares.room(it.limited, "grid", NAMES[0], 1500):
+    with pytest.raises(ValueError, match="no grid"), it.quotas.room(it.limited, "grid", NAMES[0], 1500):
         raise ValueError("no grid")
     it.upload(it.limited, NAMES[1], 2000)
 
 
 def test_an_upload_of_a_worker_that_died_takes_no_room_for_long(case, monkeypatch):
     it = case()
-    it.shares.room(it.limited, "grid", NAMES[0], 1500).__enter__()
-    monkeypatch.setattr(stored_shares_module, "LEFT_BEHIND", 0.0)
+    it.quotas.room(it.limited, "grid", NAMES[0], 1500).__enter__()
+    monkeypatch.setattr(storage_quotas_module, "LEFT_BEHIND", 0.0)
     it.upload(it.limited, NAMES[1], 2000)
 
 
@@ -148,7 +148,7 @@ def test_what_others_have_uploaded_too_is_only_lost_when_the_last_of_them_loses_
 def test_what_another_is_about_to_upload_is_not_dropped_under_him(case):
     it = case(is_common=True, kept_seconds=0.0)
     it.upload(it.limited, NAMES[0], 1500)
-    with it.shares_elsewhere.room(it.other, "grid", NAMES[0], 1500):  # which finds it there already
+    with it.quotas_elsewhere.room(it.other, "grid", NAMES[0], 1500):  # which finds it there already
         it.upload(it.limited, NAMES[1], 1500)
     assert it.kept.there == {NAMES[0], NAMES[1]}
 
@@ -156,7 +156,7 @@ def test_what_another_is_about_to_upload_is_not_dropped_under_him(case):
 @pytest.mark.parametrize("name", ["", "..", "x" * 64, "*", "a-b-c", "0" * 63])
 def test_a_name_that_is_no_digest_leaves_nothing_behind(case, folder, name):
     it = case()
-    with it.shares.room(it.limited, "grid", name, 1500):
+    with it.quotas.room(it.limited, "grid", name, 1500):
         pass
     it.upload(it.limited, NAMES[1], 2000)
     if folder is not None:
@@ -213,7 +213,7 @@ def test_ten_uploads_at_once_store_no_more_than_ten_one_after_the_other(tmp_path
 
 
 def test_a_limited_token_cannot_take_the_grid_of_another(start, monkeypatch):
-    monkeypatch.setattr(stored_shares_module, "KEPT_SECONDS", 0.0)
+    monkeypatch.setattr(storage_quotas_module, "KEPT_SECONDS", 0.0)
     server = start(ChirpModel(), tokens=(Token.of(LIMITED, max_stored_bytes=2000), Token.of(OTHER)))
     shared = grid(20.0, 150)
     assert put(server.address, shared, OTHER).status == 201
@@ -224,7 +224,7 @@ def test_a_limited_token_cannot_take_the_grid_of_another(start, monkeypatch):
 
 
 def test_nor_its_analysis(start, monkeypatch):
-    monkeypatch.setattr(stored_shares_module, "KEPT_SECONDS", 0.0)
+    monkeypatch.setattr(storage_quotas_module, "KEPT_SECONDS", 0.0)
     analyses = [small_analysis(seed=seed) for seed in range(2)]
     tokens = (Token.of(LIMITED, max_stored_bytes=12_000), Token.of(OTHER))
     server = start(ChirpModel(), tokens=tokens)

@@ -2,7 +2,7 @@
 
 Two users ask now and then; a third has a hundred clients that ask without pause and never heed ``Retry-After``.
 Windows with and without the greedy one alternate, so that whatever else the machine does meets both alike. Once every
-token has a share of rows per second, which the greedy one exceeds a hundredfold and is refused; once none has, and the
+token has a quota of rows per second, which the greedy one exceeds a hundredfold and is refused; once none has, and the
 queue alone keeps order, for requests that are answered on the event loop and for batches that keep a worker busy. The
 server has one worker, because on two processors the clients need the other.
 """
@@ -22,19 +22,19 @@ from numpy.typing import NDArray
 from benchmarks.reliability.load import waveforms_request
 from benchmarks.reliability.outcome import Figures, Log, Outcome
 from benchmarks.reliability.serving import serving
-from benchmarks.reliability.share_load import Times, User, share_load
+from benchmarks.reliability.user_load import Times, User, user_load
 
 MECHANISM = """Every token has an account of rows per second and a number of requests under way; what is over it is
 refused before the body is read. Workers take the work of whoever has had least, the event loop begins and refuses by
-turns, and when the queue is full, the newest of whoever has more than a fair part of it makes room."""
+turns, and when the queue is full, the newest of whoever has more than a fair share of it makes room."""
 BAR = "the others' p99 <= 2x that without the greedy token; none of theirs refused"
 PLANTS = {
     "one-owner": "all callers use one token, so that there is nothing to be fair between",
 }
 
 GREEDY_CLIENTS = 100
-SHARE = 50.0
-"""Rows per second of each token, where shares are set; the others ask for less."""
+QUOTA = 50.0
+"""Rows per second of each token, where quotas are set; the others ask for less."""
 _AHEAD = 0.3
 """Seconds by which the greedy one begins earlier and ends later."""
 _PAUSE = 0.05
@@ -43,16 +43,16 @@ _PAUSE = 0.05
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """What is asked, and whether tokens have shares."""
+    """What is asked, and whether tokens have quotas."""
 
     name: str
     rows: int
     points: int
-    share: float | None = None
+    quota: float | None = None
 
 
 CASES = (
-    Case("shares", 1, 277, SHARE),
+    Case("quotas", 1, 277, QUOTA),
     Case("quick", 1, 277),
     Case("batches", 256, 16),
 )
@@ -98,9 +98,9 @@ def _measure(case: Case, rounds: int, seconds: float, log: Log, plant: str | Non
         texts = dict.fromkeys(texts, texts["greedy"])
     pool = _Pool()
     with (
-        serving("--model", "default", "--workers-threads", "1", tokens=_tokens(texts, case.share)) as server,
-        share_load() as load,
-        share_load() as crowd,  # a process of its own, so that the others need not wait for it
+        serving("--model", "default", "--workers-threads", "1", tokens=_tokens(texts, case.quota)) as server,
+        user_load() as load,
+        user_load() as crowd,  # a process of its own, so that the others need not wait for it
         ThreadPoolExecutor(1) as background,
     ):
         greedy, *light = (
@@ -129,8 +129,8 @@ def _measure(case: Case, rounds: int, seconds: float, log: Log, plant: str | Non
     return pool
 
 
-def _tokens(texts: dict[str, str], share: float | None) -> list[dict[str, Any]]:
-    limits = {} if share is None else {"rows_per_second": share}
+def _tokens(texts: dict[str, str], quota: float | None) -> list[dict[str, Any]]:
+    limits = {} if quota is None else {"rows_per_second": quota}
     digests = {hashlib.sha256(text.encode()).hexdigest(): name for name, text in texts.items()}
     return [{"name": name, "sha256": digest, **limits} for digest, name in digests.items()]
 
