@@ -75,7 +75,7 @@ def no_verification() -> None:
 
 def batch_bits() -> None:
     """Batches are rounded otherwise than single waveforms."""
-    from bnserve_service.evaluation import waveform_evaluator as evaluation
+    from bnserve_service.evaluation import waveforms as evaluation
 
     evaluate = evaluation.evaluate_output
 

@@ -21,7 +21,7 @@ def open_files() -> None:
 
 def _after_each_group(what: Callable[[Any], Any]) -> None:
     """Keep what is made of the outcomes of each group for ever."""
-    from bnserve_service.evaluation.waveform_evaluator import Evaluator
+    from bnserve_service.evaluation.waveforms import Evaluator
 
     kept: list[Any] = []
     evaluate = Evaluator.__call__
@@ -81,7 +81,7 @@ def prefix_compare() -> None:
 
 def log_tokens() -> None:
     """The access log shows who asked with what."""
-    from bnserve_service.http import context
+    from bnserve_service.http import front as context
 
     new = context.new_context
 
@@ -133,7 +133,7 @@ def room_to_the_end() -> None:
 def unpickle_bodies() -> None:
     """Arrays of objects in bodies are read, as msgpack-numpy does."""
     from benchmarks.reliability.hostile import unpickle_what_is_found
-    from bnserve_service.evaluation import waveforms as answering
+    from bnserve_service.evaluation import service as answering
 
     decode: Any = answering.decode_request  # type: ignore[attr-defined]
 
@@ -181,7 +181,7 @@ def trailers_as_headers() -> None:
 def bare_errors() -> None:
     """What goes wrong while a body is decoded comes out as it is, without a name."""
     from bnserve_protocol import UndecodableBody
-    from bnserve_service.evaluation import waveforms as answering
+    from bnserve_service.evaluation import service as answering
 
     decode = answering.decode_request
 

@@ -17,18 +17,18 @@ from bnserve_protocol import Analysis, BnserveError, Likelihood, Unavailable, Wa
 from bnserve_service.admission.lifecycle import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.quotas import rate_quotas
+from bnserve_service.evaluation.endpoint import PATHS, WaveformEndpoint
 from bnserve_service.evaluation.fast_path import QuickLane
 from bnserve_service.evaluation.likelihood_endpoint import PATHS as LIKELIHOOD_PATHS
 from bnserve_service.evaluation.likelihood_endpoint import LikelihoodEndpoint
 from bnserve_service.evaluation.likelihood_evaluator import LikelihoodEvaluator, evaluating_both
 from bnserve_service.evaluation.likelihoods import LikelihoodService
-from bnserve_service.evaluation.waveform_endpoint import PATHS, WaveformEndpoint
-from bnserve_service.evaluation.waveform_evaluator import Evaluator
-from bnserve_service.evaluation.waveforms import WaveformService
+from bnserve_service.evaluation.service import WaveformService
+from bnserve_service.evaluation.waveforms import Evaluator
 from bnserve_service.http.access import AccessMiddleware
 from bnserve_service.http.body import BodyReader
-from bnserve_service.http.context import RequestContextMiddleware
 from bnserve_service.http.dispatch import Dispatcher
+from bnserve_service.http.front import RequestContextMiddleware
 from bnserve_service.http.hosts import HostCheck, HostMiddleware
 from bnserve_service.models.health import Health
 from bnserve_service.models.loading import Loader, Selection

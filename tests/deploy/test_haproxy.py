@@ -14,7 +14,7 @@ import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_service import Settings, create_app
-from bnserve_service.evaluation.waveform_endpoint import PATHS
+from bnserve_service.evaluation.endpoint import PATHS
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_surrogate import Model as LocalModel
 from tests.deploy.fake_servers import FakeServer, break_off, reply

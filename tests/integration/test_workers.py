@@ -52,7 +52,7 @@ import importlib.abc, importlib.util, sys, time
 
 class Planter(importlib.abc.MetaPathFinder):
     def find_spec(self, name, path=None, target=None):
-        if name != "bnserve_service.evaluation.waveform_evaluator":
+        if name != "bnserve_service.evaluation.waveforms":
             return None
         sys.meta_path.remove(self)
         spec = importlib.util.find_spec(name)

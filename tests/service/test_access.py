@@ -12,7 +12,7 @@ import pytest
 from bnserve_protocol import Unauthorized
 from bnserve_service import Settings, Token
 from bnserve_service.http import access
-from bnserve_service.http.context import new_context
+from bnserve_service.http.front import new_context
 from tests.service.asking import MSGPACK, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel
 

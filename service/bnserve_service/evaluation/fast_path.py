@@ -12,14 +12,14 @@ import re
 from bnserve_protocol import QuotaExceeded
 from bnserve_protocol.wire import MSGPACK
 from bnserve_service.admission.lifecycle import Lifecycle
-from bnserve_service.evaluation.waveform_endpoint import PATHS, answer_headers
-from bnserve_service.evaluation.waveform_evaluator import Packed, Question
-from bnserve_service.evaluation.waveforms import WaveformService
+from bnserve_service.evaluation.endpoint import PATHS, answer_headers
+from bnserve_service.evaluation.service import WaveformService
+from bnserve_service.evaluation.waveforms import Packed, Question
 from bnserve_service.http.access import AccessMiddleware
 from bnserve_service.http.answers import Finish, Header
-from bnserve_service.http.context import RequestContext, RequestContextMiddleware, new_context
+from bnserve_service.http.front import RequestContext, RequestContextMiddleware, new_context
 from bnserve_service.http.hosts import HostCheck
-from bnserve_service.http.negotiation import answer_digest, answer_media_type, request_media_type
+from bnserve_service.http.requests import answer_digest, answer_media_type, request_media_type
 
 _URL = re.compile(rb"/v1/models/([A-Za-z0-9_.-]+)(?:/versions/([A-Za-z0-9_.:-]+))?/waveforms")
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from starlette.types import Receive, Scope, Send
 
+from bnserve_service.evaluation.endpoint import answer_headers
 from bnserve_service.evaluation.likelihoods import LikelihoodService, pack
 from bnserve_service.evaluation.waiting import wait_for
-from bnserve_service.evaluation.waveform_endpoint import answer_headers
 from bnserve_service.http.answers import send_answer
 from bnserve_service.http.body import BodyReader
-from bnserve_service.http.context import context_of
-from bnserve_service.http.negotiation import answer_media_type, request_media_type
+from bnserve_service.http.front import context_of
+from bnserve_service.http.requests import answer_media_type, request_media_type
 from bnserve_service.settings import Settings
 
 PATHS = ("/v1/models/{name}/likelihoods/{sha256}", "/v1/models/{name}/versions/{version}/likelihoods/{sha256}")

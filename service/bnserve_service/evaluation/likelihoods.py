@@ -15,16 +15,18 @@ from bnserve_protocol.wire import (
     JSON,
     LikelihoodAnswer,
     LikelihoodRequest,
+    content_digest,
     decode_likelihood_request,
     encode_likelihood_answer,
     encode_likelihood_answer_json,
+    request_digest,
 )
 from bnserve_service.admission.lifecycle import Lifecycle
 from bnserve_service.admission.queue import Job, WorkQueue
 from bnserve_service.evaluation.likelihood_evaluator import LikelihoodQuestion, LogLikelihoods
-from bnserve_service.evaluation.waveform_evaluator import Packed
-from bnserve_service.evaluation.waveforms import OFF_LOOP
-from bnserve_service.http.digests import Buffer, content_digest, sha256_hex
+from bnserve_service.evaluation.service import OFF_LOOP
+from bnserve_service.evaluation.waveforms import Packed
+from bnserve_service.http.answers import Buffer
 from bnserve_service.models.registry import Registry
 from bnserve_service.settings import Settings
 from bnserve_service.uploads.analyses import AnalysisStore, StoredAnalysis
@@ -69,7 +71,7 @@ class LikelihoodService:
 
     async def digest(self, body: bytes) -> str:
         """SHA-256 of a request body, in hexadecimal."""
-        return await self.large_or_small(len(body), sha256_hex, body)
+        return await self.large_or_small(len(body), request_digest, body)
 
     def close(self) -> None:
         """Stop the helper thread."""
@@ -140,7 +142,7 @@ def pack(question: LikelihoodQuestion, pieces: Sequence[LogLikelihoods], media_t
     parts: list[Buffer] = (
         [encode_likelihood_answer_json(answer)] if media_type == JSON else encode_likelihood_answer(answer)
     )
-    digest = content_digest(parts)
+    digest = content_digest(parts).encode()
     evaluated = max(piece.evaluated for piece in pieces)
     started = min(piece.started for piece in pieces)
     return Packed(parts, digest, sum(len(part) for part in parts), evaluated, time.monotonic() - begun, started)

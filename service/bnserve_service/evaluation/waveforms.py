@@ -1,219 +1,209 @@
-"""The use case behind ``POST .../waveforms``: a body in, a packed answer out. Knows no HTTP."""
+"""From a decoded question to a packed answer: stacking, one call of the model, splitting, packing. No HTTP."""
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
-from typing import Any, TypeVar
+import time
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
 
-from bnserve_protocol import GridLike, Overloaded, TooLarge, UniformGrid, grid_digest
-from bnserve_protocol.wire import DigestName, GridDigest, WaveformRequest, decode_request
-from bnserve_service.admission.capacity import Capacity
-from bnserve_service.admission.cost_estimates import CostEstimates
-from bnserve_service.admission.lifecycle import Lifecycle
-from bnserve_service.admission.queue import Job, WorkQueue
-from bnserve_service.evaluation.waveform_evaluator import Packed, Question, grid_key
-from bnserve_service.http.digests import sha256_hex
-from bnserve_service.models.registry import LoadedModel, Registry
-from bnserve_service.settings import Settings
-from bnserve_service.uploads.grids import GridCache
+import numpy as np
+from numpy.typing import NDArray
 
-T = TypeVar("T")
+from bnserve_protocol import (
+    DtypeName,
+    EvaluationOptions,
+    GridLike,
+    InvalidRequest,
+    Limits,
+    Overloaded,
+    ParameterBatch,
+    TooLarge,
+    UniformGrid,
+)
+from bnserve_protocol.wire import JSON, DigestName, content_digest, encode_answer, encode_answer_json
+from bnserve_service.http.answers import Buffer
+from bnserve_service.models.registry import LoadedModel, ServedModel, quick_work
+from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
+from bnserve_service.telemetry.metrics import Metrics
 
-OFF_LOOP = 2**17
-"""Bodies above this are hashed and decoded in a thread: 128 KiB take about as long as the hand-over costs."""
+Arrays: TypeAlias = dict[str, NDArray[Any]]
 
 
-class WaveformService:
-    """Decode, look up, admit, evaluate.
+@dataclass(frozen=True, slots=True, eq=False)
+class Question:
+    """One request, ready to evaluate."""
 
-    Parameters
-    ----------
-    settings:
-        The limits.
-    registry, grids, queue, lifecycle:
-        Where models and grids are, who evaluates, and whether new work is accepted.
-    """
+    model: LoadedModel
+    batch: ParameterBatch
+    grid: GridLike
+    grid_key: Hashable
+    """Equal keys mean equal grids."""
+    output: str
+    dtype: DtypeName
+    options: EvaluationOptions
+    media_type: str
+    digest: DigestName = "sha-256"
+    """Of the answer, as the caller wants it."""
 
-    def __init__(
-        self,
-        settings: Settings,
-        registry: Registry,
-        grids: GridCache,
-        queue: WorkQueue[Question, Packed],
-        lifecycle: Lifecycle,
-    ) -> None:
-        self._limits = settings.limits()
-        self._registry = registry
-        self._grids = grids
-        self._queue = queue
-        self._cost_estimates = CostEstimates()
-        self._lifecycle = lifecycle
-        self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-decode")
-        self._promised = Capacity(settings.max_answer_bytes)
+    @property
+    def key(self) -> Hashable:
+        """Questions with equal keys may be evaluated in one call of the model."""
+        return (id(self.model), self.grid_key, self.output, self.dtype, self.options)
 
-    async def large_or_small(self, size: int, function: Any, *arguments: Any) -> Any:
-        """Call ``function`` at once for small bodies and in a helper thread for large ones."""
-        if size <= OFF_LOOP:
-            return function(*arguments)
-        return await asyncio.get_running_loop().run_in_executor(self._helper, function, *arguments)
+    @property
+    def points(self) -> int:
+        """Frequencies."""
+        return _points(self.grid)
 
-    def close(self) -> None:
-        """Stop the helper thread."""
-        self._helper.shutdown(wait=False, cancel_futures=True)
+    @property
+    def cost(self) -> int:
+        """Work in samples, what is fixed per row and per request included."""
+        return len(self.batch) * (self.points + ROW_COST) + REQUEST_COST
 
-    def digest_now(self, body: bytes) -> str:
-        """:meth:`digest`, for small bodies."""
-        return sha256_hex(body)
-
-    async def digest(self, body: bytes) -> str:
-        """SHA-256 of a request body, in hexadecimal."""
-        return await self.large_or_small(len(body), sha256_hex, body)
-
-    async def ask(
-        self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str, digest: DigestName
-    ) -> Question:
-        """Decode and check a request.
-
-        Raises
-        ------
-        Draining, ModelUnknown, ModelLoading, UndecodableBody, InvalidParameters, InvalidFrequencies, GridUnknown,
-        TooLarge
-        """
-        if len(body) <= OFF_LOOP:
-            return self.ask_now(name, version, body, media_type, answer_type, digest)
-        self._lifecycle.check_accepting()
-        model = self._registry.find(name, version)
-        loop = asyncio.get_running_loop()
-        decoded = await loop.run_in_executor(self._helper, self._decode, body, media_type)
-        return self._question(model, decoded, answer_type, digest)
-
-    def ask_now(
-        self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str, digest: DigestName
-    ) -> Question:
-        """:meth:`ask`, for small bodies."""
-        self._lifecycle.check_accepting()
-        model = self._registry.find(name, version)
-        return self._question(model, self._decode(body, media_type), answer_type, digest)
-
-    def _question(
-        self, model: LoadedModel, decoded: tuple[WaveformRequest, Any], answer_type: str, digest: DigestName
-    ) -> Question:
-        request, key = decoded
-        question = Question(
-            model=model,
-            batch=request.batch,
-            grid=request.grid,
-            grid_key=key,
-            output=request.output,
-            dtype=request.dtype,
-            options=request.options,
-            media_type=answer_type,
-            digest=digest,
-        )
-        question.check(self._limits)
-        return question
-
-    def _decode(self, body: bytes, media_type: str) -> tuple[WaveformRequest, Any]:
-        request = decode_request(body, media_type, self._limits.max_rows)
-        grid: GridLike | GridDigest = request.grid
-        if isinstance(grid, GridDigest):
-            return _with_grid(request, self._grids.get(grid.sha256)), grid.sha256
-        if isinstance(grid, UniformGrid) and len(grid) > self._limits.max_frequencies:
-            raise TooLarge(
-                f"A grid has at most {self._limits.max_frequencies} frequencies here; this one has {len(grid)}: use a "
-                "larger 'delta_f'."
-            )
-        return request, grid_key(grid, grid_digest)
+    @property
+    def quick(self) -> bool:
+        """Whether it takes less time than handing it to a worker."""
+        work = len(self.batch) * (self.points + ROW_COST)
+        return work <= quick_work(self.model.model) and self.media_type != JSON
 
     @property
     def answer_bytes(self) -> int:
-        """Memory promised to answers that are being computed or sent."""
-        return self._promised.total
+        """Memory of the answer's arrays."""
+        arrays = 1 if self.output in ("factored", "modes") else 2
+        return len(self.batch) * self.points * arrays * (8 if self.dtype == "complex64" else 16)
 
-    @contextmanager
-    def reserve(self, question: Question, owner: str = "") -> Iterator[Callable[[int], None]]:
-        """Hold memory for an answer until it has been sent, or so many bytes less as the yielded function is told.
+    def check(self, limits: ServiceLimits) -> None:
+        """Raise ``TooLarge`` when it is over a limit."""
+        _check_sizes(len(self.batch), self.points, limits)
+        if self.media_type == JSON and len(self.batch) * self.points > limits.max_json_samples:
+            raise TooLarge(
+                f"A JSON answer has at most {limits.max_json_samples} samples (rows times frequencies), this one would "
+                f"have {len(self.batch) * self.points}: send Accept: application/msgpack, or ask for less."
+            )
 
-        Raises
-        ------
-        Overloaded
-            Too many answers are waiting to be taken by their clients.
-        """
-        size = question.answer_bytes
-        if self._promised.total and not (self._promised.fits(size) or self._promised.may_displace(owner, size)):
-            raise Overloaded("Too many large answers are under way; try again shortly.", retry_after=1.0)
-        left = size
 
-        def give_back(nbytes: int) -> None:
-            nonlocal left
-            nbytes = min(nbytes, left)
-            left -= nbytes
-            self._promised.remove(owner, nbytes)
+@dataclass(frozen=True, slots=True, eq=False)
+class Packed:
+    """An answer ready for the socket, and the seconds it took."""
 
-        self._promised.add(owner, size)
+    parts: list[Buffer]
+    digest: bytes
+    length: int
+    evaluated: float
+    """Seconds in the model, for the whole group."""
+    packed: float
+    started: float
+    """``time.monotonic()`` when a worker took it."""
+
+
+def grid_key(grid: GridLike, digest: Callable[[NDArray[np.float64]], str]) -> Hashable:
+    """A key that is equal for equal grids."""
+    return grid if isinstance(grid, UniformGrid) else digest(np.asarray(grid))
+
+
+def _points(grid: GridLike) -> int:
+    return len(grid)  # type: ignore[arg-type]  # a UniformGrid or an array here, both of which have a length
+
+
+def _check_sizes(rows: int, points: int, limits: Limits) -> None:
+    if points > limits.max_frequencies:
+        raise TooLarge(f"A grid has at most {limits.max_frequencies} frequencies here; this one has {points}.")
+    if rows > limits.max_rows:
+        raise TooLarge(f"A batch has at most {limits.max_rows} rows here; this one has {rows}: split it.")
+    if rows * points > limits.max_samples:
+        raise TooLarge(
+            f"A request has at most {limits.max_samples} samples (rows times frequencies) here; this one has "
+            f"{rows * points}: send at most {limits.rows_per_request(points)} rows at a time on this grid."
+        )
+
+
+def evaluate_output(model: ServedModel, question: Question, batch: ParameterBatch) -> Arrays:
+    """The arrays of one ``output``, one row per row of ``batch``; with the model's own error estimate if it has one."""
+    arrays, estimates = _evaluate_output(model, question, batch)
+    return arrays if estimates is None else arrays | {"estimated_mismatch": estimates}
+
+
+def _evaluate_output(
+    model: ServedModel, question: Question, batch: ParameterBatch
+) -> tuple[Arrays, NDArray[np.float64] | None]:
+    if question.output == "amplitude_phase":
+        curves = model.predict_amplitude_phase(question.grid, batch, options=question.options)
+        return {
+            "amplitude": curves.amplitude,
+            "phase": curves.phase,
+            "status": curves.status,
+        }, curves.estimated_mismatch
+    if question.output == "polarizations":
+        both = model.predict_batch(question.grid, batch, options=question.options, dtype=question.dtype)
+        return {"h_plus": both.plus, "h_cross": both.cross, "status": both.status}, both.estimated_mismatch
+    if len(model.description.modes) != 1:
+        raise InvalidRequest(
+            f"output '{question.output}' is for models of one mode; ask this model for 'polarizations'."
+        )
+    one = model.predict_factored(question.grid, batch, options=question.options, dtype=question.dtype)
+    if question.output == "modes":
+        degree, order = model.description.modes[0]
+        return {f"h_{degree}{order}": one.h, "status": one.status}, one.estimated_mismatch
+    return {"h": one.h, "plus": one.plus, "cross": one.cross, "status": one.status}, one.estimated_mismatch
+
+
+class Evaluator:
+    """Evaluates groups of questions that share a key; what a :class:`~bnserve_service.admission.queue.WorkQueue` calls.
+
+    The model gives the same bits for a row whatever the batch around it, so that being grouped is invisible.
+    """
+
+    def __init__(self, metrics: Metrics) -> None:
+        self._metrics = metrics
+
+    def __call__(self, questions: Sequence[Question]) -> list[Packed | BaseException]:
+        """An answer or an error for each question, in order."""
+        started = time.monotonic()
         try:
-            yield give_back
-        finally:
-            give_back(left)
+            arrays = self._together(questions)
+        except Exception as error:
+            if len(questions) == 1:
+                return [_told(error)]
+            return [outcome for question in questions for outcome in self([question])]  # only the culprit is refused
+        evaluated = time.monotonic() - started
+        self._metrics.evaluation.observe(evaluated)
+        return [pack(question, own, started, evaluated) for question, own in zip(questions, arrays, strict=True)]
 
-    def foresee(self, size: int, deadline: float | None, owner: str = "") -> None:
-        """Refuse a body of ``size`` bytes before it is decoded, if others of its kind would be refused now.
-
-        Raises
-        ------
-        Overloaded, QuotaExceeded, DeadlineExceeded
-        """
-        cost = self._cost_estimates.cost(owner, size)
-        if cost is not None:
-            self._queue.check_room(owner, cost, deadline)
-
-    def learn(self, size: int, question: Question, owner: str = "") -> None:
-        """Remember what a body of ``size`` bytes cost, for :meth:`foresee`."""
-        self._cost_estimates.learn(owner, size, question.cost)
-
-    def submit(self, question: Question, deadline: float | None, owner: str = "") -> Job[Question, Packed]:
-        """Queue a question.
-
-        Raises
-        ------
-        Overloaded, QuotaExceeded, DeadlineExceeded
-        """
-        return self._queue.submit(question.key, question.cost, question, deadline, quick=question.quick, owner=owner)
-
-    def submit_quick(
-        self,
-        question: Question,
-        deadline: float | None,
-        deliver: Callable[[Packed | BaseException], None],
-        owner: str = "",
-    ) -> None:
-        """Queue a quick question; ``deliver`` is called at the end of this turn of the event loop, or of one of the
-        next when others ask, too.
-
-        Raises
-        ------
-        Overloaded, QuotaExceeded, DeadlineExceeded
-        """
-        job = self._queue.submit(question.key, question.cost, question, deadline, quick=True, owner=owner)
-        job.deliver = deliver
-
-    def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
-        """Call ``refusal`` when it is the turn of this owner."""
-        self._queue.refuse(owner, refusal)
-
-    def withdraw(self, job: Job[Question, Packed]) -> None:
-        """Forget a job whose caller went away."""
-        self._queue.withdraw(job, "disconnect")
+    def _together(self, questions: Sequence[Question]) -> list[Arrays]:
+        first = questions[0]
+        loaded = first.model
+        batches = [question.batch for question in questions]
+        stacked = first.batch if len(batches) == 1 else ParameterBatch(np.concatenate([b.values for b in batches]))
+        arrays = evaluate_output(loaded.model, first, stacked)
+        self._metrics.evaluated(loaded.identity.name, len(stacked), len(stacked) * first.points)
+        return split_rows(arrays, [len(batch) for batch in batches])
 
 
-def _with_grid(request: WaveformRequest, frequencies: GridLike) -> WaveformRequest:
-    return WaveformRequest(
-        batch=request.batch,
-        grid=frequencies,
-        output=request.output,
-        dtype=request.dtype,
-        options=request.options,
+def _told(error: Exception) -> Exception:
+    if isinstance(error, MemoryError):
+        return Overloaded("There is no memory for this answer now; ask for fewer rows.")
+    return error
+
+
+def split_rows(arrays: Mapping[str, NDArray[Any]], lengths: Sequence[int]) -> list[Arrays]:
+    """The rows of each part of a stacked batch, as views."""
+    if len(lengths) == 1:
+        return [dict(arrays)]
+    ends = np.cumsum(lengths).tolist()
+    return [
+        {name: array[end - length : end] for name, array in arrays.items()}
+        for end, length in zip(ends, lengths, strict=True)
+    ]
+
+
+def pack(question: Question, arrays: Arrays, started: float, evaluated: float) -> Packed:
+    """The answer as buffers; the arrays' memory is not copied for MessagePack."""
+    begun = time.monotonic()
+    identity = question.model.identity
+    parts: list[Buffer] = (
+        [encode_answer_json(arrays, identity)] if question.media_type == JSON else encode_answer(arrays, identity)
     )
+    digest = content_digest(parts, question.digest).encode()
+    length = sum(len(part) for part in parts)
+    return Packed(parts, digest, length, evaluated, time.monotonic() - begun, started)

@@ -11,7 +11,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 from bnserve_protocol import Forbidden, Unauthorized
 from bnserve_service.admission.quotas import RateQuota
 from bnserve_service.http.answers import Header
-from bnserve_service.http.context import RequestContext, context_of
+from bnserve_service.http.front import RequestContext, context_of
 from bnserve_service.settings import Scope as TokenScope
 from bnserve_service.settings import Token
 

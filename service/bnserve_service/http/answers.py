@@ -13,10 +13,10 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Send
 
-from bnserve_protocol.wire import JSON, MSGPACK
-from bnserve_service.http.digests import Buffer, content_digest
-from bnserve_service.http.negotiation import answer_media_type
+from bnserve_protocol.wire import JSON, MSGPACK, content_digest
+from bnserve_service.http.requests import answer_media_type
 
+Buffer: TypeAlias = bytes | memoryview
 Header: TypeAlias = tuple[bytes, bytes]
 Finish: TypeAlias = Callable[[int, list[Header], bytes], None]
 """Called with the status, the headers and the body of an answer."""
@@ -45,7 +45,7 @@ def body_headers(parts: Sequence[Buffer], media_type: str) -> list[Header]:
     return [
         (b"content-type", media_type.encode()),
         (b"content-length", b"%d" % sum(len(part) for part in parts)),
-        (b"content-digest", content_digest(parts)),
+        (b"content-digest", content_digest(parts).encode()),
     ]
 
 
@@ -107,6 +107,4 @@ def data_response(request: Request, value: Any, status: int = 200) -> Response:
 
 def plain_response(body: bytes, media_type: str, status: int = 200) -> Response:
     """A response with its digest."""
-    return Response(
-        body, status, media_type=media_type, headers={"content-digest": content_digest([body]).decode("ascii")}
-    )
+    return Response(body, status, media_type=media_type, headers={"content-digest": content_digest([body])})

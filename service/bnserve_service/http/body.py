@@ -10,7 +10,7 @@ from starlette.types import Receive
 from bnserve_protocol import TooLarge
 from bnserve_service.admission.body_room import BodyRoom, Place
 from bnserve_service.errors import BodyTooSlow, ClientDisconnected
-from bnserve_service.http.context import RequestContext
+from bnserve_service.http.front import RequestContext
 
 UNCOUNTED = 2**16
 """So much of every body takes no room: the parser holds as much of every connection anyway, and requests for waveforms,

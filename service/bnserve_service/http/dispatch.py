@@ -16,7 +16,7 @@ from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import UndecodableBody
-from bnserve_service.http.context import NO_ROUTE
+from bnserve_service.http.front import NO_ROUTE
 
 _PARAMETER = re.compile(r"{(\w+)}")
 _NOT_IN_PATHS = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ufffd]")

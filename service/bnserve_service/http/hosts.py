@@ -13,7 +13,7 @@ from ipaddress import ip_address
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Forbidden
-from bnserve_service.http.context import context_of
+from bnserve_service.http.front import context_of
 from bnserve_service.process.listening import is_loopback
 from bnserve_service.settings import ANY_HOST, Settings
 

@@ -12,10 +12,9 @@ import msgspec
 from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 
 from bnserve_protocol import UndecodableBody
-from bnserve_protocol.wire import PROBLEM_JSON, Problem
+from bnserve_protocol.wire import PROBLEM_JSON, Problem, content_digest
 from bnserve_service.http.answers import Finish, Header
 from bnserve_service.http.complaints import Complaints
-from bnserve_service.http.digests import content_digest
 from bnserve_service.http.framing import (
     MOST_PIPELINED,
     PIECE,
@@ -294,7 +293,7 @@ class BoundedProtocol(HttpToolsProtocol):
         body = msgspec.json.encode(Problem.from_error(error, 400))
         head = (
             f"HTTP/1.1 400 Bad Request\r\ncontent-type: {PROBLEM_JSON}\r\ncontent-length: {len(body)}\r\n"
-            f"content-digest: {content_digest([body]).decode()}\r\nconnection: close\r\n\r\n"
+            f"content-digest: {content_digest([body])}\r\nconnection: close\r\n\r\n"
         )
         self.transport.write(head.encode() + body)
         if not self._is_idle():  # whoever waits for the rest of the body

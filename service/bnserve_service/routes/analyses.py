@@ -8,8 +8,8 @@ from bnserve_protocol.wire import MSGPACK
 from bnserve_service.evaluation.likelihoods import LikelihoodService
 from bnserve_service.http.answers import data_response
 from bnserve_service.http.body import BodyReader
-from bnserve_service.http.context import context_of
-from bnserve_service.http.negotiation import require_media_type
+from bnserve_service.http.front import context_of
+from bnserve_service.http.requests import require_media_type
 from bnserve_service.reference.documents import AnalysisDocument, analysis_document
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GONE, answers_with
 from bnserve_service.reference.openapi_likelihoods import ANALYSIS_BODY

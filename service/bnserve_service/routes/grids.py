@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from fastapi import APIRouter, Request, Response
 
-from bnserve_service.evaluation.waveforms import WaveformService
+from bnserve_service.evaluation.service import WaveformService
 from bnserve_service.http.answers import data_response
 from bnserve_service.http.body import BodyReader
-from bnserve_service.http.context import context_of
-from bnserve_service.http.negotiation import OCTETS, require_media_type
+from bnserve_service.http.front import context_of
+from bnserve_service.http.requests import OCTETS, require_media_type
 from bnserve_service.reference.documents import GridDocument
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GRID_BODY, answers_with
 from bnserve_service.uploads.grids import GridCache

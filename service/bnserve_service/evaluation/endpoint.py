@@ -5,13 +5,13 @@ from __future__ import annotations
 from starlette.types import Receive, Scope, Send
 
 from bnserve_service.admission.queue import Job
+from bnserve_service.evaluation.service import WaveformService
 from bnserve_service.evaluation.waiting import wait_for
-from bnserve_service.evaluation.waveform_evaluator import Packed, Question
-from bnserve_service.evaluation.waveforms import WaveformService
+from bnserve_service.evaluation.waveforms import Packed, Question
 from bnserve_service.http.answers import send_answer
 from bnserve_service.http.body import BodyReader
-from bnserve_service.http.context import context_of
-from bnserve_service.http.negotiation import answer_digest, answer_media_type, request_media_type
+from bnserve_service.http.front import context_of
+from bnserve_service.http.requests import answer_digest, answer_media_type, request_media_type
 from bnserve_service.settings import Settings
 
 PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
