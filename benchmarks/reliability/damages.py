@@ -13,8 +13,8 @@ import numpy as np
 import safetensors.numpy
 
 from bnserve_store import Artifact
-from bnserve_store._manifest import decode_manifest, encode_manifest
-from bnserve_store._publish import describe
+from bnserve_store._files import decode_manifest, encode_manifest
+from bnserve_store._publishing import describe
 
 MANIFEST, TENSORS = "manifest.json", "tensors.safetensors"
 

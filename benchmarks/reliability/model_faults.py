@@ -43,7 +43,7 @@ def no_verification() -> None:
     from types import SimpleNamespace
 
     from bnserve_service.models.loading import Loader
-    from bnserve_store import _artifact
+    from bnserve_store import _reading
 
     class _EqualToAll:
         """A digest that differs from no other."""
@@ -51,7 +51,7 @@ def no_verification() -> None:
         def __ne__(self, other: object) -> bool:
             return False
 
-    store: Any = _artifact
+    store: Any = _reading
     store.hashlib = SimpleNamespace(sha256=lambda _: SimpleNamespace(hexdigest=_EqualToAll))
     store._verify_tensors = lambda *_: None
     load: Any = Loader._load

@@ -4,9 +4,9 @@ Nothing that is stored is executable. Whatever is loaded was verified first; wha
 whole, or not at all.
 """
 
-from bnserve_store._artifact import Artifact
-from bnserve_store._manifest import SCHEMA_VERSION, FileEntry, Manifest, TensorEntry
-from bnserve_store._staging import check_writable
+from bnserve_store._files import SCHEMA_VERSION, FileEntry, Manifest, TensorEntry
+from bnserve_store._publishing import check_writable
+from bnserve_store._reading import Artifact
 from bnserve_store._store import SHIPPED_MODELS, ModelStore
 
 __all__ = [

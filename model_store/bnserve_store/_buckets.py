@@ -9,7 +9,7 @@ from importlib import import_module
 from typing import Any
 
 from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, StoreUnknown
-from bnserve_store._manifest import RESTORE
+from bnserve_store._files import RESTORE
 
 
 class BucketRoot:

@@ -12,15 +12,21 @@ from typing import Any, TypeAlias
 from numpy.typing import ArrayLike
 
 from bnserve_protocol import ArtifactError, InvalidRequest, ModelUnknown
-from bnserve_store._artifact import Artifact, read_artifact, read_manifest
 from bnserve_store._buckets import BucketRoot
-from bnserve_store._labels import LABELS_FILE, read_labels
-from bnserve_store._manifest import Manifest, as_metadata
+from bnserve_store._files import Manifest, as_metadata, encode_tensors, prepare_tensors
 from bnserve_store._names import check_label, check_name, check_version, is_name, is_version, version_key
-from bnserve_store._publish import describe, make_model_folder, publish_version, stage_labels, version_exists
-from bnserve_store._roots import LocalRoot, Root
-from bnserve_store._staging import check_writable, explained, staging, sync_folder
-from bnserve_store._tensors import encode_tensors, prepare_tensors
+from bnserve_store._publishing import (
+    check_writable,
+    describe,
+    explained,
+    make_model_folder,
+    publish_version,
+    stage_labels,
+    staging,
+    sync_folder,
+    version_exists,
+)
+from bnserve_store._reading import LABELS_FILE, Artifact, LocalRoot, Root, read_artifact, read_labels, read_manifest
 
 SHIPPED_MODELS = Path(__file__).parent / "models"
 """The models that come with this distribution."""

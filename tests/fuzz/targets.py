@@ -22,9 +22,8 @@ from bnserve_protocol.wire import (
     decode_request,
 )
 from bnserve_service.uploads.grids import GridCache
-from bnserve_store._artifact import MANIFEST_FILE, TENSORS_FILE, read_artifact
-from bnserve_store._labels import LABELS_FILE, read_labels
-from bnserve_store._manifest import decode_manifest
+from bnserve_store._files import decode_manifest
+from bnserve_store._reading import LABELS_FILE, MANIFEST_FILE, TENSORS_FILE, read_artifact, read_labels
 from tests.client.reference_model import binaries
 from tests.fuzz import http_requests, likelihoods, valid
 from tests.fuzz.conversation import ask
@@ -71,7 +70,7 @@ class OneFile:
         return [] if parts else ["small"]
 
     def read(self, *parts: str, limit: int) -> bytes:
-        """As :class:`bnserve_store._roots.LocalRoot` does, for files that are there."""
+        """As :class:`bnserve_store._reading.LocalRoot` does, for files that are there."""
         return self._files[parts[-1]][:limit]
 
 

@@ -32,11 +32,9 @@ from bnserve_protocol.wire import (
     encode_request,
 )
 from bnserve_store import ModelStore
-from bnserve_store._artifact import MANIFEST_FILE, TENSORS_FILE
-from bnserve_store._labels import LABELS_FILE
-from bnserve_store._manifest import encode_manifest
-from bnserve_store._publish import describe
-from bnserve_store._tensors import decode_tensors, encode_tensors
+from bnserve_store._files import decode_tensors, encode_manifest, encode_tensors
+from bnserve_store._publishing import describe
+from bnserve_store._reading import LABELS_FILE, MANIFEST_FILE, TENSORS_FILE
 from tests.client.reference_model import ReferenceModel, binaries
 from tests.client.reference_service import ReferenceService
 from tests.fuzz.conversation import HEAD, MARK

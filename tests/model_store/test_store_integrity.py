@@ -12,8 +12,8 @@ import safetensors.numpy
 
 from bnserve_protocol import ArtifactCorrupted, ArtifactError, ArtifactIncomplete, ModelUnknown, SchemaUnknown
 from bnserve_store import ModelStore
-from bnserve_store._manifest import decode_manifest, encode_manifest
-from bnserve_store._publish import describe
+from bnserve_store._files import decode_manifest, encode_manifest
+from bnserve_store._publishing import describe
 
 MANIFEST, TENSORS = "manifest.json", "tensors.safetensors"
 FLIPS = 600

@@ -180,15 +180,15 @@ def test_publishers_of_different_versions_lose_no_label(tmp_path):
 
 def test_the_rename_alone_decides_even_where_locks_do_not_work(root, store, tensors, monkeypatch):
     """A version that appears between the first look and the rename is not replaced."""
-    from bnserve_store import _publish
+    from bnserve_store import _publishing
 
-    original = _publish.read_artifact
+    original = _publishing.read_artifact
 
     def lose_the_race(*arguments, **options):
         shutil.copytree(root / "gw" / "1.0.0", root / "gw" / "2.0")
         return original(*arguments, **options)
 
-    monkeypatch.setattr(_publish, "read_artifact", lose_the_race)
+    monkeypatch.setattr(_publishing, "read_artifact", lose_the_race)
     with pytest.raises(VersionExists):
         store.publish("gw", "2.0", tensors(3), {})
     assert contents(root / "gw" / "2.0") == contents(root / "gw" / "1.0.0")
@@ -221,22 +221,22 @@ def test_killed_at_any_step_nothing_half_written_is_ever_seen(store, root, tenso
 
 def test_an_interrupted_publication_leaves_nothing(store, root, tensors, monkeypatch):
     before = contents(root)
-    from bnserve_store import _publish
+    from bnserve_store import _publishing
 
     def interrupt(*arguments, **options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(_publish, "read_artifact", interrupt)
+    monkeypatch.setattr(_publishing, "read_artifact", interrupt)
     with pytest.raises(KeyboardInterrupt):
         store.publish("gw", "2.0", tensors(1), {})
     assert contents(root) == before
 
 
 def test_what_is_not_on_the_disk_as_written_is_not_published(store, root, tensors, monkeypatch):
-    from bnserve_store import _publish
+    from bnserve_store import _publishing
 
-    honest = _publish.write_durably
-    monkeypatch.setattr(_publish, "write_durably", lambda path, data: honest(path, data.replace(b"\0\0", b"\0\1")))
+    honest = _publishing.write_durably
+    monkeypatch.setattr(_publishing, "write_durably", lambda path, data: honest(path, data.replace(b"\0\0", b"\0\1")))
     before = contents(root)
     with pytest.raises(ArtifactCorrupted):
         store.publish("gw", "2.0", tensors(1), {})

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from bnserve_protocol import InternalError, InvalidRequest
-from bnserve_store._tensors import DTYPES, decode_tensors, encode_tensors, prepare_tensors
+from bnserve_store._files import DTYPES, decode_tensors, encode_tensors, prepare_tensors
 
 _layouts = st.sampled_from(["C", "F", "transposed", "reversed", "strided", "broadcast", "offset", "foreign-endian"])
 

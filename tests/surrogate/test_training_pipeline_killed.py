@@ -40,12 +40,12 @@ def test_killed_among_the_waveforms(tmp_path, monkeypatch, whole):
 
 KILLED_WHILE_PUBLISHING = """
 import os, signal
-from bnserve_store import _publish
+from bnserve_store import _publishing
 
 def die(*arguments, **keywords):
     os.kill(os.getpid(), signal.SIGKILL)
 
-_publish.{function} = die
+_publishing.{function} = die
 """
 
 
