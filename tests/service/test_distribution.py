@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from prometheus_client import CollectorRegistry, Histogram, generate_latest
 
-from bnserve_service.telemetry.distribution import Distribution
+from bnserve_service.telemetry.metrics import Distribution
 
 BUCKETS = (0.001, 0.01, 0.1, 1.0)
 
