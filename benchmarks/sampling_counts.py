@@ -11,7 +11,7 @@ import sys
 import time
 
 from bnserve_surrogate.training.data.generators import make_generator, mass_seconds
-from bnserve_surrogate.training.data.ranges import ParameterRanges
+from bnserve_surrogate.training.data.sampling import ParameterRanges
 from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.reduction.sampling_counts import SamplingCounts, sampling_counts
 

@@ -20,8 +20,13 @@ from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset
 from bnserve_surrogate.training.data.generation import configured_generator
-from bnserve_surrogate.training.data.ranges import parameter_ranges, training_band
-from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling
+from bnserve_surrogate.training.data.sampling import (
+    EdgeSampling,
+    Sampling,
+    UniformSampling,
+    parameter_ranges,
+    training_band,
+)
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes
 from bnserve_surrogate.training.validation.measurement import Validation, validate
 

@@ -18,9 +18,8 @@ from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.data import dataset as dataset_module
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
 from bnserve_surrogate.training.data.generators import CallableGenerator, TEOBResumSPA
-from bnserve_surrogate.training.data.ranges import ParameterRanges
 from bnserve_surrogate.training.data.residuals import log_amplitude_ratio, phase_difference
-from bnserve_surrogate.training.data.sampling import UniformSampling, draw
+from bnserve_surrogate.training.data.sampling import ParameterRanges, UniformSampling, draw
 from bnserve_surrogate.training.errors import (
     DatasetInUse,
     DatasetUnwritable,
@@ -225,7 +224,7 @@ KILLED_RUN = textwrap.dedent(
     from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
     from bnserve_surrogate.training.data.generators import CallableGenerator
     from bnserve_surrogate.training.reduction.nodes import smooth_nodes
-    from bnserve_surrogate.training.data.ranges import ParameterRanges
+    from bnserve_surrogate.training.data.sampling import ParameterRanges
     from bnserve_surrogate.training.data.sampling import UniformSampling
 
     def slow(theta, mf):

@@ -11,11 +11,11 @@ from benchmarks.sampling_counts import main
 from bnserve_protocol import InvalidParameters
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.data.generators import CallableGenerator, mass_seconds
-from bnserve_surrogate.training.data.ranges import ParameterRanges
 from bnserve_surrogate.training.data.sampling import (
     ArcsineSampling,
     EdgeSampling,
     MixtureSampling,
+    ParameterRanges,
     UniformSampling,
     draw,
     make_sampling,

@@ -17,8 +17,7 @@ from bnserve_surrogate.training.data.noise import (
     trapezoid_weights,
 )
 from bnserve_surrogate.training.reduction.metric import MismatchMetric, node_weights, spline_matrix
-from bnserve_surrogate.training.reduction.principal_components import PrincipalComponents
-from bnserve_surrogate.training.reduction.reductions import MetricReduction, PaperReduction
+from bnserve_surrogate.training.reduction.reductions import MetricReduction, PaperReduction, PrincipalComponents
 from bnserve_surrogate.training.validation.mismatch import NodeMismatch
 
 DENSE = np.geomspace(10.0, 2048.0, 3000)

@@ -6,7 +6,7 @@ import pytest
 from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate.training.config import parse_configuration
 from bnserve_surrogate.training.data.generation import configured_generator
-from bnserve_surrogate.training.data.ranges import mf_band, training_band
+from bnserve_surrogate.training.data.sampling import mf_band, training_band
 from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown, TooManyFailures
 from bnserve_surrogate.training.pipeline import train
 from tests.surrogate import smooth_waveforms

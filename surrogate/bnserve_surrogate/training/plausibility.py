@@ -18,7 +18,7 @@ from bnserve_surrogate.training.config import (
     demand,
 )
 from bnserve_surrogate.training.data.noise import noise_curve
-from bnserve_surrogate.training.data.ranges import parameter_ranges, training_band
+from bnserve_surrogate.training.data.sampling import parameter_ranges, training_band
 from bnserve_surrogate.training.reduction.nodes import check_nodes, smooth_nodes
 from bnserve_surrogate.training.regressors import weighted_exponents
 

@@ -21,16 +21,15 @@ from bnserve_surrogate.training.data.chunks import (
     Chunk,
     ChunkTask,
     Failure,
+    computed_chunks,
     merge,
     read_chunk,
     unwritable_named,
     write_chunk,
 )
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
-from bnserve_surrogate.training.data.ranges import ParameterRanges
 from bnserve_surrogate.training.data.residuals import baseline_fingerprint
-from bnserve_surrogate.training.data.sampling import Sampling, draw
-from bnserve_surrogate.training.data.workers import computed_chunks
+from bnserve_surrogate.training.data.sampling import ParameterRanges, Sampling, draw
 from bnserve_surrogate.training.errors import DatasetInUse, TooManyFailures
 
 _FORMAT = 1

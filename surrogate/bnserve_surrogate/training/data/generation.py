@@ -19,8 +19,14 @@ from bnserve_surrogate.training.data.generators import (
     WaveformGenerator,
     make_generator,
 )
-from bnserve_surrogate.training.data.ranges import mf_band, parameter_ranges
-from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling, make_sampling
+from bnserve_surrogate.training.data.sampling import (
+    EdgeSampling,
+    Sampling,
+    UniformSampling,
+    make_sampling,
+    mf_band,
+    parameter_ranges,
+)
 from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown
 
 VALIDATION_NODES = 300

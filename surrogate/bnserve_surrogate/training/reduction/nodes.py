@@ -12,9 +12,14 @@ from bnserve_surrogate.training.config import TrainingConfiguration, demand
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
 from bnserve_surrogate.training.data.generation import Generation
 from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, WaveformGenerator, mass_seconds
-from bnserve_surrogate.training.data.ranges import ParameterRanges, mf_band, parameter_ranges, training_band
 from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase, flatten_phase
-from bnserve_surrogate.training.data.sampling import UniformSampling
+from bnserve_surrogate.training.data.sampling import (
+    ParameterRanges,
+    UniformSampling,
+    mf_band,
+    parameter_ranges,
+    training_band,
+)
 from bnserve_surrogate.training.reduction.greedy_downsampling import greedy_downsampling
 from bnserve_surrogate.training.reduction.metric import has_weight
 from bnserve_surrogate.training.reduction.multibanding import multibanded_grid

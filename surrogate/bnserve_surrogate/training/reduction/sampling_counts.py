@@ -6,12 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bnserve_surrogate.training.data.chunks import ChunkTask, merge
+from bnserve_surrogate.training.data.chunks import ChunkTask, computed_chunks, merge
 from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, WaveformGenerator, mass_seconds
-from bnserve_surrogate.training.data.ranges import ParameterRanges
 from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase, flatten_phase
-from bnserve_surrogate.training.data.sampling import UniformSampling, draw
-from bnserve_surrogate.training.data.workers import computed_chunks
+from bnserve_surrogate.training.data.sampling import ParameterRanges, UniformSampling, draw
 from bnserve_surrogate.training.errors import GeneratorFailure
 from bnserve_surrogate.training.reduction.greedy_downsampling import GreedyNodes, greedy_downsampling
 from bnserve_surrogate.training.reduction.multibanding import multibanded_grid, uniform_count

@@ -9,7 +9,6 @@ arrays; these do:
 * :class:`Beside`: one of them for some of the outputs, another for the rest.
 """
 
-from bnserve_surrogate.training.regressors.chebyshev import chebyshev_terms, weighted_exponents
 from bnserve_surrogate.training.regressors.combined import Beside, Sum
 from bnserve_surrogate.training.regressors.configured import coordinate_map, make_regressor
 from bnserve_surrogate.training.regressors.exported import (
@@ -18,7 +17,7 @@ from bnserve_surrogate.training.regressors.exported import (
     export_regressor,
 )
 from bnserve_surrogate.training.regressors.mlp import MLP
-from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial
+from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial, chebyshev_terms, weighted_exponents
 
 __all__ = [
     "MLP",

@@ -8,7 +8,7 @@ from typing import Any
 from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.generators import FloatArray
-from bnserve_surrogate.training.data.ranges import parameter_ranges
+from bnserve_surrogate.training.data.sampling import parameter_ranges
 from bnserve_surrogate.training.reduction.metric import MismatchMetric
 from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors.combined import Beside, Sum

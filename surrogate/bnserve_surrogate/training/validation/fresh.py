@@ -10,8 +10,7 @@ from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._model import Model
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.data.generation import VALIDATION_NODES, Generation, configured_generator
-from bnserve_surrogate.training.data.ranges import training_band
-from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling
+from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling, training_band
 from bnserve_surrogate.training.errors import GeneratorUnknown, TrainingError
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes
 from bnserve_surrogate.training.validation.measurement import Validation, validate, validation_frequencies
