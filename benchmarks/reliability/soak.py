@@ -98,7 +98,7 @@ def _soak(server: Server, load: Load, churn: Churn, size: Size, log: Log) -> tup
 
 
 def _streams(server: Server, pace: float) -> list[Stream]:
-    """All lanes: on the event loop, in the worker threads, large answers, text."""
+    """All ways: on the event loop, in the worker threads, large answers, text."""
     small = waveforms_request(server.url, 1, 64, model=NAME)
     return [
         Stream("small", small, 4.0 * pace),

@@ -18,7 +18,7 @@ from bnserve_service.admission.lifecycle import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.quotas import rate_quotas
 from bnserve_service.evaluation.endpoint import PATHS, WaveformEndpoint
-from bnserve_service.evaluation.fast_path import QuickLane
+from bnserve_service.evaluation.fast_path import FastPath
 from bnserve_service.evaluation.likelihood_endpoint import PATHS as LIKELIHOOD_PATHS
 from bnserve_service.evaluation.likelihood_endpoint import LikelihoodEndpoint
 from bnserve_service.evaluation.likelihood_evaluator import LikelihoodEvaluator, evaluating_both
@@ -121,7 +121,7 @@ class Application(FastAPI):
         )
         self.metrics = _metrics_alone(parts)
         """The application of the metrics port, if there is one."""
-        self.quick_lane = QuickLane(parts.waveforms, parts.lifecycle, self._front, hosts, access)
+        self.fast_path = FastPath(parts.waveforms, parts.lifecycle, self._front, hosts, access)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve: HTTP through our own middlewares, the rest (the lifespan) through FastAPI's."""

@@ -16,7 +16,7 @@ import uvicorn
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
 from bnserve_service.errors import SettingsInvalid
-from bnserve_service.evaluation.fast_path import QuickLane
+from bnserve_service.evaluation.fast_path import FastPath
 from bnserve_service.http.protocol import bounded_protocol
 from bnserve_service.models.loading import RefreshReport
 from bnserve_service.process.listening import BACKLOG, address_of, listening, open_metrics_listener
@@ -103,7 +103,7 @@ class BnserveServer:
         """Where the metrics are, when they have a port of their own."""
         self.ready = threading.Event()
         """Set when models are served."""
-        self._uvicorn = _Uvicorn(_configuration(app, self._settings, app.quick_lane))
+        self._uvicorn = _Uvicorn(_configuration(app, self._settings, app.fast_path))
 
     @property
     def accepts(self) -> bool:
@@ -206,11 +206,11 @@ class BnserveServer:
         self._uvicorn.should_exit = True
 
 
-def _configuration(app: Any, settings: Settings, lane: QuickLane | None) -> uvicorn.Config:
+def _configuration(app: Any, settings: Settings, fast_path: FastPath | None) -> uvicorn.Config:
     """How whatever this server listens on is served."""
     return uvicorn.Config(
         app,
-        http=bounded_protocol(settings, lane),
+        http=bounded_protocol(settings, fast_path),
         ws="none",
         lifespan="on",
         log_config=None,

@@ -99,7 +99,7 @@ def chunked(start: bytes, body: bytes, *trailers: bytes, piece: int = 100) -> by
 
 
 def ours(name: bytes) -> bytes:
-    """A request with the head of our client, which the quick lane knows."""
+    """A request with the head of our client, which the fast path knows."""
     lines = [b"Content-Type: application/msgpack", b"Accept: application/msgpack"]
     start = head(b"POST", WAVEFORMS, *lines, name=name, caller="all")
     return start + b"\r\nX-Request-Deadline-Ms: 30000\r\nContent-Length: %d\r\n\r\n" % len(MSGPACK_BODY) + MSGPACK_BODY

@@ -21,7 +21,7 @@ SMALL_LIMITS = {
 }
 
 
-@pytest.fixture(scope="session", params=[ChirpModel, QuickChirpModel], ids=["in threads", "quick lane"])
+@pytest.fixture(scope="session", params=[ChirpModel, QuickChirpModel], ids=["in threads", "fast path"])
 def server(request):
     """A server of the Newtonian chirp with small limits, shared by the tests that do not change it."""
     source = MemorySource().add(request.param())

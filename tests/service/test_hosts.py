@@ -72,7 +72,7 @@ def test_only_its_own_pages_may_ask_for_changes():
     assert not lets(HostCheck.of(Settings(allowed_hosts=["*"])), "localhost:8000", "http://evil.example")
 
 
-@pytest.mark.parametrize("model", [ChirpModel, QuickChirpModel], ids=["in threads", "quick lane"])
+@pytest.mark.parametrize("model", [ChirpModel, QuickChirpModel], ids=["in threads", "fast path"])
 def test_answers_to_other_hosts_and_sites_are_403_with_what_to_do(start, model):
     server = start(model())
     for headers in ({"host": EVIL}, {"origin": "http://evil.example"}):

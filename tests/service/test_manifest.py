@@ -16,7 +16,7 @@ OLD, NEW, NONE = (f"sha256:{letter * 64}" for letter in "abc")
 FREQUENCIES, ONE = np.linspace(20.0, 100.0, 5), ParametersWithExtrinsic.gw170817()
 
 
-@pytest.fixture(params=[ChirpModel, QuickChirpModel], ids=["in threads", "quick lane"])
+@pytest.fixture(params=[ChirpModel, QuickChirpModel], ids=["in threads", "fast path"])
 def moved(request, start):
     """A server whose label has moved from the old artifact to the new one."""
     source = MemorySource().add(request.param(version="1.0.0", digest=OLD))

@@ -1,7 +1,7 @@
-"""The quick lane: waveform requests that take less time than a task, answered by plain calls.
+"""The fast path: waveform requests that take less time than a task, answered by plain calls.
 
 A request whose body has come with its headers and whose model promises to answer at once needs no coroutine, no
-``receive`` and no future. :class:`~bnserve_service.http.protocol.BoundedProtocol` offers it here; what this lane
+``receive`` and no future. :class:`~bnserve_service.http.protocol.BoundedProtocol` offers it here; what it
 does not take goes the way of every other request.
 """
 
@@ -24,7 +24,7 @@ from bnserve_service.http.requests import answer_digest, answer_media_type, requ
 _URL = re.compile(rb"/v1/models/([A-Za-z0-9_.-]+)(?:/versions/([A-Za-z0-9_.:-]+))?/waveforms")
 
 
-class QuickLane:
+class FastPath:
     """Answers small waveform requests without a task.
 
     Parameters
@@ -32,7 +32,7 @@ class QuickLane:
     service:
         The use case.
     lifecycle:
-        While draining, the lane is closed.
+        While draining, it is closed.
     front:
         What every answer has in common.
     hosts:
@@ -56,7 +56,7 @@ class QuickLane:
         self._access = access
 
     def offers(self, url: bytes) -> bool:
-        """Whether a POST to ``url`` may be for this lane."""
+        """Whether a POST to ``url`` may be for it."""
         return _URL.fullmatch(url) is not None and not self._lifecycle.draining
 
     def take(self, url: bytes, headers: list[Header], body: bytes, finish: Finish) -> bool:

@@ -14,7 +14,7 @@ MAX_FRAME_BYTES = 2**16
 """Of a request line with its headers, of trailers, and of what comes between two pieces of a body; browsers and
 proxies stay below 16 KiB."""
 PIECE = 2**14
-"""Bytes parsed at a time: what is not body is counted by the piece, and a request as the quick ones comes in one."""
+"""Bytes parsed at a time: what is not body is counted by the piece, and a request for the fast path comes in one."""
 MOST_PIPELINED = 100
 """Requests of one connection that wait for the answer to another; each takes some kilobytes. As many streams as an
 HTTP/2 server usually offers."""

@@ -27,8 +27,8 @@ from bnserve_service.http.framing import (
 from bnserve_service.http.pace import Pace
 from bnserve_service.settings import Settings
 
-QUICK_BODY = 2**14
-"""Larger bodies rarely come in one piece, and are not quick."""
+FAST_BODY = 2**14
+"""Larger bodies rarely come in one piece, and are not for the fast path."""
 _BODY_MARGIN = 2.0
 """Seconds after which a body is cut off that the application's own, politer limit has not ended."""
 _LINGER = 1.0
@@ -51,8 +51,8 @@ class _Waiting(enum.Enum):
 _NOBODY_WAITS = asyncio.Event()
 
 
-class _QuickCycle:
-    """What uvicorn's protocol looks at while a request is being answered, for one of the quick lane."""
+class _FastCycle:
+    """What uvicorn's protocol looks at while a request is being answered, for one of the fast path."""
 
     def __init__(self) -> None:
         self.response_complete = False
@@ -61,8 +61,8 @@ class _QuickCycle:
         self.message_event = _NOBODY_WAITS
 
 
-class Lane(Protocol):
-    """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.fast_path.QuickLane`."""
+class Fast(Protocol):
+    """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.fast_path.FastPath`."""
 
     def offers(self, url: bytes) -> bool:
         """Whether a POST to ``url`` may be for it."""
@@ -74,7 +74,7 @@ class Lane(Protocol):
 class BoundedProtocol(HttpToolsProtocol):
     """One connection that cannot be held open by a slow or silent peer.
 
-    Small waveform requests that come in one piece are answered by the ``lane``; all else goes to the application.
+    Small waveform requests that come in one piece are answered by the ``fast_path``; all else goes to the application.
     The class attributes are set per server by :func:`bounded_protocol`.
     """
 
@@ -82,7 +82,7 @@ class BoundedProtocol(HttpToolsProtocol):
     body_timeout: float = 30.0
     write_timeout: float = 30.0
     write_rate: float = 2.0**19
-    lane: Lane | None = None
+    fast_path: Fast | None = None
     complaints: Complaints
     _pace: Pace
 
@@ -95,7 +95,7 @@ class BoundedProtocol(HttpToolsProtocol):
         """What came was no request: what comes is not looked at."""
         self._ignored = 0
         self._held: bytearray | None = None
-        """The body of a request that is for the quick lane if it comes in one piece with its headers."""
+        """The body of a request that is for the fast path if it comes in one piece with its headers."""
         self._waiting = _Waiting.NOTHING
         self._read_timer: asyncio.TimerHandle | None = None
 
@@ -165,7 +165,7 @@ class BoundedProtocol(HttpToolsProtocol):
         if self.parser.should_upgrade():  # it comes again, without
             return
         self._in_headers = False
-        if self._may_be_quick():
+        if self._may_be_fast():
             self._held = bytearray()
         else:
             super().on_headers_complete()
@@ -183,7 +183,7 @@ class BoundedProtocol(HttpToolsProtocol):
         if self._in_headers:  # an offer to upgrade ends its head like this
             return
         self._in_message = False
-        if self._held is None or not self._answer_quickly(bytes(self._held)):
+        if self._held is None or not self._answer_fast(bytes(self._held)):
             if self._held is not None:
                 self._go_the_other_way()
             super().on_message_complete()
@@ -192,7 +192,7 @@ class BoundedProtocol(HttpToolsProtocol):
             if self.cycle.response_complete:
                 self.transport.close()
 
-    def _may_be_quick(self) -> bool:
+    def _may_be_fast(self) -> bool:
         return (
             self._is_idle()
             and not self.expect_100_continue
@@ -200,24 +200,24 @@ class BoundedProtocol(HttpToolsProtocol):
             and self.parser.get_method() == b"POST"
             and self.parser.get_http_version() == "1.1"
             and self.parser.should_keep_alive()
-            and self.lane is not None
-            and self.lane.offers(self.url)
+            and self.fast_path is not None
+            and self.fast_path.offers(self.url)
         )
 
-    def _answer_quickly(self, body: bytes) -> bool:
-        """Have the quick lane answer; false when it does not take the request."""
-        assert self.lane is not None, "a body is held for the lane alone"
-        if len(body) > QUICK_BODY:
+    def _answer_fast(self, body: bytes) -> bool:
+        """Have the fast path answer; false when it does not take the request."""
+        assert self.fast_path is not None, "a body is held for the fast path alone"
+        if len(body) > FAST_BODY:
             return False
-        cycle = _QuickCycle()
-        if not self.lane.take(self.url, self.headers, body, lambda *answer: self._write_quickly(cycle, *answer)):
+        cycle = _FastCycle()
+        if not self.fast_path.take(self.url, self.headers, body, lambda *answer: self._write_fast(cycle, *answer)):
             return False
         self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
         self._held = None
         return True
 
-    def _write_quickly(self, cycle: _QuickCycle, status: int, headers: list[Header], body: bytes) -> None:
-        """Send an answer of the quick lane."""
+    def _write_fast(self, cycle: _FastCycle, status: int, headers: list[Header], body: bytes) -> None:
+        """Send an answer of the fast path."""
         cycle.response_complete = True
         if cycle.disconnected:
             return
@@ -332,10 +332,10 @@ class BoundedProtocol(HttpToolsProtocol):
             self._read_timer = self.loop.call_later(seconds, self.transport.abort)
 
 
-def bounded_protocol(settings: Settings, lane: Lane | None = None) -> type[BoundedProtocol]:
-    """The protocol class with the limits of ``settings`` and a quick lane; what uvicorn's ``http`` option takes."""
+def bounded_protocol(settings: Settings, fast_path: Fast | None = None) -> type[BoundedProtocol]:
+    """The protocol class with the limits of ``settings`` and a fast path; what uvicorn's ``http`` option takes."""
     limits = {
-        "lane": lane,
+        "fast_path": fast_path,
         "complaints": Complaints(),
         "header_timeout": settings.header_timeout,
         "body_timeout": settings.body_timeout,

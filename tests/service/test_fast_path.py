@@ -37,7 +37,7 @@ def message(parameters=None, path=PATH, **headers):
 
 
 def in_one_piece(server, *given, **headers):
-    """Ask so that the quick lane can take it."""
+    """Ask so that the fast path can take it."""
     with raw_connection(server.address) as connection:
         connection.sendall(b"".join(message(*given, **headers)))
         return read_response(connection)
