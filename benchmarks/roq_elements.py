@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference.roq import build_basis, read_roq_configuration
 from bnserve_inference.roq._interpolant import Term, evaluate_term
-from bnserve_inference.roq._interpolation import squared_norms
-from bnserve_inference.roq._orthonormal import orthogonality_loss, orthonormalised
+from bnserve_inference.roq._interpolation import orthogonality_loss, orthonormalised, squared_norms
 from bnserve_inference.roq._sampling import Prior
 from bnserve_surrogate import Model
 

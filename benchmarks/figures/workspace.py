@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from bnserve_protocol import __version__
 from bnserve_store import Artifact
 from bnserve_surrogate import Model
-from bnserve_surrogate._metadata import SurrogateMetadata
+from bnserve_surrogate._artifact import SurrogateMetadata
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset
 from bnserve_surrogate.training.data.generation import configured_generator

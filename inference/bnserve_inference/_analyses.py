@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._box import Box
 from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions, Ranges
-from bnserve_inference._calibrated_basis import CalibratedBasis
 from bnserve_inference._data import DetectorData
-from bnserve_inference._fiducial import FiducialBasis
+from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
 from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
 from bnserve_inference._rows import chirp_mass
+from bnserve_inference._search import Box
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import time_table
 from bnserve_protocol import (

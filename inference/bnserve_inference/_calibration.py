@@ -1,11 +1,20 @@
-"""Calibration envelopes: cubic splines of amplitude and phase errors through logarithmic nodes."""
+"""Calibration errors of amplitude and phase: cubic splines through logarithmic nodes, and envelopes from files."""
 
 from __future__ import annotations
+
+from pathlib import Path
+from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import Calibration
+from bnserve_inference._splines import cardinal_spline, cardinal_values
+from bnserve_protocol import AnalysisInvalid, Calibration, FieldError
+
+Floats = NDArray[np.float64]
+Correction: TypeAlias = Literal["data", "template"]
+_CORRECTIONS = ("data", "template")
+_COLUMNS = 7
 
 
 def calibration_nodes(calibration: Calibration) -> NDArray[np.float64]:
@@ -70,3 +79,80 @@ def _curvatures(nodes: int) -> NDArray[np.float64]:
         left[inner, inner + offset] = value
         right[inner, inner + offset] = difference
     return np.asarray(np.linalg.solve(left, right), dtype=np.float64)
+
+
+class Envelope(NamedTuple):
+    """Means and standard deviations of the errors at the nodes of an analysis, ``(nodes,)`` each.
+
+    They are those of a sample's ``calibration_amplitude`` (relative) and ``calibration_phase`` (radians), which correct
+    the template.
+    """
+
+    amplitude: Floats
+    amplitude_width: Floats
+    phase: Floats
+    phase_width: Floats
+
+
+def read_envelope(path: str | Path, calibration: Calibration, *, correction: Correction) -> Envelope:
+    """The envelope in a text file, at the nodes of an analysis; the same numbers as bilby's ``from_envelope_file``.
+
+    Parameters
+    ----------
+    path:
+        Seven columns: frequency (Hz); median magnitude and phase (radians); both one sigma below; both one above.
+    calibration:
+        The nodes, between which cubic splines in log f interpolate.
+    correction:
+        What the file's numbers are multiplied with. ``"data"``: the data, to make them what the template describes
+        (what the LIGO-Virgo-KAGRA collaborations publish, and bilby's default). ``"template"``: the template, to
+        make it what is in the data. The first is the inverse of the second, and files do not say which they are.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Another correction, or a file that cannot be read, holds something else, or ends before the nodes do.
+    """
+    if correction not in _CORRECTIONS:
+        raise AnalysisInvalid(
+            f"'correction' is 'data' or 'template', what the envelope is to be multiplied with; got {correction!r}.",
+            errors=[FieldError(reason="neither 'data' nor 'template'", parameter="correction")],
+        )
+    f, amplitude, phase, *low_high = _columns(Path(path))
+    nodes = calibration_nodes(calibration)
+    if nodes[0] < f[0] * (1.0 - 1e-9) or nodes[-1] > f[-1] * (1.0 + 1e-9):
+        raise AnalysisInvalid(
+            f"{Path(path).name} reaches from {f[0]:g} to {f[-1]:g} Hz, and the nodes from {nodes[0]:g} to "
+            f"{nodes[-1]:g} Hz: choose nodes inside.",
+            errors=[FieldError(reason="beyond the envelope", parameter="calibration")],
+        )
+    amplitude_low, phase_low, amplitude_high, phase_high = low_high
+    if correction == "data":
+        amplitude, phase = 1.0 / amplitude, -phase
+        amplitude_low, amplitude_high = 1.0 / amplitude_high, 1.0 / amplitude_low
+    columns = (
+        amplitude - 1.0, 0.5 * np.abs(amplitude_high - amplitude_low), phase, 0.5 * np.abs(phase_high - phase_low)
+    )  # fmt: skip
+    x = np.log(f)
+    splines = cardinal_values(x, cardinal_spline(x), np.log(nodes))
+    return Envelope(*(column @ splines for column in columns))
+
+
+def _columns(path: Path) -> list[Floats]:
+    try:
+        table = np.loadtxt(path, ndmin=2)
+    except FileNotFoundError as error:
+        raise AnalysisInvalid(f"There is no file {path}; look at its name and folder.") from error
+    except (OSError, ValueError) as error:
+        raise AnalysisInvalid(f"{path.name} is not a text file of {_COLUMNS} columns of numbers: {error}.") from error
+    if table.shape[1] != _COLUMNS or len(table) < 4 or not np.isfinite(table).all():
+        raise AnalysisInvalid(
+            f"{path.name} is no calibration envelope: it has {table.shape[1]} columns of {len(table)} rows, and an "
+            f"envelope has {_COLUMNS} of at least 4, all finite."
+        )
+    columns: list[Floats] = list(np.ascontiguousarray(table.T))
+    if not (columns[0][0] > 0.0 and (np.diff(columns[0]) > 0.0).all()):
+        raise AnalysisInvalid(f"The frequencies in {path.name} must be positive and increasing.")
+    if not all((columns[place] > 0.0).all() for place in (1, 3, 5)):
+        raise AnalysisInvalid(f"The magnitudes in {path.name} (columns 2, 4 and 6) must be positive: about 1.")
+    return columns

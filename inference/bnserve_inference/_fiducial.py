@@ -3,12 +3,16 @@
 Zackay, Dai, Venumadhav (2018) and Cornish (2010). What they interpolate linearly is interpolated by cubic splines here,
 in a coordinate in which the bins are uniform, and the squared modulus by itself; h at the edges is then all that is
 needed, and the whole is a quadrature with one weight per edge, like a reduced-order one.
+
+The squared moduli serve a basis of waveforms under calibration errors, too: they are so alike that a handful of nodes
+tells them apart, far too few to sample the errors.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,13 +21,14 @@ from bnserve_inference._splines import cardinal_spline, cardinal_values
 from bnserve_protocol import AnalysisInvalid, EvaluationOptions, FieldError, ParameterBatch, WaveformModel
 
 Floats = NDArray[np.float64]
-
 PHASE_POWERS = (-5.0 / 3.0, -2.0 / 3.0, 1.0, 5.0 / 3.0, 7.0 / 3.0)
 """Of frequency, in the phases by which fitting waveforms differ: masses, spins, time, tides (Zackay et al., eq. 10)."""
 _FEWEST_BINS = 8
 MOST_BINS = 2048
 """Rows of so many edges take 0.7 GB while the weights are made; a reduced-order basis takes far fewer nodes."""
 _CHUNK = 8192
+_QUADRATIC_TOLERANCE = 1.0
+"""Radians of phase to a cell of the splines: some thirty nodes, dense at both ends of the band."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,3 +144,38 @@ def refuse_too_many(bins: int, frequencies: int, what: str, cure: str) -> None:
             "take the full analysis, which needs no bins.",
             errors=[FieldError(reason="too many bins", parameter="phase_tolerance", value=bins)],
         )
+
+
+@dataclass(frozen=True, eq=False)
+class CalibratedBasis:
+    """The linear rows of a basis, and splines of squared moduli around one binary of it for the quadratic ones."""
+
+    basis: Any
+    smooth: FiducialBasis
+
+    @classmethod
+    def around(
+        cls, basis: Any, reference: ParameterBatch, frequencies: NDArray[np.float64], model: WaveformModel
+    ) -> CalibratedBasis:
+        """With splines on the grid ``frequencies`` (Hz), around the binary ``reference``."""
+        smooth = FiducialBasis.build(frequencies, reference, model, _QUADRATIC_TOLERANCE, basis.alignment)
+        return cls(basis, smooth)
+
+    @property
+    def linear_nodes(self) -> NDArray[np.float64]:
+        """Those of the basis."""
+        nodes: NDArray[np.float64] = self.basis.linear_nodes
+        return nodes
+
+    @property
+    def quadratic_nodes(self) -> NDArray[np.float64]:
+        """Those of the splines."""
+        return self.smooth.quadratic_nodes
+
+    def linear_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
+        """Those of the basis."""
+        yield from self.basis.linear_chunks(model)
+
+    def quadratic_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, NDArray[np.float64]]]:
+        """Those of the splines."""
+        yield from self.smooth.quadratic_chunks(model)

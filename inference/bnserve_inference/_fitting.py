@@ -9,11 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._bins import Bins
-from bnserve_inference._box import COORDINATES, Box
 from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions
-from bnserve_inference._calibrated_basis import CalibratedBasis
-from bnserve_inference._fiducial import FiducialBasis
-from bnserve_inference._search import climb
+from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
+from bnserve_inference._search import COORDINATES, Box, climb
 from bnserve_inference._trial import CalibrationErrors, Comparison, Trial
 from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights
 from bnserve_protocol import AnalysisInvalid, FieldError, ParameterBatch, WaveformModel

@@ -1,23 +1,111 @@
-"""Looking for the binaries that fit: a population of points that cools down (Neal 2001; ter Braak 2006).
+"""The binaries that an approximate analysis is made for: a box of masses, spins and tides, and those in it that fit.
 
-What is looked for are the places where an approximate likelihood would lead a sampler, right or wrong.
+What is looked for are the places where an approximate likelihood would lead a sampler, right or wrong: by a population
+of points that cools down (Neal 2001; ter Braak 2006).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
+from bnserve_inference._building import Ranges
+from bnserve_protocol import INTRINSIC_NAMES, AnalysisInvalid, FieldError, ParameterBatch, WaveformModel
 
+Floats = NDArray[np.float64]
+COORDINATES = ("chirp_mass", *INTRINSIC_NAMES)
+"""Columns of points: with the chirp mass, the best measured of all, waveforms that fit lie along the axes."""
+_SEEN = {"distance_mpc": 1.0, "inclination": 0.0}
+"""Scale and orientation drop out."""
 _POPULATION, _STAGES, _MOVES = 1024, 12, 2
 """25,000 likelihoods in all: half a second."""
 _COLDEST = 6.0
 """Temperature at the end, at which half of the population is within 25 of the maximum."""
 _SCALES = 4.0
 """Decades of distance from the start at which half of the population begins, along every axis by itself."""
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """Ranges of :data:`COORDINATES`, ``low`` and ``high`` ``(6,)``, and of the total mass, in solar masses."""
+
+    low: Floats
+    high: Floats
+    total_mass: tuple[float, float]
+
+    @classmethod
+    def of(cls, prior: Ranges, model: WaveformModel) -> Box:
+        """The prior, and where it is silent the ranges of the model.
+
+        Raises
+        ------
+        AnalysisInvalid
+            Neither states a range, or they do not meet.
+        """
+        trained = {p.name: (p.minimum, p.maximum) for p in model.description.parameters}
+        masses = _range("total_mass", prior, trained)
+        ratios = _range("mass_ratio", prior, trained)
+        fractions = chirp_fraction(np.array(ratios))
+        reached = masses[0] * float(fractions.min()), masses[1] * float(fractions.max())
+        ranges = [_range("chirp_mass", prior, {"chirp_mass": reached}), ratios]
+        ranges += [_range(name, prior, trained) for name in COORDINATES[2:]]
+        low, high = np.array(ranges, dtype=np.float64).T
+        return cls(low, high, masses)
+
+    def binaries(self, unit: Floats) -> ParameterBatch:
+        """The binaries at points of the unit cube ``(N, 6)``, at 1 Mpc, face on."""
+        columns = dict(zip(COORDINATES, (self.low + unit * (self.high - self.low)).T, strict=True))
+        chirp_mass = columns.pop("chirp_mass")
+        return ParameterBatch.coerce(
+            {**columns, "total_mass": chirp_mass / chirp_fraction(columns["mass_ratio"]), **_SEEN}
+        )
+
+    def middle(self) -> ParameterBatch:
+        """The binary in the middle."""
+        return self.binaries(np.full((1, len(COORDINATES)), 0.5))
+
+    def place(self, binary: ParameterBatch) -> Floats:
+        """Of one binary in the unit cube, ``(6,)``; of one outside, that of the nearest point of the box."""
+        values = {name: float(binary[name][0]) for name in INTRINSIC_NAMES}
+        values["chirp_mass"] = float(binary["total_mass"][0] * chirp_fraction(binary["mass_ratio"])[0])
+        widths = self.high - self.low
+        with np.errstate(over="ignore"):  # of a box of next to no width
+            found = (np.array([values[name] for name in COORDINATES]) - self.low) / np.where(widths > 0.0, widths, 1.0)
+        return np.clip(found, 0.0, 1.0)
+
+    def outside(self, batch: ParameterBatch) -> NDArray[np.bool_]:
+        """Which binaries of :meth:`binaries` have a total mass outside, ``(N,)``."""
+        low, high = self.total_mass
+        return np.asarray((batch["total_mass"] < low) | (batch["total_mass"] > high))
+
+
+def chirp_fraction(mass_ratio: Floats) -> Floats:
+    """Chirp mass over total mass."""
+    fraction: Floats = (mass_ratio / (1.0 + mass_ratio) ** 2) ** 0.6
+    return fraction
+
+
+def _range(name: str, prior: Ranges, trained: Mapping[str, tuple[float | None, float | None]]) -> tuple[float, float]:
+    least, most = trained.get(name, (None, None))
+    ends = -math.inf if least is None else least, math.inf if most is None else most
+    stated = prior.get(name, (-math.inf, math.inf))
+    low, high = max(ends[0], stated[0]), min(ends[1], stated[1])
+    if not (math.isfinite(low) and math.isfinite(high)):
+        raise AnalysisInvalid(
+            f"State the prior range of '{name}': the model has none, and the analysis is made for it.",
+            errors=[FieldError(reason="missing", parameter=name)],
+        )
+    if low > high:
+        raise AnalysisInvalid(
+            f"The prior of '{name}', {stated[0]} to {stated[1]}, lies outside of the model's range with the other "
+            f"parameters' priors, {ends[0]:.6g} to {ends[1]:.6g}.",
+            errors=[FieldError(reason="outside of the model's range", parameter=name)],
+        )
+    return low, high
 
 
 def climb(value: Callable[[Floats], Floats], start: Floats | None, dimensions: int, seed: int) -> tuple[Floats, Floats]:

@@ -15,7 +15,6 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._chirp_z import ChirpZ
 from bnserve_inference._log_quadrature import TOLERANCE, log_mean_exponential
 from bnserve_inference.kernel import Contraction, Sky
 from bnserve_protocol import AnalysisSettings, time_steps
@@ -24,7 +23,6 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Marginal = Callable[[Complex, Floats], Floats]
 """ln L of <d|h> and <h|h>, ``(K,)`` each."""
-
 _TOGETHER = 12
 """Values that are interpolated together: ten to a cycle, they leave 5e-11 of <d|h>, and 7e-9 between the outermost."""
 _LONG = 0.25
@@ -134,3 +132,27 @@ def _interpolated(values: Complex, rows: NDArray[np.int64], places: Floats) -> C
         result += values[rows, first + j] * (before * after[_TOGETHER - 1 - j] / _FACTORS[j])
         before = before * (x - j)
     return result
+
+
+class ChirpZ:
+    """X_k = sum_j x_j exp(-2 pi i j k ``turn``) for k below ``outputs``, of vectors of ``inputs`` numbers.
+
+    ``turn`` may be any number: no step of time is forced upon the user, and times that are not wanted cost nothing.
+    """
+
+    def __init__(self, inputs: int, outputs: int, turn: float) -> None:
+        self._inputs, self._outputs = inputs, outputs
+        size = 1 << (inputs + outputs - 2).bit_length() if inputs + outputs > 2 else 1
+        places = np.arange(max(inputs, outputs), dtype=np.float64)
+        chirp = np.exp(-1j * np.pi * np.fmod(turn * places * places, 2.0))
+        self._before, self._after = chirp[:inputs], chirp[:outputs]
+        kernel = np.zeros(size, dtype=np.complex128)
+        kernel[:outputs] = chirp[:outputs].conj()
+        kernel[size - inputs + 1 :] = chirp[1:inputs][::-1].conj()
+        self._kernel = np.fft.fft(kernel)
+
+    def __call__(self, vector: NDArray[np.complex128]) -> NDArray[np.complex128]:
+        """Complex ``(outputs,)`` of complex ``(inputs,)``."""
+        transformed = np.fft.fft(vector * self._before, len(self._kernel))
+        result: NDArray[np.complex128] = np.fft.ifft(transformed * self._kernel)[: self._outputs] * self._after
+        return result

@@ -10,8 +10,8 @@ from bnserve_protocol import (
     RowStatus,
     UniformGrid,
 )
+from bnserve_surrogate._artifact import ModeMetadata, SelfCheck, SurrogateMetadata
 from bnserve_surrogate._environment import describe_run
-from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
 from bnserve_surrogate._model import Model
 
 __all__ = [

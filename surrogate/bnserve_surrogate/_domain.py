@@ -1,11 +1,17 @@
-"""Which rows a model may evaluate."""
+"""Which rows a model may not evaluate, and what is said about them.
+
+Beside those outside its domain, rows whose strain is larger than their numbers can be: infinity is no answer.
+"""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import (
+    PARAMETER_NAMES,
     SOLAR_MASS_SECONDS,
     EvaluationOptions,
     FieldError,
@@ -23,6 +29,11 @@ _MOST_PHASE = 1e14
 """Radians; doubles of this size are 0.016 apart, and of 1e16 more than a turn."""
 _LEAST_MF = 1e-9
 """M f below which the post-Newtonian phase exceeds that: 7e-5 Hz at 2.8 solar masses."""
+NEAR = 1e-40
+"""Mpc. At 1 Mpc the strain of any binary stays below 1e-13 per Hz on all frequencies that are evaluated, so that only
+nearer binaries than 3e-52 Mpc exceed complex64: nobody else has to be looked at. (The question takes 1.5 us for a
+batch.)"""
+_DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 
 
 def refuse_rows(
@@ -168,3 +179,45 @@ def _sentence(problems: list[FieldError], total: int, what: str) -> str:
     more = f" ({total} values in all)" if total > 1 else ""
     where = f"; it is {first.reason}" if "outside" in first.reason else ""
     return f"Row {first.row}: {first.parameter} = {first.value} {what}{where}{more}."
+
+
+def refuse_overflow(
+    batch: ParameterBatch,
+    arrays: list[NDArray[Any]],
+    of_rows: list[NDArray[Any]],
+    status: NDArray[np.uint8],
+    options: EvaluationOptions,
+) -> None:
+    """Flag the rows that were evaluated and are not finite, as those that were not evaluated are.
+
+    Parameters
+    ----------
+    batch:
+        N binaries.
+    arrays:
+        What was evaluated of them, each ``(N, M)``; the rows of those that overflow become NaN.
+    of_rows:
+        The same of single numbers, each ``(N,)``.
+    status:
+        Of every row; those that overflow become ``NOT_FINITE``.
+    options:
+        Whether such rows are flagged.
+
+    Raises
+    ------
+    InvalidParameters
+        There is one, and the options do not have it flagged.
+    """
+    for row in np.flatnonzero((batch.values[:, _DISTANCE] < NEAR) & (status == RowStatus.OK)):
+        if all(np.isfinite(array[row]).all() for array in arrays):
+            continue
+        if options.out_of_domain == "error":
+            distance = float(batch.values[row, _DISTANCE])
+            raise InvalidParameters(
+                f"Row {row}: at distance_mpc = {distance:g} the strain is larger than the largest number of "
+                f"{arrays[0].dtype}; use a larger distance.",
+                errors=[FieldError(reason="too small", parameter="distance_mpc", row=int(row), value=distance)],
+            )
+        status[row] = RowStatus.NOT_FINITE
+        for array in (*arrays, *of_rows):
+            array[row] = complex(np.nan, np.nan) if array.dtype.kind == "c" else np.nan

@@ -1,10 +1,14 @@
-"""From what a caller gives to what the kernel reads, and back."""
+"""From what a caller gives to what the kernel reads, and back.
+
+Phases go on above the trained band, where the strain is zero: as straight lines, so that no difference sees an edge.
+"""
 
 from __future__ import annotations
 
 import ctypes
 import operator
 import threading
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -13,9 +17,11 @@ from numpy.typing import DTypeLike, NDArray
 
 from bnserve_protocol import (
     PARAMETER_NAMES,
+    SOLAR_MASS_SECONDS,
     BatchLike,
     EvaluationOptions,
     GridLike,
+    MergerStencil,
     ParameterBatch,
     ParameterDescription,
     ParametersWithExtrinsic,
@@ -25,9 +31,7 @@ from bnserve_protocol import (
     check_options,
 )
 from bnserve_protocol.wire import address_of, result_memory
-from bnserve_surrogate._continuation import continue_above
-from bnserve_surrogate._domain import refuse_rows
-from bnserve_surrogate._overflow import NEAR, is_any_near, refuse_overflow
+from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
 from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
 from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, evaluate
 
@@ -52,6 +56,11 @@ _ANY_MASS = 2.8
 """Solar masses, for a model that is made for all."""
 _DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
+_EDGE = 1e-9
+"""The kernel's: the relative width by which a frequency may miss the band's top through rounding."""
+_TOTAL_MASS, _PHASE, _TIME = (PARAMETER_NAMES.index(name) for name in ("total_mass", "reference_phase", "time_shift"))
+Phases = Callable[[NDArray[np.float64], ParameterBatch], NDArray[np.float64]]
+"""Frequencies in Hz (n,) and N binaries to continuous phases in radians (N, n)."""
 
 
 class Answer(NamedTuple):
@@ -190,7 +199,7 @@ class Evaluator:
         bad = self._run(grid, coerced, options, outputs, points * arrays[0].itemsize)
         if bad and options.out_of_domain == "error":
             refuse_rows(coerced, grid.frequencies, self._ranges, self._mode.mf_band, options)
-        if is_any_near(coerced):
+        if (coerced.values[:, _DISTANCE] < NEAR).any():
             numbers = [plus, cross] if estimates is None else [plus, cross, estimates]
             refuse_overflow(coerced, arrays, numbers, status, options)
         if kind is Output.AMPLITUDE_PHASE:
@@ -244,3 +253,55 @@ class Evaluator:
 def _policy(options: EvaluationOptions) -> int:
     below = Policy.BELOW_BAND_IS_ERROR if options.below_band == "error" else 0
     return below | (Policy.ABOVE_BAND_IS_ERROR if options.above_band == "error" else 0)
+
+
+def continue_above(
+    phase: NDArray[np.float64],
+    frequencies: NDArray[np.float64],
+    batch: ParameterBatch,
+    evaluated: NDArray[np.bool_],
+    mf_top: float,
+    mass: float,
+    phases: Phases,
+) -> None:
+    """Write into ``phase`` what stands above the band: the line with the phase's value and slope at its top.
+
+    What is written at a frequency does not depend on the other frequencies. The line is found at one mass,
+    at one place for all rows, because a phase is a function of total mass times frequency but for its shifts.
+
+    Parameters
+    ----------
+    phase:
+        (N, M) radians, overwritten above the band.
+    frequencies:
+        (M,) increasing, in Hz.
+    batch:
+        The N binaries.
+    evaluated:
+        (N,) whether the row has values; others are left as they are.
+    mf_top:
+        The top of the band in M f (dimensionless).
+    mass:
+        A total mass in the model's range, in solar masses.
+    phases:
+        Evaluates phases with the alignment of ``phase``.
+    """
+    top = mf_top / (mass * SOLAR_MASS_SECONDS)
+    if frequencies[-1] * batch.values[:, _TOTAL_MASS].max(initial=0.0) <= top * mass:  # nearly always, and quick
+        return
+    scale = batch.values[:, _TOTAL_MASS] / mass
+    rows = np.flatnonzero(evaluated & (frequencies[-1] * scale > top * (1.0 + _EDGE)))
+    if not len(rows):
+        return
+    stencil = MergerStencil(top, from_below=True)
+    unshifted = batch.values[rows]
+    unshifted[:, _TOTAL_MASS] = mass
+    unshifted[:, [_PHASE, _TIME]] = 0.0
+    below = phases(stencil.frequencies, ParameterBatch(unshifted))
+    slope, own = stencil.slope(below), batch.values[rows]
+    constant = below[:, -1] - slope * top + own[:, _PHASE]
+    gradient = slope * scale[rows] + 2.0 * np.pi * own[:, _TIME]
+    firsts = np.searchsorted(frequencies, top * (1.0 + _EDGE) / scale[rows], side="right")
+    for row, first, offset, factor in zip(rows, firsts, constant, gradient, strict=True):
+        line = np.multiply(frequencies[first:], factor, out=phase[row, first:])
+        line += offset

@@ -28,11 +28,10 @@ from bnserve_protocol import (
     time_until_merger,
 )
 from bnserve_store import Artifact, ModelStore
+from bnserve_surrogate._artifact import SurrogateMetadata, read_modes
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
-from bnserve_surrogate._metadata import SurrogateMetadata
 from bnserve_surrogate._pinning import version_with_digest
-from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.kernel import KernelModel, Output
 
 

@@ -7,8 +7,8 @@ import pytest
 from scipy import integrate, special
 
 from bnserve_inference import DetectorData, likelihood
-from bnserve_inference._chirp_z import ChirpZ
 from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
+from bnserve_inference._time_integral import ChirpZ
 from bnserve_protocol import DistanceMarginalisation, LikelihoodBatch, TimeMarginalisation, time_steps
 from tests.inference.networks import F_MAX, F_MIN, POINTS, columns, full, network, without
 from tests.inference.test_kinds_agree import binned

@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from bnserve_surrogate.kernel._code_cache import cache_folder, cached_code
+from bnserve_surrogate.kernel._loader import cache_folder, cached_code
 from tests.architecture.rooms import run_python
 
 CODE = b"machine code" * 100

@@ -7,7 +7,7 @@ import msgspec
 import pytest
 
 from bnserve_store import ModelStore
-from bnserve_surrogate._metadata import SurrogateMetadata
+from bnserve_surrogate._artifact import SurrogateMetadata
 from bnserve_surrogate.training.config import ConfigurationInvalid, parse_configuration
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.publication import publish

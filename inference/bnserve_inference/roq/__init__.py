@@ -18,9 +18,14 @@ from bnserve_inference.roq._errors import (
     RoqError,
 )
 from bnserve_inference.roq._interpolant import Interpolant, TabulatedInterpolant, WaveformInterpolant
-from bnserve_inference.roq._quadrature import ReducedOrderQuadrature, load_basis, save_basis
+from bnserve_inference.roq._quadrature import (
+    ReducedOrderQuadrature,
+    load_basis,
+    load_shipped_basis,
+    save_basis,
+    shipped_bases,
+)
 from bnserve_inference.roq._report import write_roq_report
-from bnserve_inference.roq._shipped import load_shipped_basis, shipped_bases
 from bnserve_inference.roq._validation import validate_basis
 from bnserve_inference.roq.config import RoqConfiguration, parse_roq_configuration, read_roq_configuration
 

@@ -9,20 +9,17 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from bnserve_inference.roq._checkpoint import Checkpoints, working_in
+from bnserve_inference.roq._cycles import corner_basis, enrich, preselect
 from bnserve_inference.roq._diagnostics import full_grid_figures, growth_figures, validation_figures
-from bnserve_inference.roq._enrichment import enrich
 from bnserve_inference.roq._family import Family
-from bnserve_inference.roq._finish import finished_interpolant
 from bnserve_inference.roq._frequency_grid import FrequencyGrid, thinned_grid
-from bnserve_inference.roq._growth import Growth
+from bnserve_inference.roq._growth import Growth, finished_interpolant
 from bnserve_inference.roq._interpolant import FloatArray, Term
-from bnserve_inference.roq._preselection import corner_basis, preselect
-from bnserve_inference.roq._progress import Progress
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._sampling import Draws, Prior
+from bnserve_inference.roq._storage import Checkpoints, working_in
 from bnserve_inference.roq._validation import validate
-from bnserve_inference.roq._workers import ModelSource, Workers
+from bnserve_inference.roq._workers import ModelSource, Progress, Workers
 from bnserve_inference.roq.config import RoqConfiguration, TermSection
 from bnserve_protocol import UniformGrid, WaveformModel
 

@@ -1,4 +1,4 @@
-"""Empirical interpolation: nodes chosen one by one where the interpolant so far is worst."""
+"""Empirical interpolation: nodes chosen one by one where the interpolant so far is worst; orthonormal bases."""
 
 from __future__ import annotations
 
@@ -12,6 +12,11 @@ from bnserve_inference.roq._interpolant import AnyArray, FloatArray
 
 _LEAST_PIVOT = 1e-12
 """Of an element of norm 1: what is smaller is rounding, and so would be the place of the node."""
+_ENOUGH = 0.5
+"""A pass that leaves half of the norm has lost no digits (Kahan's and Parlett's criterion)."""
+_MOST_PASSES = 4
+DEPENDENT = 1e-13
+"""What is left of a unit vector in the span of others is rounding below this."""
 
 
 def with_node(interpolant: AnyArray, nodes: NDArray[np.int64], element: AnyArray) -> tuple[AnyArray, NDArray[np.int64]]:
@@ -76,3 +81,43 @@ def squared_norms(values: AnyArray, weights: FloatArray) -> FloatArray:
 def lebesgue_constant(interpolant: AnyArray) -> float:
     """Largest sum of moduli of the rows at a grid point: how much interpolation may amplify an error at the nodes."""
     return float(np.abs(interpolant).sum(axis=0).max())
+
+
+def orthonormalised(vector: AnyArray, basis: AnyArray) -> tuple[AnyArray, float]:
+    """The direction of ``vector`` that ``basis`` lacks.
+
+    Modified Gram-Schmidt, repeated until a pass no longer cancels: orthogonality then holds to rounding, however
+    close the vector is to the span, where a single pass loses it in proportion.
+
+    Parameters
+    ----------
+    vector
+        ``(M,)``, real or complex, of norm 1.
+    basis
+        ``(n, M)`` orthonormal rows.
+
+    Returns
+    -------
+    The unit vector ``(M,)``, and the distance of ``vector`` from the span; below ``DEPENDENT`` the direction means
+    nothing.
+    """
+    rest, norm = vector, float(np.linalg.norm(vector))
+    for _ in range(_MOST_PASSES):
+        before = norm
+        for row in basis:
+            rest = rest - np.vdot(row, rest) * row
+        norm = float(np.linalg.norm(rest))
+        if norm > _ENOUGH * before:
+            break
+    return rest / max(norm, np.finfo(float).tiny), norm
+
+
+def projection_errors(vectors: AnyArray, basis: AnyArray) -> AnyArray:
+    """Squared distance of unit vectors ``(N, M)`` from the span of orthonormal rows ``(n, M)``: ``(N,)``, in [0, 1]."""
+    inside = np.square(np.abs(vectors @ basis.conj().T)).sum(axis=1)
+    return np.clip(1.0 - inside, 0.0, 1.0)
+
+
+def orthogonality_loss(basis: AnyArray) -> float:
+    """Largest entry of ``Q Q^H - 1``."""
+    return float(np.abs(basis @ basis.conj().T - np.eye(len(basis))).max(initial=0.0))

@@ -1,10 +1,11 @@
-"""A reduced-order quadrature: what likelihoods use of a basis, wherever it came from."""
+"""A reduced-order quadrature: what likelihoods use of a basis, wherever it came from; and those that are shipped."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
+from importlib.resources import as_file, files
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._units import real_ranges
-from bnserve_inference.roq._errors import BasisMismatch, PriorNotCovered
+from bnserve_inference.roq._errors import BasisFileInvalid, BasisMismatch, PriorNotCovered
 from bnserve_inference.roq._file import read_basis, write_basis
 from bnserve_inference.roq._interpolant import Alignment, FloatArray, Interpolant, TabulatedInterpolant
 from bnserve_protocol import UniformGrid, WaveformModel
@@ -170,3 +171,26 @@ def save_basis(path: Path | str, basis: ReducedOrderQuadrature) -> None:
 def load_basis(path: Path | str) -> ReducedOrderQuadrature:
     """As :meth:`ReducedOrderQuadrature.load`."""
     return ReducedOrderQuadrature.load(path)
+
+
+def shipped_bases() -> list[str]:
+    """Names of the bases that come with the package; ``configs/roq_NAME.toml`` is what each was built from."""
+    folder = files("bnserve_inference") / "bases"
+    return sorted(entry.name.removesuffix(".h5") for entry in folder.iterdir() if entry.name.endswith(".h5"))
+
+
+def load_shipped_basis(name: str) -> ReducedOrderQuadrature:
+    """One of :func:`shipped_bases`, such as ``"gw170817_fine"``.
+
+    Raises
+    ------
+    BasisFileInvalid
+        No such basis; the message lists those there are.
+    """
+    if name not in shipped_bases():
+        raise BasisFileInvalid(
+            f"No basis '{str(name)[:40]}' comes with the package; there are {', '.join(shipped_bases())}. Build your "
+            "own with bnserve roq build, and read its file with load_basis."
+        )
+    with as_file(files("bnserve_inference") / "bases" / f"{name}.h5") as path:
+        return load_basis(path)

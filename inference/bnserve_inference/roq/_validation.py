@@ -7,15 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from bnserve_inference.roq._checkpoint import Checkpoints
 from bnserve_inference.roq._errors import BasisFileInvalid
 from bnserve_inference.roq._family import Family, normalised
 from bnserve_inference.roq._interpolant import FloatArray, Term, WaveformInterpolant, evaluate_term
 from bnserve_inference.roq._interpolation import interpolation_errors
-from bnserve_inference.roq._progress import Progress
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._sampling import CHUNK_ROWS, Draws, Prior
-from bnserve_inference.roq._workers import Workers
+from bnserve_inference.roq._storage import Checkpoints
+from bnserve_inference.roq._workers import Progress, Workers
 from bnserve_protocol import ParameterBatch, WaveformModel
 
 _LIMIT = 1e-3

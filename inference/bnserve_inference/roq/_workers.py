@@ -1,9 +1,10 @@
-"""The same function over many chunks, by threads or processes, results in order."""
+"""The same function over many chunks, by threads or processes, results in order; how far it is, as a bar or not."""
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, contextmanager
 from typing import Any, Self, TypeVar
 
 from bnserve_protocol import WaveformModel, require
@@ -11,7 +12,6 @@ from bnserve_surrogate.ray_cluster import RayWorkers, is_ray
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
-
 _opened: dict[Any, WaveformModel] = {}
 """The models that this worker process has opened."""
 
@@ -84,3 +84,33 @@ class Workers:
             yield from self._pool.map(function, items)
         else:
             yield from self._pool(self._joblib.delayed(function)(item) for item in items)
+
+
+class Bar:
+    """A tqdm bar that is told where it stands."""
+
+    def __init__(self, bar: Any) -> None:
+        self._bar = bar
+
+    def show(self, done: int, note: str) -> None:
+        """So much is done, and a note about it."""
+        if self._bar is not None:
+            self._bar.set_postfix_str(note, refresh=False)
+            self._bar.update(done - self._bar.n)
+
+
+class Progress:
+    """Where bars come from; ``shown=None`` shows them on a terminal alone."""
+
+    def __init__(self, shown: bool | None = None) -> None:
+        self._shown = sys.stderr.isatty() if shown is None else shown
+
+    @contextmanager
+    def bar(self, total: int, label: str, done: int = 0) -> Iterator[Bar]:
+        """A bar for the duration of the block."""
+        if not self._shown:
+            yield Bar(None)
+            return
+        tqdm = require("tqdm", "Building a basis", "roq").tqdm
+        with tqdm(total=total, desc=label, initial=done, leave=False, dynamic_ncols=True) as bar:
+            yield Bar(bar)

@@ -20,7 +20,7 @@ def model_tensors(
     mf_amplitude: FloatArray,
     mf_phase: FloatArray,
 ) -> dict[str, NDArray[Any]]:
-    """The tensors of the (2, 2) mode, as :mod:`bnserve_surrogate._tensors` describes them."""
+    """The tensors of the (2, 2) mode, as :mod:`bnserve_surrogate._artifact` describes them."""
     amplitude, phase = reduction.node_bases()
     components = len(amplitude.basis)
     basis = np.zeros((components + len(SCALARS), len(mf_amplitude) + len(mf_phase)))

@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import ParametersWithExtrinsic, __version__
 from bnserve_store import Manifest, ModelStore
-from bnserve_surrogate._metadata import ModeMetadata, SelfCheck, SurrogateMetadata
+from bnserve_surrogate._artifact import ModeMetadata, SelfCheck, SurrogateMetadata, read_modes
 from bnserve_surrogate._model import Model
-from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import WaveformGenerator

@@ -4,8 +4,13 @@ import numpy as np
 import pytest
 
 from bnserve_inference.roq import ConstructionFailed
-from bnserve_inference.roq._interpolation import interpolation_errors, lebesgue_constant, residuals, with_node
-from bnserve_inference.roq._orthonormal import orthonormalised
+from bnserve_inference.roq._interpolation import (
+    interpolation_errors,
+    lebesgue_constant,
+    orthonormalised,
+    residuals,
+    with_node,
+)
 
 
 @pytest.fixture(scope="module")

@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 
 from bnserve_inference.roq import BasisUnwritable, build_basis
-from bnserve_inference.roq._checkpoint import working_in
+from bnserve_inference.roq._storage import working_in
 from tests.architecture.rooms import ROOT, room_environment
 from tests.inference.roq.tiny import tiny
 
 BUILD_AND_DIE = """
 import os, signal, sys
-from bnserve_inference.roq import build_basis, _checkpoint
+from bnserve_inference.roq import build_basis, _storage
 from bnserve_surrogate import Model
 from tests.inference.roq.tiny import tiny
 
-_checkpoint.Checkpoints.__init__.__defaults__ = (0.0,)  # keep everything
-keep, left = _checkpoint.Checkpoints.keep, {survived}
+_storage.Checkpoints.__init__.__defaults__ = (0.0,)  # keep everything
+keep, left = _storage.Checkpoints.keep, {survived}
 
 def keep_or_die(self, name, arrays, force=False):
     global left
@@ -29,7 +29,7 @@ def keep_or_die(self, name, arrays, force=False):
     left -= name == {name!r}
     keep(self, name, arrays, force)
 
-_checkpoint.Checkpoints.keep = keep_or_die
+_storage.Checkpoints.keep = keep_or_die
 build_basis(tiny(), Model.default(), sys.argv[1], n_jobs=1, progress=False)
 """
 

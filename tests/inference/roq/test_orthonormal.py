@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bnserve_inference.roq._orthonormal import orthogonality_loss, orthonormalised, projection_errors
+from bnserve_inference.roq._interpolation import orthogonality_loss, orthonormalised, projection_errors
 
 
 def unit(rng, size, kind):

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from bnserve_store import Artifact
-from bnserve_surrogate._metadata import SurrogateMetadata
+from bnserve_surrogate._artifact import SurrogateMetadata
 from bnserve_surrogate._model import Model
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
 from bnserve_surrogate.training.data.generation import VALIDATION_NODES, Generation, configured_generator

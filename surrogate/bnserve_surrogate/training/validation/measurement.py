@@ -18,7 +18,7 @@ from bnserve_protocol import (
     ParameterBatch,
     WaveformModel,
 )
-from bnserve_surrogate._metadata import SurrogateMetadata
+from bnserve_surrogate._artifact import SurrogateMetadata
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import FloatArray, mass_seconds
 from bnserve_surrogate.training.data.noise import noise_curve, noise_weights
