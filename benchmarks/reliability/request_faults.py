@@ -46,14 +46,13 @@ def no_watch() -> None:
 
 def no_cap() -> None:
     """Bodies are read to their end, whatever their size."""
-    from bnserve_service.admission.body_room import BodyRoom
-    from bnserve_service.http.body import IncomingBody
+    from bnserve_service.http.body import BodyReader, IncomingBody
 
     async def read_all(self: IncomingBody, receive: Any, _limit: int) -> bytes:
         return await self._collect(receive, 2**62)
 
     IncomingBody.read = read_all  # type: ignore[method-assign]
-    BodyRoom.take = lambda *_: None  # type: ignore[method-assign]
+    BodyReader.take = lambda *_: None  # type: ignore[method-assign]
 
 
 def prefix_compare() -> None:
@@ -146,7 +145,7 @@ def unpickle_bodies() -> None:
 
 def endless_queue() -> None:
     """The queue takes everything, and computes it whatever its deadline."""
-    from bnserve_service.admission.capacity import Capacity
+    from bnserve_service.admission.control import Capacity
     from bnserve_service.admission.queue import WorkQueue
 
     submit: Any = WorkQueue.submit

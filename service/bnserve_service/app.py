@@ -14,7 +14,7 @@ from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
 
 from bnserve_protocol import Analysis, BnserveError, Likelihood, Unavailable, WaveformModel, decode_analysis
-from bnserve_service.admission.lifecycle import Lifecycle, Phase
+from bnserve_service.admission.control import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.quotas import rate_quotas
 from bnserve_service.evaluation.endpoint import PATHS, WaveformEndpoint
@@ -110,7 +110,7 @@ class Application(FastAPI):
         dispatcher = Dispatcher(evaluations, routes)
         tokens = parts.settings.tokens
         quotas = rate_quotas(tokens, parts.shared)
-        access = AccessMiddleware(dispatcher, tokens, quotas, parts.queue.turn) if tokens else None
+        access = AccessMiddleware(dispatcher, tokens, quotas, parts.queue.turns.turn) if tokens else None
         hosts = HostCheck.of(parts.settings)
         self._front = RequestContextMiddleware(
             HostMiddleware(access or dispatcher, hosts),
@@ -278,7 +278,7 @@ def _health(
     return Health(
         registry,
         lifecycle,
-        queue.longest_evaluation,
+        queue.workers.longest_evaluation,
         settings.self_check_seconds,
         settings.stuck_seconds,
         lambda: _missing(settings, shared),
@@ -322,7 +322,7 @@ def _watch(parts: Parts) -> None:
     ready = "1 when the ready path answers 200"
     metrics.watch("bnserve_ready", ready, lambda: float(parts.health.reason_unready() is None), is_common=True)
     metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
-    metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.waiting)
+    metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.workers.waiting)
     metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: parts.settings.queue_samples)
     metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: parts.waveforms.answer_bytes)
     metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: parts.grids.stored_bytes, is_common=True)
@@ -330,7 +330,7 @@ def _watch(parts: Parts) -> None:
     metrics.watch(
         "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
     )
-    metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: parts.bodies.room.held_bytes)
+    metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: parts.bodies.held_bytes)
     if parts.shared is None:
         metrics.watch("bnserve_workers", "Worker processes", lambda: 1.0)
 

@@ -53,7 +53,7 @@ def bodies_without_end(server, count, path=PATHS["an analysis"], token=None):
 
 def held_by(server, token):
     """Bytes of the bodies of one token, or of all where there are none."""
-    return server.app.parts.bodies.room._held._of.get(hashlib.sha256(token.encode()).hexdigest() if token else "", 0)
+    return server.app.parts.bodies._held._of.get(hashlib.sha256(token.encode()).hexdigest() if token else "", 0)
 
 
 def refusal(connection, status=503, code="overloaded"):

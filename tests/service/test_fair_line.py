@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bnserve_protocol import Overloaded, QuotaExceeded
-from bnserve_service.admission.capacity import Capacity
-from bnserve_service.admission.fair_line import FairLine
-from bnserve_service.admission.loop_turns import PER_TURN, LoopTurns
+from bnserve_service.admission.control import Capacity
+from bnserve_service.admission.queue import LoopTurns
+from bnserve_service.admission.workers import FairLine
 from tests.service.test_batching import busy, with_queue
 
 
@@ -141,35 +141,34 @@ def test_nobody_beyond_his_fair_share_displaces_others():
                 queue.submit(owner, 111, index, owner=owner)
         with pytest.raises((QuotaExceeded, Overloaded)):
             queue.submit("a", 300, 1, owner="a")
-        assert queue.waiting == 8
+        assert queue.workers.waiting == 8
         queue.submit("c", 300, 1, owner="c")
-        assert queue.waiting in (7, 8)
+        assert queue.workers.waiting in (7, 8)
 
     with_queue(check)
 
 
+def taken_in_turns(*owners):
+    """The owners of what is done in each turn of the event loop, when all this came in one."""
+
+    async def run():
+        taken = []
+        turns = LoopTurns(lambda things: taken.append([thing.owner for thing in things]))
+        for owner in owners:
+            turns.add(owner, Thing(owner))
+        while sum(map(len, taken)) < len(owners):
+            await asyncio.sleep(0.0)
+        return taken
+
+    return asyncio.run(run())
+
+
 def test_the_loop_is_shared_by_turns_once_two_ask():
-    turns = LoopTurns()
-    for _ in range(10):
-        turns.add(Thing("greedy"))
-    turns.add(Thing("other"))
-    first, more = turns.take()
-    assert [thing.owner for thing in first] == ["greedy", "other"][:PER_TURN]
-    assert more
-    total = len(first)
-    while more:
-        jobs, more = turns.take()
-        assert 1 <= len(jobs) <= PER_TURN
-        total += len(jobs)
-    assert total == 11
+    assert taken_in_turns(*["greedy"] * 10, "other") == [["greedy"], ["other"], *[["greedy"]] * 9]
 
 
 def test_a_loop_of_one_owner_is_not_shared():
-    turns = LoopTurns()
-    for _ in range(50):
-        turns.add(Thing("alone"))
-    jobs, more = turns.take()
-    assert (len(jobs), more) == (50, False)
+    assert taken_in_turns(*["alone"] * 50) == [["alone"] * 50]
 
 
 def test_requests_begin_by_turns():
@@ -177,7 +176,7 @@ def test_requests_begin_by_turns():
         order = []
 
         async def begin(owner):
-            await queue.turn(owner)
+            await queue.turns.turn(owner)
             order.append(owner)
 
         await begin("greedy")

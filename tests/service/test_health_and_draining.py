@@ -6,7 +6,7 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from bnserve_protocol import Draining
-from bnserve_service.admission.lifecycle import Lifecycle, Phase
+from bnserve_service.admission.control import Lifecycle, Phase
 from tests.service.asking import ask, ask_on, closing_connection, evaluate, question
 from tests.service.chirp import ChirpModel, GatedModel, until
 

@@ -233,7 +233,7 @@ def test_asking_for_a_turn_costs_nothing_alone(start):
     ran = threading.Event()
 
     async def turn():
-        await server.app.parts.queue.turn("alone")
+        await server.app.parts.queue.turns.turn("alone")
         ran.set()
 
     asyncio.run(turn())

@@ -11,32 +11,116 @@ all that came in one turn of the loop together.
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import logging
-import os
-import threading
 import time
-from collections import deque
+from collections import OrderedDict, deque
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, Generic, TypeVar
 
-from bnserve_protocol import DeadlineExceeded, Draining, Overloaded, QuotaExceeded
-from bnserve_service.admission.capacity import Capacity
-from bnserve_service.admission.fair_line import FairLine
-from bnserve_service.admission.loop_turns import Beginning, LoopTurns
+from bnserve_protocol import Draining
+from bnserve_service.admission.control import Backlog, too_late
+from bnserve_service.admission.workers import WorkerPool
 from bnserve_service.telemetry.metrics import Metrics
 
+J = TypeVar("J")
 P = TypeVar("P")
 R = TypeVar("R")
 
 logger = logging.getLogger("bnserve.workers")
 
-_ASSUMED_RATE = 1e8
-"""Samples per second and worker assumed for Retry-After before anything was measured."""
-_RATE_MEMORY = 0.2
-_NICENESS = 5
-"""Of the workers: a third of the weight of the event loop, which needs little."""
+SHARED_SECONDS = 5.0
+"""So long after two owners asked by turns, the loop counts as shared."""
+
+
+class LoopTurns(Generic[J]):
+    """Turns of the event loop, which is a worker, too: it decodes, evaluates what is quick, and refuses.
+
+    While one owner asks, all that came in one turn is done in the next, which is cheapest. While several do, one thing
+    is done in each turn, of all owners alternately: whoever has a hundred connections would have a hundred things done
+    before the one of somebody else.
+
+    Parameters
+    ----------
+    evaluate:
+        Called with the jobs of one turn.
+    """
+
+    def __init__(self, evaluate: Callable[[list[J]], None]) -> None:
+        self._evaluate = evaluate
+        self._alone: list[J | asyncio.Future[None]] = []
+        """While one owner asks: his jobs, and what is resolved when a request of his may begin."""
+        self._lines: OrderedDict[str, deque[J | asyncio.Future[None]]] = OrderedDict()
+        """While several do: by owner, in the order in which they take turns."""
+        self._last_owner: str | None = None
+        self._shared_until = 0.0
+        """0 while one owner asks."""
+
+    async def turn(self, owner: str) -> None:
+        """Wait until a request of this owner may begin; at once unless others use the event loop, too."""
+        if self._is_shared(owner):
+            await self._its_turn(owner)
+
+    def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
+        """Call ``refusal`` when it is this owner's turn: what is refused must not keep others waiting either."""
+        self._its_turn(owner).add_done_callback(lambda _: refusal())
+
+    def add(self, owner: str, thing: J | asyncio.Future[None]) -> None:
+        """Do something when it is this owner's turn, after all that this turn of the loop has brought in."""
+        if (self._shared_until == 0.0 and owner == self._last_owner) or not self._is_shared(owner):
+            self._alone.append(thing)
+            is_first = len(self._alone) == 1
+        else:
+            is_first = not self._lines
+            self._lines.setdefault(owner, deque()).append(thing)
+        if is_first:
+            asyncio.get_running_loop().call_soon(self._take)
+
+    def _its_turn(self, owner: str) -> asyncio.Future[None]:
+        turn = asyncio.get_running_loop().create_future()
+        self.add(owner, turn)
+        return turn
+
+    def _is_shared(self, owner: str) -> bool:
+        """Note that this owner asks; whether others did a short time ago."""
+        if owner != self._last_owner:
+            if self._last_owner is not None:
+                self._shared_until = time.monotonic() + SHARED_SECONDS
+                if self._alone:
+                    self._lines[self._last_owner] = deque(self._alone)
+                self._alone = []
+            self._last_owner = owner
+        return self._shared_until > 0.0
+
+    def _take(self) -> None:
+        """Do what is for this turn."""
+        if self._shared_until == 0.0:
+            things, self._alone = self._alone, []
+        else:
+            things = [self._next()]
+        jobs = []
+        for thing in things:
+            if not isinstance(thing, asyncio.Future):
+                jobs.append(thing)
+            elif not thing.done():  # or its caller went away
+                thing.set_result(None)
+        if jobs:
+            self._evaluate(jobs)
+
+    def _next(self) -> J | asyncio.Future[None]:
+        """What is done in this turn while several owners ask."""
+        owner, line = next(iter(self._lines.items()))
+        thing = line.popleft()
+        if line:
+            self._lines.move_to_end(owner)
+        else:
+            del self._lines[owner]
+        if self._lines:
+            asyncio.get_running_loop().call_soon(self._take)
+        elif time.monotonic() >= self._shared_until:
+            self._shared_until = 0.0
+        return thing
 
 
 @dataclass(slots=True, eq=False)
@@ -57,20 +141,26 @@ class Job(Generic[P, R]):
     deliver: Callable[[R | BaseException], None] | None = None
     """Called with the outcome, in place of resolving ``result``."""
 
-
-@dataclass(slots=True, eq=False)
-class _Worker:
-    thread: threading.Thread
-    busy_since: float | None = None
+    def resolve(self, outcome: R | BaseException) -> None:
+        """Tell whoever waits for this job what came of it."""
+        if self.result.done():  # its caller was cancelled
+            return
+        if self.deliver is not None:
+            self.deliver(outcome)
+        elif isinstance(outcome, BaseException):
+            self.result.set_exception(outcome)
+            self.result.exception()  # retrieved: nobody may be waiting any more, which is not worth a warning
+        else:
+            self.result.set_result(outcome)
 
 
 class WorkQueue(Generic[P, R]):
-    """A bounded queue in front of a pool of worker threads.
+    """What asks for an evaluation: admitted within bounds, evaluated by worker threads or by the event loop.
 
     Parameters
     ----------
-    evaluate:
-        Called in a worker thread with the payloads of one group; returns a result or an exception for each, in order.
+    function:
+        Called with the payloads of one group; returns a result or an exception for each, in order.
     workers:
         Threads; as many as processors, because the evaluation releases the interpreter.
     capacity:
@@ -83,62 +173,36 @@ class WorkQueue(Generic[P, R]):
 
     def __init__(
         self,
-        evaluate: Callable[[Sequence[P]], Sequence[R | BaseException]],
+        function: Callable[[Sequence[P]], Sequence[R | BaseException]],
         *,
         workers: int,
         capacity: int,
         group_cost: int,
         metrics: Metrics,
     ) -> None:
-        self._evaluate = evaluate
+        self._function = function
         self._group_cost = group_cost
         self._metrics = metrics
-        self._line: FairLine[Job[P, R]] = FairLine()
-        self._turns: LoopTurns[Job[P, R] | Beginning] = LoopTurns()
-        self._capacity = Capacity(capacity)
-        self._rate = _ASSUMED_RATE * workers
-        self._changed = threading.Condition()
-        self._stopping = False
-        self._loop: asyncio.AbstractEventLoop | None = None
-        self._workers = [
-            _Worker(threading.Thread(target=self._work, args=(index,), name=f"bnserve-worker-{index}", daemon=True))
-            for index in range(workers)
-        ]
+        self._backlog = Backlog(capacity, workers)
+        self.turns: LoopTurns[Job[P, R]] = LoopTurns(self._evaluate_here)
+        """Of the event loop: also for requests that are to begin, or to be refused."""
+        self.workers: WorkerPool[Job[P, R]] = WorkerPool(self._evaluate, workers, group_cost)
+        """The threads, and what waits for them."""
 
     @property
     def cost(self) -> int:
         """Work waiting or running, in samples."""
-        return self._capacity.total
-
-    @property
-    def waiting(self) -> int:
-        """Jobs that no worker has taken yet."""
-        with self._changed:
-            return len(self._line)
-
-    def longest_evaluation(self) -> float:
-        """Seconds that the slowest worker has been in its present evaluation; 0 when all are idle."""
-        now = time.monotonic()
-        return max((now - since for worker in self._workers if (since := worker.busy_since) is not None), default=0.0)
+        return self._backlog.total
 
     def start(self) -> None:
         """Start the workers; results are delivered to the running event loop."""
-        self._loop = asyncio.get_running_loop()
-        for worker in self._workers:
-            worker.thread.start()
+        self.workers.start()
 
     def stop(self, timeout: float = 10.0) -> None:
-        """Refuse what waits, and wait for what runs, seconds at the longest for each."""
-        with self._changed:
-            self._stopping = True
-            waiting = self._line.clear()
-            self._changed.notify_all()
-        for job in waiting:
+        """Refuse what waits, and wait for what runs, seconds at the longest for each worker."""
+        for job in self.workers.stop(timeout):
             self._release(job)
-            _resolve(job, Draining("This server is shutting down; send the request to another replica."))
-        for worker in self._workers:
-            if worker.thread.is_alive():
-                worker.thread.join(timeout)
+            job.resolve(Draining("This server is shutting down; send the request to another replica."))
 
     def submit(
         self,
@@ -159,7 +223,7 @@ class WorkQueue(Generic[P, R]):
         cost:
             Its work in samples.
         payload:
-            What ``evaluate`` gets.
+            What the function gets.
         deadline:
             ``time.monotonic()`` after which the answer is of no use.
         quick:
@@ -178,202 +242,90 @@ class WorkQueue(Generic[P, R]):
         DeadlineExceeded
             It has passed already.
         """
-        assert self._loop is not None, "start() comes first"
+        loop = asyncio.get_running_loop()
         now = time.monotonic()
         if deadline is not None:
-            self._check_deadline(deadline, now, owner, 0 if quick else cost)
-        if not self._capacity.fits(cost):
+            self._backlog.check_deadline(deadline, now, owner, 0 if quick else cost)
+        if not self._backlog.fits(cost):
             self._make_room(owner, cost)
-        job: Job[P, R] = Job(key, cost, payload, self._loop.create_future(), deadline, now, quick, owner)
+        job: Job[P, R] = Job(key, cost, payload, loop.create_future(), deadline, now, quick, owner)
         if quick:  # not held: as many wait as there are connections, for as long as a few of them take
-            if self._turns.add(job):
-                self._loop.call_soon(self._take_turns)  # after all that this turn of the loop has brought in
+            self.turns.add(owner, job)
             return job
-        self._capacity.add(owner, cost)
+        self._backlog.add(owner, cost)
         if deadline is not None:
-            job.timer = self._loop.call_later(deadline - now, self._expire, job)
-        with self._changed:
-            self._line.add(job)
-            self._changed.notify()
+            job.timer = loop.call_later(deadline - now, self._expire, job)
+        self.workers.add(job)
         return job
 
     def check_room(self, owner: str, cost: int, deadline: float | None) -> None:
         """Raise what :meth:`submit` would raise for a job of this cost, as things are; nothing changes."""
         if deadline is not None:
-            self._check_deadline(deadline, time.monotonic(), owner, cost)
-        if not self._capacity.fits(cost) and not self._capacity.may_displace(owner, cost):
-            raise self._full(owner)
-
-    def _check_deadline(self, deadline: float, now: float, owner: str, cost: int) -> None:
-        """Refuse what would be finished too late: computed all the same, it would make others late as well."""
-        if deadline <= now:
-            raise _too_late()
-        ahead = self._capacity.ahead_of(owner)
-        if ahead and cost and now + (ahead + cost) / self._rate > deadline:
-            raise Overloaded(
-                "What waits on this server takes longer than this deadline allows; try another replica, or allow more.",
-                retry_after=max(1.0, ahead / self._rate),
-            )
-
-    async def turn(self, owner: str) -> None:
-        """Wait until a request of this owner may begin; at once unless others use the event loop, too."""
-        if self._turns.is_shared(owner):
-            assert self._loop is not None, "start() comes first"
-            await self._its_turn(owner)
-
-    def _its_turn(self, owner: str) -> asyncio.Future[None]:
-        assert self._loop is not None, "start() comes first"
-        beginning = Beginning(owner, self._loop.create_future())
-        if self._turns.add(beginning):
-            self._loop.call_soon(self._take_turns)
-        return beginning.turn
-
-    def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
-        """Call ``refusal`` when it is this owner's turn: what is refused must not keep others waiting either."""
-        self._its_turn(owner).add_done_callback(lambda _: refusal())
-
-    def _make_room(self, owner: str, cost: int) -> None:
-        """Refuse what others have beyond their fair share, or else the job that does not fit."""
-        capacity = self._capacity
-        if not capacity.may_displace(owner, cost):
-            raise self._full(owner)
-        while not capacity.fits(cost):
-            victim = self._newest_beyond_fair_share(owner)
-            if victim is None or not self.withdraw(victim, "share"):
-                raise self._full(owner)
-            _resolve(victim, self._full(victim.owner))
-
-    def _newest_beyond_fair_share(self, newcomer: str) -> Job[P, R] | None:
-        with self._changed:
-            for owner in self._capacity.beyond_fair_share(newcomer):
-                job = self._line.newest(owner)
-                if job is not None:
-                    return job
-        return None
-
-    def _full(self, owner: str) -> Overloaded | QuotaExceeded:
-        seconds = min(30.0, self._capacity.backlog(owner) / self._rate)
-        if self._capacity.is_shared_by_others(owner):
-            return QuotaExceeded(
-                "This server is busy with the requests of several callers, and you have your fair share of its queue; "
-                "try again when some of yours are answered.",
-                retry_after=max(0.01, seconds),
-            )
-        return Overloaded(
-            "The queue of this server is full; try again shortly, or another replica.", retry_after=max(1.0, seconds)
-        )
+            self._backlog.check_deadline(deadline, time.monotonic(), owner, cost)
+        if not self._backlog.fits(cost) and not self._backlog.may_displace(owner, cost):
+            raise self._backlog.refusal(owner)
 
     def withdraw(self, job: Job[P, R], reason: str) -> bool:
         """Remove a job that nobody waits for; False when a worker has it already. Call it on the event loop."""
-        with self._changed:
-            if not self._line.remove(job):
-                return False
+        if not self.workers.remove(job):
+            return False
         self._release(job)
         self._metrics.withdrawn.labels(reason).inc()
         return True
 
-    def _take_turns(self) -> None:
-        """Do what is for this turn of the event loop."""
-        jobs, later = self._turns.take()
-        if later:
-            assert self._loop is not None, "it has called this"
-            self._loop.call_soon(self._take_turns)
-        groups: dict[Hashable, deque[Job[P, R]]] = {}
-        for job in jobs:
-            if isinstance(job, Beginning):
-                if not job.turn.done():  # or its caller went away
-                    job.turn.set_result(None)
-            elif not job.result.done():  # or its caller went away
-                groups.setdefault(job.key, deque()).append(job)
-        for group in groups.values():
-            while group:
-                together = self._next_of(group)
-                started = time.monotonic()
-                outcomes = self._evaluate_safely([job.payload for job in together])
-                self._deliver(together, outcomes, started, time.monotonic())
+    def _make_room(self, owner: str, cost: int) -> None:
+        """Refuse what others have beyond their fair share, or else the job that does not fit."""
+        backlog = self._backlog
+        if not backlog.may_displace(owner, cost):
+            raise backlog.refusal(owner)
+        while not backlog.fits(cost):
+            victim = self.workers.newest(backlog.beyond_fair_share(owner))
+            if victim is None or not self.withdraw(victim, "share"):
+                raise backlog.refusal(owner)
+            victim.resolve(backlog.refusal(victim.owner))
 
     def _expire(self, job: Job[P, R]) -> None:
         if self.withdraw(job, "deadline"):
-            _resolve(job, _too_late())
+            job.resolve(too_late())
 
     def _release(self, job: Job[P, R]) -> None:
         if job.quick:
             return
-        self._capacity.remove(job.owner, job.cost)
+        self._backlog.remove(job.owner, job.cost)
         if job.timer is not None:
             job.timer.cancel()
 
-    def _work(self, index: int) -> None:
-        _stand_back()
-        while (jobs := self._take()) is not None:
-            worker = self._workers[index]
-            worker.busy_since = started = time.monotonic()
-            outcomes = self._evaluate_safely([job.payload for job in jobs])
-            finished = time.monotonic()
-            worker.busy_since = None
-            loop = self._loop
-            if loop is None or loop.is_closed():
-                return
-            loop.call_soon_threadsafe(self._deliver, jobs, outcomes, started, finished)
-            del jobs, outcomes  # or an idle worker would keep the last answer's memory
+    def _evaluate_here(self, jobs: list[Job[P, R]]) -> None:
+        """Evaluate quick jobs: those of one key together, as many as fit."""
+        groups: list[list[Job[P, R]]] = []
+        growing: dict[Hashable, tuple[list[Job[P, R]], int]] = {}
+        for job in jobs:
+            if job.result.done():  # its caller went away
+                continue
+            group, cost = growing.get(job.key, ([], 0))
+            if not group or cost + job.cost > self._group_cost:
+                group, cost = [], 0
+                groups.append(group)
+            group.append(job)
+            growing[job.key] = group, cost + job.cost
+        for group in groups:
+            self._evaluate(group)()
 
-    def _take(self) -> list[Job[P, R]] | None:
-        with self._changed:
-            while not self._line:
-                if self._stopping:
-                    return None
-                self._changed.wait()
-            return self._line.take(self._group_cost)
-
-    def _next_of(self, group: deque[Job[P, R]]) -> list[Job[P, R]]:
-        """What is evaluated together next: the first job of a group, and those after it while they fit."""
-        jobs = [group.popleft()]
-        cost = jobs[0].cost
-        while group and cost + group[0].cost <= self._group_cost:
-            jobs.append(group.popleft())
-            cost += jobs[-1].cost
-        return jobs
-
-    def _evaluate_safely(self, payloads: Sequence[P]) -> Sequence[Any]:
+    def _evaluate(self, jobs: list[Job[P, R]]) -> Callable[[], None]:
+        """Evaluate jobs of one key; what is returned tells their callers."""
+        started = time.monotonic()
+        outcomes: Sequence[Any]
         try:
-            return self._evaluate(payloads)
+            outcomes = self._function([job.payload for job in jobs])
         except Exception as error:
             logger.exception("evaluation failed")
-            return [error] * len(payloads)
+            outcomes = [error] * len(jobs)
+        return partial(self._deliver, jobs, outcomes, started, time.monotonic())
 
     def _deliver(self, jobs: list[Job[P, R]], outcomes: Sequence[Any], started: float, finished: float) -> None:
         for job, outcome in zip(jobs, outcomes, strict=True):
             self._release(job)
-            _resolve(job, outcome)
+            job.resolve(outcome)
             self._metrics.queue_wait.observe(started - job.submitted)
         self._metrics.group_requests.observe(len(jobs))
-        seconds = finished - started
-        if seconds > 0.0:
-            rate = len(self._workers) * sum(job.cost for job in jobs) / seconds
-            self._rate += _RATE_MEMORY * (rate - self._rate)
-
-
-def _stand_back() -> None:
-    """Let the event loop go before this thread where there are not enough processors for both.
-
-    Or whoever only wants to be refused, or has a small question, waits for the workers' time slices one after another.
-    """
-    with contextlib.suppress(OSError, AttributeError):  # where threads have no priority of their own
-        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
-
-
-def _resolve(job: Job[P, R], outcome: R | BaseException) -> None:
-    if job.result.done():  # its caller was cancelled
-        return
-    if job.deliver is not None:
-        job.deliver(outcome)
-        return
-    if isinstance(outcome, BaseException):
-        job.result.set_exception(outcome)
-        job.result.exception()  # retrieved: nobody may be waiting any more, which is not worth a warning
-    else:
-        job.result.set_result(outcome)
-
-
-def _too_late() -> DeadlineExceeded:
-    return DeadlineExceeded("The deadline of this request passed before its evaluation began; allow more time.")
+        self._backlog.measure(sum(job.cost for job in jobs), finished - started)

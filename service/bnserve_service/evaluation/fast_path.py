@@ -11,7 +11,7 @@ import re
 
 from bnserve_protocol import QuotaExceeded
 from bnserve_protocol.wire import MSGPACK
-from bnserve_service.admission.lifecycle import Lifecycle
+from bnserve_service.admission.control import Lifecycle
 from bnserve_service.evaluation.endpoint import PATHS, answer_headers
 from bnserve_service.evaluation.service import WaveformService
 from bnserve_service.evaluation.waveforms import Packed, Question

@@ -21,7 +21,7 @@ from bnserve_protocol.wire import (
     encode_likelihood_answer_json,
     request_digest,
 )
-from bnserve_service.admission.lifecycle import Lifecycle
+from bnserve_service.admission.control import Lifecycle
 from bnserve_service.admission.queue import Job, WorkQueue
 from bnserve_service.evaluation.likelihood_evaluator import LikelihoodQuestion, LogLikelihoods
 from bnserve_service.evaluation.service import OFF_LOOP

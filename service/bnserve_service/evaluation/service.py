@@ -10,9 +10,7 @@ from typing import Any, TypeVar
 
 from bnserve_protocol import GridLike, Overloaded, TooLarge, UniformGrid, grid_digest
 from bnserve_protocol.wire import DigestName, GridDigest, WaveformRequest, decode_request, request_digest
-from bnserve_service.admission.capacity import Capacity
-from bnserve_service.admission.cost_estimates import CostEstimates
-from bnserve_service.admission.lifecycle import Lifecycle
+from bnserve_service.admission.control import Capacity, CostEstimates, Lifecycle
 from bnserve_service.admission.queue import Job, WorkQueue
 from bnserve_service.evaluation.waveforms import Packed, Question, grid_key
 from bnserve_service.models.registry import LoadedModel, Registry
@@ -201,7 +199,7 @@ class WaveformService:
 
     def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
         """Call ``refusal`` when it is the turn of this owner."""
-        self._queue.refuse(owner, refusal)
+        self._queue.turns.refuse(owner, refusal)
 
     def withdraw(self, job: Job[Question, Packed]) -> None:
         """Forget a job whose caller went away."""

@@ -1,4 +1,8 @@
-"""Reading request bodies: none larger or slower than its limit, and all together within one room."""
+"""Reading request bodies: none larger or slower than its limit, and all together within one room.
+
+They are counted as they arrive, so that a slow sender holds no more than it has sent. One owner alone may fill the
+room, until others come: then what he has beyond his fair share makes room for them, the newest first.
+"""
 
 from __future__ import annotations
 
@@ -7,14 +11,16 @@ from typing import Self
 
 from starlette.types import Receive
 
-from bnserve_protocol import TooLarge
-from bnserve_service.admission.body_room import BodyRoom, Place
+from bnserve_protocol import Overloaded, QuotaExceeded, TooLarge
+from bnserve_service.admission.control import Capacity
 from bnserve_service.errors import BodyTooSlow, ClientDisconnected
 from bnserve_service.http.front import RequestContext
 
 UNCOUNTED = 2**16
 """So much of every body takes no room: the parser holds as much of every connection anyway, and requests for waveforms,
 which are smaller, pass however many large bodies are on their way."""
+_MOMENT = 1.0
+"""Seconds after which another body may have been read and decoded."""
 
 
 class BodyReader:
@@ -29,12 +35,81 @@ class BodyReader:
     """
 
     def __init__(self, capacity: int, timeout: float) -> None:
-        self.room = BodyRoom(capacity)
         self.timeout = timeout
+        self._held = Capacity(capacity)
+        self._bodies: dict[IncomingBody, None] = {}
+        """Those that take room, in the order in which they began to."""
+
+    @property
+    def held_bytes(self) -> int:
+        """Bytes held now."""
+        return self._held.total
 
     def of(self, context: RequestContext) -> IncomingBody:
         """The body of a request; a context manager, since it takes room until it is decoded."""
         return IncomingBody(self, context)
+
+    def expect(self, owner: str, size: int) -> None:
+        """Refuse what :meth:`take` would refuse, as things are.
+
+        Raises
+        ------
+        Overloaded, QuotaExceeded
+        """
+        if not (self._held.fits(size) or self._held.may_displace(owner, size)):
+            raise self.refusal(owner)
+
+    def take(self, body: IncomingBody, size: int) -> None:
+        """So much more of a body has arrived.
+
+        Raises
+        ------
+        Overloaded, QuotaExceeded
+        """
+        if body.displaced or size <= 0:
+            return
+        if not self._held.fits(size):
+            self._make_room(body.owner, size)
+        self._bodies[body] = None
+        body.size += size
+        self._held.add(body.owner, size)
+
+    def leave(self, body: IncomingBody) -> None:
+        """A body is not there any more."""
+        if body.size:
+            del self._bodies[body]
+            self._held.remove(body.owner, body.size)
+            body.size = 0
+
+    def refusal(self, owner: str) -> Overloaded | QuotaExceeded:
+        """The error for a body of this owner that there is no room for."""
+        if self._held.is_shared_by_others(owner):
+            return QuotaExceeded(
+                "This server is reading large bodies of several callers, and you have your fair share of the memory "
+                "for them; try again when some of yours are read.",
+                retry_after=_MOMENT,
+            )
+        return Overloaded(
+            "Too many large bodies are on their way to this server; try again shortly.", retry_after=_MOMENT
+        )
+
+    def _make_room(self, owner: str, size: int) -> None:
+        """End the reading of what others have beyond their fair share, or refuse."""
+        if not self._held.may_displace(owner, size):
+            raise self.refusal(owner)
+        while not self._held.fits(size):
+            rich = self._held.beyond_fair_share(owner)
+            victim = next((found for name in rich if (found := self._newest_of(name)) is not None), None)
+            if victim is None or victim.reading is None:
+                raise self.refusal(owner)
+            victim.displaced = True
+            victim.reading.reschedule(0.0)  # now
+            self.leave(victim)
+
+    def _newest_of(self, owner: str) -> IncomingBody | None:
+        """What this owner began to send last, of what is still being read."""
+        own = (each for each in reversed(self._bodies) if each.owner == owner)
+        return next((each for each in own if each.reading and not each.reading.expired()), None)
 
 
 class IncomingBody:
@@ -48,18 +123,24 @@ class IncomingBody:
         Of the request.
     """
 
-    __slots__ = ("_context", "_place", "_reader")
+    __slots__ = ("_context", "_reader", "displaced", "owner", "reading", "size")
 
     def __init__(self, reader: BodyReader, context: RequestContext) -> None:
         self._reader = reader
         self._context = context
-        self._place = Place(context.owner)
+        self.owner = context.owner
+        self.size = 0
+        """Bytes that it takes."""
+        self.reading: asyncio.Timeout | None = None
+        """What ends the reading; None when the body is read."""
+        self.displaced = False
+        """Whether it had to make room for others."""
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self._reader.room.leave(self._place)
+        self._reader.leave(self)
 
     async def read(self, receive: Receive, limit: int) -> bytes:
         """All of it, at most ``limit`` bytes.
@@ -75,25 +156,24 @@ class IncomingBody:
             It did not arrive in time; the connection ends with the answer.
         ClientDisconnected
         """
-        room, place = self._reader.room, self._place
         declared = self._context.headers.get(b"content-length", b"")
         if declared.isdigit():
             if int(declared) > limit:
                 raise _too_large(limit)
             if int(declared) > UNCOUNTED:
-                room.expect(place.owner, int(declared) - UNCOUNTED)
+                self._reader.expect(self.owner, int(declared) - UNCOUNTED)
         try:
-            async with asyncio.timeout(self._reader.timeout) as place.reading:
+            async with asyncio.timeout(self._reader.timeout) as self.reading:
                 body = await self._collect(receive, limit)
         except TimeoutError:
-            if not place.displaced:
+            if not self.displaced:
                 raise BodyTooSlow(
                     f"The body did not arrive within {self._reader.timeout:g} s; send it faster or in smaller batches."
                 ) from None
         finally:
-            place.reading = None
-        if place.displaced:
-            raise room.refusal(place.owner)
+            self.reading = None
+        if self.displaced:
+            raise self._reader.refusal(self.owner)
         return body
 
     async def _collect(self, receive: Receive, limit: int) -> bytes:
@@ -108,7 +188,7 @@ class IncomingBody:
             if size > limit:
                 raise _too_large(limit)
             if size > UNCOUNTED:
-                self._reader.room.take(self._place, size - UNCOUNTED - self._place.size)
+                self._reader.take(self, size - UNCOUNTED - self.size)
             if not message.get("more_body", False):
                 return b"".join([*chunks, chunk]) if chunks else chunk
             chunks.append(chunk)

@@ -16,7 +16,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from bnserve_protocol import BnserveError, InvalidRequest
 from bnserve_protocol.wire import PROBLEM_JSON
-from bnserve_service.admission.lifecycle import Lifecycle
+from bnserve_service.admission.control import Lifecycle
 from bnserve_service.admission.quotas import RateQuota
 from bnserve_service.errors import (
     ClientDisconnected,
@@ -172,7 +172,7 @@ class RequestContextMiddleware:
         headers = [(b"x-request-id", context.request_id.encode("ascii")), *context.extra_headers]
         if context.request_digest is not None:
             headers.append((b"x-request-digest", context.request_digest.encode("ascii")))
-        if self._lifecycle.closes_connections:
+        if self._lifecycle.draining:
             headers.append((b"connection", b"close"))
         return headers
 

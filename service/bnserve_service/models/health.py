@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 
 from bnserve_protocol import BnserveError, Draining, ModelLoading, Overloaded, Unavailable
-from bnserve_service.admission.lifecycle import Lifecycle
+from bnserve_service.admission.control import Lifecycle
 from bnserve_service.models.registry import LoadedModel, Registry
 
 logger = logging.getLogger("bnserve.health")

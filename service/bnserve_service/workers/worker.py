@@ -185,7 +185,7 @@ class _Steward:
         return {
             "ready": self.server.accepts and parts.health.reason_unready() is None,
             "draining": parts.lifecycle.draining,
-            "longest_evaluation": parts.queue.longest_evaluation(),
+            "longest_evaluation": parts.queue.workers.longest_evaluation(),
             "models": ", ".join(f"{name} {version}" for name, version in parts.registry.catalogue.models),
         }
 

@@ -1,4 +1,4 @@
-"""What waits for a worker, in fair order over owners: who has had least comes first.
+"""Worker threads, and what waits for them in fair order over owners: who has had least comes first.
 
 Start-time fair queueing: every owner has a clock that runs on by the cost of what is taken for it, and whoever's clock
 is furthest behind is next. An owner who comes back from a pause starts with the others: time is not saved up. Jobs of
@@ -7,9 +7,17 @@ one key are taken together, those of other owners too, which costs nobody anythi
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
+import os
+import threading
+import time
 from collections import OrderedDict, deque
-from collections.abc import Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterator
 from typing import Generic, Protocol, TypeVar
+
+_NICENESS = 5
+"""Of the workers: a third of the weight of the event loop, which needs little."""
 
 
 class Waiting(Protocol):
@@ -141,3 +149,99 @@ class FairLine(Generic[J]):
     def _forget_if_idle(self, name: str) -> None:
         if not self._waiting[name].jobs:
             del self._waiting[name]
+
+
+class WorkerPool(Generic[J]):
+    """Threads that evaluate what waits: an idle one takes a job at once, a busy one finds several waiting.
+
+    Parameters
+    ----------
+    evaluate:
+        Called in a thread with jobs of one key; what it returns is called on the event loop.
+    threads:
+        As many as processors, because the evaluation releases the interpreter.
+    group_cost:
+        Jobs that are taken together cost at most this; it is at least one job.
+    """
+
+    def __init__(self, evaluate: Callable[[list[J]], Callable[[], None]], threads: int, group_cost: int) -> None:
+        self._evaluate = evaluate
+        self._group_cost = group_cost
+        self._line: FairLine[J] = FairLine()
+        self._changed = threading.Condition()
+        self._stopping = False
+        self._threads: list[threading.Thread] = []
+        self._busy_since: list[float | None] = [None] * threads
+
+    @property
+    def waiting(self) -> int:
+        """Jobs that no thread has taken yet."""
+        with self._changed:
+            return len(self._line)
+
+    def longest_evaluation(self) -> float:
+        """Seconds that the slowest thread has been in its present evaluation; 0 when all are idle."""
+        now = time.monotonic()
+        return max((now - since for since in self._busy_since if since is not None), default=0.0)
+
+    def start(self) -> None:
+        """Start the threads; they deliver to the running event loop."""
+        loop = asyncio.get_running_loop()
+        for index in range(len(self._busy_since)):
+            name = f"bnserve-worker-{index}"
+            self._threads.append(threading.Thread(target=self._work, args=(index, loop), name=name, daemon=True))
+            self._threads[-1].start()
+
+    def stop(self, timeout: float) -> list[J]:
+        """Wait for what runs, seconds at the longest for each thread; returns what waited and will not be evaluated."""
+        with self._changed:
+            self._stopping = True
+            waiting = self._line.clear()
+            self._changed.notify_all()
+        for thread in self._threads:
+            thread.join(timeout)
+        return waiting
+
+    def add(self, job: J) -> None:
+        """Have a job evaluated."""
+        with self._changed:
+            self._line.add(job)
+            self._changed.notify()
+
+    def remove(self, job: J) -> bool:
+        """Take a job out; False when a thread has it already."""
+        with self._changed:
+            return self._line.remove(job)
+
+    def newest(self, owners: list[str]) -> J | None:
+        """The job that came last of those that wait for the first of these owners who has any."""
+        with self._changed:
+            return next((job for owner in owners if (job := self._line.newest(owner)) is not None), None)
+
+    def _work(self, index: int, loop: asyncio.AbstractEventLoop) -> None:
+        _stand_back()
+        while (jobs := self._take()) is not None:
+            self._busy_since[index] = time.monotonic()
+            deliver = self._evaluate(jobs)
+            self._busy_since[index] = None
+            if loop.is_closed():
+                return
+            loop.call_soon_threadsafe(deliver)
+            del jobs, deliver  # or an idle thread would keep the last answer's memory
+
+    def _take(self) -> list[J] | None:
+        with self._changed:
+            while not self._line:
+                if self._stopping:
+                    return None
+                self._changed.wait()
+            return self._line.take(self._group_cost)
+
+
+def _stand_back() -> None:
+    """Let the event loop go before this thread where there are not enough processors for both.
+
+    Or whoever only wants to be refused, or has a small question, waits for the workers' time slices one after another.
+    """
+    with contextlib.suppress(OSError, AttributeError):  # where threads have no priority of their own
+        os.setpriority(os.PRIO_PROCESS, threading.get_native_id(), _NICENESS)
