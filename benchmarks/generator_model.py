@@ -28,7 +28,8 @@ from bnserve_protocol import (
     as_frequencies,
     time_until_merger,
 )
-from bnserve_surrogate.training.data.generators import WaveformGenerator, evaluate
+from bnserve_surrogate.training.data.chunks import evaluate
+from bnserve_surrogate.training.data.generators import WaveformGenerator
 
 
 class GeneratorModel:

@@ -10,7 +10,8 @@ import json
 import sys
 import time
 
-from bnserve_surrogate.training.data.generators import make_generator, mass_seconds
+from bnserve_surrogate.training.data.generation import make_generator
+from bnserve_surrogate.training.data.generators import mass_seconds
 from bnserve_surrogate.training.data.sampling import ParameterRanges
 from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.reduction.sampling_counts import SamplingCounts, sampling_counts

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from benchmarks.figures import style
 from benchmarks.figures.drawing import Drawing, table
 from benchmarks.figures.workspace import Arrays, Workspace
-from bnserve_surrogate.training.data.generators import make_generator, mass_seconds
+from bnserve_surrogate.training.data.generation import make_generator
+from bnserve_surrogate.training.data.generators import mass_seconds
 from bnserve_surrogate.training.data.sampling import ParameterRanges
 from bnserve_surrogate.training.reduction.multibanding import multibanded_grid, newtonian_duration, uniform_count
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes

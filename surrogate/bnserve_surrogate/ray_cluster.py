@@ -18,6 +18,8 @@ from bnserve_protocol import BnserveError, require
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
+RAY = "ray"
+"""What the name of such a backend has before the colon."""
 WAVE = 4
 """Items for each worker that are handed out together; joblib's Ray backend gives results back only all at once."""
 _RETRIES = 1
@@ -29,11 +31,6 @@ class RayUnusable(BnserveError):
 
     code = "ray-unusable"
     title = "Ray cluster not usable"
-
-
-def is_ray(backend: str) -> bool:
-    """Whether a backend's name means a Ray cluster."""
-    return backend == "ray" or backend.startswith("ray:")
 
 
 class RayWorkers:

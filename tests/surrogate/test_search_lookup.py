@@ -129,11 +129,6 @@ def test_the_lookup_fills_the_configuration_in_and_says_what_it_took(asking):
     assert configuration.dataset.count == 100
 
 
-def test_given_hyperparameters_stay():
-    configuration = parse_configuration(table())
-    assert with_best_hyperparameters(configuration) == (configuration, "")
-
-
 def test_training_takes_the_best_and_records_them(asking, tmp_path):
     made = asking(100) | {"validation": {"count": 8, "edge_count": 0}}
     configuration, said = parse_configuration(made), []

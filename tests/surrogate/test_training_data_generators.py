@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
+from bnserve_surrogate.training.data.chunks import evaluate
+from bnserve_surrogate.training.data.generation import make_generator
 from bnserve_surrogate.training.data.generators import (
     CallableGenerator,
     LALSimulationGenerator,
     TEOBResumSPA,
-    evaluate,
-    make_generator,
     mass_seconds,
 )
 from bnserve_surrogate.training.data.generators._teobresums import start_frequency

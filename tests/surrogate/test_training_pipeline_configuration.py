@@ -11,7 +11,7 @@ from bnserve_surrogate.training.config import (
     read_configuration,
     with_version,
 )
-from bnserve_surrogate.training.plausibility import check_plausible
+from bnserve_surrogate.training.pipeline import check_plausible
 from bnserve_surrogate.training.publication import check_publishable
 from tests.surrogate import smooth_waveforms
 from tests.surrogate.training_runs import (

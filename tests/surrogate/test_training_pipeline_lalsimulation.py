@@ -5,7 +5,8 @@ import pytest
 
 from bnserve_protocol import INTRINSIC_NAMES, SOLAR_MASS_SECONDS, EvaluationOptions, ParameterBatch
 from bnserve_surrogate.training.config import parse_configuration
-from bnserve_surrogate.training.data.generators import LALSimulationGenerator, evaluate
+from bnserve_surrogate.training.data.chunks import evaluate
+from bnserve_surrogate.training.data.generators import LALSimulationGenerator
 from bnserve_surrogate.training.pipeline import train
 
 pytest.importorskip("lalsimulation")

@@ -16,15 +16,14 @@ from bnserve_protocol import (
 )
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.config import parse_configuration
-from bnserve_surrogate.training.data.generation import Generation, training_set
-from bnserve_surrogate.training.data.generators import make_generator
-from bnserve_surrogate.training.export import model_tensors
+from bnserve_surrogate.training.data.generation import Generation, make_generator, training_set
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.publication import assemble, describe
 from bnserve_surrogate.training.reduction.metric import mismatch_metric
 from bnserve_surrogate.training.reduction.nodes import configured_nodes
 from bnserve_surrogate.training.reduction.reductions import ReducedResiduals, reduce_dataset
 from bnserve_surrogate.training.regressors import coordinate_map, export_regressor, make_regressor
+from bnserve_surrogate.training.regressors.exported import model_tensors
 from tests.surrogate.smooth_waveforms import merger_phase, merger_time, residual_shapes, waveform
 from tests.surrogate.training_runs import SMOOTH, merged
 

@@ -8,7 +8,7 @@ from contextlib import ExitStack, contextmanager
 from typing import Any, Self, TypeVar
 
 from bnserve_protocol import WaveformModel, require
-from bnserve_surrogate.ray_cluster import RayWorkers, is_ray
+from bnserve_surrogate.ray_cluster import RAY, RayWorkers
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -66,7 +66,7 @@ class Workers:
 
     def __enter__(self) -> Self:
         self._joblib = require("joblib", "Building a basis", "roq")
-        if is_ray(self._backend):
+        if self._backend.partition(":")[0] == RAY:
             self._pool = self._stack.enter_context(RayWorkers(self._joblib, self._backend, self._n_jobs))
             return self
         pool = self._joblib.Parallel(

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import difflib
+import math
 import re
 import tomllib
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -21,6 +23,9 @@ class ConfigurationInvalid(TrainingError):
     code = "configuration-invalid"
     title = "Training configuration invalid"
 
+
+_NARROWEST_BAND = 1.01
+"""Between the ends of a band: less has no room for nodes, and no waveform to speak of."""
 
 Natural = Annotated[int, Meta(ge=0)]
 Count = Annotated[int, Meta(ge=1)]
@@ -180,6 +185,40 @@ def demand(holds: bool, complaint: str) -> None:
     """Raise ``ConfigurationInvalid`` with a complaint, unless what is demanded holds."""
     if not holds:
         raise ConfigurationInvalid(f"The training configuration is wrong: {complaint}.")
+
+
+def check_numbers(configuration: TrainingConfiguration) -> None:
+    """Refuse what the schema cannot say of numbers.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        A number that is not finite, an interval that decreases, a reference mass outside its interval, no validation.
+    """
+    for name, value in _numbers(msgspec.to_builtins(configuration)):
+        demand(math.isfinite(value), f"'{name}' is {value}, and must be a finite number")
+    ranges, validation = configuration.ranges, configuration.validation
+    low, high = ranges.total_mass
+    demand(low <= high, f"'total_mass' in [ranges] must be two increasing numbers, or one twice; got {low:g}, {high:g}")
+    inside = low <= ranges.reference_mass <= high
+    demand(inside, f"'reference_mass' in [ranges], {ranges.reference_mass:g}, must lie in total_mass")
+    first, last = ranges.frequency_band
+    demand(
+        _NARROWEST_BAND * first <= last,
+        f"'frequency_band' in [ranges] must be two increasing numbers, at least 1 % apart; got {first:g} and {last:g}",
+    )
+    demand(validation.count + validation.edge_count > 0, "'count' and 'edge_count' in [validation] are both 0")
+
+
+def _numbers(value: Any, name: str = "") -> Iterator[tuple[str, float]]:
+    if isinstance(value, dict):
+        for key, part in value.items():
+            yield from _numbers(part, f"{name}.{key}" if name else key)
+    elif isinstance(value, list | tuple):
+        for part in value:
+            yield from _numbers(part, name)
+    elif isinstance(value, float):
+        yield name, value
 
 
 def with_version(configuration: TrainingConfiguration, version: str) -> TrainingConfiguration:

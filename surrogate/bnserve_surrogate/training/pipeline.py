@@ -6,18 +6,42 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from bnserve_surrogate.training.config import TrainingConfiguration
-from bnserve_surrogate.training.data.generation import Generation, check_room, configured_generator, training_set
-from bnserve_surrogate.training.export import model_tensors
-from bnserve_surrogate.training.plausibility import check_plausible
+from bnserve_surrogate.training.config import TrainingConfiguration, check_numbers
+from bnserve_surrogate.training.data.generation import (
+    Generation,
+    check_room,
+    configured_generator,
+    fewest_waveforms,
+    training_set,
+)
+from bnserve_surrogate.training.data.sampling import parameter_ranges
 from bnserve_surrogate.training.publication import Trained, assemble, describe, estimating, provenance, with_results
 from bnserve_surrogate.training.reduction.metric import mismatch_metric
-from bnserve_surrogate.training.reduction.nodes import configured_nodes
+from bnserve_surrogate.training.reduction.nodes import check_reduction, configured_nodes
 from bnserve_surrogate.training.reduction.reductions import reduce_dataset
-from bnserve_surrogate.training.regressors import coordinate_map, export_regressor, make_regressor
+from bnserve_surrogate.training.regressors import check_regressor, coordinate_map, export_regressor, make_regressor
+from bnserve_surrogate.training.regressors.exported import model_tensors
 from bnserve_surrogate.training.search.lookup import with_best_hyperparameters
 from bnserve_surrogate.training.validation.error_estimate import estimate_from, with_error_estimate
-from bnserve_surrogate.training.validation.fresh import validate_on_fresh
+from bnserve_surrogate.training.validation.measurement import validate_on_fresh
+
+
+def check_plausible(configuration: TrainingConfiguration) -> None:
+    """Refuse values that do not go together, before any waveform is computed: what the schema cannot say.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Numbers that are not finite, intervals that decrease, more components or terms than waveforms determine, no
+        validation.
+    InvalidParameters, InvalidFrequencies
+        A box that is not physical; a noise curve that does not exist, or does not cover the band.
+    """
+    check_numbers(configuration)
+    parameter_ranges(configuration)
+    waveforms = fewest_waveforms(configuration)
+    check_reduction(configuration, *waveforms)
+    check_regressor(configuration, *waveforms)
 
 
 def train(
@@ -48,8 +72,8 @@ def train(
         With what to do; finished work is kept.
     """
     started = time.monotonic()
-    configuration, choice = with_best_hyperparameters(configuration)
-    if choice:
+    if configuration.regressor.hyperparameters == "best":
+        configuration, choice = with_best_hyperparameters(configuration)
         say(choice)
     check_plausible(configuration)
     check_room(configuration, directory)

@@ -19,11 +19,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import require
-from bnserve_surrogate.ray_cluster import RayWorkers, is_ray
-from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator, evaluate
+from bnserve_protocol import PackageMissing, require
+from bnserve_surrogate.ray_cluster import RAY, RayWorkers
+from bnserve_surrogate.training.data.generators import AmplitudePhasePair, FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.residuals import log_amplitude_ratio, phase_difference
-from bnserve_surrogate.training.errors import DatasetUnwritable, GeneratorFailure, WorkersUnusable
+from bnserve_surrogate.training.errors import DatasetUnwritable, GeneratorFailure, TrainingError, WorkersUnusable
 
 _NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 
@@ -68,6 +68,38 @@ class ChunkTask:
         """The task of one of the samples."""
         rows = self.theta[offset : offset + 1]
         return ChunkTask(self.generator, self.start + offset, rows, self.mf_amplitude, self.mf_phase)
+
+
+def evaluate(generator: WaveformGenerator, theta: FloatArray, mf: FloatArray) -> AmplitudePhasePair:
+    """One waveform, checked: right shapes, finite, positive amplitude.
+
+    Raises
+    ------
+    GeneratorFailure
+        From the generator, or because what it returned cannot be used.
+    """
+    try:
+        amplitude, psi = generator(theta, mf)
+        amplitude, psi = np.asarray(amplitude, dtype=np.float64), np.asarray(psi, dtype=np.float64)
+    except (TrainingError, PackageMissing):
+        raise
+    except Exception as error:
+        raise GeneratorFailure(f"{generator.name} raised {type(error).__name__}: {error}") from error
+    if amplitude.shape != mf.shape or psi.shape != mf.shape:
+        raise GeneratorFailure(
+            f"{generator.name} returned arrays of shapes {amplitude.shape} and {psi.shape} for {mf.size} frequencies."
+        )
+    for label, bad in (
+        ("amplitude is not a finite number", ~np.isfinite(amplitude)),
+        ("phase is not a finite number", ~np.isfinite(psi)),
+        ("amplitude is not positive", amplitude <= 0.0),
+    ):
+        if bad.any():
+            first = float(mf[np.argmax(bad)])
+            raise GeneratorFailure(
+                f"{generator.name}: the {label} at {int(bad.sum())} of {mf.size} frequencies, first M f = {first:.6g}."
+            )
+    return amplitude, psi
 
 
 def compute_chunk(task: ChunkTask) -> Chunk:
@@ -196,7 +228,7 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
         The workers cannot load the generator; there is no such backend, or no number of processes like that.
     """
     _check_workers(n_jobs, backend)
-    if is_ray(backend):
+    if backend.partition(":")[0] == RAY:
         if tasks:
             yield from _on_ray(tasks, n_jobs, backend)
         return
@@ -217,7 +249,7 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
 def _check_workers(n_jobs: int, backend: str) -> None:
     if n_jobs == 0:
         raise WorkersUnusable("Nothing is computed by 0 processes at once; give a number of them, or -1 for all cores.")
-    if is_ray(backend):
+    if backend.partition(":")[0] == RAY:
         return
     try:
         require("joblib", *_NEEDED).Parallel(n_jobs=1, backend=backend)

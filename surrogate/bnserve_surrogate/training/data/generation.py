@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
+import difflib
 import inspect
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 
+from bnserve_protocol import BnserveError
 from bnserve_store import check_writable
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.chunks import unwritable_named
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset, joined
 from bnserve_surrogate.training.data.generators import (
-    GENERATORS,
+    CallableGenerator,
     FloatArray,
+    LALSimulationGenerator,
+    TEOBResumSPA,
     WaveformGenerator,
-    make_generator,
 )
 from bnserve_surrogate.training.data.sampling import (
     EdgeSampling,
@@ -37,6 +42,44 @@ _CHECKED = 2
 """Binaries on which the generator is asked twice."""
 _SAME = 0.01
 """Radians, or of the logarithm of the amplitude: a mismatch of 1e-4. Numerical noise of a generator is below."""
+
+
+GENERATORS: MappingProxyType[str, Callable[..., WaveformGenerator]] = MappingProxyType(
+    {
+        "teobresums": TEOBResumSPA,
+        "lalsimulation": LALSimulationGenerator,
+        "callable": CallableGenerator.from_path,
+    }
+)
+"""Constructors by configuration name. Options: ``teobresums`` (postadiabatic_dr, gravitomagnetic_tides),
+``lalsimulation`` (approximant, total_mass), ``callable`` (path = "module:function", release)."""
+
+
+def make_generator(name: str, **options: Any) -> WaveformGenerator:
+    """Construct the generator called ``name`` with its options.
+
+    Raises
+    ------
+    GeneratorUnknown
+        No such generator (the nearest name is suggested), an option that it does not take, or a value that does not go.
+    """
+    if name not in GENERATORS:
+        near = difflib.get_close_matches(name, GENERATORS, n=1)
+        hint = f"Did you mean '{near[0]}'?" if near else f"Known: {', '.join(GENERATORS)}."
+        raise GeneratorUnknown(f"Unknown waveform generator '{name}'. {hint}")
+    constructor = GENERATORS[name]
+    signature = inspect.signature(constructor)
+    try:
+        signature.bind(**options)
+    except TypeError as error:
+        known = ", ".join(signature.parameters)
+        raise GeneratorUnknown(f"Options of the generator '{name}': {error}. It takes: {known}.") from error
+    try:
+        return constructor(**options)
+    except BnserveError:
+        raise
+    except Exception as error:  # of options of a wrong type, or of a user's own class
+        raise GeneratorUnknown(f"The generator '{name}' cannot be made with {options}: {error}.") from error
 
 
 def configured_generator(configuration: TrainingConfiguration) -> WaveformGenerator:
@@ -79,6 +122,14 @@ def check_room(configuration: TrainingConfiguration, directory: Path) -> None:
     with unwritable_named(directory):
         there = sum(path.stat().st_size for path in directory.glob("*/chunk-*.npz"))
         check_writable(directory, max(0, 8 * waveforms - there))
+
+
+def fewest_waveforms(configuration: TrainingConfiguration) -> tuple[int, str]:
+    """How many there will be at the least to train on, and the words for it."""
+    section = configuration.dataset
+    failing = sum(int(section.max_failed_fraction * count) for count in (section.count, section.edge_count))
+    total = section.count + section.edge_count
+    return total - failing, f"{total} waveforms" + (f", of which {failing} may fail" if failing else "")
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +18,19 @@ from bnserve_surrogate.baseline import (
     taylorf2_phase,
 )
 
-FloatArray = NDArray[np.float64]
+FloatArray: TypeAlias = NDArray[np.float64]
+
+REFERENCE_MASS = 2.8
+"""Total mass in solar masses at which frequencies in Hz are quoted during training."""
+
+
+def mass_seconds(total_mass: float = REFERENCE_MASS) -> float:
+    """G M / c^3 in seconds for a total mass in solar masses: M f = f in Hz times this."""
+    return total_mass * SOLAR_MASS_SECONDS
+
 
 _PROBES = np.array([[1.1, 0.02, -0.03, 300.0, 500.0], [2.7, -0.4, 0.45, 6.0, 4500.0]])
-FLATTENING_MF = 40.0 * (2.8 * SOLAR_MASS_SECONDS)
+FLATTENING_MF = 40.0 * mass_seconds()
 """Default upper end of the interval of the average slope, 40 Hz at 2.8 solar masses: the baseline still holds there."""
 _SIGNIFICANT_DIGITS = 9
 """Changes of the formulae show; the last bits of another machine's logarithm do not."""

@@ -12,6 +12,7 @@ from bnserve_surrogate.training.config import TrainingConfiguration, demand
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
 from bnserve_surrogate.training.data.generation import Generation
 from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, WaveformGenerator, mass_seconds
+from bnserve_surrogate.training.data.noise import noise_curve
 from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase, flatten_phase
 from bnserve_surrogate.training.data.sampling import (
     ParameterRanges,
@@ -132,6 +133,30 @@ def configured_nodes(generate: Generation, say: Callable[[str], None] = print) -
         check_nodes(configuration, amplitude, phase)
     say(f"  {len(amplitude)} for the amplitude, {len(phase)} for the phase")
     return amplitude, phase
+
+
+def check_reduction(configuration: TrainingConfiguration, waveforms: int, described: str) -> None:
+    """Refuse a reduction for which there will be too few ``waveforms`` (in words, ``described``) or nodes.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        More components than waveforms determine, or smooth nodes that :func:`check_nodes` refuses.
+    InvalidParameters, InvalidFrequencies
+        A noise curve that does not exist, or does not cover the band.
+    """
+    band, mass = training_band(configuration), configuration.ranges.reference_mass
+    for noise in {configuration.reduction.noise, "ET-D"}:  # the second is that of the validation
+        noise_curve(noise)(np.array(band))
+    components = configuration.reduction.components
+    demand(
+        components <= waveforms,
+        f"{components} components cannot be found in {described}; lower 'components' in [reduction] or raise 'count' "
+        "in [dataset]",
+    )
+    if configuration.nodes.kind == "smooth":
+        nodes = smooth_nodes(*band, configuration.nodes.count, mass)
+        check_nodes(configuration, nodes, nodes)
 
 
 def check_nodes(configuration: TrainingConfiguration, amplitude: FloatArray, phase: FloatArray) -> None:

@@ -10,7 +10,7 @@ arrays; these do:
 """
 
 from bnserve_surrogate.training.regressors.combined import Beside, Sum
-from bnserve_surrogate.training.regressors.configured import coordinate_map, make_regressor
+from bnserve_surrogate.training.regressors.configured import check_regressor, coordinate_map, make_regressor
 from bnserve_surrogate.training.regressors.exported import (
     ExportedRegressor,
     NotExportable,
@@ -27,6 +27,7 @@ __all__ = [
     "NotExportable",
     "Sum",
     "chebyshev_terms",
+    "check_regressor",
     "coordinate_map",
     "export_regressor",
     "make_regressor",

@@ -1,4 +1,4 @@
-"""The coordinates and the regressor that a configuration asks for."""
+"""The coordinates and the regressor that a configuration asks for, and whether its waveforms can determine them."""
 
 from __future__ import annotations
 
@@ -6,15 +6,20 @@ import math
 from typing import Any
 
 from bnserve_surrogate._coordinates import CoordinateMap
-from bnserve_surrogate.training.config import TrainingConfiguration
+from bnserve_surrogate.kernel import MAX_DEGREE
+from bnserve_surrogate.training.config import NetworkSection, PolynomialSection, TrainingConfiguration, demand
 from bnserve_surrogate.training.data.generators import FloatArray
 from bnserve_surrogate.training.data.sampling import parameter_ranges
 from bnserve_surrogate.training.reduction.metric import MismatchMetric
 from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors.combined import Beside, Sum
 from bnserve_surrogate.training.regressors.mlp import MLP
-from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial
+from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial, weighted_exponents
 
+FEWEST_FOR_A_NETWORK = 8
+"""They determine the least polynomial beside it, of degree one."""
+_MOST_LISTED = 100_000
+"""Terms of a polynomial whose exact number is worth the fraction of a second."""
 _SCALAR_WEIGHTS = {"log_amplitude": 1e-4, "time_shift": 2e-3, "phase_shift": 1e-7}
 """What a squared error of a scalar costs against one of the components, when a polynomial is pruned: the match does not
 see it, but the merger's alignment does. That of the time shift multiplies its own part of the metric."""
@@ -48,6 +53,51 @@ def make_regressor(configuration: TrainingConfiguration, metric: MismatchMetric)
     if section.kind == "sum":
         return Beside(Sum(polynomial([1.0] * components), network), polynomial(scalar_weights), components)
     return Beside(network, ChebyshevPolynomial(_scalar_degree(configuration)), components)
+
+
+def check_regressor(configuration: TrainingConfiguration, waveforms: int, described: str) -> None:
+    """Refuse a regressor that ``waveforms`` (in words, ``described``) cannot determine.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Fewer waveforms than a network needs, beside it or to stop by, or than the polynomial has terms.
+    InvalidParameters
+        As :func:`weighted_exponents`.
+    """
+    section = configuration.regressor
+    if section.kind != "polynomial":
+        _check_network(section.network, waveforms, described)
+    if section.kind != "network":
+        _check_polynomial(section.polynomial, waveforms, described)
+
+
+def _check_network(network: NetworkSection, waveforms: int, described: str) -> None:
+    demand(
+        waveforms >= FEWEST_FOR_A_NETWORK,
+        f"a network cannot be trained on {described}; raise 'count' in [dataset] to at least "
+        f"{FEWEST_FOR_A_NETWORK}, or choose another 'kind' in [regressor]",
+    )
+    aside = math.ceil(network.validation_fraction * waveforms)
+    demand(
+        2 <= aside < waveforms,
+        f"'validation_fraction' in [regressor.network], {network.validation_fraction:g}, sets aside {aside} of "
+        f"{described}; it takes two to stop by, and others to learn from",
+    )
+
+
+def _check_polynomial(polynomial: PolynomialSection, waveforms: int, described: str) -> None:
+    degree, weights = polynomial.degree, polynomial.weights
+    # As many as the simplex of the degrees has volume, at the least: where these are very many, they are not listed.
+    possible = min(weights) > 0.0 and degree <= MAX_DEGREE * min(weights)
+    least = math.prod((degree / weight for weight in weights), start=1.0 / math.factorial(5)) if possible else 0.0
+    listed = least <= max(waveforms, _MOST_LISTED)
+    terms = len(weighted_exponents(degree, weights)) if listed else least
+    demand(
+        terms <= waveforms,
+        f"{terms:.0f} terms of the polynomial cannot be determined by {described}; lower 'degree' in "
+        "[regressor.polynomial] or raise 'count' in [dataset]",
+    )
 
 
 def _scalar_degree(configuration: TrainingConfiguration) -> float:

@@ -20,7 +20,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from sklearn.neural_network import MLPRegressor
 
+from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.training.errors import TrainingError
+from bnserve_surrogate.training.reduction.reductions import SCALARS, Reduction
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
@@ -108,3 +110,32 @@ def export_regressor(estimator: Any) -> ExportedRegressor:
         " and a sum of one of each can. Use ChebyshevPolynomial, MLP or Sum, or give your estimator an export() method"
         " that returns an ExportedRegressor made of those."
     )
+
+
+def model_tensors(
+    reduction: Reduction,
+    regressor: ExportedRegressor,
+    coordinates: CoordinateMap,
+    mf_amplitude: FloatArray,
+    mf_phase: FloatArray,
+) -> dict[str, NDArray[Any]]:
+    """The tensors of the (2, 2) mode, as :mod:`bnserve_surrogate._tensors` describes them."""
+    amplitude, phase = reduction.node_bases()
+    components = len(amplitude.basis)
+    basis = np.zeros((components + len(SCALARS), len(mf_amplitude) + len(mf_phase)))
+    basis[:components] = np.hstack([amplitude.basis, phase.basis])
+    basis[components, : len(mf_amplitude)] = 1.0
+    merger_alignment = np.zeros((components + len(SCALARS) + 1, 2))
+    merger_alignment[-2, 1] = 1.0
+    merger_alignment[-1, 0] = 1.0
+    tensors = {
+        "amplitude_nodes": mf_amplitude,
+        "phase_nodes": mf_phase,
+        "mean": np.concatenate([amplitude.mean, phase.mean]),
+        "basis": basis,
+        "merger_alignment": merger_alignment,
+        "coordinate_offset": coordinates.offset,
+        "coordinate_scale": coordinates.scale,
+        **regressor.arrays,
+    }
+    return {f"22/{name}": np.ascontiguousarray(tensor) for name, tensor in tensors.items()}

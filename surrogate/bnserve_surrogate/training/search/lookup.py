@@ -14,18 +14,16 @@ from bnserve_surrogate.training.search.values import flat, override
 
 
 def with_best_hyperparameters(configuration: TrainingConfiguration) -> tuple[TrainingConfiguration, str]:
-    """The configuration with what ``[regressor] hyperparameters`` asks for filled in, and a sentence about it.
+    """The configuration with the best hyper-parameters of a collection filled in, and a sentence about them.
 
-    ``"given"``: unchanged, and no sentence. ``"best"``: what the entry has replaces what the configuration gives, and
-    the result says ``"given"``, so that it does not depend on the collection any more.
+    What the entry has replaces what the configuration gives, and the result has ``hyperparameters = "given"``, so that
+    it does not depend on the collection any more.
 
     Raises
     ------
     HyperparametersUnknown
         No collection or entry goes with it.
     """
-    if configuration.regressor.hyperparameters == "given":
-        return configuration, ""
     name, collection = load_collection(configuration)
     entry = collection.best_for(configuration.dataset.count)
     values = flat(msgspec.to_builtins(entry.hyperparameters))

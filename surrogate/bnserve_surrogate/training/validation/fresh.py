@@ -3,40 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 from bnserve_store import Artifact
 from bnserve_surrogate._artifact import SurrogateMetadata
 from bnserve_surrogate._model import Model
 from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
-from bnserve_surrogate.training.data.generation import VALIDATION_NODES, Generation, configured_generator
-from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling, training_band
+from bnserve_surrogate.training.data.generation import Generation, configured_generator
 from bnserve_surrogate.training.errors import GeneratorUnknown, TrainingError
-from bnserve_surrogate.training.reduction.nodes import smooth_nodes
-from bnserve_surrogate.training.validation.measurement import Validation, validate, validation_frequencies
-
-_SAMPLING: dict[str, Sampling] = {"uniform": UniformSampling(), "edges": EdgeSampling()}
-
-
-def validate_on_fresh(
-    generate: Generation, model: Model, metadata: SurrogateMetadata, counts: dict[str, int], seed: int, **at: Any
-) -> dict[str, Validation]:
-    """Validations on ``counts["uniform"]`` waveforms in the box and ``counts["edges"]`` on its edges, where not zero.
-
-    Parameters
-    ----------
-    generate:
-        Makes the waveforms, with this ``seed``.
-    model, metadata, at:
-        As for :func:`validate`, which says what it raises.
-    """
-    configuration = generate.configuration
-    nodes = smooth_nodes(*training_band(configuration), VALIDATION_NODES, configuration.ranges.reference_mass)
-    return {
-        kind: validate(model, metadata, generate(_SAMPLING[kind], f"validate {kind}", seed, count, nodes, nodes), **at)
-        for kind, count in counts.items()
-        if count > 0
-    }
+from bnserve_surrogate.training.validation.measurement import (
+    Validation,
+    validate_on_fresh,
+    validation_frequencies,
+)
 
 
 def validate_artifact(

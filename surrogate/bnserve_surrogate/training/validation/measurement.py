@@ -19,16 +19,22 @@ from bnserve_protocol import (
     WaveformModel,
 )
 from bnserve_surrogate._artifact import SurrogateMetadata
+from bnserve_surrogate._model import Model
 from bnserve_surrogate.training.data.dataset import ResidualDataset
+from bnserve_surrogate.training.data.generation import VALIDATION_NODES, Generation
 from bnserve_surrogate.training.data.generators import FloatArray, mass_seconds
 from bnserve_surrogate.training.data.noise import noise_curve, noise_weights
 from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase
+from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling, training_band
 from bnserve_surrogate.training.reduction.metric import spline_matrix
+from bnserve_surrogate.training.reduction.nodes import smooth_nodes
 from bnserve_surrogate.training.validation.mismatch import NodeMismatch
 
 QUANTILES = {"median": 0.5, "90 %": 0.9, "99 %": 0.99, "max": 1.0}
 _DENSE = 4000
 """Points of the mismatch integral: 15,500 change it by 4e-4 of itself."""
+
+_SAMPLING: dict[str, Sampling] = {"uniform": UniformSampling(), "edges": EdgeSampling()}
 
 
 @dataclass(frozen=True)
@@ -210,3 +216,24 @@ def _truth(dataset: ResidualDataset) -> tuple[FloatArray, FloatArray]:
 def _strain_scale(batch: ParameterBatch, total_mass: float) -> FloatArray:
     q = batch["mass_ratio"]
     return np.asarray((q / (1.0 + q) ** 2 * mass_seconds(total_mass) ** 2 / MEGAPARSEC_SECONDS)[:, None])
+
+
+def validate_on_fresh(
+    generate: Generation, model: Model, metadata: SurrogateMetadata, counts: dict[str, int], seed: int, **at: Any
+) -> dict[str, Validation]:
+    """Validations on ``counts["uniform"]`` waveforms in the box and ``counts["edges"]`` on its edges, where not zero.
+
+    Parameters
+    ----------
+    generate:
+        Makes the waveforms, with this ``seed``.
+    model, metadata, at:
+        As for :func:`validate`, which says what it raises.
+    """
+    configuration = generate.configuration
+    nodes = smooth_nodes(*training_band(configuration), VALIDATION_NODES, configuration.ranges.reference_mass)
+    return {
+        kind: validate(model, metadata, generate(_SAMPLING[kind], f"validate {kind}", seed, count, nodes, nodes), **at)
+        for kind, count in counts.items()
+        if count > 0
+    }

@@ -9,7 +9,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from bnserve_surrogate.training.data.generators._interface import AmplitudePhasePair, FloatArray
+from bnserve_surrogate.training.data.generators._interface import AmplitudePhasePair
+from bnserve_surrogate.training.data.residuals import FloatArray
 from bnserve_surrogate.training.errors import GeneratorUnknown
 
 

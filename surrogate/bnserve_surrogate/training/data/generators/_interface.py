@@ -5,22 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Protocol, TypeAlias
 
-import numpy as np
-from numpy.typing import NDArray
+from bnserve_protocol import INTRINSIC_NAMES
+from bnserve_surrogate.training.data.residuals import FloatArray
 
-from bnserve_protocol import INTRINSIC_NAMES, SOLAR_MASS_SECONDS, PackageMissing
-from bnserve_surrogate.training.errors import GeneratorFailure, TrainingError
-
-FloatArray: TypeAlias = NDArray[np.float64]
 AmplitudePhasePair: TypeAlias = tuple[FloatArray, FloatArray]
-
-REFERENCE_MASS = 2.8
-"""Total mass in solar masses at which frequencies in Hz are quoted during training."""
-
-
-def mass_seconds(total_mass: float = REFERENCE_MASS) -> float:
-    """G M / c^3 in seconds for a total mass in solar masses: M f = f in Hz times this."""
-    return total_mass * SOLAR_MASS_SECONDS
 
 
 class WaveformGenerator(Protocol):
@@ -62,38 +50,6 @@ class WaveformGenerator(Protocol):
 
     def __call__(self, theta: FloatArray, mf: FloatArray) -> AmplitudePhasePair:
         """Amplitude and psi at ``mf``, each of shape (n,)."""
-
-
-def evaluate(generator: WaveformGenerator, theta: FloatArray, mf: FloatArray) -> AmplitudePhasePair:
-    """One waveform, checked: right shapes, finite, positive amplitude.
-
-    Raises
-    ------
-    GeneratorFailure
-        From the generator, or because what it returned cannot be used.
-    """
-    try:
-        amplitude, psi = generator(theta, mf)
-        amplitude, psi = np.asarray(amplitude, dtype=np.float64), np.asarray(psi, dtype=np.float64)
-    except (TrainingError, PackageMissing):
-        raise
-    except Exception as error:
-        raise GeneratorFailure(f"{generator.name} raised {type(error).__name__}: {error}") from error
-    if amplitude.shape != mf.shape or psi.shape != mf.shape:
-        raise GeneratorFailure(
-            f"{generator.name} returned arrays of shapes {amplitude.shape} and {psi.shape} for {mf.size} frequencies."
-        )
-    for label, bad in (
-        ("amplitude is not a finite number", ~np.isfinite(amplitude)),
-        ("phase is not a finite number", ~np.isfinite(psi)),
-        ("amplitude is not positive", amplitude <= 0.0),
-    ):
-        if bad.any():
-            first = float(mf[np.argmax(bad)])
-            raise GeneratorFailure(
-                f"{generator.name}: the {label} at {int(bad.sum())} of {mf.size} frequencies, first M f = {first:.6g}."
-            )
-    return amplitude, psi
 
 
 def describe_theta(theta: FloatArray) -> str:

@@ -10,14 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import require
-from bnserve_surrogate.training.data.generators._interface import (
-    REFERENCE_MASS,
-    AmplitudePhasePair,
-    FloatArray,
-    describe_theta,
-    mass_seconds,
-)
+from bnserve_surrogate.training.data.generators._interface import AmplitudePhasePair, describe_theta
 from bnserve_surrogate.training.data.generators._unwrapping import continuous_phase
+from bnserve_surrogate.training.data.residuals import REFERENCE_MASS, FloatArray, mass_seconds
 from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown
 
 _DISTANCE_METRES = 3.0856775814913673e22

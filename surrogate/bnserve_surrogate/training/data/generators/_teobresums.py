@@ -10,12 +10,8 @@ from typing import Any
 import numpy as np
 
 from bnserve_protocol import require
-from bnserve_surrogate.training.data.generators._interface import (
-    AmplitudePhasePair,
-    FloatArray,
-    describe_theta,
-    mass_seconds,
-)
+from bnserve_surrogate.training.data.generators._interface import AmplitudePhasePair, describe_theta
+from bnserve_surrogate.training.data.residuals import FloatArray, mass_seconds
 from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown
 
 _MODE_22 = [1]

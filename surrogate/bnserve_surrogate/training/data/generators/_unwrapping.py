@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_surrogate.training.data.generators._interface import AmplitudePhasePair, FloatArray, describe_theta
-from bnserve_surrogate.training.data.residuals import baseline_phase, merger_phase
+from bnserve_surrogate.training.data.generators._interface import AmplitudePhasePair, describe_theta
+from bnserve_surrogate.training.data.residuals import FloatArray, baseline_phase, merger_phase
 from bnserve_surrogate.training.errors import GeneratorFailure
 
 _LARGEST_STEP = 1.0
