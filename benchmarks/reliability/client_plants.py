@@ -8,7 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 from unittest.mock import patch
 
-from bnserve_client import _connections, _retry_policy, _session
+from bnserve_client import _blocking, _session
 from bnserve_client._messages import HttpResponse
 
 _trusted_body = _session.trusted_body
@@ -33,8 +33,8 @@ def _raise(self: Any, error: Exception) -> float:
 PLANTS = {
     "no-digests": (_session, "trusted_body", _body_as_it_came),
     "no-echo": (_session, "trusted_body", _whole_body),
-    "no-retries": (_retry_policy.RetryPolicy, "pause_after", _raise),
-    "shared-sockets": (_connections, "os", _ONE_PROCESS),
+    "no-retries": (_session.RetryPolicy, "pause_after", _raise),
+    "shared-sockets": (_blocking, "os", _ONE_PROCESS),
 }
 
 

@@ -9,8 +9,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from bnserve_client._failures import not_bnserve
-from bnserve_client._messages import HttpResponse
+from bnserve_client._messages import HttpResponse, not_bnserve
 from bnserve_protocol import (
     BnserveError,
     ConnectionFailed,

@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 from bnserve_client._addresses import Address
 from bnserve_client._messages import Conversation, Together
 from bnserve_client._pinned import Pinned
-from bnserve_client._progress import progress_bar
-from bnserve_client._retry_policy import RetryPolicy
-from bnserve_client._session import Session
+from bnserve_client._session import RetryPolicy, Session
+from bnserve_client._settings import progress_bar
 from bnserve_protocol import (
     AnswerCorrupted,
     BnserveError,

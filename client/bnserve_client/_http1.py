@@ -2,7 +2,7 @@
 
 httpx spends 350 us of Python on a call; this spends a tenth of it on the part of HTTP/1.1 that a server's answer to a
 complete request can use, and refuses everything else. :func:`exchange` is a generator that yields ``bytes`` to send
-and writable ``memoryview`` to receive into; :mod:`._socket_transport` performs them on blocking or asyncio sockets.
+and writable ``memoryview`` to receive into; :mod:`._blocking` and :mod:`._asynchronous` perform them on sockets.
 """
 
 from __future__ import annotations
@@ -14,8 +14,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from bnserve_client._addresses import Address
-from bnserve_client._failures import Broken, Malformed, Stale
-from bnserve_client._messages import HttpRequest, HttpResponse
+from bnserve_client._messages import Broken, HttpRequest, HttpResponse, Malformed, Stale
 from bnserve_protocol.wire import result_memory
 
 Exchange: TypeAlias = Generator[bytes | memoryview, int, tuple[HttpResponse, bool]]

@@ -1,20 +1,27 @@
-"""HTTP through httpx: TLS, proxies, authentication, and whatever transport the user injects."""
+"""HTTP through httpx: TLS, proxies, authentication, and whatever transport the user injects.
+
+httpx has no limit for a whole exchange, its timeouts count from byte to byte: a server which sends a byte from time to
+time holds a blocking call for ever. The connections under a client tell of themselves through httpcore's extension
+``trace``: each is made to read and write no longer than until the deadline of the thread that uses it, whoever made
+the client.
+"""
 
 from __future__ import annotations
 
 import asyncio
 import os
 import socket
+import threading
 import time
 import weakref
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import httpx
 
-from bnserve_client import _httpx_deadline
 from bnserve_client._addresses import Address
-from bnserve_client._failures import Broken, Malformed, Stale, TransportFailure, explain
-from bnserve_client._messages import HttpResponse, Send
+from bnserve_client._messages import Broken, HttpResponse, Malformed, Send, Stale, TransportFailure, explain
 from bnserve_client._transport_factory import TransportFactory
 
 _CONNECT_SECONDS = 5.0
@@ -38,8 +45,8 @@ class HttpxTransport:
     def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`."""
         try:
-            arguments = _arguments(send) | {"extensions": {"trace": _httpx_deadline.trace}}
-            with _httpx_deadline.until(send.deadline), self._client.stream(**arguments) as answer:
+            arguments = _arguments(send) | {"extensions": {"trace": _trace}}
+            with _until(send.deadline), self._client.stream(**arguments) as answer:
                 self._sockets.remember(answer)
                 collector = _Collector(send, answer)
                 for piece in answer.iter_bytes():
@@ -172,3 +179,62 @@ def _translated(failure: Exception) -> Exception:
             return Stale()
         return Broken() if "closed" in text or "incomplete" in text else Malformed("it does not speak HTTP/1.1")
     return Broken() if isinstance(failure, httpx.ReadError | httpx.WriteError) else failure
+
+
+_PIECE = 2**16
+"""Bytes that are written before the clock is looked at again."""
+
+
+class _OfThread(threading.local):
+    at: float = float("inf")
+
+
+_own = _OfThread()
+"""Of this thread, whatever client it uses: one that was given to us may serve several models."""
+
+
+@contextmanager
+def _until(at: float) -> Iterator[None]:
+    """Hold this thread's exchanges to the deadline ``at``, as ``time.monotonic()`` counts.
+
+    Raises
+    ------
+    TimeoutError
+        From reading and writing, when it has passed.
+    """
+    _own.at = at
+    try:
+        yield
+    finally:
+        _own.at = float("inf")
+
+
+def _trace(event: str, info: dict[str, Any]) -> None:
+    """For ``extensions={"trace": ...}``: every connection that is opened keeps the deadline."""
+    if event.endswith((".connect_tcp.complete", ".connect_unix_socket.complete", ".start_tls.complete")):
+        stream = info["return_value"]
+        stream.read, stream.write = _reading(stream.read), _writing(stream.write)
+
+
+def _reading(read: Callable[..., bytes]) -> Callable[..., bytes]:
+    def until_deadline(max_bytes: int, timeout: float | None = None) -> bytes:
+        return read(max_bytes, timeout=_allowed(timeout))
+
+    return until_deadline
+
+
+def _writing(write: Callable[..., None]) -> Callable[..., None]:
+    def until_deadline(buffer: bytes, timeout: float | None = None) -> None:
+        for start in range(0, len(buffer), _PIECE):
+            write(buffer[start : start + _PIECE], timeout=_allowed(timeout))
+
+    return until_deadline
+
+
+def _allowed(timeout: float | None) -> float | None:
+    left = _own.at - time.monotonic()
+    if left <= 0.0:
+        raise TimeoutError
+    if left == float("inf"):
+        return timeout
+    return left if timeout is None else min(left, timeout)

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
 from numpy.typing import DTypeLike
 
-from bnserve_client._connections import Connections, run
+from bnserve_client._blocking import Connections, run
 from bnserve_client._likelihoods import Likelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._pinned import Pinned, connecting
-from bnserve_client._settings import Settings, settings_from
-from bnserve_client._tokens import Token, TokenLike
+from bnserve_client._settings import Settings, Token, TokenLike, settings_from
 from bnserve_client._transport_factory import TransportFactory
 from bnserve_client._waveforms import RemoteModel
 from bnserve_protocol import (

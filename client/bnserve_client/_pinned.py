@@ -6,8 +6,7 @@ from urllib.parse import quote
 
 import msgspec
 
-from bnserve_client._failures import not_bnserve
-from bnserve_client._messages import Conversation
+from bnserve_client._messages import Conversation, not_bnserve
 from bnserve_client._session import Session
 from bnserve_client._settings import Settings
 from bnserve_protocol import (

@@ -15,7 +15,7 @@ from bnserve_protocol._analyses import (
     likelihood_nodes,
     likelihood_samples,
 )
-from bnserve_protocol._analysis_checks import check_location, check_settings
+from bnserve_protocol._analysis_checks import PRIOR_NAMES, check_location, check_prior, check_settings
 from bnserve_protocol._analysis_settings import (
     DEFAULT_ERROR_BOUND,
     AnalysisKind,
@@ -115,7 +115,6 @@ from bnserve_protocol._parameters import (
     ParametersWithExtrinsic,
 )
 from bnserve_protocol._printable import printable
-from bnserve_protocol._prior_checks import PRIOR_NAMES, check_prior
 from bnserve_protocol._version import __version__
 
 __all__ = [

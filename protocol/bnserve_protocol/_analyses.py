@@ -24,11 +24,11 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._analysis_checks import check_arrays, check_settings
 from bnserve_protocol._analysis_settings import AnalysisSettings, canonical, encode_settings, time_steps, with_step
-from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest, UndecodableBody
+from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest
 from bnserve_protocol._model import ModelDescription, ModelIdentity
 from bnserve_protocol._numbers import NotNumbers, as_numbers
 from bnserve_protocol.wire._arrays import decode_array, encode_array
-from bnserve_protocol.wire._keys import read_map, read_maps
+from bnserve_protocol.wire._envelope import MSGPACK, UNREADABLE, read_map, read_maps, undecodable
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,10 +152,8 @@ def decode_analysis(body: bytes | memoryview) -> Analysis:
         fields = read_map(body)
         read_maps(fields["settings"])
         read_map(fields["arrays"])
-    except msgspec.ValidationError as error:
-        raise UndecodableBody(f"The analysis does not fit its schema: {error}.") from error
-    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
-        raise UndecodableBody("The body is not a MessagePack analysis; check that it is complete.") from error
+    except UNREADABLE as error:
+        raise undecodable(error, MSGPACK, "analysis") from error
     return Analysis(settings=wire.settings, arrays={name: _decode(name, raw) for name, raw in wire.arrays.items()})
 
 

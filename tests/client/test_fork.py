@@ -10,7 +10,7 @@ import httpx
 import numpy as np
 import pytest
 
-from bnserve_client import BnserveError, Model, ParametersWithExtrinsic, _connections
+from bnserve_client import BnserveError, Model, ParametersWithExtrinsic, _blocking
 from tests.client.conftest import same
 from tests.client.reference_model import ReferenceModel
 
@@ -70,7 +70,7 @@ def test_forked_children_get_their_own_answers(address, transport):
 
 
 def test_without_the_check_of_the_process_they_would_not(address, monkeypatch):
-    monkeypatch.setattr(_connections, "os", SimpleNamespace(getpid=lambda: 1, environ={}))
+    monkeypatch.setattr(_blocking, "os", SimpleNamespace(getpid=lambda: 1, environ={}))
     with Model.connect(address, retries=0, silence=2.0) as model:
         model.predict(FREQUENCIES, ONE)
         wrong, failed = run_children(model)

@@ -4,8 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from bnserve_client._failures import Broken, Malformed, Stale, TransportFailure
 from bnserve_client._http1 import exchange
+from bnserve_client._messages import Broken, Malformed, Stale, TransportFailure
 
 ANSWER = b"HTTP/1.1 200 OK\r\nContent-Length: 5\r\nX-Name:  value \r\n\r\nhello"
 

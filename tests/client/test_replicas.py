@@ -11,12 +11,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from bnserve_client import AsyncModel, ParametersWithExtrinsic
-from bnserve_client import _resolver as resolver_module
-from bnserve_client import _retry_policy as replicas_module
+from bnserve_client import AsyncModel, ParametersWithExtrinsic, _replicas
 from bnserve_client._addresses import parse_addresses
-from bnserve_client._resolver import Resolver, names_to_resolve, several_hosts
-from bnserve_client._retry_policy import Replicas
+from bnserve_client._replicas import Replicas, Resolver, names_to_resolve, several_hosts
 from tests.client import scripted_server as faults
 from tests.client.conftest import same
 from tests.client.reference_model import ReferenceModel
@@ -33,14 +30,13 @@ RIGHT = ReferenceModel().predict(FREQUENCIES, ONE)
 def clock(monkeypatch):
     """A clock that a test turns: ``clock.now += 1.0``."""
     clock = SimpleNamespace(now=1000.0)
-    for module in (replicas_module, resolver_module):
-        monkeypatch.setattr(module, "time", SimpleNamespace(monotonic=lambda: clock.now))
+    monkeypatch.setattr(_replicas, "time", SimpleNamespace(monotonic=lambda: clock.now))
     return clock
 
 
 @pytest.fixture
 def short_rests(monkeypatch):
-    monkeypatch.setattr(replicas_module, "_FIRST_REST", 0.01)
+    monkeypatch.setattr(_replicas, "_FIRST_REST", 0.01)
     monkeypatch.setattr(Replicas, "probe_seconds", 0.2)
 
 
@@ -242,7 +238,7 @@ def test_so_it_is_for_the_asynchronous_model(monkeypatch, two_hosts):
 def test_a_name_that_moves_is_followed(monkeypatch, two_hosts, connect):
     hosts = ["127.0.0.1", "127.0.0.3"]
     name_service(monkeypatch, hosts)
-    monkeypatch.setattr(resolver_module, "_LOOK_SOON", 0.0)
+    monkeypatch.setattr(_replicas, "_LOOK_SOON", 0.0)
     first, second, address = two_hosts
     model = connect(address)
     model.predict(FREQUENCIES, ONE)

@@ -5,7 +5,8 @@ from contextlib import suppress
 import pytest
 
 from bnserve_client._addresses import parse_addresses
-from bnserve_client._retry_policy import Replicas, RetryPolicy
+from bnserve_client._replicas import Replicas
+from bnserve_client._session import RetryPolicy
 from bnserve_client._settings import Settings
 from bnserve_protocol import (
     AnswerCorrupted,

@@ -107,9 +107,7 @@ def test_no_report_of_an_error_shows_it(address, connect, monkeypatch, tmp_path,
         error = raised.value
         texts = [error.detail, repr(error), str(error.errors), pickle.dumps(error).decode("latin-1")]
         report = traceback.TracebackException.from_exception(error, capture_locals=True)
-        ours = [
-            frame.locals for frame in report.stack if "_session" in frame.filename or "_connections" in frame.filename
-        ]
+        ours = [frame.locals for frame in report.stack if "_session" in frame.filename or "_blocking" in frame.filename]
         if len(wrong) > 3:
             assert wrong not in "".join(texts) + repr(ours)
 

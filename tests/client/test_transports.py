@@ -19,7 +19,7 @@ from bnserve_client import (
     ParametersWithExtrinsic,
 )
 from bnserve_client._addresses import parse_addresses
-from bnserve_client._connections import uses_plain_sockets
+from bnserve_client._blocking import uses_plain_sockets
 from tests.client import scripted_server as faults
 from tests.client.conftest import same
 from tests.client.reference_model import ReferenceModel, binaries

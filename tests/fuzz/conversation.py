@@ -7,9 +7,17 @@ A script is a list of HTTP answers with :data:`MARK` between them, one for each 
 from typing import Any
 
 from bnserve_client._addresses import parse_addresses
-from bnserve_client._failures import TransportFailure, explain
 from bnserve_client._http1 import encode_request, exchange
-from bnserve_client._messages import Conversation, HttpResponse, LookUp, Send, Sleep, Together
+from bnserve_client._messages import (
+    Conversation,
+    HttpResponse,
+    LookUp,
+    Send,
+    Sleep,
+    Together,
+    TransportFailure,
+    explain,
+)
 from bnserve_client._pinned import connecting
 from bnserve_client._settings import Settings
 from bnserve_client._waveforms import RemoteModel

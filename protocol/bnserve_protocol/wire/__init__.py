@@ -1,6 +1,6 @@
 """What travels, as bytes: arrays, requests, answers, problems, digests, and the memory they are read into."""
 
-from bnserve_protocol.wire._arrays import decode_array, encode_array
+from bnserve_protocol.wire._arrays import ResultMemory, address_of, decode_array, encode_array, result_memory
 from bnserve_protocol.wire._envelope import (
     JSON,
     MSGPACK,
@@ -9,9 +9,10 @@ from bnserve_protocol.wire._envelope import (
     DigestName,
     Problem,
     content_digest,
+    refuse_repeated_keys,
     request_digest,
+    unique_keys,
 )
-from bnserve_protocol.wire._keys import refuse_repeated_keys, unique_keys
 from bnserve_protocol.wire._likelihoods import (
     LikelihoodAnswer,
     LikelihoodAnswerBody,
@@ -23,15 +24,17 @@ from bnserve_protocol.wire._likelihoods import (
     encode_likelihood_answer_json,
     encode_likelihood_request,
 )
-from bnserve_protocol.wire._memory import ResultMemory, address_of, result_memory
-from bnserve_protocol.wire._waveform_answers import WaveformAnswer, decode_answer, encode_answer, encode_answer_json
 from bnserve_protocol.wire._waveforms import (
     Grid,
     GridDigest,
     OutputName,
+    WaveformAnswer,
     WaveformBody,
     WaveformRequest,
+    decode_answer,
     decode_request,
+    encode_answer,
+    encode_answer_json,
     encode_request,
 )
 

@@ -1,14 +1,21 @@
-"""Numpy arrays on the wire: the MessagePack map that msgpack-numpy writes, read with a closed schema.
+"""Numpy arrays on the wire, and memory for large ones.
 
-An array is the map ``{nd: true, type: "<c16", kind: "", shape: [N, M], data: bytes}``. We write its keys as
-MessagePack binary, as msgpack-numpy does, so that its users can decode answers; we read both binary and text keys.
-The msgpack-numpy library itself is never used: its decoder unpickles object arrays.
+An array travels as the map ``{nd: true, type: "<c16", kind: "", shape: [N, M], data: bytes}`` that msgpack-numpy
+writes. We write its keys as MessagePack binary, so that its users can decode answers; we read both binary and text
+keys, with a closed schema. The msgpack-numpy library itself is never used: its decoder unpickles object arrays.
+
+Memory is used again once nobody looks at the arrays in it. The first touch of fresh memory (a page fault for every
+4 KiB) can cost more than all else that happens to a large result, computed or received, and allocators give large
+blocks back to the system at once. A sampler that drops one result as it asks for the next finds the memory of the
+result before that one here.
 """
 
 from __future__ import annotations
 
+import ctypes
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import msgspec
@@ -16,7 +23,88 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._errors import UndecodableBody
-from bnserve_protocol.wire._memory import address_of
+
+_ALIGNMENT = 64
+_SMALL = 2**16
+"""The allocator keeps smaller blocks by itself."""
+_MOST_KEPT = 2**27
+"""Bytes that are kept for later, in all."""
+_LARGEST_WASTE = 1.25
+"""A block is used again for something up to this much smaller."""
+
+
+_byte_at: Callable[[Any], ctypes.c_char] = ctypes.c_char.from_buffer
+
+
+class _Lease:
+    """What the arrays in a block refer to; when the last of them is gone, the block is free.
+
+    Parameters
+    ----------
+    block:
+        The memory; ``np.asarray(lease)`` is the array over it.
+    give_back:
+        Called when nobody looks at it any more.
+    """
+
+    def __init__(self, block: NDArray[np.uint8], give_back: Callable[[], None]) -> None:
+        self.__array_interface__ = {**block.__array_interface__, "strides": None}
+        self._block = block
+        self._give_back = give_back
+
+    def __del__(self) -> None:
+        self._give_back()
+
+
+class ResultMemory:
+    """Blocks of bytes. Takes no lock, so that forks are safe: operations of ``dict`` are atomic in CPython."""
+
+    def __init__(self) -> None:
+        self._free: dict[int, NDArray[np.uint8]] = {}
+
+    @property
+    def kept(self) -> int:
+        """Bytes in blocks that nobody uses."""
+        return sum(len(block) for block in list(self._free.values()))
+
+    def empty(self, shape: tuple[int, ...], dtype: Any) -> NDArray[Any]:
+        """As :func:`numpy.empty`; what is large begins at a multiple of 64 bytes."""
+        size = math.prod(shape) * np.dtype(dtype).itemsize
+        if size < _SMALL or size > _MOST_KEPT:
+            return np.empty(shape, dtype)
+        block = self._take(size)
+        lease = _Lease(block, partial(self._give_back, block))
+        array: NDArray[Any] = np.asarray(lease)[:size].view(dtype).reshape(shape)
+        return array
+
+    def give_back(self) -> None:
+        """Keep no block that nobody uses at this moment."""
+        self._free.clear()
+
+    def _take(self, size: int) -> NDArray[np.uint8]:
+        for number, block in list(self._free.items()):
+            if size <= len(block) <= _LARGEST_WASTE * size and self._free.pop(number, None) is not None:
+                return block
+        fresh = np.empty(size + _ALIGNMENT, np.uint8)
+        return fresh[-fresh.ctypes.data % _ALIGNMENT :]
+
+    def _give_back(self, block: NDArray[np.uint8]) -> None:
+        if self.kept + len(block) <= _MOST_KEPT:
+            self._free[id(block)] = block
+
+
+result_memory = ResultMemory()
+"""That of this process: like the allocator's, it belongs to nobody in particular."""
+
+
+def address_of(array: NDArray[Any]) -> int:
+    """Where an array's memory begins."""
+    try:
+        return ctypes.addressof(_byte_at(array))  # a fifth of the time of asking the array
+    except (TypeError, ValueError):  # it is read-only, empty or has gaps
+        address: int = array.__array_interface__["data"][0]
+        return address
+
 
 ARRAY_DTYPES = {name: np.dtype(name) for name in ("<f8", "<f4", "<c16", "<c8", "|u1")}
 """The only array types that travel."""
@@ -93,6 +181,14 @@ def decode_array(raw: bytes | msgspec.Raw) -> NDArray[Any]:
     return np.frombuffer(data, dtype=dtype).reshape(shape)
 
 
+def decode_real(raw: bytes | msgspec.Raw) -> NDArray[np.float64]:
+    """Read one array of real numbers as float64; parameters and errors as :func:`decode_array`."""
+    array = decode_array(raw)
+    if array.dtype.kind != "f":
+        raise UndecodableBody("Parameters and frequencies travel as <f8 or <f4 arrays.")
+    return np.require(array, np.float64, "A")
+
+
 def _fields(view: memoryview) -> dict[str, msgspec.Raw]:
     if view[:1] != bytes([_FIXMAP_5]):
         raise KeyError("not a map of five entries")
@@ -109,6 +205,11 @@ def encode_array(array: NDArray[Any]) -> list[bytes | memoryview]:
     header, dtype = array_header(array.dtype, array.shape)
     contiguous = np.ascontiguousarray(array, dtype)
     return [header, contiguous.reshape(-1).view(np.uint8).data]
+
+
+def raw_array(array: NDArray[Any]) -> msgspec.Raw:
+    """As :func:`encode_array`, joined: a value inside a message."""
+    return msgspec.Raw(b"".join(encode_array(array)))
 
 
 def array_header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> tuple[bytes, np.dtype[Any]]:

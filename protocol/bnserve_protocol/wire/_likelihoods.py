@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from types import ModuleType
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, TypeAlias
 
 import msgspec
 import numpy as np
@@ -12,9 +12,15 @@ from numpy.typing import NDArray
 from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBody
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodBatch, check_likelihood_names
 from bnserve_protocol._model import ModelIdentity
-from bnserve_protocol.wire._arrays import decode_array, encode_array, is_array
-from bnserve_protocol.wire._envelope import JSON, MSGPACK
-from bnserve_protocol.wire._keys import read_map, read_object, refuse_repeated_keys
+from bnserve_protocol.wire._arrays import decode_array, decode_real, encode_array, is_array, raw_array
+from bnserve_protocol.wire._envelope import (
+    JSON,
+    MSGPACK,
+    UNREADABLE,
+    check_keys,
+    read_map,
+    undecodable,
+)
 
 
 class LikelihoodRequest(msgspec.Struct, frozen=True, kw_only=True):
@@ -43,6 +49,7 @@ _MOST_PLAIN_BYTES = 2**20
 """Of numbers that do not travel as an array: decoded one by one they take up to sixty times as much."""
 
 _ALL_NAMES = list(LIKELIHOOD_NAMES)
+_MAPS = ("calibration_amplitude", "calibration_phase")
 _Named: TypeAlias = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)]
 
 
@@ -95,22 +102,10 @@ class _Reader:
         self.numbers = module.Decoder(float | list[float | list[float]])
         self.arrays = arrays
 
-    def check_keys(self, body: bytes | memoryview, wire: LikelihoodBody) -> None:
-        """Refuse a message in which a map has a key twice."""
-        fields = read_map(body) if self.arrays else read_object(body)
-        objects = [fields[name] for name in ("calibration_amplitude", "calibration_phase") if name in fields]
-        if wire.names is None:
-            objects.append(wire.parameters)
-        if self.arrays:
-            for each in objects:
-                read_map(each)
-        else:
-            refuse_repeated_keys(body, body, *objects)
-
     def values(self, raw: msgspec.Raw) -> NDArray[np.float64]:
         """Numbers in any form that this media type has for them."""
         if self.arrays and is_array(raw):
-            return _real(decode_array(raw))
+            return decode_real(raw)
         if memoryview(raw).nbytes > _MOST_PLAIN_BYTES:
             raise TooLarge("So many numbers travel as MessagePack arrays, or in smaller batches.")
         try:
@@ -141,15 +136,11 @@ def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
         LikelihoodBody(
             analysis=analysis,
             names=names,
-            parameters=_raw(values),
-            calibration_amplitude={name: _raw(array) for name, array in batch.calibration_amplitude.items()},
-            calibration_phase={name: _raw(array) for name, array in batch.calibration_phase.items()},
+            parameters=raw_array(values),
+            calibration_amplitude={name: raw_array(array) for name, array in batch.calibration_amplitude.items()},
+            calibration_phase={name: raw_array(array) for name, array in batch.calibration_phase.items()},
         )
     )
-
-
-def _raw(array: NDArray[Any]) -> msgspec.Raw:
-    return msgspec.Raw(b"".join(encode_array(array)))
 
 
 def decode_likelihood_request(
@@ -179,11 +170,9 @@ def decode_likelihood_request(
     try:
         wire: LikelihoodBody = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
-        reader.check_keys(body, wire)
-    except msgspec.ValidationError as error:
-        raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
-    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
-        raise UndecodableBody(f"The body is not a valid {media_type} message; check that it is complete.") from error
+        check_keys(body, media_type, _MAPS if wire.names is not None else (*_MAPS, "parameters"))
+    except UNREADABLE as error:
+        raise undecodable(error, media_type) from error
     return LikelihoodRequest(analysis=wire.analysis, batch=batch)
 
 
@@ -219,12 +208,6 @@ def _rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> NDArray[np.flo
             f"With 'names' given, 'parameters' is an array [N, {len(names)}]; got shape {list(rows.shape)}."
         )
     return rows
-
-
-def _real(array: NDArray[Any]) -> NDArray[np.float64]:
-    if array.dtype.kind != "f":
-        raise UndecodableBody("Parameters travel as <f8 or <f4 arrays.")
-    return np.require(array, np.float64, "A")
 
 
 def encode_likelihood_answer(answer: LikelihoodAnswer) -> list[bytes | memoryview]:

@@ -1,7 +1,8 @@
-"""The request for waveforms on the wire, in MessagePack and JSON."""
+"""A request for waveforms, in MessagePack and JSON, and its answer: arrays by name, and the model that made them."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from types import ModuleType
 from typing import Annotated, Any, Literal, TypeAlias
 
@@ -11,11 +12,26 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge, UndecodableBody
 from bnserve_protocol._grids import UniformGrid, as_frequencies
-from bnserve_protocol._model import DtypeName, EvaluationOptions
+from bnserve_protocol._model import DtypeName, EvaluationOptions, ModelIdentity
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
-from bnserve_protocol.wire._arrays import decode_array, encode_array, is_array
-from bnserve_protocol.wire._envelope import JSON, MSGPACK
-from bnserve_protocol.wire._keys import read_map, read_object, refuse_repeated_keys
+from bnserve_protocol.wire._arrays import (
+    Template,
+    address_of,
+    array_header,
+    decode_array,
+    decode_real,
+    encode_array,
+    is_array,
+    raw_array,
+)
+from bnserve_protocol.wire._envelope import (
+    JSON,
+    MSGPACK,
+    UNREADABLE,
+    check_keys,
+    read_map,
+    undecodable,
+)
 
 OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
 
@@ -104,14 +120,9 @@ class _Reader:
         self.vector = module.Decoder(_Vector)
         self.arrays = arrays
 
-    def check_keys(self, body: bytes | memoryview, wire: WaveformBody) -> None:
-        """Refuse a message in which a map has a key twice."""
-        named = [wire.parameters] if wire.names is None else []
-        if self.arrays:
-            for each in (read_map(body)["grid"], *named):
-                read_map(each)
-        else:
-            refuse_repeated_keys(body, body, read_object(body)["grid"], *named)
+    def array(self, raw: msgspec.Raw) -> NDArray[np.float64] | None:
+        """The numbers of an array; None where they are a list, or one."""
+        return decode_real(raw) if self.arrays and is_array(raw) else None
 
 
 _READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
@@ -167,17 +178,10 @@ def _decode_request(body: bytes | memoryview, media_type: str, max_rows: int) ->
         wire: WaveformBody = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
         grid = _grid(reader, wire.grid)
-        reader.check_keys(body, wire)
-    except msgspec.ValidationError as error:
-        raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
-    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
-        raise UndecodableBody(f"The body is not a valid {media_type} message; check that it is complete.") from error
-    options = EvaluationOptions(
-        out_of_domain=wire.out_of_domain,
-        below_band=wire.below_band,
-        above_band=wire.above_band,
-        alignment=wire.alignment,
-    )
+        check_keys(body, media_type, ("grid",) if wire.names is not None else ("grid", "parameters"))
+    except UNREADABLE as error:
+        raise undecodable(error, media_type) from error
+    options = EvaluationOptions(**{name: getattr(wire, name) for name in EvaluationOptions.__struct_fields__})
     return WaveformRequest(batch=batch, grid=grid, output=wire.output, dtype=wire.dtype, options=options)
 
 
@@ -208,9 +212,8 @@ def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str], max_ro
     ours = tuple(names) == PARAMETER_NAMES
     if not ours:
         check_names(names)
-    if reader.arrays and is_array(raw):
-        rows = _real(decode_array(raw))
-    else:
+    rows = reader.array(raw)
+    if rows is None:
         _check_plain(raw, len(names), max_rows)
         decoded = reader.rows.decode(raw)
         if len({len(row) for row in decoded}) > 1:
@@ -227,39 +230,24 @@ def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str], max_ro
 
 
 def _column(reader: _Reader, raw: msgspec.Raw, max_rows: int) -> float | list[float] | NDArray[np.float64]:
-    if reader.arrays and is_array(raw):
-        array = _real(decode_array(raw))
-        _check_rows(len(array), max_rows)
-        return array
-    _check_plain(raw, 1, max_rows)
-    column: float | list[float] = reader.column.decode(raw)
-    if isinstance(column, list):
+    column: float | list[float] | NDArray[np.float64] | None = reader.array(raw)
+    if column is None:
+        _check_plain(raw, 1, max_rows)
+        column = reader.column.decode(raw)
+    if not isinstance(column, float):
         _check_rows(len(column), max_rows)
     return column
 
 
-def _real(array: NDArray[Any]) -> NDArray[np.float64]:
-    if array.dtype.kind != "f":
-        raise UndecodableBody("Parameters and frequencies travel as <f8 or <f4 arrays.")
-    return np.asarray(array, dtype=np.float64)
-
-
 def _grid(reader: _Reader, wire: GridBody) -> Grid:
     uniform = (wire.f_min, wire.f_max, wire.delta_f)
-    forms = (
-        any(value is not None for value in uniform),
-        wire.frequencies is not msgspec.UNSET,
-        wire.sha256 is not None,
-    )
-    if sum(forms) != 1:
+    if (uniform != (None,) * 3) + (wire.frequencies is not msgspec.UNSET) + (wire.sha256 is not None) != 1:
         raise InvalidFrequencies("A grid is exactly one of {f_min, f_max, delta_f}, {frequencies} or {sha256}.")
     if wire.sha256 is not None:
         return GridDigest(sha256=wire.sha256)
     if not isinstance(wire.frequencies, msgspec.UnsetType):
-        raw = wire.frequencies
-        if reader.arrays and is_array(raw):
-            return as_frequencies(_real(decode_array(raw)))
-        return as_frequencies(reader.vector.decode(raw))
+        array = reader.array(wire.frequencies)
+        return as_frequencies(reader.vector.decode(wire.frequencies) if array is None else array)
     f_min, f_max, delta_f = uniform
     if f_min is None or f_max is None or delta_f is None:
         raise InvalidFrequencies("A uniform grid needs all of f_min, f_max and delta_f.")
@@ -269,17 +257,14 @@ def _grid(reader: _Reader, wire: GridBody) -> Grid:
 def encode_request(request: WaveformRequest) -> bytes:
     """Write a request as MessagePack: the parameters as one ``[N, 10]`` array with names."""
     wire = WaveformBody(
-        parameters=msgspec.Raw(b"".join(encode_array(request.batch.values))),
+        parameters=raw_array(request.batch.values),
         names=list(PARAMETER_NAMES),
         grid=_wire_grid(request.grid),
         output=request.output,
         dtype=request.dtype,
-        out_of_domain=request.options.out_of_domain,
-        below_band=request.options.below_band,
-        above_band=request.options.above_band,
-        alignment=request.options.alignment,
+        **msgspec.structs.asdict(request.options),
     )
-    return msgspec.msgpack.encode(wire)
+    return _encode(wire)
 
 
 def _wire_grid(grid: Grid) -> GridBody:
@@ -287,4 +272,128 @@ def _wire_grid(grid: Grid) -> GridBody:
         return GridBody(sha256=grid.sha256)
     if isinstance(grid, UniformGrid):
         return GridBody(f_min=grid.f_min, f_max=grid.f_max, delta_f=grid.delta_f)
-    return GridBody(frequencies=msgspec.Raw(b"".join(encode_array(grid))))
+    return GridBody(frequencies=raw_array(grid))
+
+
+ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
+"""The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
+cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm ``[N, M]``; always status ``[N]``,
+and estimated_mismatch ``[N]`` from models that have it."""
+
+
+ALIGNMENT = 64
+"""Of large arrays within the body: a cache line, and what the widest vector instructions like."""
+LARGE = 2**16
+"""Smaller arrays are cheaper to copy than to align."""
+
+_encode = msgspec.msgpack.Encoder().encode
+_MODEL = _encode("model")
+
+
+class WaveformAnswer(msgspec.Struct, frozen=True):
+    """A decoded answer."""
+
+    arrays: dict[str, Any]
+    model: ModelIdentity
+
+
+_identity = msgspec.msgpack.Decoder(ModelIdentity)
+_MOST_TEMPLATES = 128
+_templates: dict[int, Template] = {}
+"""Of the small answers met last, by their length."""
+
+
+def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> list[bytes | memoryview]:
+    """Write an answer as buffers, which joined are one MessagePack map; the memory of large arrays is not copied.
+
+    The data of a large array begins at a multiple of 64 bytes, behind a field of zeros named ``pad_`` and its name: a
+    reader who puts the body into aligned memory can use the array where it is.
+    """
+    large = sum(array.nbytes >= LARGE for array in arrays.values())
+    start = b"%c" % (0x80 + 1 + len(arrays) + large) + _MODEL + _encode(model)
+    parts: list[bytes | memoryview] = []
+    position = 0
+    for name, array in arrays.items():
+        if array.nbytes < LARGE:
+            head, dtype = array_header(array.dtype, array.shape)
+            start += _encode(name) + head + array.astype(dtype, copy=False).tobytes()
+            continue
+        header, data = encode_array(array)
+        start += _padded(name, header, position + len(start))
+        parts += [start, data]
+        position += len(start) + len(data)
+        start = b""
+    return [*parts, start] if start else parts
+
+
+def _padded(name: str, header: bytes | memoryview, position: int) -> bytes:
+    """A field up to its data, with zeros before it so that the data is aligned when it is put at ``position``."""
+    field = _encode(name) + bytes(header)
+    filler = _encode(f"pad_{name}") + b"\xc4"
+    missing = -(position + len(filler) + 1 + len(field)) % ALIGNMENT
+    return filler + bytes([missing]) + bytes(missing) + field
+
+
+def encode_answer_json(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> bytes:
+    """Write an answer as JSON: complex arrays as ``{"re": ..., "im": ...}``, NaN as null."""
+    return msgspec.json.encode({"model": model} | {name: _json_value(array) for name, array in arrays.items()})
+
+
+def _json_value(array: NDArray[Any]) -> Any:
+    if np.iscomplexobj(array):
+        return {"re": array.real.tolist(), "im": array.imag.tolist()}
+    return array.tolist()
+
+
+def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
+    """Read an answer; its arrays are views of ``body``. Unknown fields are ignored.
+
+    The views are read-only, but for those of large arrays in a writable ``body``.
+
+    Raises
+    ------
+    UndecodableBody
+        Not such a message.
+    """
+    small = body if isinstance(body, bytes) and len(body) <= LARGE else b""
+    template = _templates.get(len(small))
+    known = None if template is None else template.read(small)
+    if template is not None and known is not None:
+        return WaveformAnswer(arrays=known, model=template.meaning)
+    answer = _decode_answer(body)
+    if small and all(array.size for array in answer.arrays.values()):
+        if len(_templates) >= _MOST_TEMPLATES:
+            _templates.clear()
+        _templates[len(small)] = Template(small, answer.arrays, answer.model)
+    return answer
+
+
+def _decode_answer(body: bytes | memoryview) -> WaveformAnswer:
+    try:
+        fields = read_map(body)
+        read_map(fields["model"])
+        model = _identity.decode(fields["model"])
+    except (msgspec.MsgspecError, RecursionError, KeyError, UnicodeDecodeError) as error:
+        raise UndecodableBody("The answer is not a waveform answer of bnserve.") from error
+    arrays = {name: decode_array(fields[name]) for name in ARRAY_NAMES if name in fields}
+    if not _fit_together(arrays):
+        raise UndecodableBody("The arrays of the answer do not fit together.")
+    if isinstance(body, memoryview) and not body.readonly:
+        arrays = {name: array if array.nbytes < LARGE else _same_in(body, array) for name, array in arrays.items()}
+    return WaveformAnswer(arrays=arrays, model=model)
+
+
+def _same_in(body: memoryview, array: NDArray[Any]) -> NDArray[Any]:
+    """An array over the same bytes, which are a part of ``body``, that can be written to as ``body`` can."""
+    start = address_of(np.frombuffer(body, np.uint8))
+    return np.ndarray(array.shape, array.dtype, body, address_of(array) - start)
+
+
+def _fit_together(arrays: Mapping[str, NDArray[Any]]) -> bool:
+    """Whether there is a uint8 status of N rows, and all else has N rows and one number of columns, if any."""
+    status = arrays.get("status")
+    if status is None or status.ndim != 1 or status.dtype != np.uint8:
+        return False
+    rows = {len(array) for array in arrays.values()}
+    columns = {array.shape[1] for array in arrays.values() if array.ndim == 2}
+    return len(rows) == 1 and len(columns) <= 1
