@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import DTypeLike
 
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
@@ -16,7 +17,6 @@ from bnserve_protocol import (
     SOLAR_MASS_SECONDS,
     AmplitudePhase,
     BatchLike,
-    DtypeName,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -83,7 +83,7 @@ class GeneratorModel:
         batch: BatchLike,
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
-        dtype: DtypeName = "complex128",
+        dtype: DTypeLike = "complex128",
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out."""
         coerced = ParameterBatch.coerce(batch)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -41,6 +42,6 @@ def kept_posterior(folder: Path, settings: Annealing | SamplerSettings) -> Poste
     if not (folder / _SAMPLES).exists():
         return None
     with np.load(folder / _SAMPLES, allow_pickle=False) as file:
-        arrays = [file[name] for name in ("points", "weights", "log_likelihood")]
-        numbers = [float(file[name]) for name in ("log_evidence", "log_evidence_error", "effective")]
-    return Posterior(*arrays, *numbers, Cost(**json.loads((folder / _COST).read_text())))
+        kept: dict[str, Any] = {name: file[name] for name in ("points", "weights", "log_likelihood")}
+        kept |= {name: float(file[name]) for name in ("log_evidence", "log_evidence_error", "effective")}
+    return Posterior(**kept, cost=Cost(**json.loads((folder / _COST).read_text())))

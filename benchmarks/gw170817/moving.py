@@ -74,7 +74,8 @@ def propose(
 ) -> Population:
     """Offer every particle a place drawn from the mixture or, sometimes, from the prior."""
     y, volumes = coordinates.from_cube(now.points)
-    offered, places, theirs = mixture_or_prior(mixture, *now.points.shape, coordinates, random)
+    count, dimensions = now.points.shape
+    offered, places, theirs = mixture_or_prior(mixture, count, dimensions, coordinates, random)
     balance = volumes - log_proposal(mixture, y, volumes)
     their_balance = theirs - log_proposal(mixture, offered, theirs)
     return _offer(log_likelihood, now, np.arange(len(y)), (places, their_balance), balance, random)

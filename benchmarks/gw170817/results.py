@@ -75,7 +75,7 @@ def check(
         arrays["calibration"] = _calibrated(batch.rows(some), event, local, model, options)
         found |= {"calibration_checks": len(arrays["calibration"])}
         found |= _compared("calibration_envelopes", arrays["calibration"], sampled[some])
-    np.savez(options.work / first / "draws.npz", **arrays)
+    np.savez(options.work / first / "draws.npz", allow_pickle=False, **arrays)
     shown = {kind: Shown(physical(cube(each.points)), each.weights) for kind, each in posteriors.items()}
     for kind in (OTHER[first], "full"):
         if kind not in shown:

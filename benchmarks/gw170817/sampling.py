@@ -157,8 +157,8 @@ def sample_nautilus(
         return None
     points, log_weights, log_likelihood = sampler.posterior()
     weights = np.exp(log_weights - np.max(log_weights))
-    error = 1.0 / np.sqrt(sampler.n_eff)  # as its authors estimate it (Lange 2023)
-    evidence = float(sampler.log_z), float(error)
+    uncertainty = 1.0 / np.sqrt(sampler.n_eff)  # as its authors estimate it (Lange 2023)
+    evidence = float(sampler.log_z), float(uncertainty)
     return Posterior(points, weights / weights.sum(), log_likelihood, *evidence, float(sampler.n_eff), timed.cost)
 
 

@@ -57,7 +57,7 @@ def speed_and_accuracy(rounds: int, points: int) -> dict[str, Any]:
     built = measuring.plain_analyses(event, LocalModel.default())
     log(f"analyses built in {time.perf_counter() - started:.1f} s")
     samples = measuring.prior_samples(measuring.ROWS)
-    peer = [sys.executable, Path(__file__).with_name("bilby_peer.py")]
+    peer: list[str | Path] = [sys.executable, Path(__file__).with_name("bilby_peer.py")]
     with bnserve_server() as (url, _), Model.connect(url) as model, Worker(peer) as bilby:
         bound = {kind: likelihood(model, analysis) for kind, analysis in built.items()}
         calls = {

@@ -6,6 +6,7 @@ import statistics
 import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +25,7 @@ ROWS = 4096
 def plain_analyses(event: setting.Event, model: WaveformModel) -> dict[str, Analysis]:
     """The three kinds for the same data, with the phase integrated over as samplers like it, and nothing else."""
     options = LikelihoodOptions(prior=priors.RANGES, phase_marginalisation=True)
-    band = {"trigger_time": setting.TRIGGER, "f_min": setting.F_MIN, "f_max": setting.F_MAX}
+    band: dict[str, Any] = {"trigger_time": setting.TRIGGER, "f_min": setting.F_MIN, "f_max": setting.F_MAX}
     basis = load_shipped_basis(analyses.BASIS)
     return {
         "roq": roq_analysis(event.data, trigger_time=setting.TRIGGER, basis=basis, model=model, options=options),

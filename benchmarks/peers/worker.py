@@ -117,7 +117,7 @@ def _seconds(peer: Peer, points: int, rows: int = 1, calls: int = 1, seed: int =
     grid = peer.grid(points)
     if rows == 1:
         arguments: list[Any] = [peer.binary(draw((seed + call) % SEEDS)) for call in range(calls + 1)]
-        function = peer.waveform
+        function: Callable[[Any, Any], Any] = peer.waveform
     else:
         arguments = [peer.binaries([draw(seed + call + row) for row in range(rows)]) for call in range(calls + 1)]
         function = peer.batch

@@ -69,7 +69,7 @@ def draw(seed: int) -> tuple[Floats, LikelihoodParameters]:
     u = random.random(len(NAMES))
     low, high = np.power(DISTANCES, 3)
     row = cube_to_batch(u[None, :])
-    values = {name: float(row[name][0]) for name in LIKELIHOOD_NAMES}
+    values: dict[str, Any] = {name: float(row[name][0]) for name in LIKELIHOOD_NAMES}
     values["distance_mpc"] = float(np.cbrt(low + random.random() * (high - low)))
     values["reference_phase"] = float(random.uniform(0.0, 2.0 * np.pi))
     return u, LikelihoodParameters(**values)

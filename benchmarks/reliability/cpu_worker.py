@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from bnserve_protocol import ParameterBatch, UniformGrid
+from bnserve_protocol import GridLike, ParameterBatch, UniformGrid
 from bnserve_surrogate import Model
 from bnserve_surrogate.kernel import _loader
 
-GRIDS = {
+GRIDS: dict[str, GridLike] = {
     "short": np.geomspace(20.0, 2000.0, 277),
     "long": UniformGrid(20.0, 2020.0, 0.5),
 }

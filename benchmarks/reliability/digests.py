@@ -101,7 +101,7 @@ def _groups(short: bool, sizes: tuple[int, int]) -> dict[str, Iterator[Fault]]:
         "foreign bytes": lambda: put_in(random),
         "exchanged blocks": lambda: exchange_blocks(random),
     }
-    groups = {
+    groups: dict[str, Iterator[Fault]] = {
         "every bit of an answer": (Fault("answer", answer=flip(bit)) for bit in range(0, 8 * sizes[1], step)),
         "every bit of a question": (Fault("question", request=flip(bit)) for bit in range(0, 8 * sizes[0], step)),
         "answers to others": (Fault("other", other=True) for _ in range(many)),

@@ -7,6 +7,8 @@ reading of the bytes expects (:mod:`tests.fuzz.framing`), and every line of the 
 
 from __future__ import annotations
 
+from typing import Any
+
 from benchmarks.reliability.balancer import balancing
 from benchmarks.reliability.fuzzing.framing import Found, fuzz, misread, tokens
 from benchmarks.reliability.outcome import Figures, Log, Outcome
@@ -26,7 +28,7 @@ _LARGEST_GROWTH = 64 * MIB
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """Measure; the long form takes a quarter of an hour."""
     count = 200 if short else 51_000
-    settings = {"tokens": tokens(), "access_log": True}
+    settings: dict[str, Any] = {"tokens": tokens(), "access_log": True}
     with (
         serving("--model", "default", plant=plant, **settings) as server,
         balancing([server.address]) as balancer,

@@ -7,7 +7,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-import msgpack  # type: ignore[import-untyped]  # it ships no annotations
+import msgpack
 import numpy as np
 
 

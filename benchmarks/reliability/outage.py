@@ -33,7 +33,7 @@ _AT = 20
 def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     """A seeded run without and one with an outage."""
     walkers, steps, seconds = (16, 30, 3.0) if short else (64, 150, 120.0)
-    options = {"timeout": 900.0} | ({"retries": 0} if plant else {})
+    options: dict[str, Any] = {"timeout": 900.0} | ({"retries": 0} if plant else {})
     with tempfile.TemporaryDirectory() as folder, replicas(Path(folder), 3, "--model", "default") as servers:
         addresses = [server.url for server in servers]
         with Model.connect(addresses, **options) as model, _example() as (problem, with_emcee):
@@ -91,7 +91,7 @@ def _interrupted(kind: type[Any], likelihood: Any, servers: list[Replica], secon
 
     revival = threading.Thread(target=come_back)
 
-    class Interrupted(kind):  # type: ignore[misc]  # a dataclass of an example, which mypy does not see
+    class Interrupted(kind):  # a dataclass of the example
         def log_likelihood(self, points: Any) -> Any:
             """As without an outage."""
             if self.requests == _AT:

@@ -11,7 +11,7 @@ from typing import Protocol, TypeAlias, cast
 
 from bnserve_protocol import BnserveError
 
-Figures: TypeAlias = Mapping[str, float | int | str]
+Figures: TypeAlias = dict[str, float | int | str]
 Log: TypeAlias = Callable[[str], None]
 
 NAMES = (
@@ -57,7 +57,7 @@ class PromiseUnknown(BnserveError):
 class Outcome:
     """One measurement."""
 
-    figures: Figures
+    figures: Mapping[str, float | int | str]
     passed: bool
     """Whether the bar is reached."""
     summary: str

@@ -48,7 +48,7 @@ def no_cap() -> None:
     """Bodies are read to their end, whatever their size."""
     from bnserve_service.http.body import BodyReader, IncomingBody
 
-    async def read_all(self: IncomingBody, receive: Any, _limit: int) -> bytes:
+    async def read_all(self: IncomingBody, receive: Any, limit: int) -> bytes:
         return await self._collect(receive, 2**62)
 
     IncomingBody.read = read_all  # type: ignore[method-assign]
@@ -180,8 +180,9 @@ def trailers_as_headers() -> None:
 def bare_errors() -> None:
     """What goes wrong while a body is decoded comes out as it is, without a name."""
     from bnserve_protocol import UndecodableBody
-    from bnserve_service.evaluation import service as answering
+    from bnserve_service.evaluation import service
 
+    answering: Any = service
     decode = answering.decode_request
 
     def decode_only(*arguments: Any) -> Any:

@@ -68,7 +68,8 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         "samplers": count,
         "uploads answered with 500": statuses.count(500),
         "uploads kept when all was whole": sum(status == 201 for status in statuses[3::4]),
-    } | found.figures()
+    }
+    figures |= found.figures()
     passed = (
         max(unready) <= UNREADY
         and max(whole) <= WHOLE

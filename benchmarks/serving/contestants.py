@@ -75,9 +75,9 @@ def started(contestant: Contestant, folder: Path, cpus: set[int]) -> Iterator[As
         if contestant.encode is not None:
             asker: Asker = HttpAsker(port, contestant.encode)
         else:
-            client = [python, SCRIPTS / f"{contestant.key}_client.py", f"127.0.0.1:{port + 1}"]
+            client: list[str | Path] = [python, SCRIPTS / f"{contestant.key}_client.py", f"127.0.0.1:{port + 1}"]
             asker = WorkerAsker(stack.enter_context(Worker(client, cpus=cpus)))
-        command = [python, contestant.script, str(port)]
+        command: list[str | Path] = [python, contestant.script, str(port)]
         environment = {"RAY_TMPDIR": temporary, "RAY_USAGE_STATS_ENABLED": "0", "BENTOML_DO_NOT_TRACK": "1"}
         stack.enter_context(
             running(command, lambda: _answers(asker), cpus=cpus, environment=environment, patience=180.0)

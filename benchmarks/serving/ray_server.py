@@ -56,5 +56,5 @@ if __name__ == "__main__":
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
     ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False, _temp_dir=os.environ.get("RAY_TMPDIR"))
     serve.start(http_options={"host": "127.0.0.1", "port": int(sys.argv[1])})
-    serve.run(WaveformDeployment.bind())
+    serve.run(WaveformDeployment.bind())  # type: ignore[attr-defined]  # the decorator's
     signal.pause()

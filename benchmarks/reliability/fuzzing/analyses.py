@@ -20,14 +20,8 @@ import numpy as np
 
 from benchmarks.reliability.serving import serving
 from bnserve_inference import likelihood
-from bnserve_protocol import (
-    MSGPACK,
-    BnserveError,
-    decode_analysis,
-    decode_likelihood_answer,
-    encode_likelihood_request,
-    likelihood_samples,
-)
+from bnserve_protocol import BnserveError, decode_analysis, likelihood_samples
+from bnserve_protocol.wire import MSGPACK, decode_likelihood_answer, encode_likelihood_request
 from tests.fuzz.likelihoods import MOST_WORK, batch_of, model
 from tests.fuzz.targets import TARGETS, Target
 
