@@ -47,13 +47,11 @@ from bnserve_service.routes.manifests import manifest_router
 from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
 from bnserve_service.settings import Settings
-from bnserve_service.shared.files import BlobStore, gone
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.telemetry.metrics import Metrics
-from bnserve_service.uploads.analyses import AnalysisStore, LikelihoodFactory
-from bnserve_service.uploads.grids import GridCache
-from bnserve_service.uploads.records import Kind
-from bnserve_service.uploads.storage_quotas import Keeping, StorageQuotas
+from bnserve_service.uploads.blobs import gone
+from bnserve_service.uploads.storage_quotas import StorageQuotas
+from bnserve_service.uploads.stores import AnalysisStore, GridStore, LikelihoodFactory
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +60,7 @@ class Parts:
 
     settings: Settings
     registry: Registry
-    grids: GridCache
+    grids: GridStore
     analyses: AnalysisStore
     queue: WorkQueue[Any, Any]
     waveforms: WaveformService
@@ -133,7 +131,7 @@ class Application(FastAPI):
         Its router would match every path again, and its exception middlewares answer errors in a form of their own.
         """
         parts, limits = self.parts, self.parts.settings.limits()
-        stored = _storage_quotas(parts)
+        stored = StorageQuotas(parts.settings.tokens, {"grid": parts.grids, "analysis": parts.analyses}, parts.shared)
         largest_grid = min(parts.settings.max_body_bytes, 8 * parts.settings.max_frequencies)
         largest_analysis = parts.settings.max_analysis_bytes
         routers = [
@@ -235,10 +233,8 @@ def _parts(
 ) -> Parts:
     lifecycle = Lifecycle()
     metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
-    grids = GridCache(
-        settings.max_grids, settings.max_grid_bytes, settings.max_frequencies, grid_blobs(settings, shared)
-    )
-    analyses = AnalysisStore(settings, decode_analysis, analysis_blobs(settings, shared))
+    grids = GridStore(settings, shared)
+    analyses = AnalysisStore(settings, decode_analysis, shared)
     workers = settings.threads or available_cpus()
     queue = _queue(settings, metrics, bind, workers)
     health = _health(settings, registry, lifecycle, queue, shared)
@@ -301,21 +297,6 @@ def loader_of(
     return Loader(registry, source or _stores(settings), factory or _surrogate, Selection(settings.models))
 
 
-def grid_blobs(settings: Settings, shared: Path | None) -> BlobStore | None:
-    """Where the workers of one server keep the grids that were uploaded to any of them."""
-    if shared is None:
-        return None
-    return BlobStore(shared / "grids", settings.max_grids, settings.max_grid_bytes, settings.max_grid_bytes)
-
-
-def analysis_blobs(settings: Settings, shared: Path | None) -> BlobStore | None:
-    """Where they keep the analyses."""
-    if shared is None:
-        return None
-    own, together = settings.max_owner_analyses_bytes, settings.max_analyses_bytes
-    return BlobStore(shared / "analyses", settings.max_analyses, own, together)
-
-
 def _watch(parts: Parts) -> None:
     """Show what operators look at, the first things first."""
     metrics, queue, analyses = parts.metrics, parts.queue, parts.analyses
@@ -339,15 +320,6 @@ def _stores(settings: Settings) -> ModelSource:
     from bnserve_store import ModelStore
 
     return ModelStore.default(settings.stores)
-
-
-def _storage_quotas(parts: Parts) -> StorageQuotas:
-    grids, analyses = parts.grids, parts.analyses
-    keeping: dict[Kind, Keeping] = {
-        "grid": Keeping(lambda _, sha256: grids.has(sha256), lambda _, sha256: grids.drop(sha256), is_common=True),
-        "analysis": Keeping(analyses.has, analyses.discard),
-    }
-    return StorageQuotas(parts.settings.tokens, keeping, parts.shared)
 
 
 def _surrogate(artifact: Any) -> Any:

@@ -21,7 +21,8 @@ from bnserve_protocol.wire import (
     decode_likelihood_request,
     decode_request,
 )
-from bnserve_service.uploads.grids import GridCache
+from bnserve_service.settings import Settings
+from bnserve_service.uploads.stores import GridStore
 from bnserve_store._files import decode_manifest
 from bnserve_store._reading import LABELS_FILE, MANIFEST_FILE, TENSORS_FILE, read_artifact, read_labels
 from tests.client.reference_model import binaries
@@ -89,7 +90,7 @@ def read_tensors(data: bytes) -> None:
 
 def read_grid(data: bytes) -> None:
     """An upload under its right name."""
-    GridCache(4, 2**20, 2**16).put(hashlib.sha256(data).hexdigest(), data)
+    GridStore(Settings(max_frequencies=2**16)).put("", hashlib.sha256(data).hexdigest(), data)
 
 
 def read_waveform_answer(data: bytes) -> None:

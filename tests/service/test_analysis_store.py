@@ -13,7 +13,7 @@ from bnserve_protocol import (
 from bnserve_service import Settings
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
-from bnserve_service.uploads.analyses import AnalysisStore
+from bnserve_service.uploads.stores import AnalysisStore
 from tests.service.injections import name_of, small_analysis
 
 ANALYSES = [small_analysis(seed=seed) for seed in range(5)]

@@ -13,12 +13,11 @@ from prometheus_client import CollectorRegistry, Counter, Gauge
 
 from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, encode_analysis
 from bnserve_service import BackgroundServer, Settings, Token
-from bnserve_service.shared.files import BlobStore
 from bnserve_service.shared.folder import SharedFolder
 from bnserve_service.shared.loads import SharedLoads
 from bnserve_service.shared.metrics import SharedMetrics
-from bnserve_service.uploads.analyses import AnalysisStore
-from bnserve_service.uploads.grids import GridCache
+from bnserve_service.uploads.blobs import BlobStore, Bounds
+from bnserve_service.uploads.stores import AnalysisStore, GridStore
 from tests.architecture.rooms import room_environment
 from tests.service.asking import ask, evaluate, question
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
@@ -36,7 +35,7 @@ def grid(start, points=50):
 
 @pytest.fixture
 def blobs(tmp_path):
-    return BlobStore(tmp_path / "blobs", max_files=3, max_owner_bytes=1000, max_bytes=1500)
+    return BlobStore(tmp_path / "blobs", Bounds(max_blobs=3, max_owner_bytes=1000, max_bytes=1500))
 
 
 ME, YOU = "a" * 64, "b" * 64
@@ -146,40 +145,40 @@ class TestBlobStore:
 
 
 class TestUploads:
-    def test_a_grid_is_known_to_every_worker(self, blobs):
-        one, other = (GridCache(3, 1000, 100, blobs) for _ in range(2))
+    def test_a_grid_is_known_to_every_worker(self, tmp_path):
+        one, other = (GridStore(Settings(), tmp_path) for _ in range(2))
         body = grid(1.0)
-        assert one.put(digest(body), body) == (50, True)
-        assert other.put(digest(body), body) == (50, False)
-        frequencies = other.get(digest(body))
+        assert one.put(ME, digest(body), body)[1]
+        assert not other.put(YOU, digest(body), body)[1]
+        frequencies = other.get(YOU, digest(body))
         assert frequencies.tobytes() == body
         assert not frequencies.flags.writeable
-        assert other.get(digest(body)) is frequencies
+        assert other.get(ME, digest(body)) is frequencies
         assert (len(other), other.stored_bytes) == (1, 400)
 
-    def test_one_that_another_worker_dropped_is_gone(self, blobs):
-        one, other = (GridCache(3, 1000, 100, blobs) for _ in range(2))
+    def test_one_that_another_worker_dropped_is_gone(self, tmp_path):
+        one, other = (GridStore(Settings(max_grids=2), tmp_path) for _ in range(2))
         bodies = [grid(start) for start in (1.0, 2.0, 3.0)]
-        one.put(digest(bodies[0]), bodies[0])
-        one.get(digest(bodies[0]))
+        one.put(ME, digest(bodies[0]), bodies[0])
+        one.get(ME, digest(bodies[0]))
         for body in bodies[1:]:
-            other.put(digest(body), body)
+            other.put(ME, digest(body), body)
         with pytest.raises(GridUnknown):
-            one.get(digest(bodies[0]))
+            one.get(ME, digest(bodies[0]))
 
     @pytest.mark.parametrize("wrong", [grid(9.0), b"short", b""])
-    def test_a_file_that_is_not_what_its_name_says_is_refused_and_removed(self, blobs, tmp_path, wrong):
-        cache, body = GridCache(3, 1000, 100, blobs), grid(1.0)
-        cache.put(digest(body), body)
-        (tmp_path / "blobs" / "everybody" / digest(body)).write_bytes(wrong)
+    def test_a_file_that_is_not_what_its_name_says_is_refused_and_removed(self, tmp_path, wrong):
+        (one, other), body = (GridStore(Settings(), tmp_path) for _ in range(2)), grid(1.0)
+        one.put(ME, digest(body), body)
+        (tmp_path / "grids" / "everybody" / digest(body)).write_bytes(wrong)
         with pytest.raises(GridUnknown):
-            cache.get(digest(body))
+            other.get(ME, digest(body))
+        assert not one.has(ME, digest(body))
 
     def test_an_analysis_is_known_to_every_worker_for_its_owner_alone(self, tmp_path):
         analysis = small_analysis(seed=1)
         body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
-        blobs = BlobStore(tmp_path, 10, 2**20, 2**20)
-        one, other = (AnalysisStore(Settings(), decode_analysis, blobs) for _ in range(2))
+        one, other = (AnalysisStore(Settings(), decode_analysis, tmp_path) for _ in range(2))
         assert one.put(ME, name, body)[1]
         assert other.bytes_to_read(ME, name) == len(body)
         assert other.get(ME, name).analysis.digest == analysis.digest
@@ -199,12 +198,11 @@ class TestUploads:
     def test_a_damaged_analysis_is_unknown(self, tmp_path):
         analysis = small_analysis(seed=1)
         body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
-        one = AnalysisStore(Settings(), decode_analysis, BlobStore(tmp_path, 10, 2**20, 2**20))
-        other = AnalysisStore(Settings(), decode_analysis, BlobStore(tmp_path, 10, 2**20, 2**20))
+        one, other = (AnalysisStore(Settings(), decode_analysis, tmp_path) for _ in range(2))
         one.put("", name, body)
         damaged = bytearray(body)
         damaged[-9] ^= 1
-        (tmp_path / "everybody" / name).write_bytes(damaged)
+        (tmp_path / "analyses" / "everybody" / name).write_bytes(damaged)
         with pytest.raises(AnalysisUnknown):
             other.get("", name)
 

@@ -11,7 +11,7 @@ import pytest
 from bnserve_protocol import QuotaExceeded, TooLarge
 from bnserve_service import BackgroundServer, Settings, Token
 from bnserve_service.uploads import storage_quotas as storage_quotas_module
-from bnserve_service.uploads.storage_quotas import Keeping, StorageQuotas
+from bnserve_service.uploads.storage_quotas import StorageQuotas
 from tests.service.asking import ask
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
 from tests.service.conftest import SMALL_LIMITS
@@ -36,12 +36,11 @@ class Kept:
     def put(self, owner, name):
         self.there.add(self._of(owner, name))
 
-    def keeping(self):
-        return Keeping(
-            lambda owner, name: self._of(owner, name) in self.there,
-            lambda owner, name: self.there.discard(self._of(owner, name)),
-            self.is_common,
-        )
+    def has(self, owner, name):
+        return self._of(owner, name) in self.there
+
+    def discard(self, owner, name):
+        self.there.discard(self._of(owner, name))
 
     def _of(self, owner, name):
         return name if self.is_common else (owner, name)
@@ -59,8 +58,8 @@ class Case:
         tokens = [Token.of(LIMITED, "limited", max_stored_bytes=2000), Token.of(OTHER, "other")]
         self.limited, self.other = (token.sha256 for token in tokens)
         self.kept = Kept(is_common)
-        keeping = {"grid": self.kept.keeping(), "analysis": self.kept.keeping()}
-        workers = [StorageQuotas(tokens, keeping, folder, kept_seconds) for _ in range(1 if folder is None else 2)]
+        uploads = {"grid": self.kept, "analysis": self.kept}
+        workers = [StorageQuotas(tokens, uploads, folder, kept_seconds) for _ in range(1 if folder is None else 2)]
         self.quotas, self.quotas_elsewhere = workers[0], workers[-1]
 
     def upload(self, owner, name, size, kind="grid"):

@@ -22,7 +22,7 @@ with atheris.instrument_imports(
         "bnserve_protocol",
         "bnserve_client",
         "bnserve_store",
-        "bnserve_service.uploads.grids",
+        "bnserve_service.uploads.stores",
         "bnserve_inference",
         "tests.fuzz",
     ]

@@ -14,7 +14,7 @@ from bnserve_protocol import LikelihoodBatch, Limits, Overloaded, TooLarge, chec
 from bnserve_service.models.registry import LoadedModel
 from bnserve_service.settings import REQUEST_COST, ROW_COST
 from bnserve_service.telemetry.metrics import Metrics
-from bnserve_service.uploads.analyses import LikelihoodFactory, StoredAnalysis
+from bnserve_service.uploads.stores import LikelihoodFactory, StoredAnalysis
 
 Layout: TypeAlias = tuple[frozenset[str], tuple[tuple[str, int], ...]]
 

@@ -29,7 +29,7 @@ from bnserve_service.evaluation.waveforms import Packed
 from bnserve_service.http.answers import Buffer
 from bnserve_service.models.registry import Registry
 from bnserve_service.settings import Settings
-from bnserve_service.uploads.analyses import AnalysisStore, StoredAnalysis
+from bnserve_service.uploads.stores import AnalysisStore, StoredAnalysis
 
 
 class LikelihoodService:

@@ -15,7 +15,7 @@ from bnserve_service.admission.queue import Job, WorkQueue
 from bnserve_service.evaluation.waveforms import Packed, Question, grid_key
 from bnserve_service.models.registry import LoadedModel, Registry
 from bnserve_service.settings import Settings
-from bnserve_service.uploads.grids import GridCache
+from bnserve_service.uploads.stores import GridStore
 
 T = TypeVar("T")
 
@@ -38,7 +38,7 @@ class WaveformService:
         self,
         settings: Settings,
         registry: Registry,
-        grids: GridCache,
+        grids: GridStore,
         queue: WorkQueue[Question, Packed],
         lifecycle: Lifecycle,
     ) -> None:
@@ -117,7 +117,7 @@ class WaveformService:
         request = decode_request(body, media_type, self._limits.max_rows)
         grid: GridLike | GridDigest = request.grid
         if isinstance(grid, GridDigest):
-            return _with_grid(request, self._grids.get(grid.sha256)), grid.sha256
+            return _with_grid(request, self._grids.get("", grid.sha256)), grid.sha256
         if isinstance(grid, UniformGrid) and len(grid) > self._limits.max_frequencies:
             raise TooLarge(
                 f"A grid has at most {self._limits.max_frequencies} frequencies here; this one has {len(grid)}: use a "

@@ -13,8 +13,8 @@ from bnserve_service.http.requests import require_media_type
 from bnserve_service.reference.documents import AnalysisDocument, analysis_document
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GONE, answers_with
 from bnserve_service.reference.openapi_likelihoods import ANALYSIS_BODY
-from bnserve_service.uploads.analyses import AnalysisStore
 from bnserve_service.uploads.storage_quotas import StorageQuotas
+from bnserve_service.uploads.stores import AnalysisStore
 
 
 def analysis_router(

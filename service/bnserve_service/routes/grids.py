@@ -11,12 +11,12 @@ from bnserve_service.http.front import context_of
 from bnserve_service.http.requests import OCTETS, require_media_type
 from bnserve_service.reference.documents import GridDocument
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GRID_BODY, answers_with
-from bnserve_service.uploads.grids import GridCache
 from bnserve_service.uploads.storage_quotas import StorageQuotas
+from bnserve_service.uploads.stores import GridStore
 
 
 def grid_router(
-    grids: GridCache, service: WaveformService, bodies: BodyReader, limit: int, stored: StorageQuotas
+    grids: GridStore, service: WaveformService, bodies: BodyReader, limit: int, stored: StorageQuotas
 ) -> APIRouter:
     """The paths of uploaded grids."""
     router = APIRouter(tags=["grids"], default_response_class=Response)
@@ -35,13 +35,13 @@ def grid_router(
             body = await incoming.read(request.receive, limit)
             context.request_digest = await service.digest(body)
             with stored.room(context.owner, "grid", sha256.lower(), len(body)):
-                points, is_new = await service.large_or_small(len(body), grids.put, sha256.lower(), body)
-        return data_response(request, GridDocument(sha256.lower(), points), 201 if is_new else 200)
+                grid, is_new = await service.large_or_small(len(body), grids.put, context.owner, sha256.lower(), body)
+        return data_response(request, GridDocument(sha256.lower(), len(grid)), 201 if is_new else 200)
 
     @router.head("/v1/grids/{sha256}", responses=FOUND_OR_NOT)
-    async def find_grid(sha256: str) -> Response:
+    async def find_grid(request: Request, sha256: str) -> Response:
         """Whether a grid is here; 404 when it has to be uploaded."""
-        grids.get(sha256.lower())
+        grids.get(context_of(request.scope).owner, sha256.lower())
         return Response(status_code=200)
 
     return router

@@ -4,40 +4,138 @@ An upload beyond a token's quota takes the place of what it uploaded longest ago
 minute is probably in use and stays: then the upload is refused until the minute is over, so that two analyses that do
 not fit beside each other do not drive each other out for ever.
 
-Room is taken before an upload is stored, so that many at the same time have no more of it than one after the other;
-and what several tokens have uploaded is there until the last of them has lost it.
+Uploads are written down before they are stored, so that many at the same time have no more room than one after the
+other; and what several tokens have uploaded is there until the last of them has lost it.
 """
 
 from __future__ import annotations
 
-import re
+import threading
 import time
-from collections.abc import Callable, Generator, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
+import uuid
+from collections.abc import Generator, Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager, suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import ClassVar, Literal, Protocol, TypeAlias
 
 from bnserve_protocol import QuotaExceeded, TooLarge
 from bnserve_service.settings import Token
-from bnserve_service.shared.files import gone
-from bnserve_service.uploads.records import LEFT_BEHIND, Kind, OwnRecords, SharedRecords, Upload, UploadRecords
-from bnserve_service.uploads.records import coming as about_to_store
-from bnserve_service.uploads.records import kept as stored
+from bnserve_service.uploads.blobs import DIGEST, gone, locked
 
+Kind: TypeAlias = Literal["grid", "analysis"]
 KEPT_SECONDS = 60.0
+LEFT_BEHIND = 60.0
+"""Seconds after which an upload that is still being stored belongs to a worker that did not live to finish it."""
 _MOMENT = 1.0
 """Seconds after which an upload that is under way has been stored or refused."""
-_DIGEST = re.compile(r"[0-9a-f]{64}")
+
+
+class Uploads(Protocol):
+    """Where uploads of one kind are; :class:`~bnserve_service.uploads.stores.UploadStore` is one."""
+
+    is_common: ClassVar[bool]
+    """Whether all owners of one have the same: then it is dropped when the last of them loses it."""
+
+    def has(self, owner: str, sha256: str) -> bool:
+        """Whether one is there still."""
+
+    def discard(self, owner: str, sha256: str) -> bool:
+        """Drop one; whether it was there."""
 
 
 @dataclass(frozen=True, slots=True)
-class Keeping:
-    """Where uploads of one kind are: by owner and digest, whether one is there still, and how to drop it."""
+class Upload:
+    """What an owner has uploaded, or is uploading."""
 
-    has: Callable[[str, str], bool]
-    drop: Callable[[str, str], object]
-    is_common: bool = False
-    """Whether all owners of one have the same: then it is dropped when the last of them loses it."""
+    kind: Kind
+    sha256: str
+    nbytes: int
+    coming: str = ""
+    """A name of its own while it is being stored; empty once it is kept."""
+
+    @property
+    def what(self) -> tuple[Kind, str]:
+        """The object: the same for all uploads of one content."""
+        return self.kind, self.sha256
+
+
+class Records:
+    """Who has uploaded what, and when (``time.time()``), in a server of one process.
+
+    Whoever reads records and then changes them does both :meth:`alone`.
+    """
+
+    def __init__(self) -> None:
+        self._of: dict[str, dict[Upload, float]] = {}
+        self._lock = threading.Lock()
+
+    def alone(self) -> AbstractContextManager[object]:
+        """Keep all others out for a moment."""
+        return self._lock
+
+    def of(self, owner: str) -> dict[Upload, float]:
+        """Those of one owner."""
+        return dict(self._of.get(owner, {}))
+
+    def has_owner(self, kind: Kind, sha256: str) -> bool:
+        """Whether anybody has this object, or is uploading it."""
+        return any(upload.what == (kind, sha256) for uploads in self._of.values() for upload in uploads)
+
+    def add(self, owner: str, upload: Upload) -> None:
+        """Write one down, now."""
+        self._of.setdefault(owner, {})[upload] = time.time()
+
+    def remove(self, owner: str, upload: Upload) -> None:
+        """Forget one, if it is there."""
+        self._of.get(owner, {}).pop(upload, None)
+
+
+class SharedRecords(Records):
+    """The records of all workers of one server: empty files whose names say what, and whose times say when.
+
+    Parameters
+    ----------
+    folder:
+        Where; it is made.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        super().__init__()
+        self._folder = folder
+        folder.mkdir(mode=0o700, exist_ok=True)
+
+    def alone(self) -> AbstractContextManager[object]:
+        """A process that dies lets go."""
+        return locked(self._folder)
+
+    def of(self, owner: str) -> dict[Upload, float]:
+        """Those of one owner."""
+        found: dict[Upload, float] = {}
+        for path in sorted(self._folder.glob(f"{owner}/*-*")):
+            kind, sha256, nbytes, *name = path.name.split("-")
+            with suppress(FileNotFoundError):
+                upload = Upload("grid" if kind == "grid" else "analysis", sha256, int(nbytes), "".join(name))
+                found[upload] = path.stat().st_mtime
+        return found
+
+    def has_owner(self, kind: Kind, sha256: str) -> bool:
+        """Whether anybody has this object, or is uploading it."""
+        return any(self._folder.glob(f"*/{kind}-{sha256}-*"))
+
+    def add(self, owner: str, upload: Upload) -> None:
+        """Write one down, now."""
+        path = self._path(owner, upload)
+        path.parent.mkdir(mode=0o700, exist_ok=True)
+        path.touch(mode=0o600)
+
+    def remove(self, owner: str, upload: Upload) -> None:
+        """Forget one, if it is there."""
+        self._path(owner, upload).unlink(missing_ok=True)
+
+    def _path(self, owner: str, upload: Upload) -> Path:
+        name = f"{upload.kind}-{upload.sha256}-{upload.nbytes}"
+        return self._folder / owner / (f"{name}-{upload.coming}" if upload.coming else name)
 
 
 class StorageQuotas:
@@ -47,7 +145,7 @@ class StorageQuotas:
     ----------
     tokens:
         The tokens of the settings.
-    keeping:
+    uploads:
         By kind.
     shared:
         A folder that the processes of one server share; None for one process.
@@ -58,14 +156,14 @@ class StorageQuotas:
     def __init__(
         self,
         tokens: Sequence[Token],
-        keeping: Mapping[Kind, Keeping],
+        uploads: Mapping[Kind, Uploads],
         shared: Path | None = None,
         kept_seconds: float | None = None,
     ) -> None:
         self._kept_seconds = KEPT_SECONDS if kept_seconds is None else kept_seconds
         self._most = {token.sha256: token.max_stored_bytes for token in tokens if token.max_stored_bytes is not None}
-        self._keeping = keeping
-        self._records: UploadRecords = OwnRecords() if shared is None else SharedRecords(shared / "storage-quotas")
+        self._uploads = uploads
+        self._records = Records() if shared is None else SharedRecords(shared / "storage-quotas")
 
     @contextmanager
     def room(self, owner: str, kind: Kind, sha256: str, nbytes: int) -> Generator[None, None, None]:
@@ -80,27 +178,22 @@ class StorageQuotas:
         Unavailable
             The folder that workers share is gone.
         """
+        upload = Upload(kind, sha256, nbytes, uuid.uuid4().hex)
         try:
-            with self._room(owner, kind, sha256, nbytes):
+            if not self._most or not DIGEST.fullmatch(sha256):  # what is no digest is refused by whoever stores it
                 yield
+                return
+            with self._records.alone():
+                self._make_room(owner, upload)
+                self._records.add(owner, upload)
+            try:
+                yield
+                with self._records.alone():
+                    self._records.add(owner, replace(upload, coming=""))
+            finally:
+                self._records.remove(owner, upload)
         except FileNotFoundError as error:
             raise gone() from error
-
-    @contextmanager
-    def _room(self, owner: str, kind: Kind, sha256: str, nbytes: int) -> Generator[None, None, None]:
-        if not self._most or not _DIGEST.fullmatch(sha256):  # what is no digest is refused by whoever stores it
-            yield
-            return
-        upload = about_to_store(kind, sha256, nbytes)
-        with self._records.alone():
-            self._make_room(owner, upload)
-            self._records.add(owner, upload)
-        try:
-            yield
-            with self._records.alone():
-                self._records.add(owner, stored(upload))
-        finally:
-            self._records.remove(owner, upload)
 
     def _make_room(self, owner: str, upload: Upload) -> None:
         present = self._present(owner)  # also of those without a limit, whose records nobody else would tidy
@@ -109,14 +202,14 @@ class StorageQuotas:
             return
         if upload.nbytes > most:
             raise TooLarge(f"This token may keep {most} bytes uploaded, and this upload has {upload.nbytes}.")
-        there = sorted((each for each in present if each.what != upload.what), key=lambda each: each.when)
+        there = sorted((each for each in present if each.what != upload.what), key=lambda each: present[each])
         while there and _bytes_of(there) + upload.nbytes > most:
             oldest = there.pop(0)
-            self._refuse_while_fresh(oldest, most)
+            self._refuse_while_fresh(oldest, present[oldest], most)
             self._drop(owner, oldest)
 
-    def _refuse_while_fresh(self, oldest: Upload, most: int) -> None:
-        age = time.time() - oldest.when
+    def _refuse_while_fresh(self, oldest: Upload, when: float, most: int) -> None:
+        age = time.time() - when
         if oldest.coming or 0.0 <= age < self._kept_seconds:
             raise QuotaExceeded(
                 f"This token may keep {most} bytes uploaded, and what it has was uploaded a moment ago; "
@@ -126,29 +219,22 @@ class StorageQuotas:
 
     def _drop(self, owner: str, upload: Upload) -> None:
         self._records.remove(owner, upload)
-        keeping = self._keeping[upload.kind]
-        if not (keeping.is_common and self._records.has_owner(*upload.what)):
-            keeping.drop(owner, upload.sha256)
+        uploads = self._uploads[upload.kind]
+        if not (uploads.is_common and self._records.has_owner(*upload.what)):
+            uploads.discard(owner, upload.sha256)
 
-    def _present(self, owner: str) -> list[Upload]:
+    def _present(self, owner: str) -> dict[Upload, float]:
         """What an owner has, without what was dropped since for other reasons."""
-        found = []
-        for upload in self._records.of(owner):
-            is_there = (
-                time.time() - upload.when < LEFT_BEHIND
-                if upload.coming
-                else self._keeping[upload.kind].has(owner, upload.sha256)
-            )
-            if is_there:
-                found.append(upload)
+        found = {}
+        for upload, when in self._records.of(owner).items():
+            is_coming = upload.coming and time.time() - when < LEFT_BEHIND
+            if is_coming or (not upload.coming and self._uploads[upload.kind].has(owner, upload.sha256)):
+                found[upload] = when
             else:
                 self._records.remove(owner, upload)
         return found
 
 
-def _bytes_of(uploads: Sequence[Upload]) -> int:
+def _bytes_of(uploads: Iterable[Upload]) -> int:
     """Of all together; what is uploaded several times at once is kept once."""
-    largest: dict[tuple[Kind, str], int] = {}
-    for upload in uploads:
-        largest[upload.what] = max(upload.nbytes, largest.get(upload.what, 0))
-    return sum(largest.values())
+    return sum({each.what: each.nbytes for each in sorted(uploads, key=lambda each: each.nbytes)}.values())

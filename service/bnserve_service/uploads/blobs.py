@@ -11,14 +11,14 @@ import mmap
 import os
 import re
 import time
-from collections.abc import Generator
+from collections.abc import Generator, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from bnserve_protocol import Overloaded, Unavailable
 
-_NAME = re.compile(r"[0-9a-f]{64}")
+DIGEST = re.compile(r"[0-9a-f]{64}")
 _EVERYBODY = "everybody"
 _LEFT_BEHIND = 60.0
 """Seconds after which an unfinished file belongs to a worker that did not live to finish it."""
@@ -41,36 +41,80 @@ def no_room() -> Overloaded:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _File:
-    path: Path
+@contextmanager
+def locked(folder: Path) -> Generator[None, None, None]:
+    """Alone with a folder among all threads and processes; a process that dies lets go."""
+    folder.mkdir(mode=0o700, exist_ok=True)
+    lock = os.open(folder / "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+    finally:
+        os.close(lock)
+
+
+class Blob(NamedTuple):
+    """What is known of an upload beside its content."""
+
     owner: str
-    number: int
+    name: str
+    """Its digest: blobs of one name are one, whoever has it."""
     size: int
-    used: int
+
+
+class Bounds(NamedTuple):
+    """How much is kept: blobs and bytes of one owner, and bytes of all owners together."""
+
+    max_blobs: int
+    max_owner_bytes: int
+    max_bytes: int
+
+    def surplus(self, fresh: Blob, others: Sequence[Blob]) -> list[Blob]:
+        """What makes room for ``fresh``, which itself stays; ``others`` are in the order in which they were used.
+
+        An owner who has too much loses what he used longest ago; then, while all have too much together, whoever has
+        most does.
+        """
+        dropped = []
+        left = list(others)
+        own = [blob for blob in left if blob.owner == fresh.owner]
+        while own and (len(own) >= self.max_blobs or size_of([fresh, *own]) > self.max_owner_bytes):
+            dropped.append(own.pop(0))
+            left.remove(dropped[-1])
+        while left and size_of([fresh, *left]) > self.max_bytes:
+            dropped.append(_first_to_go(left, fresh))
+            left.remove(dropped[-1])
+        return dropped
+
+
+def size_of(blobs: Sequence[Blob]) -> int:
+    """Bytes of all together, those of several owners once."""
+    return sum({blob.name: blob.size for blob in blobs}.values())
+
+
+def _first_to_go(blobs: Sequence[Blob], *staying: Blob) -> Blob:
+    """What was used longest ago by whoever has most."""
+    has: dict[str, int] = {}
+    for blob in (*blobs, *staying):
+        has[blob.owner] = has.get(blob.owner, 0) + blob.size
+    richest = max((blob.owner for blob in blobs), key=lambda owner: has[owner])
+    return next(blob for blob in blobs if blob.owner == richest)
 
 
 class BlobStore:
-    """Files by owner and digest; safe to use from several threads and processes.
-
-    Owners of the same bytes share them. An owner over ``max_owner_bytes`` or ``max_files`` loses the files that they
-    used longest ago; when all together are over ``max_bytes``, or there is no room, whoever has most does.
+    """Files by owner and digest; safe to use from several threads and processes. Owners of the same bytes share them.
 
     Parameters
     ----------
     folder:
         Where; it is made.
-    max_files, max_owner_bytes:
-        Of one owner.
-    max_bytes:
-        Of all owners together.
+    bounds:
+        How much is kept; less when there is no room.
     """
 
-    def __init__(self, folder: Path, max_files: int, max_owner_bytes: int, max_bytes: int) -> None:
+    def __init__(self, folder: Path, bounds: Bounds) -> None:
         self._folder = folder
-        self._max_files = max_files
-        self._max_owner_bytes = max_owner_bytes
-        self._max_bytes = max_bytes
+        self._bounds = bounds
         folder.mkdir(mode=0o700, exist_ok=True)
 
     def check(self) -> None:
@@ -86,13 +130,12 @@ class BlobStore:
     def use(self, owner: str, name: str) -> bool:
         """Whether a file is there; it counts as used now."""
         path = self._path(owner, name)
-        if path is None:
-            return False
         try:
-            os.utime(path)
+            if path is not None:
+                os.utime(path)
         except OSError:
             return False
-        return True
+        return path is not None
 
     def has(self, owner: str, name: str) -> bool:
         """Whether a file is there."""
@@ -115,7 +158,9 @@ class BlobStore:
             with path.open("rb") as file:
                 # What is renamed into place is never written again, and what is dropped lives while it is mapped.
                 return memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
-        except (OSError, ValueError):
+        except ValueError:  # it is empty, which none is
+            return memoryview(b"")
+        except OSError:
             return None
 
     def put(self, owner: str, name: str, body: bytes) -> bool:
@@ -131,68 +176,55 @@ class BlobStore:
         path = self._path(owner, name)
         if path is None:
             return False
-        with self._locked():
+        with locked(self._folder):
             path.parent.mkdir(mode=0o700, exist_ok=True)
-            files = self._files()
-            same = next((file for file in files if file.path.name == name), None)
-            if same is not None and same.size == len(body):
+            same = next((blob for blob in self._blobs() if blob.name == name and blob.size == len(body)), None)
+            if same is not None:
                 with suppress(FileExistsError):
-                    os.link(same.path, path)
+                    os.link(self._folder / same.owner / name, path)
                 os.utime(path)
             elif not self._write(path, body):
                 return False
-            self._shrink(path, owner)
+            fresh = Blob(path.parent.name, name, len(body))
+            for blob in self._bounds.surplus(fresh, [blob for blob in self._blobs() if blob[:2] != fresh[:2]]):
+                self._drop(blob)
         return True
 
     def drop(self, owner: str, name: str) -> bool:
         """Take a file from one owner; whether it was there."""
         path = self._path(owner, name)
-        if path is None:
-            return False
         try:
-            path.unlink()
+            if path is not None:
+                path.unlink()
         except OSError:
             return False
-        return True
+        return path is not None
 
     def usage(self) -> tuple[int, int]:
         """Files and their bytes, those of several owners once."""
         try:
-            sizes = {file.number: file.size for file in self._files()}
+            blobs = self._blobs()
         except FileNotFoundError:  # all of it is gone
-            sizes = {}
-        return len(sizes), sum(sizes.values())
+            blobs = []
+        return len({blob.name for blob in blobs}), size_of(blobs)
 
     def _path(self, owner: str, name: str) -> Path | None:
-        if not _NAME.fullmatch(name) or not (owner == "" or _NAME.fullmatch(owner)):
+        if not DIGEST.fullmatch(name) or not (owner == "" or DIGEST.fullmatch(owner)):
             return None  # nothing else is a digest, and nothing else may become part of a path
         return self._folder / (owner or _EVERYBODY) / name
 
-    @contextmanager
-    def _locked(self) -> Generator[None, None, None]:
-        """Alone among all threads and processes; a process that dies lets go."""
-        self._folder.mkdir(mode=0o700, exist_ok=True)
-        lock = os.open(self._folder / "lock", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            yield
-        finally:
-            os.close(lock)
-
-    def _files(self) -> list[_File]:
+    def _blobs(self) -> list[Blob]:
+        """All, in the order in which they were used; an owner is a folder. What is left unfinished is removed."""
         found = []
-        for owner in os.scandir(self._folder):
-            if not owner.is_dir():
-                continue
-            for entry in os.scandir(owner.path):
+        for folder in os.scandir(self._folder):
+            for entry in os.scandir(folder.path) if folder.is_dir() else ():
                 with suppress(FileNotFoundError):
                     status = entry.stat()
-                    if _NAME.fullmatch(entry.name):
-                        path = Path(entry.path)
-                        found.append(_File(path, owner.name, status.st_ino, status.st_size, status.st_mtime_ns))
+                    if DIGEST.fullmatch(entry.name):
+                        found.append((status.st_mtime_ns, Blob(folder.name, entry.name, status.st_size)))
                     elif time.time() - status.st_mtime > _LEFT_BEHIND:
                         Path(entry.path).unlink()
-        return found
+        return [blob for _, blob in sorted(found)]
 
     def _write(self, path: Path, body: bytes) -> bool:
         fresh = path.with_name(f"new-{os.getpid()}-{time.monotonic_ns()}")
@@ -202,34 +234,13 @@ class BlobStore:
                     fresh.write_bytes(body)
                     break
                 except OSError as error:
-                    if error.errno not in (errno.ENOSPC, errno.EDQUOT) or not self._drop_one(self._files()):
+                    if error.errno not in (errno.ENOSPC, errno.EDQUOT) or not (blobs := self._blobs()):
                         return False
+                    self._drop(_first_to_go(blobs))
             fresh.replace(path)
         finally:
             fresh.unlink(missing_ok=True)
         return True
 
-    def _shrink(self, kept: Path, owner: str) -> None:
-        """Make room for what ``owner`` has just got, which itself stays."""
-        name = owner or _EVERYBODY
-        files = [file for file in self._files() if file.path != kept or file.owner != name]
-        size = kept.stat().st_size
-        own = sorted((file for file in files if file.owner == name), key=lambda file: file.used)
-        while own and (sum(file.size for file in own) + size > self._max_owner_bytes or len(own) >= self._max_files):
-            self.drop(owner, own.pop(0).path.name)
-        while self.usage()[1] > self._max_bytes and self._drop_one(
-            [file for file in self._files() if file.path != kept]
-        ):
-            pass
-
-    def _drop_one(self, files: list[_File]) -> bool:
-        """Drop what was used longest ago of whoever has most; whether there was any."""
-        if not files:
-            return False
-        has: dict[str, int] = {}
-        for file in files:
-            has[file.owner] = has.get(file.owner, 0) + file.size
-        richest = max(has, key=lambda owner: has[owner])
-        oldest = min((file for file in files if file.owner == richest), key=lambda file: file.used)
-        oldest.path.unlink(missing_ok=True)
-        return True
+    def _drop(self, blob: Blob) -> None:
+        (self._folder / blob.owner / blob.name).unlink(missing_ok=True)
