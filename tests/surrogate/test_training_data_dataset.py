@@ -265,6 +265,33 @@ def test_a_killed_run_is_resumed_with_identical_bytes(tmp_path):
     assert not list(tmp_path.rglob("*.tmp"))
 
 
+SLOW_START = """
+import os, sys, time
+if any("popen_loky_posix" in word for word in sys.orig_argv):
+    open(os.environ["STARTED"], "w").close()
+    time.sleep(1.0)
+"""
+"""Site customisation of a worker process that takes its time to start."""
+
+
+def test_a_worker_whose_parent_is_killed_before_its_first_task_goes_away(tmp_path):
+    (tmp_path / "sitecustomize.py").write_text(SLOW_START)
+    started, path = tmp_path / "started", os.pathsep.join([str(tmp_path), os.environ.get("PYTHONPATH", "")])
+    killed = subprocess.Popen(
+        [sys.executable, "-c", KILLED_RUN, str(tmp_path / "killed")],
+        env={**os.environ, "PYTHONPATH": path, "STARTED": str(started)},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    while not started.exists():
+        assert killed.poll() is None, killed.communicate()[1]
+        time.sleep(0.02)
+    time.sleep(0.2)  # what it is to do has been written into its pipe
+    killed.kill()
+    killed.communicate(timeout=60)  # as long as a worker lives, its end of these pipes is open
+    assert not chunk_bytes(tmp_path / "killed")
+
+
 def test_two_runs_cannot_make_the_same_data_set_at_once(tmp_path):
     spec = specification()
     with dataset_module._exclusive(spec.directory(tmp_path)), pytest.raises(DatasetInUse, match="Another process"):

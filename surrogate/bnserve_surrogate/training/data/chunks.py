@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import functools
 import os
 import secrets
 import threading
@@ -299,12 +298,11 @@ def _parallel(
     def calls() -> Iterator[Any]:
         for task in list(pending.values()):
             dispatched.append(task.start)
-            yield joblib.delayed(_labelled)(task, os.getpid())
+            yield joblib.delayed(_labelled)(task)
 
-    workers = joblib.Parallel(
-        n_jobs=n_jobs, backend=backend, batch_size=1, pre_dispatch="2*n_jobs", return_as="generator_unordered"
-    )
-    yield from workers(calls())
+    options = {"batch_size": 1, "pre_dispatch": "2*n_jobs", "return_as": "generator_unordered"}
+    beginning = _beginning() if backend == "loky" else {}
+    yield from joblib.Parallel(n_jobs=n_jobs, backend=backend, **options, **beginning)(calls())
 
 
 def _in_one_process(pending: dict[int, ChunkTask], dispatched: list[int]) -> Iterator[tuple[int, Chunk]]:
@@ -313,20 +311,22 @@ def _in_one_process(pending: dict[int, ChunkTask], dispatched: list[int]) -> Ite
     try:
         for task in list(pending.values()):
             dispatched.append(task.start)
-            yield executor.submit(_labelled, task, os.getpid()).result()
+            yield executor.submit(_labelled, task).result()
     finally:
         executor.shutdown(kill_workers=True)
 
 
-def _labelled(task: ChunkTask, parent: int) -> tuple[int, Chunk]:
-    if os.getppid() == parent:
-        _end_with(parent)
+def _labelled(task: ChunkTask) -> tuple[int, Chunk]:
     return task.start, compute_chunk(task)
 
 
-@functools.cache
+def _beginning() -> dict[str, Any]:
+    """How a worker of loky begins, before the first task: its parent may be killed before there is one."""
+    return {"initializer": _end_with, "initargs": (os.getpid(),)}
+
+
 def _end_with(parent: int) -> None:
-    """End this worker when its parent is gone: loky's would stay for five more minutes after a kill -9."""
+    """End this process when its parent is gone: loky's workers would stay for five more minutes after a kill -9."""
 
     def watch() -> None:
         while os.getppid() == parent:
@@ -347,13 +347,13 @@ def _only_crashes(error: BrokenProcessPool) -> None:
 
 
 def _new_executor() -> Any:
-    return require("joblib.externals.loky", *_NEEDED).ProcessPoolExecutor(max_workers=1)
+    return require("joblib.externals.loky", *_NEEDED).ProcessPoolExecutor(max_workers=1, **_beginning())
 
 
 def _attempt(executor: Any, single: ChunkTask) -> tuple[Chunk, bool]:
     """The chunk of one sample, and whether its process died."""
     try:
-        return executor.submit(_labelled, single, os.getpid()).result()[1], False
+        return executor.submit(compute_chunk, single).result(), False
     except BrokenProcessPool as error:
         _only_crashes(error)
         failed = [(single.start, _CRASHED)]
