@@ -8,7 +8,7 @@ from contextlib import ExitStack, contextmanager
 from typing import Any, Self, TypeVar
 
 from bnserve_protocol import WaveformModel, require
-from bnserve_surrogate.ray_cluster import RAY, RayWorkers
+from bnserve_surrogate.joblib_workers import RAY, RayWorkers, ending_with_parent
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -55,7 +55,7 @@ class Workers:
         Workers at once, as joblib counts them: -1 for all cores.
     backend
         ``threading`` (the surrogate and BLAS release the GIL), ``loky`` for models that hold it, ``ray`` or
-        ``ray:ADDRESS`` (see :mod:`bnserve_surrogate.ray_cluster`), or another cluster's backend that is registered
+        ``ray:ADDRESS`` (see :mod:`bnserve_surrogate.joblib_workers`), or another cluster's backend that is registered
         with joblib.
     """
 
@@ -69,9 +69,9 @@ class Workers:
         if self._backend.partition(":")[0] == RAY:
             self._pool = self._stack.enter_context(RayWorkers(self._joblib, self._backend, self._n_jobs))
             return self
-        pool = self._joblib.Parallel(
-            n_jobs=self._n_jobs, backend=self._backend, batch_size=1, return_as="generator", pre_dispatch="4*n_jobs"
-        )
+        options = {"batch_size": 1, "return_as": "generator", "pre_dispatch": "4*n_jobs"}
+        beginning = ending_with_parent() if self._backend == "loky" else {}
+        pool = self._joblib.Parallel(n_jobs=self._n_jobs, backend=self._backend, **options, **beginning)
         self._pool = self._stack.enter_context(pool)
         return self
 

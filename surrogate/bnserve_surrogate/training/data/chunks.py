@@ -6,8 +6,6 @@ import contextlib
 import errno
 import os
 import secrets
-import threading
-import time
 import zipfile
 from collections.abc import Iterator
 from concurrent.futures.process import BrokenProcessPool
@@ -19,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import PackageMissing, require
-from bnserve_surrogate.ray_cluster import RAY, RayWorkers
+from bnserve_surrogate.joblib_workers import RAY, RayWorkers, ending_with_parent
 from bnserve_surrogate.training.data.generators import AmplitudePhasePair, FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.residuals import log_amplitude_ratio, phase_difference
 from bnserve_surrogate.training.errors import DatasetUnwritable, GeneratorFailure, TrainingError, WorkersUnusable
@@ -201,7 +199,6 @@ def unwritable_named(directory: Path) -> Iterator[None]:
 
 
 _NEEDED = "Training", "train"
-_PARENT_CHECK_SECONDS = 0.5
 _CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
 
 
@@ -219,7 +216,7 @@ def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterat
     n_jobs
         Processes at once, as joblib counts them: -1 for all cores.
     backend
-        A joblib backend's name, or ``ray:ADDRESS``: see :mod:`bnserve_surrogate.ray_cluster`.
+        A joblib backend's name, or ``ray:ADDRESS``: see :mod:`bnserve_surrogate.joblib_workers`.
 
     Raises
     ------
@@ -301,7 +298,7 @@ def _parallel(
             yield joblib.delayed(_labelled)(task)
 
     options = {"batch_size": 1, "pre_dispatch": "2*n_jobs", "return_as": "generator_unordered"}
-    beginning = _beginning() if backend == "loky" else {}
+    beginning = ending_with_parent() if backend == "loky" else {}
     yield from joblib.Parallel(n_jobs=n_jobs, backend=backend, **options, **beginning)(calls())
 
 
@@ -320,22 +317,6 @@ def _labelled(task: ChunkTask) -> tuple[int, Chunk]:
     return task.start, compute_chunk(task)
 
 
-def _beginning() -> dict[str, Any]:
-    """How a worker of loky begins, before the first task: its parent may be killed before there is one."""
-    return {"initializer": _end_with, "initargs": (os.getpid(),)}
-
-
-def _end_with(parent: int) -> None:
-    """End this process when its parent is gone: loky's workers would stay for five more minutes after a kill -9."""
-
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(_PARENT_CHECK_SECONDS)
-        os._exit(1)
-
-    threading.Thread(target=watch, daemon=True).start()
-
-
 def _only_crashes(error: BrokenProcessPool) -> None:
     """Refuse to take for a crash of the generator what happens before it is called."""
     if not isinstance(error, require("joblib.externals.loky.process_executor", *_NEEDED).TerminatedWorkerError):
@@ -347,7 +328,7 @@ def _only_crashes(error: BrokenProcessPool) -> None:
 
 
 def _new_executor() -> Any:
-    return require("joblib.externals.loky", *_NEEDED).ProcessPoolExecutor(max_workers=1, **_beginning())
+    return require("joblib.externals.loky", *_NEEDED).ProcessPoolExecutor(max_workers=1, **ending_with_parent())
 
 
 def _attempt(executor: Any, single: ChunkTask) -> tuple[Chunk, bool]:

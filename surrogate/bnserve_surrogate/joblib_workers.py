@@ -1,13 +1,17 @@
-"""The processors of a Ray cluster as joblib's workers, for training and for building bases. Needs the package ``ray``.
+"""Joblib's workers for training and for building bases: processes that end with their parent, and a Ray cluster's.
 
-A backend is named ``ray``, the cluster of the environment (``RAY_ADDRESS``, or one that runs on this machine, or one
-that is started), or ``ray:ADDRESS``, as in ``ray:10.0.0.1:6379``. Its nodes must have bnserve installed.
+The backend ``ray`` is the cluster of the environment (``RAY_ADDRESS``, or one that runs on this machine, or one that is
+started), and ``ray:ADDRESS`` another, as in ``ray:10.0.0.1:6379``. It needs the package ``ray``; its nodes must have
+bnserve installed.
 """
 
 from __future__ import annotations
 
 import contextlib
 import importlib
+import os
+import threading
+import time
 from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from types import ModuleType
@@ -22,8 +26,26 @@ RAY = "ray"
 """What the name of such a backend has before the colon."""
 WAVE = 4
 """Items for each worker that are handed out together; joblib's Ray backend gives results back only all at once."""
+_PARENT_CHECK_SECONDS = 0.5
 _RETRIES = 1
 """Of an item whose worker dies, by Ray, on a worker of which it is not known that it is at fault."""
+
+
+def ending_with_parent() -> dict[str, Any]:
+    """Options of loky's executors, whose workers would stay for five more minutes after a ``kill -9`` of this process.
+
+    They hold from the beginning of a worker: its parent may be killed before there is a first task.
+    """
+    return {"initializer": _end_with, "initargs": (os.getpid(),)}
+
+
+def _end_with(parent: int) -> None:
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(_PARENT_CHECK_SECONDS)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 class RayUnusable(BnserveError):
@@ -48,6 +70,7 @@ class RayWorkers:
     Raises
     ------
     RayUnusable
+        There is no cluster at the address.
     """
 
     def __init__(self, joblib: ModuleType, backend: str, n_jobs: int = -1) -> None:
