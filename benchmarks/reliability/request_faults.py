@@ -84,8 +84,8 @@ def log_tokens() -> None:
 
     new = context.new_context
 
-    def new_and_told(headers: Any) -> context.RequestContext:
-        made = new(headers)
+    def new_and_told(headers: Any, *route: str) -> context.RequestContext:
+        made = new(headers, *route)
         context.access_logger.info("asked with %r", made.headers.get(b"authorization"))
         return made
 
@@ -101,15 +101,15 @@ def no_drain() -> None:
 
 def no_timers() -> None:
     """Connections may take their time."""
-    from bnserve_service.http.protocol import BoundedProtocol
+    from bnserve_service.http.timers import ReadTimer
 
-    BoundedProtocol._arm = lambda self, waiting: None  # type: ignore[method-assign]
+    ReadTimer.wait_for = lambda self, due: None  # type: ignore[method-assign]
     no_cap()
 
 
 def patience_restarts() -> None:
     """A peer that takes something has all of its time again."""
-    from bnserve_service.http.pace import Pace
+    from bnserve_service.http.timers import Pace
 
     count = Pace._count
 

@@ -8,8 +8,8 @@ import logging
 import signal
 import socket
 import threading
-from collections.abc import Callable, Coroutine, Generator
-from typing import Any, Protocol, TypeAlias
+from collections.abc import Callable, Coroutine
+from typing import Any, TypeAlias
 
 import uvicorn
 
@@ -17,56 +17,17 @@ from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.evaluation.fast_path import FastPath
-from bnserve_service.http.protocol import bounded_protocol
+from bnserve_service.http.metrics_port import metrics_address, serving_metrics
+from bnserve_service.http.protocol import UvicornServer, bounded_protocol, connections_beside
 from bnserve_service.models.loading import RefreshReport
-from bnserve_service.process.listening import BACKLOG, address_of, listening, open_metrics_listener
+from bnserve_service.process.listening import BACKLOG, Acceptor, address_of, listening, open_metrics_listener
 from bnserve_service.settings import Settings
-from bnserve_service.telemetry.metrics_port import metrics_address, serving_metrics
 
 logger = logging.getLogger("bnserve.server")
 
 
-class Acceptor(Protocol):
-    """Takes connections in place of uvicorn; ``FairAcceptor`` is one."""
-
-    def start(self) -> None:
-        """Take connections from now on."""
-
-    def stop(self) -> None:
-        """Take none any more, and close the socket; also when it never started."""
-
-
 AcceptorFactory: TypeAlias = Callable[[socket.socket, Callable[[], asyncio.Protocol], Callable[[], int]], Acceptor]
 """Makes one for a listening socket, from what makes a connection's protocol and what counts the connections."""
-
-
-class _Uvicorn(uvicorn.Server):
-    """uvicorn without its signal handling, which would end a drained process by the signal instead of with 0."""
-
-    acceptor: Acceptor | None = None
-    """Who takes the connections, when that is not uvicorn."""
-
-    @contextlib.contextmanager
-    def capture_signals(self) -> Generator[None, None, None]:
-        yield
-
-    def protocol(self) -> asyncio.Protocol:
-        """The protocol of a new connection."""
-        protocol: Any = self.config.http_protocol_class
-        made: asyncio.Protocol = protocol(
-            config=self.config, server_state=self.server_state, app_state=self.lifespan.state
-        )
-        return made
-
-    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
-        await super().startup(sockets if self.acceptor is None else [])
-        if self.acceptor is not None and not self.should_exit:
-            self.acceptor.start()
-
-    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
-        if self.acceptor is not None:
-            self.acceptor.stop()
-        await super().shutdown(sockets if self.acceptor is None else [])
 
 
 class BnserveServer:
@@ -103,7 +64,7 @@ class BnserveServer:
         """Where the metrics are, when they have a port of their own."""
         self.ready = threading.Event()
         """Set when models are served."""
-        self._uvicorn = _Uvicorn(_configuration(app, self._settings, app.fast_path))
+        self._uvicorn = UvicornServer(_configuration(app, self._settings, app.fast_path))
 
     @property
     def accepts(self) -> bool:
@@ -144,7 +105,7 @@ class BnserveServer:
             loop.add_signal_handler(signal.SIGHUP, self._app.parts.maintenance.poke)
         if self._acceptor is not None:
             connections = self._uvicorn.server_state.connections
-            self._uvicorn.acceptor = self._acceptor(listener, self._uvicorn.protocol, lambda: len(connections))
+            self._uvicorn.acceptor = self._acceptor(listener, self._uvicorn.connection, lambda: len(connections))
         self._announce(f"bnserve listens on {address_of(listener)}")
         if self.metrics_address is not None:
             self._announce(f"bnserve metrics on {self.metrics_address}")
@@ -153,7 +114,7 @@ class BnserveServer:
             others.append(loop.create_task(self._beside()))
         try:
             metrics = _configuration(self._app.metrics, self._settings, None)
-            async with serving_metrics(metrics, metrics_listener):
+            async with serving_metrics(connections_beside(metrics), metrics_listener):
                 await self._uvicorn.serve(sockets=[listener])
             if self._uvicorn.force_exit:  # uvicorn leaves the lifespan as it is then, to be cancelled with a traceback
                 await self._uvicorn.lifespan.shutdown()

@@ -77,7 +77,7 @@ def test_every_token_is_compared_also_after_one_was_found(monkeypatch):
     for text in ("the first of three", "the third of three", "none of them"):
         compared.clear()
         with suppress(Unauthorized):
-            middleware.check(new_context([]), [(b"authorization", f"Bearer {text}".encode())], "GET")
+            middleware.check(new_context({}), [(b"authorization", f"Bearer {text}".encode())], "GET")
         assert compared == [token.sha256 for token in tokens]
 
 

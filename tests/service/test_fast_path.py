@@ -1,5 +1,6 @@
 """Small questions to a quick model: answered on the event loop, and as every other request."""
 
+import http.client
 import itertools
 import socket
 import time
@@ -9,7 +10,10 @@ import msgpack
 import numpy as np
 import pytest
 
+from bnserve_client import Model
+from bnserve_protocol import ParametersWithExtrinsic
 from bnserve_service import Token
+from bnserve_service.http.protocol import BoundedProtocol
 from tests.service.asking import (
     GW170817,
     MSGPACK,
@@ -153,16 +157,76 @@ def test_quick_requests_are_counted(start):
     until(lambda: counted in ask(server.address, "GET", "/metrics").body.decode(), "three requests")
 
 
-def test_a_draining_server_closes_the_connection(start):
+@pytest.mark.parametrize("before", [0, 2])
+def test_a_draining_server_closes_the_connection(start, before):
     server = start(QuickChirpModel(), drain_grace=5.0)
     with closing_connection(server.address) as connection:
         connection.connect()
+        for _ in range(before):
+            connection.request("POST", PATH, msgpack.packb(question()), {"Content-Type": MSGPACK})
+            assert connection.getresponse().read()
         server.stop()
         until(lambda: server.app.parts.lifecycle.draining, "the drain")
         connection.request("POST", PATH, msgpack.packb(question()), {"Content-Type": MSGPACK})
         response = connection.getresponse()
         response.read()
     assert (response.status, response.getheader("connection")) == (200, "close")
+
+
+# Heads that are known
+
+
+HEAD, ASKED = message(**{"X-Request-Deadline-Ms": "60000", "Want-Content-Digest": "crc32c=9"})
+AGAIN = HEAD.replace(b": me\r\n", b": you\r\n").replace(b"60000", b"59999")
+
+
+def told(connection, said):
+    """What is answered, without what differs every time; None where the connection ends."""
+    connection.sendall(said)
+    try:
+        answer = read_response(connection)
+    except (http.client.HTTPException, OSError):
+        return None
+    name, digest = answer.headers.get("x-request-id", ""), answer.headers["content-digest"].partition("=")[0]
+    is_ours = name.encode() in said
+    return answer.status, name if is_ours else "", digest, answer.body if answer.status == 200 or is_ours else b""
+
+
+def told_first(server, said):
+    with raw_connection(server.address) as connection:
+        return told(connection, said)
+
+
+def told_after_a_known_head(server, said):
+    with raw_connection(server.address) as connection:
+        assert told(connection, HEAD + ASKED)[0] == 200
+        return told(connection, said)
+
+
+def test_a_head_that_comes_again_is_not_parsed_again(start, monkeypatch):
+    parsed = []
+    begin = BoundedProtocol.on_message_begin
+    monkeypatch.setattr(BoundedProtocol, "on_message_begin", lambda self: parsed.append(self) or begin(self))
+    server = start(QuickChirpModel())
+    with Model.connect(server.address, "chirp") as model:
+        grid, binary = np.linspace(20.0, 2048.0, 277), ParametersWithExtrinsic.gw170817()
+        answers = [model.predict(grid, binary) for _ in range(3)]  # the grid in full, uploaded, known
+        parsed.clear()
+        answers += [model.predict(grid, binary) for _ in range(20)]
+        assert not parsed
+    assert {answer.plus.tobytes() for answer in answers} == {answers[0].plus.tobytes()}
+    assert told_after_a_known_head(server, AGAIN + ASKED)[:2] == (200, "you")
+    assert len(parsed) == 1, "the first of them"
+
+
+def test_every_byte_of_a_known_head_counts(start):
+    """Changed, left out or there twice: it is read as it would be if it had come first."""
+    server = start(QuickChirpModel(), header_timeout=0.2, body_timeout=0.2)
+    for place in range(len(AGAIN)):
+        byte = AGAIN[place : place + 1]
+        for other in (b"", 2 * byte, b"\n" if byte == b" " else b" ", b"a" if byte.isdigit() else b"0"):
+            said = AGAIN[:place] + other + AGAIN[place + 1 :] + ASKED
+            assert told_after_a_known_head(server, said) == told_first(server, said), said
 
 
 WANTED = {

@@ -1,13 +1,17 @@
 """What HTTP/1.1 says about the frame of a request and the parser leaves to us: how long all may be that is not body,
-which heads are ambiguous, and what an offer to speak another protocol is worth."""
+which heads are ambiguous, what an offer to speak another protocol is worth, and which heads need no parser."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import httptools
+import msgspec
 
+from bnserve_protocol import UndecodableBody
+from bnserve_protocol.wire import PROBLEM_JSON, Problem, content_digest
 from bnserve_service.http.answers import Header
 
 MAX_FRAME_BYTES = 2**16
@@ -21,6 +25,12 @@ HTTP/2 server usually offers."""
 _HOST = re.compile(rb"(?:[A-Za-z0-9._~!$&'()*+,;=%-]*|\[[0-9A-Fa-f:.]+\])(?::[0-9]*)?")
 """RFC 9110, 7.2, but for the addresses of the future."""
 _SEPARATORS = len(b": \r\n")
+_BLANK_LINE = b"\r\n\r\n"
+_VARYING = re.compile(
+    rb"\r\n(X-Request-ID|X-Request-Deadline-Ms|Content-Length): ([!-~]{1,128})(?=\r\n)", re.IGNORECASE
+)
+"""What differs between the heads of one caller, in the form in which it is surely the same for every reader."""
+_VARYING_NAMES = frozenset({b"x-request-id", b"x-request-deadline-ms", b"content-length"})
 
 
 class FramingError(Exception):
@@ -139,3 +149,58 @@ def reason_of(error: Exception) -> str:
     if isinstance(reason, httptools.HttpParserError):
         return f"{str(reason).replace('`', '').rstrip('.')}."
     return f"It cannot be read ({type(reason).__name__})."
+
+
+def refusal(sentence: str) -> bytes:
+    """The answer to what is no request, in the form of every other error."""
+    body = msgspec.json.encode(
+        Problem.from_error(UndecodableBody(f"This is not a valid HTTP/1.1 request. {sentence}"), 400)
+    )
+    head = (
+        f"HTTP/1.1 400 Bad Request\r\ncontent-type: {PROBLEM_JSON}\r\ncontent-length: {len(body)}\r\n"
+        f"content-digest: {content_digest([body])}\r\nconnection: close\r\n\r\n"
+    )
+    return head.encode() + body
+
+
+class KnownHead(NamedTuple):
+    """The bytes of a head that the parser and :class:`Frame` have accepted, without the values that vary.
+
+    A sampler sends the same head for hours, but for its name, its deadline and its length. Comparing bytes takes 1 us,
+    the parser and all that goes by the head took 20 of the server's 150.
+    """
+
+    constant: list[bytes]
+    """What is before, between and behind them."""
+    names: list[bytes]
+    """Theirs, as they were written."""
+
+    @classmethod
+    def of(cls, data: bytes, headers: Sequence[Header]) -> KnownHead | None:
+        """That of a request that came alone and in one piece; None if it cannot be recognised.
+
+        Parameters
+        ----------
+        data:
+            What came.
+        headers:
+            What the parser read, names in lower case.
+        """
+        parts = _VARYING.split(data[: data.find(_BLANK_LINE) + 2])
+        known = cls(parts[::3], parts[1::3])
+        names = [name.lower() for name in known.names]
+        given = [name for name, _ in headers if name in _VARYING_NAMES]
+        is_plain = given == names and len(set(names)) == len(names) and b"content-length" in names
+        return known if is_plain and known.read(data) is not None else None
+
+    def read(self, data: bytes) -> tuple[dict[bytes, bytes], bytes] | None:
+        """The headers that vary and the body of one whole request; None unless its head is this one."""
+        if len(data) > PIECE:
+            return None
+        end = data.find(_BLANK_LINE)
+        parts = _VARYING.split(data[: end + 2])
+        if parts[::3] != self.constant or parts[1::3] != self.names:
+            return None
+        varying = {name.lower(): value for name, value in zip(self.names, parts[2::3], strict=True)}
+        body = data[end + 4 :]
+        return (varying, body) if varying[b"content-length"] == b"%d" % len(body) else None

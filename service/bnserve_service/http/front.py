@@ -6,7 +6,7 @@ import logging
 import os
 import re
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
 
@@ -122,7 +122,7 @@ class RequestContextMiddleware:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
-        context = new_context(scope["headers"])
+        context = new_context(header_fields(scope["headers"]))
         scope[_KEY] = context
 
         async def send_with_headers(message: Message) -> None:
@@ -188,9 +188,8 @@ class RequestContextMiddleware:
             )  # fmt: skip
 
 
-def new_context(given_headers: Sequence[Header]) -> RequestContext:
+def new_context(headers: dict[bytes, bytes], route: str = NO_ROUTE) -> RequestContext:
     """The context of a request that arrives now; header names are lower case."""
-    headers = header_fields(given_headers)
     given = headers.get(b"x-request-id", b"")
     request_id = given.decode("ascii") if _REQUEST_ID.fullmatch(given) else os.urandom(16).hex()
-    return RequestContext(request_id=request_id, headers=headers, arrived=time.monotonic())
+    return RequestContext(request_id=request_id, headers=headers, arrived=time.monotonic(), route=route)

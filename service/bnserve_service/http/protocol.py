@@ -1,18 +1,23 @@
-"""uvicorn's HTTP protocol with the limits it lacks: time for headers, for bodies and for taking the answer, the size of
-all that is not body, and a strict reading of what frames a request."""
+"""All that relies on how uvicorn is made inside: its HTTP protocol with the limits it lacks, and its server without
+what it does to a process. ``tests/service/test_uvicorn.py`` says what that is, and fails when a uvicorn differs.
+
+Of the protocol, one class after the other adds one thing: time limits, the fast path, a strict reading of frames.
+"""
 
 from __future__ import annotations
 
 import asyncio
-import enum
+import contextlib
+from collections.abc import Callable, Generator
+from functools import partial
+from socket import socket
 from typing import Any, Protocol
 
 import httptools
-import msgspec
+import uvicorn
 from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
+from uvicorn.server import ServerState
 
-from bnserve_protocol import UndecodableBody
-from bnserve_protocol.wire import PROBLEM_JSON, Problem, content_digest
 from bnserve_service.http.answers import Finish, Header
 from bnserve_service.http.complaints import Complaints
 from bnserve_service.http.framing import (
@@ -20,110 +25,229 @@ from bnserve_service.http.framing import (
     PIECE,
     Frame,
     FramingError,
+    KnownHead,
     new_parser,
     reason_of,
+    refusal,
     without_upgrade,
 )
-from bnserve_service.http.pace import Pace
+from bnserve_service.http.timers import Due, Pace, ReadTimer
+from bnserve_service.process.listening import Acceptor
 from bnserve_service.settings import Settings
 
 FAST_BODY = 2**14
 """Larger bodies rarely come in one piece, and are not for the fast path."""
-_BODY_MARGIN = 2.0
-"""Seconds after which a body is cut off that the application's own, politer limit has not ended."""
-_LINGER = 1.0
 _LINGER_BYTES = 2**20
-"""So long, and for so much, a peer that is refused may go on sending before it reads why: a connection that is closed
-meanwhile may take the answer along."""
-
-
+"""So much a peer that is refused may go on sending before it reads why."""
 _BLANKS = b" \t"
 """Around a value; the parser leaves those behind it (RFC 9112, 5.1)."""
 
 
-class _Waiting(enum.Enum):
-    NOTHING = enum.auto()
-    HEADERS = enum.auto()
-    BODY = enum.auto()
-    END = enum.auto()
+class _TimedProtocol(HttpToolsProtocol):
+    """A connection that a slow or silent peer cannot hold open."""
 
-
-_NOBODY_WAITS = asyncio.Event()
-
-
-class _FastCycle:
-    """What uvicorn's protocol looks at while a request is being answered, for one of the fast path."""
-
-    def __init__(self) -> None:
-        self.response_complete = False
-        self.disconnected = False
-        self.keep_alive = True
-        self.message_event = _NOBODY_WAITS
-
-
-class Fast(Protocol):
-    """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.fast_path.FastPath`."""
-
-    def offers(self, url: bytes) -> bool:
-        """Whether a POST to ``url`` may be for it."""
-
-    def take(self, url: bytes, headers: list[Header], body: bytes, finish: Finish) -> bool:
-        """Begin to answer a request; false when it goes the other way, and nothing has happened."""
-
-
-class BoundedProtocol(HttpToolsProtocol):
-    """One connection that cannot be held open by a slow or silent peer.
-
-    Small waveform requests that come in one piece are answered by the ``fast_path``; all else goes to the application.
-    The class attributes are set per server by :func:`bounded_protocol`.
-    """
-
-    header_timeout: float = 10.0
-    body_timeout: float = 30.0
-    write_timeout: float = 30.0
-    write_rate: float = 2.0**19
-    fast_path: Fast | None = None
-    complaints: Complaints
-    _pace: Pace
+    settings: Settings
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
-        self._in_headers = False
-        self._in_message = False
-        self._frame = Frame()
-        self._refused = False
-        """What came was no request: what comes is not looked at."""
-        self._ignored = 0
-        self._held: bytearray | None = None
-        """The body of a request that is for the fast path if it comes in one piece with its headers."""
-        self._waiting = _Waiting.NOTHING
-        self._read_timer: asyncio.TimerHandle | None = None
+        self._due = Due.NOTHING
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # as in uvicorn
         """A connection was opened: its first headers are due."""
         super().connection_made(transport)
-        self._pace = Pace(transport, self.write_timeout, self.write_rate)
+        self._pace = Pace(transport, self.settings.write_timeout, self.settings.write_rate)
+        self._timer = ReadTimer(transport, self.settings)
         self._watch()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """The connection is gone."""
-        self._arm(_Waiting.NOTHING)
+        self._timer.wait_for(Due.NOTHING)
         self._pace.stop()
         super().connection_lost(exc)
 
+    def on_response_complete(self) -> None:
+        """An answer was handed to the transport."""
+        super().on_response_complete()
+        if self.transport.is_closing():
+            self._pace.wait_if_closing()
+        else:
+            self._watch()
+
+    def timeout_keep_alive_handler(self) -> None:
+        """Nothing was asked for too long."""
+        super().timeout_keep_alive_handler()
+        self._pace.wait_if_closing()
+
+    def pause_writing(self) -> None:
+        """The peer does not take its answer as fast as it comes."""
+        super().pause_writing()
+        self._pace.wait()
+
+    def resume_writing(self) -> None:
+        """The peer took what was waiting."""
+        self._pace.go_on()
+        super().resume_writing()
+
+    def _is_idle(self) -> bool:
+        return self.cycle is None or self.cycle.response_complete
+
+    def _watch(self) -> None:
+        """Wait for what is due now, unless the connection is ending."""
+        due = self._due
+        if due is Due.NOTHING and self._is_idle() and self.timeout_keep_alive_task is None:
+            due = Due.HEAD  # of a new connection, or of one that sends empty lines
+        if due is not Due.END and due is not self._timer.due:
+            self._timer.wait_for(due)
+
+
+class FastPath(Protocol):
+    """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.fast_path.FastPath`."""
+
+    def read(self, url: bytes, headers: list[Header]) -> Any:
+        """What a POST asks for, as far as its head says; None if it is not for the fast path."""
+
+    def take(self, asked: Any, varying: dict[bytes, bytes], body: bytes, finish: Finish) -> bool:
+        """Begin to answer a request; false when it goes the other way, and nothing has happened."""
+
+
+class _FastCycle:
+    """What uvicorn's protocol looks at while a request is being answered, for those of the fast path."""
+
+    response_complete = False
+    disconnected = False
+    keep_alive = True
+    message_event = asyncio.Event()  # nobody waits
+
+
+class _FastProtocol(_TimedProtocol):
+    """... whose small requests are answered by a fast path, if they come in one piece; all else by the application."""
+
+    fast_path: FastPath | None = None
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self._asked: Any = None
+        """What a request asks for that the fast path takes if it comes in one piece."""
+        self._held = bytearray()
+        """Its body."""
+        self._arrived: bytes | None = None
+        """What is being parsed, while it may begin with a request for the fast path."""
+        self._known: tuple[KnownHead, Any] | None = None
+        """The last head, and what it asked for."""
+
+    def on_headers_complete(self) -> None:
+        """Parser: the headers are there."""
+        if (
+            self._arrived is not None
+            and self.fast_path is not None
+            and self._is_idle()
+            and not self.expect_100_continue
+            and not self.flow.write_paused
+            and self.parser.get_method() == b"POST"
+            and self.parser.get_http_version() == "1.1"
+            and self.parser.should_keep_alive()
+        ):
+            self._asked = self.fast_path.read(self.url, self.headers)
+        if self._asked is None:
+            super().on_headers_complete()
+
+    def on_body(self, body: bytes) -> None:
+        """Parser: some of the body."""
+        if self._asked is None:
+            super().on_body(body)
+        else:
+            self._held += body
+
+    def on_message_complete(self) -> None:
+        """Parser: the body is there."""
+        if self._asked is not None and len(self._held) <= FAST_BODY and self._take(self._asked, {}, bytes(self._held)):
+            known = KnownHead.of(self._arrived or b"", self.headers)
+            self._known = (known, self._asked) if known is not None else None
+            self._drop_held()
+        else:
+            self._go_the_other_way()
+            super().on_message_complete()
+
+    def _take_again(self, data: bytes) -> bool:
+        """Have the fast path answer a request that came in one piece and whose head is known, without the parser."""
+        self._arrived = data
+        if self._known is None or not self._is_idle() or self.flow.write_paused:
+            return False
+        head, asked = self._known
+        found = head.read(data)
+        if found is None:
+            return False
+        if not self._take(asked, *found):
+            self._arrived = None  # or it would be decoded there again
+            return False
+        self._watch()
+        return True
+
+    def _take(self, asked: Any, varying: dict[bytes, bytes], body: bytes) -> bool:
+        assert self.fast_path is not None, "it has said what is asked for"
+        cycle = _FastCycle()
+        if not self.fast_path.take(asked, varying, body, lambda *answer: self._answer(cycle, *answer)):
+            return False
+        self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
+        return True
+
+    def _answer(self, cycle: _FastCycle, status: int, headers: list[Header], body: bytes) -> None:
+        """Send an answer of the fast path."""
+        cycle.response_complete = True
+        if cycle.disconnected:
+            return
+        if not cycle.keep_alive:
+            headers = [*headers, (b"connection", b"close")]
+        lines = [STATUS_LINE[status]]
+        for name, value in (*self.server_state.default_headers, *headers):
+            lines += (name, b": ", value, b"\r\n")
+        self.transport.write(b"".join((*lines, b"\r\n", body)))
+        if not cycle.keep_alive:
+            self.transport.close()
+        self.on_response_complete()
+
+    def _go_the_other_way(self) -> None:
+        """Hand a request that is held, if there is one, to the application."""
+        is_held = self._asked is not None
+        body = self._drop_held()
+        if is_held:
+            super().on_headers_complete()
+        if body:
+            super().on_body(bytes(body))
+
+    def _drop_held(self) -> bytearray:
+        body, self._held, self._asked, self._arrived = self._held, bytearray(), None, None
+        return body
+
+
+class BoundedProtocol(_FastProtocol):
+    """... which can always tell where a request ends, and ends with what it cannot tell, or what has no end.
+
+    The class attributes are set per server by :func:`bounded_protocol`.
+    """
+
+    complaints: Complaints
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **options)
+        self._frame = Frame()
+        self._ignored = 0
+
     def data_received(self, data: bytes) -> None:
         """Bytes arrived."""
-        if self._refused:
+        if self._due is Due.END:
             self._ignore(len(data))
             return
         self._unset_keepalive_if_required()
+        if self._due is Due.NOTHING and self._take_again(data):
+            self._frame.pending = 0
+            return
         try:
             self._parse(data)
         except (httptools.HttpParserError, FramingError) as error:
             self._refuse(error)
             return
-        if self._held is not None:
-            self._go_the_other_way()
+        self._go_the_other_way()
         if not self.transport.is_closing():
             self._watch()
 
@@ -147,11 +271,11 @@ class BoundedProtocol(HttpToolsProtocol):
         if len(self.pipeline) >= MOST_PIPELINED:
             raise FramingError(f"More than {MOST_PIPELINED} requests were sent before their answers were read.")
         super().on_message_begin()
-        self._in_headers = self._in_message = True
+        self._due = Due.HEAD
 
     def on_header(self, name: bytes, value: bytes) -> None:
         """Parser: a header, or a trailer, which is no header."""
-        if not self._in_headers:
+        if self._due is Due.BODY:
             self._frame.trailer(name, value)
             return
         name, value = name.lower(), value.strip(_BLANKS)
@@ -162,114 +286,42 @@ class BoundedProtocol(HttpToolsProtocol):
     def on_headers_complete(self) -> None:
         """Parser: the headers are there."""
         self._frame.head_ends(self.url, self.headers, self.parser.get_http_version())
-        if self.parser.should_upgrade():  # it comes again, without
-            return
-        self._in_headers = False
-        if self._may_be_fast():
-            self._held = bytearray()
-        else:
+        if not self.parser.should_upgrade():  # or it comes again, without
+            self._due = Due.BODY
             super().on_headers_complete()
 
     def on_body(self, body: bytes) -> None:
         """Parser: some of the body."""
         self._frame.pending = 0
-        if self._held is None:
-            super().on_body(body)
-        else:
-            self._held += body
+        super().on_body(body)
 
     def on_message_complete(self) -> None:
         """Parser: the body is there."""
-        if self._in_headers:  # an offer to upgrade ends its head like this
+        if self._due is Due.HEAD:  # an offer to upgrade ends its head like this
             return
-        self._in_message = False
-        if self._held is None or not self._answer_fast(bytes(self._held)):
-            if self._held is not None:
-                self._go_the_other_way()
-            super().on_message_complete()
+        self._due = Due.NOTHING
+        super().on_message_complete()
         if not self.parser.should_keep_alive():  # a trailer may have told the parser that this is the last request
             self.cycle.keep_alive = False
             if self.cycle.response_complete:
                 self.transport.close()
 
-    def _may_be_fast(self) -> bool:
-        return (
-            self._is_idle()
-            and not self.expect_100_continue
-            and not self.flow.write_paused
-            and self.parser.get_method() == b"POST"
-            and self.parser.get_http_version() == "1.1"
-            and self.parser.should_keep_alive()
-            and self.fast_path is not None
-            and self.fast_path.offers(self.url)
-        )
-
-    def _answer_fast(self, body: bytes) -> bool:
-        """Have the fast path answer; false when it does not take the request."""
-        assert self.fast_path is not None, "a body is held for the fast path alone"
-        if len(body) > FAST_BODY:
-            return False
-        cycle = _FastCycle()
-        if not self.fast_path.take(self.url, self.headers, body, lambda *answer: self._write_fast(cycle, *answer)):
-            return False
-        self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
-        self._held = None
-        return True
-
-    def _write_fast(self, cycle: _FastCycle, status: int, headers: list[Header], body: bytes) -> None:
-        """Send an answer of the fast path."""
-        cycle.response_complete = True
-        if cycle.disconnected:
-            return
-        if not cycle.keep_alive:
-            headers = [*headers, (b"connection", b"close")]
-        lines = [STATUS_LINE[status]]
-        for name, value in (*self.server_state.default_headers, *headers):
-            lines += (name, b": ", value, b"\r\n")
-        self.transport.write(b"".join((*lines, b"\r\n", body)))
-        if not cycle.keep_alive:
-            self.transport.close()
-        self.on_response_complete()
-
-    def _go_the_other_way(self) -> None:
-        """Hand a held request to the application after all."""
-        body, self._held = self._held, None
-        super().on_headers_complete()
-        if body:
-            super().on_body(bytes(body))
-
     def on_response_complete(self) -> None:
-        """An answer was handed to the transport."""
+        """An answer was handed to the transport: the last, if what came behind its request was none."""
         was_last = not self.pipeline
         super().on_response_complete()
-        if self._refused and was_last:
+        if self._due is Due.END and was_last:
             self.transport.close()
-        if not (self._refused or self.transport.is_closing()):
-            self._watch()
-        self._pace.wait_if_closing()
-
-    def timeout_keep_alive_handler(self) -> None:
-        """Nothing was asked for too long."""
-        super().timeout_keep_alive_handler()
-        self._pace.wait_if_closing()
-
-    def pause_writing(self) -> None:
-        """The peer does not take its answer as fast as it comes."""
-        super().pause_writing()
-        self._pace.wait()
-
-    def resume_writing(self) -> None:
-        """The peer took what was waiting."""
-        self._pace.go_on()
-        super().resume_writing()
+            self._pace.wait_if_closing()
 
     def _refuse(self, error: Exception) -> None:
         """Answer what is no request, unless others wait for answers: then end after the last of these."""
         sentence = reason_of(error)
         self.complaints.tell(self.client, sentence)
-        begun = self._in_message and not self._in_headers and self._held is None
-        self._refused, self._held = True, None
-        self._arm(_Waiting.NOTHING)
+        begun = self._due is Due.BODY and self._asked is None
+        self._drop_held()
+        self._due = Due.END
+        self._timer.wait_for(Due.NOTHING)
         if begun and self.pipeline:
             self.pipeline.popleft()  # it waits for its turn, which will not come
         elif begun and self.cycle.response_started:
@@ -278,68 +330,67 @@ class BoundedProtocol(HttpToolsProtocol):
         elif begun or self._is_idle():
             self.send_400_response(sentence)
 
+    def send_400_response(self, msg: str) -> None:
+        """Answer what is no request, and close."""
+        self.transport.write(refusal(msg))
+        if not self._is_idle():  # whoever waits for the rest of the body
+            self.cycle.disconnected = True
+            self.cycle.message_event.set()
+        self.flow.resume_reading()
+        self.transport.write_eof()
+        self._timer.wait_for(Due.END)
+
     def _ignore(self, size: int) -> None:
         """Pass over what comes after what was no request."""
-        if self._waiting is not _Waiting.END:
+        if self._timer.due is not Due.END:
             self.flow.pause_reading()  # others still wait for answers
             return
         self._ignored += size
         if self._ignored > _LINGER_BYTES:
             self.transport.abort()
 
-    def send_400_response(self, msg: str) -> None:
-        """Answer what is no request, in the form of every other error, and close."""
-        error = UndecodableBody(f"This is not a valid HTTP/1.1 request. {msg}")
-        body = msgspec.json.encode(Problem.from_error(error, 400))
-        head = (
-            f"HTTP/1.1 400 Bad Request\r\ncontent-type: {PROBLEM_JSON}\r\ncontent-length: {len(body)}\r\n"
-            f"content-digest: {content_digest([body])}\r\nconnection: close\r\n\r\n"
-        )
-        self.transport.write(head.encode() + body)
-        if not self._is_idle():  # whoever waits for the rest of the body
-            self.cycle.disconnected = True
-            self.cycle.message_event.set()
-        self.flow.resume_reading()
-        self.transport.write_eof()
-        self._arm(_Waiting.END)
 
-    def _watch(self) -> None:
-        if self._in_headers:
-            self._arm(_Waiting.HEADERS)
-        elif self._in_message:
-            self._arm(_Waiting.BODY)
-        elif self._is_idle() and self.timeout_keep_alive_task is None:
-            self._arm(_Waiting.HEADERS)  # a new connection, or one that sends empty lines
-        else:
-            self._arm(_Waiting.NOTHING)
-
-    def _is_idle(self) -> bool:
-        return self.cycle is None or self.cycle.response_complete
-
-    def _arm(self, waiting: _Waiting) -> None:
-        if waiting is self._waiting:
-            return
-        self._waiting = waiting
-        if self._read_timer is not None:
-            self._read_timer.cancel()
-            self._read_timer = None
-        if waiting is not _Waiting.NOTHING:
-            seconds = {
-                _Waiting.HEADERS: self.header_timeout,
-                _Waiting.BODY: self.body_timeout + _BODY_MARGIN,
-                _Waiting.END: _LINGER,
-            }[waiting]
-            self._read_timer = self.loop.call_later(seconds, self.transport.abort)
+def bounded_protocol(settings: Settings, fast_path: FastPath | None = None) -> type[BoundedProtocol]:
+    """The protocol class of one server; what uvicorn's option ``http`` takes."""
+    of_this_server = {"settings": settings, "fast_path": fast_path, "complaints": Complaints()}
+    return type("ConfiguredProtocol", (BoundedProtocol,), of_this_server)
 
 
-def bounded_protocol(settings: Settings, fast_path: Fast | None = None) -> type[BoundedProtocol]:
-    """The protocol class with the limits of ``settings`` and a fast path; what uvicorn's ``http`` option takes."""
-    limits = {
-        "fast_path": fast_path,
-        "complaints": Complaints(),
-        "header_timeout": settings.header_timeout,
-        "body_timeout": settings.body_timeout,
-        "write_timeout": settings.write_timeout,
-        "write_rate": settings.write_rate,
-    }
-    return type("ConfiguredProtocol", (BoundedProtocol,), limits)
+class UvicornServer(uvicorn.Server):
+    """uvicorn without its signal handling, which would end a drained process by the signal instead of with 0."""
+
+    acceptor: Acceptor | None = None
+    """Who takes the connections, when that is not uvicorn."""
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Generator[None, None, None]:
+        """Leave them to :class:`~bnserve_service.server.BnserveServer`."""
+        yield
+
+    def connection(self) -> asyncio.Protocol:
+        """The protocol of a new connection."""
+        return _connection(self.config, self.server_state, self.lifespan.state)
+
+    async def startup(self, sockets: list[socket] | None = None) -> None:
+        """Begin to listen."""
+        await super().startup(sockets if self.acceptor is None else [])
+        if self.acceptor is not None and not self.should_exit:
+            self.acceptor.start()
+
+    async def shutdown(self, sockets: list[socket] | None = None) -> None:
+        """Wait for what is in flight."""
+        if self.acceptor is not None:
+            self.acceptor.stop()
+        await super().shutdown(sockets if self.acceptor is None else [])
+
+
+def connections_beside(config: uvicorn.Config) -> Callable[[], BoundedProtocol]:
+    """What makes the protocols of connections that no server of uvicorn looks after."""
+    config.load()
+    return partial(_connection, config, ServerState(), {})
+
+
+def _connection(config: uvicorn.Config, state: ServerState, app_state: dict[str, Any]) -> BoundedProtocol:
+    made: Any = config.http_protocol_class
+    protocol: BoundedProtocol = made(config=config, server_state=state, app_state=app_state)
+    return protocol

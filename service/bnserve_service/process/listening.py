@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from ipaddress import ip_address
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from bnserve_protocol import BnserveError
 from bnserve_service.process.socket_file import SocketFile
@@ -25,6 +25,16 @@ class CannotListen(BnserveError):
 
     code = "cannot-listen"
     title = "Cannot listen"
+
+
+class Acceptor(Protocol):
+    """Takes connections in place of uvicorn; ``FairAcceptor`` is one."""
+
+    def start(self) -> None:
+        """Take connections from now on."""
+
+    def stop(self) -> None:
+        """Take none any more, and close the socket; also when it never started."""
 
 
 def open_listener(settings: Settings) -> socket.socket:

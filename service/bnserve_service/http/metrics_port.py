@@ -4,13 +4,10 @@ from __future__ import annotations
 
 import asyncio
 import socket
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
-from typing import Any
 
-import uvicorn
-from uvicorn.server import ServerState
-
+from bnserve_service.http.protocol import BoundedProtocol
 from bnserve_service.process.listening import BACKLOG, address_of
 
 _MOST_CONNECTIONS = 64
@@ -23,21 +20,22 @@ def metrics_address(listener: socket.socket) -> str:
 
 
 @asynccontextmanager
-async def serving_metrics(config: uvicorn.Config, listener: socket.socket | None) -> AsyncIterator[None]:
+async def serving_metrics(
+    connection: Callable[[], BoundedProtocol], listener: socket.socket | None
+) -> AsyncIterator[None]:
     """Answer on ``listener``, which several processes may share, until the context ends.
 
     Parameters
     ----------
-    config:
-        As for every other path, with an application that has the metrics alone.
+    connection:
+        Makes the protocol of a new connection, to an application that has the metrics alone.
     listener:
         None where they have no port of their own.
     """
     if listener is None:
         yield
         return
-    config.load()
-    connections = _Connections(config)
+    connections = _Connections(connection)
     listener.setblocking(False)  # another process may be faster
     server = await asyncio.get_running_loop().create_server(connections.add, sock=listener, backlog=BACKLOG)
     try:
@@ -50,20 +48,17 @@ async def serving_metrics(config: uvicorn.Config, listener: socket.socket | None
 class _Connections:
     """Those that there are, the oldest first."""
 
-    def __init__(self, config: uvicorn.Config) -> None:
-        self._config = config
-        self._state = ServerState()
-        self._all: list[Any] = []
+    def __init__(self, connection: Callable[[], BoundedProtocol]) -> None:
+        self._connection = connection
+        self._all: list[BoundedProtocol] = []
 
-    def add(self) -> asyncio.Protocol:
+    def add(self) -> BoundedProtocol:
         """The protocol of a new connection."""
-        made: Any = self._config.http_protocol_class
         self._all = [each for each in self._all if each.transport is None or not each.transport.is_closing()]
         if len(self._all) >= _MOST_CONNECTIONS and self._all[0].transport is not None:
             self._all.pop(0).transport.abort()
-        protocol: asyncio.Protocol = made(config=self._config, server_state=self._state, app_state={})
-        self._all.append(protocol)
-        return protocol
+        self._all.append(self._connection())
+        return self._all[-1]
 
     def abort(self) -> None:
         """End all of them."""
