@@ -30,11 +30,9 @@ from bnserve_service.http.body import BodyReader
 from bnserve_service.http.dispatch import Dispatcher
 from bnserve_service.http.front import RequestContextMiddleware
 from bnserve_service.http.hosts import HostCheck, HostMiddleware
-from bnserve_service.models.health import Health
 from bnserve_service.models.loading import Loader, Selection
-from bnserve_service.models.maintenance import Maintenance
-from bnserve_service.models.registry import ModelFactory, ModelSource, Registry
-from bnserve_service.models.shared_models import SharedModels
+from bnserve_service.models.maintenance import Health, Maintenance
+from bnserve_service.models.registry import ModelFactory, ModelSource, Registry, SharedModels
 from bnserve_service.process.cpu import available_cpus
 from bnserve_service.reference.explorer import explorer_router
 from bnserve_service.reference.openapi import openapi_document

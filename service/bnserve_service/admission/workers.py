@@ -50,14 +50,13 @@ class _Owner(Generic[J]):
         self.clock = 0.0
         """The work that was done for this owner, in terms of the line's clock."""
 
-    def pop(self, key: Hashable) -> J:
-        """The first job of a key."""
-        group = self.groups[key]
-        job = group.popleft()
+    def remove(self, job: J) -> None:
+        """Take a job out."""
         del self.jobs[job]
+        group = self.groups[job.key]
+        group.remove(job)
         if not group:
-            del self.groups[key]
-        return job
+            del self.groups[job.key]
 
 
 class FairLine(Generic[J]):
@@ -98,11 +97,7 @@ class FairLine(Generic[J]):
         owner = self._waiting.get(job.owner)
         if owner is None or job not in owner.jobs:
             return False
-        del owner.jobs[job]
-        group = owner.groups[job.key]
-        group.remove(job)
-        if not group:
-            del owner.groups[job.key]
+        owner.remove(job)
         self._forget_if_idle(job.owner)
         return True
 
@@ -128,23 +123,20 @@ class FairLine(Generic[J]):
         first = self._waiting[names[0]]
         self._clock = first.clock
         key = next(iter(first.groups))
-        jobs = [first.pop(key)]
-        cost = jobs[0].cost
+        jobs: list[J] = []
+        cost = 0
         for name in names:  # the first himself, then whoever has had least
-            group = self._waiting[name].groups.get(key)
-            while group and cost + group[0].cost <= most:
-                jobs.append(self._waiting[name].pop(key))
-                cost += jobs[-1].cost
+            owner = self._waiting[name]
+            group = owner.groups.get(key)
+            while group and (not jobs or cost + group[0].cost <= most):
+                jobs.append(group[0])
+                cost += group[0].cost
+                owner.clock += group[0].cost
+                owner.remove(group[0])
+            self._forget_if_idle(name)
         if key in first.groups:
             first.groups.move_to_end(key)
-        self._charge(jobs)
         return jobs
-
-    def _charge(self, jobs: list[J]) -> None:
-        for job in jobs:
-            self._owners[job.owner].clock += job.cost
-        for name in {job.owner for job in jobs}:
-            self._forget_if_idle(name)
 
     def _forget_if_idle(self, name: str) -> None:
         if not self._waiting[name].jobs:

@@ -90,16 +90,16 @@ class Loader:
             if force:
                 self._refused.clear()
             report = RefreshReport()
-            old = self._registry.catalogue
+            new = old = self._registry.catalogue
             try:
                 new = self._build(old, report)
             except BnserveError as error:
                 report.failures["store"] = error.detail
-                new = old
             except OSError as error:
                 report.failures["store"] = f"The store cannot be read: {error.strerror or error}."
-                new = old
-            self._compare(old, new, report)
+            report.loaded = [m.identity for key, m in new.models.items() if old.models.get(key) is not m]
+            report.dropped = [m.identity for key, m in old.models.items() if key not in new.models]
+            report.changed = bool(report.loaded or report.dropped) or dict(old.labels) != dict(new.labels)
             if report.changed or not self._registry.loaded:
                 self._registry.swap(new)
             return report
@@ -109,23 +109,20 @@ class Loader:
         labels: dict[str, dict[str, str]] = {}
         for name in self._selection.names(self._source.names()):
             try:
-                self._add_name(name, old, models, labels, report)
+                served, labels[name] = self._look_at(name, old, report)
             except (BnserveError, OSError) as error:
                 report.failures[name] = getattr(error, "detail", str(error))
-                models |= {key: model for key, model in old.models.items() if key[0] == name}
+                served = {version: model for (served_as, version), model in old.models.items() if served_as == name}
                 labels[name] = dict(old.labels.get(name, {}))
+            models |= {(name, version): model for version, model in served.items()}
         return Catalogue(
             MappingProxyType(models), MappingProxyType({name: MappingProxyType(own) for name, own in labels.items()})
         )
 
-    def _add_name(
-        self,
-        name: str,
-        old: Catalogue,
-        models: dict[tuple[str, str], LoadedModel],
-        labels: dict[str, dict[str, str]],
-        report: RefreshReport,
-    ) -> None:
+    def _look_at(
+        self, name: str, old: Catalogue, report: RefreshReport
+    ) -> tuple[dict[str, LoadedModel], dict[str, str]]:
+        """The versions of a model that are served from now on, and its labels."""
         served: dict[str, LoadedModel] = {}
         for version in self._selection.versions(name, self._source.versions(name)):
             model = self._version(name, version, old.models.get((name, version)), report)
@@ -137,8 +134,7 @@ class Loader:
             target = version if version in served else before.get(label)
             if target in served:
                 own[label] = target
-        models |= {(name, version): model for version, model in served.items()}
-        labels[name] = own
+        return served, own
 
     def _version(
         self, name: str, version: str, current: LoadedModel | None, report: RefreshReport
@@ -171,8 +167,3 @@ class Loader:
                 f"Version {version} of '{name}' does not reproduce the answer stored with it; it is not served."
             )
         return LoadedModel(ModelIdentity(name=name, version=version, digest=digest), model)
-
-    def _compare(self, old: Catalogue, new: Catalogue, report: RefreshReport) -> None:
-        report.loaded = [m.identity for key, m in new.models.items() if old.models.get(key) is not m]
-        report.dropped = [m.identity for key, m in old.models.items() if key not in new.models]
-        report.changed = bool(report.loaded or report.dropped) or dict(old.labels) != dict(new.labels)

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Protocol
 
+import msgspec
+
 from bnserve_protocol import DigestUnknown, ModelIdentity, ModelLoading, ModelUnknown, WaveformModel
+from bnserve_service.shared.folder import models_file
 
 DEFAULT_LABEL = "stable"
 DIGEST_PREFIX = "sha256:"
@@ -102,14 +107,50 @@ class Catalogue:
                 yield self.models[name, version]
 
 
-class Peers(Protocol):
-    """Other processes of the same server; ``SharedModels`` speaks with them."""
+class _Offer(msgspec.Struct):
+    models: list[tuple[str, str, str]]
+    """Name, version and digest."""
+    labels: dict[str, list[str]]
+
+
+_encode = msgspec.json.Encoder().encode
+_decode = msgspec.json.Decoder(_Offer).decode
+
+
+class SharedModels:
+    """Which models the workers of one server have: while they follow a store, some are a moment ahead of the others.
+
+    Parameters
+    ----------
+    shared:
+        The folder of the server.
+    place:
+        Of this worker.
+    """
+
+    def __init__(self, shared: Path, place: int) -> None:
+        self._folder = shared
+        self._file = models_file(shared, place)
 
     def announce(self, catalogue: Catalogue) -> None:
-        """Tell them what is served here from now on."""
+        """Tell the others, before a caller can hear of it."""
+        models = [(name, version, loaded.identity.digest) for (name, version), loaded in catalogue.models.items()]
+        offer = _Offer(models, {name: list(labels) for name, labels in catalogue.labels.items()})
+        fresh = self._file.with_suffix(".new")
+        with suppress(OSError):  # no room: then callers are told that there is no such model, for a moment
+            fresh.write_bytes(_encode(offer))
+            fresh.replace(self._file)
 
     def have(self, name: str, wanted: str) -> bool:
-        """Whether one of them has a version, label or digest of a model."""
+        """Whether another worker has a version, label or digest of a model."""
+        for path in self._folder.glob("models-*.json"):
+            if path != self._file:
+                with suppress(OSError, msgspec.MsgspecError):
+                    offer = _decode(path.read_bytes())
+                    known = [(version, digest) for model, version, digest in offer.models if model == name]
+                    if wanted in offer.labels.get(name, []) or any(wanted in versions for versions in known):
+                        return True
+        return False
 
 
 class Registry:
@@ -118,7 +159,7 @@ class Registry:
     def __init__(self) -> None:
         self._catalogue = Catalogue()
         self._loaded = False
-        self._peers: Peers | None = None
+        self._peers: SharedModels | None = None
         self._catch_up: Callable[[], None] = lambda: None
 
     @property
@@ -138,7 +179,7 @@ class Registry:
         self._catalogue = catalogue
         self._loaded = True
 
-    def join(self, peers: Peers, catch_up: Callable[[], None]) -> None:
+    def join(self, peers: SharedModels, catch_up: Callable[[], None]) -> None:
         """Be one of several processes; ``catch_up`` is called when the others have what is missing here."""
         self._peers = peers
         self._catch_up = catch_up

@@ -6,7 +6,7 @@ from fastapi import APIRouter, Request, Response
 
 from bnserve_protocol import BnserveError
 from bnserve_service.http.answers import data_response
-from bnserve_service.models.health import Health
+from bnserve_service.models.maintenance import Health
 from bnserve_service.reference.openapi import answers_with_flag
 
 
