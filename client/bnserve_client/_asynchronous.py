@@ -63,7 +63,7 @@ class AsyncSocketTransport:
         self._pool.let_go()
 
     async def _connect(self, send: Send) -> socket.socket:
-        async with asyncio.timeout(time_allowed(send, CONNECT_SECONDS)):
+        async with asyncio.timeout(min(time_allowed(send), CONNECT_SECONDS)):
             address = send.address
             if address.socket_path is not None:
                 return await self._open(socket.AF_UNIX, address.socket_path)

@@ -107,8 +107,15 @@ def _is_quiet(sock: socket.socket) -> bool:
     return not poll.poll(0)
 
 
-def time_allowed(send: Send, at_most: float = float("inf")) -> float:
-    allowed = min(send.silence, send.deadline - time.monotonic(), at_most)
+def time_allowed(send: Send) -> float:
+    """Seconds after which the next step of an exchange has failed.
+
+    Raises
+    ------
+    TimeoutError
+        The deadline has passed.
+    """
+    allowed = min(send.silence, send.deadline - time.monotonic())
     if allowed <= 0.0:
         raise TimeoutError
     return allowed
@@ -142,7 +149,7 @@ class SocketTransport:
         self._pool.let_go()
 
     def _connect(self, send: Send) -> socket.socket:
-        allowed = time_allowed(send, CONNECT_SECONDS)
+        allowed = min(time_allowed(send), CONNECT_SECONDS)
         address = send.address
         if address.socket_path is None:
             return self._pool.adopt(socket.create_connection((address.target, address.port), timeout=allowed))

@@ -13,6 +13,8 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import TypeAlias
 
+import numpy as np
+
 from bnserve_client._addresses import Address
 from bnserve_client._messages import Broken, HttpRequest, HttpResponse, Malformed, Stale
 from bnserve_protocol.wire import result_memory
@@ -23,12 +25,11 @@ _SCRATCH_BYTES = 2**14
 _LONGEST_HEAD = 2**16
 _STATUS_LINE = re.compile(r"HTTP/1\.([01]) ([1-5][0-9][0-9])(?: [^\r\n\0]*)?")
 _NAME = r"[!#$%&'*+.^_`|~0-9A-Za-z-]+"
-_HEADERS = re.compile(rf"(?:{_NAME}:[^\r\n\0]*(?:\r\n|\Z))*")
-_HEADER = re.compile(rf"({_NAME}):[ \t]*([^\r\n\0]*)")
+_HEADERS = re.compile(rf"(?:{_NAME}+:[^\r\n\0]*+(?:\r\n|\Z))*+")
 _CHUNK_SIZE = re.compile(rb"([0-9a-fA-F]{1,8})[ \t]*(?:;[^\r\n]*)?")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(slots=True)
 class Head:
     """Status and headers of an answer; ``persistent`` when the connection stays open after it."""
 
@@ -60,19 +61,19 @@ def parse_head(head: bytes) -> Head:
         raise Malformed("it does not begin like HTTP/1.1")
     if _HEADERS.fullmatch(rest) is None:
         raise Malformed("it has a malformed header")
-    found = _HEADER.findall(rest)
-    headers = {name.lower(): value.rstrip(" \t") for name, value in found}
-    if len(headers) < len(found):
-        headers = _merged(found)
+    lines = rest.split("\r\n") if rest else []
+    headers = {name.lower(): value.strip(" \t") for name, _, value in [line.partition(":") for line in lines]}
+    if len(headers) < len(lines):
+        headers = _merged(lines)
     options = headers.get("connection", "keep-alive" if matched[1] == "1" else "close").lower()
     return Head(status=int(matched[2]), headers=headers, persistent="close" not in options)
 
 
-def _merged(found: list[tuple[str, str]]) -> dict[str, str]:
+def _merged(lines: list[str]) -> dict[str, str]:
     """Headers of which some occur more than once."""
     headers: dict[str, str] = {}
-    for mixed_case, padded in found:
-        name, value = mixed_case.lower(), padded.rstrip(" \t")
+    for mixed_case, _, padded in [line.partition(":") for line in lines]:
+        name, value = mixed_case.lower(), padded.strip(" \t")
         if name == "content-length" and headers.get(name, value) != value:
             raise Malformed("it states two lengths")
         headers[name] = f"{headers[name]}, {value}" if name in headers and name != "content-length" else value
@@ -141,7 +142,7 @@ def exchange(message: bytes, max_bytes: int) -> Exchange:
     ------
     Stale, Broken, Malformed
     """
-    scratch = result_memory.empty((_SCRATCH_BYTES,), "u1").data
+    scratch = np.empty(_SCRATCH_BYTES, np.uint8).data
     with contextlib.suppress(OSError):  # the server may have refused a large body early; its answer says why
         yield message
     try:

@@ -137,6 +137,8 @@ class Replicas:
     def __init__(self, addresses: Sequence[Address], resolver: Resolver | None = None) -> None:
         self.resolver = resolver
         self._given = tuple(addresses)
+        self.only = self._given[0] if resolver is None and len(self._given) == 1 else None
+        """The one address that there is and will be."""
         self._turn = itertools.count(int.from_bytes(os.urandom(2), "big"))
         self._records = {address: _Record() for address in self._given}
         self._busy: dict[tuple[int, Address], set[object]] = {}

@@ -6,6 +6,7 @@ import os
 import random
 import time
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TypeVar
 
 from bnserve_client._addresses import Address
@@ -72,7 +73,7 @@ class RetryPolicy:
         self._untrusted = 0
         self._doubts = 0
         self.deadline = time.monotonic() + settings.timeout
-        self._address: Address | None = None
+        self._address: Address | None = replicas.only
 
     @property
     def address(self) -> Address:
@@ -94,7 +95,8 @@ class RetryPolicy:
     def succeeded(self) -> None:
         """The replica gave an answer that can be used."""
         self._doubts = 0
-        self._replicas.wake(self.address)
+        if self._failures or self._replicas.only is None:
+            self._replicas.wake(self.address)
 
     def pause_after(self, error: BnserveError) -> float:
         """Seconds to wait before asking again (:attr:`address` may have moved on to another replica).
@@ -151,6 +153,7 @@ _T = TypeVar("_T")
 
 _SMALL_ANSWER = 2**20
 """No description, limit or problem is larger."""
+_ALONE = nullcontext()
 
 
 def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes | memoryview:
@@ -195,6 +198,7 @@ class Session:
         self.settings = settings
         names = names_to_resolve(settings.addresses) if settings.resolve else ()
         self._replicas = Replicas(settings.addresses, Resolver(settings.addresses, names) if names else None)
+        self._token: tuple[tuple[str, str], ...] | None = None
         self._headers = (("User-Agent", f"bnserve-client/{__version__}"),)
         self._post_headers = (
             *self._headers,
@@ -258,14 +262,16 @@ class Session:
         self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, retries: RetryPolicy
     ) -> Conversation[_T]:
         """Ask until there is an answer that can be used, or the retries end."""
-        named = (*self.settings.token.headers(), *request.headers, ("X-Request-ID", os.urandom(16).hex()))
+        named = (*self._token_headers(), *request.headers, ("X-Request-ID", os.urandom(16).hex()))
+        several = self._replicas.only is None
         while True:
-            yield from self._tend()
-            retries.follow()
+            if several:
+                yield from self._tend()
+                retries.follow()
             deadline = ("X-Request-Deadline-Ms", str(int(min(retries.seconds_left, 1e8) * 1e3)))
             sent = HttpRequest(request.method, request.path, (*named, deadline), request.body)
             try:
-                with self._replicas.asking(retries.address):
+                with self._replicas.asking(retries.address) if several else _ALONE:
                     response = yield Send(retries.address, sent, self.settings.silence, retries.deadline, max_bytes)
                 answer = read(response, retries.address.text)
             except BnserveError as error:
@@ -276,6 +282,11 @@ class Session:
             if pause > 0.0:
                 yield Sleep(pause)
 
+    def _token_headers(self) -> tuple[tuple[str, str], ...]:
+        if self._token is None:
+            self._token = self.settings.token.headers()
+        return self._token
+
     def _tend(self) -> Conversation[None]:
         """Look at names again from time to time, and whether a replica that failed is back."""
         resolver = self._replicas.resolver
@@ -284,7 +295,7 @@ class Session:
         resting = self._replicas.to_probe()
         if resting is None:
             return
-        request = HttpRequest("GET", "/v2/health/ready", (*self.settings.token.headers(), *self._headers))
+        request = HttpRequest("GET", "/v2/health/ready", (*self._token_headers(), *self._headers))
         try:
             seconds = self._replicas.probe_seconds
             answer = yield Send(resting, request, seconds, time.monotonic() + seconds, _SMALL_ANSWER)

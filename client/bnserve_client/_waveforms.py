@@ -84,8 +84,8 @@ class ExplicitGrid:
     """A checked copy of a user's frequencies, ``(M,)`` in Hz, and its digest."""
 
     def __init__(self, frequencies: NDArray[np.float64]) -> None:
-        self.frequencies = frequencies.copy()
-        self.frequencies.flags.writeable = False
+        self.content = frequencies.tobytes()
+        self.frequencies = np.frombuffer(self.content, np.float64)
         self.in_full = len(frequencies) <= _IN_FULL_ALWAYS
         """Whether it always travels in full: because it is tiny, or because the service does not take uploads."""
         self._used_at: set[Address] = set()
@@ -126,8 +126,9 @@ class GridMemory:
         plain = plain_grid(grid)
         if isinstance(plain, UniformGrid):
             return plain
+        content = plain.tobytes()  # compared in 0.1 us, where comparing numbers takes 1
         for known in self._recent:
-            if known.frequencies.shape == plain.shape and (known.frequencies == plain).all():
+            if known.content == content:
                 return known
         checked = ExplicitGrid(as_frequencies(plain))
         self._recent = (checked, *self._recent[: _REMEMBERED - 1])
@@ -179,7 +180,7 @@ class Waveforms(Question):
         elif isinstance(grid, ExplicitGrid):
             grid.in_full = grid.in_full or len(grid) <= _IN_FULL_ONCE  # short enough not to try again each time
             grid = grid.frequencies
-        part = ParameterBatch(self.batch.values[start:stop])
+        part = self.batch if stop - start == len(self.batch) else ParameterBatch(self.batch.values[start:stop])
         request = WaveformRequest(batch=part, grid=grid, output=self.output, dtype=self.dtype, options=self.options)
         return encode_request(request)
 
@@ -197,7 +198,7 @@ class Waveforms(Question):
     def upload(self, limits: Limits) -> Upload:
         """As :class:`Question`: the frequencies."""
         assert isinstance(self.grid, ExplicitGrid)  # others are never unknown
-        return Upload(f"/v1/grids/{self.grid.sha256}", _OCTETS, self.grid.frequencies.tobytes())
+        return Upload(f"/v1/grids/{self.grid.sha256}", _OCTETS, self.grid.content)
 
     def upload_refused(self, error: Forbidden | TooLarge) -> None:
         """As :class:`Question`: the grid travels in full from now on."""
@@ -312,7 +313,7 @@ def own(arrays: Arrays) -> Arrays:
 
 
 def _copy(array: NDArray[Any]) -> NDArray[Any]:
-    copy = result_memory.empty(array.shape, array.dtype)
+    copy = result_memory.like(array)
     copy[...] = array
     return copy
 
@@ -325,7 +326,7 @@ def multiply_out(arrays: Arrays) -> Arrays:
     h = arrays["h"]
     factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
     plus, cross = factored.polarizations(
-        plus=h if h.flags.writeable else result_memory.empty(h.shape, h.dtype),
-        cross=result_memory.empty(h.shape, h.dtype),
+        plus=h if h.flags.writeable else result_memory.like(h),
+        cross=result_memory.like(h),
     )
     return {"plus": plus, "cross": cross, **own(of_a_row)}

@@ -77,6 +77,10 @@ class ResultMemory:
         array: NDArray[Any] = np.asarray(lease)[:size].view(dtype).reshape(shape)
         return array
 
+    def like(self, array: NDArray[Any]) -> NDArray[Any]:
+        """As :meth:`empty`, with the shape and dtype of an array."""
+        return np.empty_like(array) if array.nbytes < _SMALL else self.empty(array.shape, array.dtype)
+
     def give_back(self) -> None:
         """Keep no block that nobody uses at this moment."""
         self._free.clear()
