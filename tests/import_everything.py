@@ -12,8 +12,8 @@ ROOMS = (
     "bnserve_service",
     "bnserve_client",
 )
-EXTRAS = {"EOBRun_module", "joblib", "lal", "lalsimulation", "numba", "optuna", "ray", "scipy", "sklearn"}
-"""What only training, building bases and Ray import."""
+EXTRAS = {"EOBRun_module", "bilby", "joblib", "lal", "lalsimulation", "numba", "optuna", "ray", "scipy", "sklearn"}
+"""What only training, building bases, Ray and bilby import."""
 
 
 def main() -> int:

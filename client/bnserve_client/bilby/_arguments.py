@@ -1,0 +1,61 @@
+"""bilby's ``waveform_arguments``: which model, which band, whose zero points."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from bnserve_client.bilby._zero_points import ZeroPoints
+from bnserve_protocol import InvalidRequest
+
+_OWN: dict[str, Any] = {
+    "bnserve_url": None,
+    "bnserve_model": "default",
+    "bnserve_version": "stable",
+    "bnserve_digest": None,
+    "bnserve_timeout": 300.0,
+}
+_ORDERS = ("pn_spin_order", "pn_tidal_order", "pn_phase_order", "pn_amplitude_order")
+"""Of LAL's models; ours has none."""
+_THEIRS = {"minimum_frequency", "maximum_frequency", "reference_frequency", "waveform_approximant", "mode_array",
+           "catch_waveform_errors", *_ORDERS}  # fmt: skip
+_GRIDS = {"frequencies", "frequency_nodes", "linear_indices", "quadratic_indices", "frequency_nodes_linear",
+          "frequency_nodes_quadratic", "frequency_bin_edges", "fiducial"}  # fmt: skip
+_KNOWN = _OWN.keys() | _THEIRS | _GRIDS
+
+
+class Choice(NamedTuple):
+    """The model and the zero points that ``waveform_arguments`` ask for; hashable."""
+
+    url: str | None
+    model: str
+    version: str
+    digest: str | None
+    timeout: float
+    zero_points: ZeroPoints
+
+
+def read_choice(arguments: Mapping[str, Any]) -> Choice:
+    """The choice among ``waveform_arguments``; what is not stated is as in bilby.
+
+    Raises
+    ------
+    InvalidRequest
+        A name that is none, or other modes than the model's.
+    """
+    unknown = arguments.keys() - _KNOWN
+    if unknown:
+        name = min(unknown)
+        near = difflib.get_close_matches(name[:80], _KNOWN, n=1)
+        hint = f"did you mean '{near[0]}'?" if near else f"known are {', '.join(sorted(_KNOWN))}."
+        raise InvalidRequest(f"Unknown waveform argument '{name[:80]}': {hint}")
+    modes = arguments.get("mode_array")
+    if modes is not None and {(abs(l), abs(m)) for l, m in modes} != {(2, 2)}:  # noqa: E741  (the field's letter)
+        raise InvalidRequest(f"The model has the (2, 2) mode alone; 'mode_array' asks for {modes}. Leave it out.")
+    orders = tuple((name, int(arguments[name])) for name in _ORDERS if name in arguments)
+    zero_points = ZeroPoints(
+        float(arguments.get("reference_frequency", 50.0)), arguments.get("waveform_approximant"), orders
+    )
+    url, model, version, digest, timeout = (arguments.get(name, default) for name, default in _OWN.items())
+    return Choice(url, model, version, digest, timeout, zero_points)

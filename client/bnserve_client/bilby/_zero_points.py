@@ -1,0 +1,130 @@
+"""Where the phase and the time of a waveform are zero: a choice, which bilby leaves to each waveform model.
+
+By itself a model of bnserve has the meanings that LAL documents: ``geocent_time`` is the merger, and ``phase`` the
+orbital phase at ``reference_frequency``. In the stationary-phase approximation the (2, 2) mode there is
+``-exp(i pi / 4) exp(2 i phase)`` times a positive number, as in LAL's TaylorF2 and IMRPhenomX models.
+
+LAL's models differ: in IMRPhenomPv2_NRTidal ``phase`` does not belong to a frequency, in IMRPhenomD_NRTidalv2 the
+constant is missing and the time is that of black holes, milliseconds off. Where ``waveform_approximant`` names one of
+them, each waveform is shifted to that model's phase and time, so that ``phase`` and ``geocent_time`` keep the meaning
+that they have in a run with it: by the two numbers with which the difference of both models' phases has the least
+square, weighted as detectors on the ground see it. (In LAL's NRTidal models of the IMRPhenomX family the time depends
+on the highest frequency that they are asked for, where it is below the merger's: it is always asked for here.)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import InvalidRequest
+
+Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+_AT_REFERENCE = 1.25 * np.pi
+"""-exp(i pi / 4): the sign of LAL's polarisations, and the quarter of pi of the stationary phase."""
+_NODES = np.geomspace(20.0, 512.0, 128)
+"""Hz; the phases of two models whose mergers are 35 ms apart can still be followed from node to node."""
+
+
+def _sensitivity() -> Floats:
+    """Weights of :data:`_NODES`: of a binary's squared strain over the noise of Advanced LIGO (Ajith 2011, eq. 4.7)."""
+    x = _NODES / 215.0
+    noise = x**-4.14 - 5.0 * x**-2 + 111.0 * (1.0 - x**2 + 0.5 * x**4) / (1.0 + 0.5 * x**2)
+    weights = _NODES ** (-4.0 / 3.0) / noise  # f^(-7/3) for equal steps in f
+    return np.asarray(weights)
+
+
+_WEIGHTS = _sensitivity()
+
+
+@dataclass(frozen=True)
+class ZeroPoints:
+    """Of phase and time.
+
+    Parameters
+    ----------
+    reference_frequency:
+        Hz.
+    approximant:
+        The model of LAL whose zero points they are; None for those of bnserve.
+    orders:
+        What LAL is told beside that: the post-Newtonian orders that bilby names.
+    """
+
+    reference_frequency: float
+    approximant: str | None = None
+    orders: tuple[tuple[str, int], ...] = ()
+
+    def frequencies(self, top: float) -> Floats:
+        """Where a waveform up to ``top`` Hz must be known to shift it, in Hz, ``(K,)``."""
+        if self.approximant is None:
+            return np.array([self.reference_frequency])
+        return np.append(_NODES[top > _NODES], top)
+
+    def shifts(self, strain: Complex, columns: dict[str, Floats], top: float) -> tuple[Floats, Floats]:
+        """Phase (radians) and time (seconds), each ``(N,)``: h exp(i phase + 2 pi i f time) has these zero points.
+
+        Parameters
+        ----------
+        strain:
+            h of N binaries at :meth:`frequencies`, ``(N, K)``, aligned at the merger and with zero phase.
+        columns:
+            The binaries, as :func:`~bnserve_client.bilby._binaries.binaries` makes them. NaN where LAL refuses one.
+        top:
+            Hz, as for :meth:`frequencies`.
+
+        Raises
+        ------
+        InvalidRequest
+            The model has no strain at the reference frequency.
+        """
+        if self.approximant is not None:
+            nodes = self.frequencies(top)
+            return _least_squares(nodes, self._of_lal(columns, nodes) * strain.conj())
+        if (strain == 0.0).any():
+            raise InvalidRequest(
+                f"The model's waveforms end below the 'reference_frequency' of {self.reference_frequency:g} Hz; take "
+                "a lower one, such as bilby's 50 Hz."
+            )
+        return _AT_REFERENCE - np.angle(strain[:, 0]), np.zeros(len(strain))
+
+    def _of_lal(self, columns: dict[str, Floats], nodes: Floats) -> Complex:
+        """The approximant's strain at the nodes, ``(N, K)``, at phase zero, seen face on."""
+        rows = zip(*_ordered(columns), strict=True)
+        return np.array([self._of_one(nodes, *(float(value) for value in row)) for row in rows])
+
+    def _of_one(
+        self, nodes: Floats, m1: float, m2: float, chi_1: float, chi_2: float, lambda_1: float, lambda_2: float
+    ) -> Any:
+        from bilby.gw.source import binary_neutron_star_frequency_sequence as sequence  # imports LAL
+
+        found = sequence(
+            nodes, mass_1=m1, mass_2=m2, luminosity_distance=1.0, theta_jn=0.0, phase=0.0,
+            a_1=abs(chi_1), tilt_1=0.0 if chi_1 >= 0.0 else np.pi, phi_12=0.0,
+            a_2=abs(chi_2), tilt_2=0.0 if chi_2 >= 0.0 else np.pi, phi_jl=0.0,
+            lambda_1=lambda_1, lambda_2=lambda_2, frequencies=nodes, catch_waveform_errors=True,
+            waveform_approximant=self.approximant, reference_frequency=self.reference_frequency, **dict(self.orders),
+        )  # fmt: skip
+        return np.full(len(nodes), np.nan + 0j) if found is None else found["plus"]
+
+
+def _ordered(columns: dict[str, Floats]) -> tuple[Floats, ...]:
+    total, q = columns["total_mass"], columns["mass_ratio"]
+    spins_and_tides = (columns[name] for name in ("chi_1", "chi_2", "lambda_1", "lambda_2"))
+    return total * q / (1.0 + q), total / (1.0 + q), *spins_and_tides
+
+
+def _least_squares(nodes: Floats, turn: Complex) -> tuple[Floats, Floats]:
+    """The line a + 2 pi f b through the phases of ``turn``, ``(N, K)`` at the nodes; the last has no weight."""
+    weights = np.append(_WEIGHTS[: len(nodes) - 1], 0.0)
+    weights /= weights.sum()
+    x = 2.0 * np.pi * nodes
+    difference = np.unwrap(np.angle(turn), axis=1)
+    middle = weights @ x
+    slope = difference @ (weights * (x - middle)) / (weights @ (x - middle) ** 2)
+    return difference @ weights - slope * middle, slope
