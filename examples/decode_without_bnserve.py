@@ -15,8 +15,8 @@ import numpy as np
 
 
 def array(packed: dict) -> np.ndarray:
-    """An array, from the map that stands for it: the layout of msgpack-numpy, whose keys are binary."""
-    return np.frombuffer(packed[b"data"], packed[b"type"]).reshape(packed[b"shape"])
+    """An array, from the map that stands for it: the layout of msgpack-numpy, with text for keys."""
+    return np.frombuffer(packed["data"], packed["type"]).reshape(packed["shape"])
 
 
 address = sys.argv[1] if len(sys.argv) > 1 else "http://127.0.0.1:8000"

@@ -128,7 +128,7 @@ def encode_analysis(analysis: Analysis) -> list[bytes | memoryview]:
     head = b"\x82" + msgspec.msgpack.encode("settings") + encode_settings(analysis.settings)
     parts: list[bytes | memoryview] = [head + msgspec.msgpack.encode("arrays") + _map_header(len(analysis.arrays))]
     for name in sorted(analysis.arrays):
-        header, data = encode_array(analysis.arrays[name])
+        header, data = encode_array(analysis.arrays[name], keys="bytes")
         parts += [msgspec.msgpack.encode(name) + bytes(header), data]
     return parts
 

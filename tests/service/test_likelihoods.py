@@ -221,3 +221,10 @@ def test_what_the_schema_forbids_is_refused(server, document, message):
     with pytest.raises(jsonschema.ValidationError):
         jsonschema.validate(message, schema(document, "LikelihoodRequest"))
     assert ask(server.address, "POST", PATH, json.dumps(message), content_type=JSON).status in (400, 422)
+
+
+@pytest.mark.parametrize(("accept", "kind"), [(MSGPACK, str), ("application/msgpack;keys=bytes", bytes)])
+def test_names_in_arrays_are_text_or_what_msgpack_numpy_reads(server, accept, kind):
+    answer = evaluate(server.address, BATCH, accept=accept)
+    assert answer.headers["content-type"] == accept
+    assert {type(name) for name in msgpack.unpackb(answer.body)["log_likelihood"]} == {kind}

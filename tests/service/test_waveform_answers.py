@@ -185,6 +185,9 @@ def test_a_request_id_that_could_do_harm_is_replaced(server, given):
         (f"{MSGPACK};q=0, */*", JSON),
         ("application/*;q=0.1", MSGPACK),
         ("text/html, application/x-msgpack", MSGPACK),
+        ("application/x-msgpack; keys=bytes", "application/msgpack;keys=bytes"),
+        ("application/msgpack;q=0.5, application/msgpack;keys=bytes", "application/msgpack;keys=bytes"),
+        ("application/msgpack;keys=bytes;q=0, */*", MSGPACK),
     ],
 )
 def test_the_answer_comes_as_the_caller_likes_it(server, accept, expected):
@@ -192,6 +195,14 @@ def test_the_answer_comes_as_the_caller_likes_it(server, accept, expected):
     answer = evaluate(server.address, question(), **headers)
     assert answer.status == 200
     assert answer.headers["content-type"] == expected
+
+
+@pytest.mark.parametrize(("accept", "kind"), [(MSGPACK, str), ("application/msgpack;keys=bytes", bytes)])
+def test_names_in_arrays_are_text_or_what_msgpack_numpy_reads(server, accept, kind):
+    answer = msgpack.unpackb(evaluate(server.address, question(), accept=accept).body)
+    assert {type(name) for name in answer} == {str}
+    assert {type(name) for name in answer["h_plus"]} == {kind}
+    assert {type(name) for name in answer["status"]} == {kind}
 
 
 def test_a_large_answer_arrives_whole(server):

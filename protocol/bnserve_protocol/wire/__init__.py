@@ -1,9 +1,17 @@
 """What travels, as bytes: arrays, requests, answers, problems, digests, and the memory they are read into."""
 
-from bnserve_protocol.wire._arrays import ResultMemory, address_of, decode_array, encode_array, result_memory
+from bnserve_protocol.wire._arrays import (
+    ResultMemory,
+    address_of,
+    array_keys,
+    decode_array,
+    encode_array,
+    result_memory,
+)
 from bnserve_protocol.wire._envelope import (
     JSON,
     MSGPACK,
+    MSGPACK_BYTES,
     PROBLEM_JSON,
     WANTED_DIGEST,
     DigestName,
@@ -41,6 +49,7 @@ from bnserve_protocol.wire._waveforms import (
 __all__ = [
     "JSON",
     "MSGPACK",
+    "MSGPACK_BYTES",
     "PROBLEM_JSON",
     "WANTED_DIGEST",
     "DigestName",
@@ -57,6 +66,7 @@ __all__ = [
     "WaveformBody",
     "WaveformRequest",
     "address_of",
+    "array_keys",
     "content_digest",
     "decode_answer",
     "decode_array",

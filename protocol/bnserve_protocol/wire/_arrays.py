@@ -1,8 +1,8 @@
 """Numpy arrays on the wire, and memory for large ones.
 
-An array travels as the map ``{nd: true, type: "<c16", kind: "", shape: [N, M], data: bytes}`` that msgpack-numpy
-writes. We write its keys as MessagePack binary, so that its users can decode answers; we read both binary and text
-keys, with a closed schema. The msgpack-numpy library itself is never used: its decoder unpickles object arrays.
+An array travels as the map ``{nd: true, type: "<c16", kind: "", shape: [N, M], data: bytes}`` of msgpack-numpy, whose
+keys we write as text unless asked for bytes, and read as either, with a closed schema. The msgpack-numpy library itself
+is never used: its decoder unpickles object arrays.
 
 Memory is used again once nobody looks at the arrays in it. The first touch of fresh memory (a page fault for every
 4 KiB) can cost more than all else that happens to a large result, computed or received, and allocators give large
@@ -16,13 +16,14 @@ import ctypes
 import math
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._errors import UndecodableBody
+from bnserve_protocol.wire._envelope import MSGPACK_BYTES
 
 _ALIGNMENT = 64
 _SMALL = 2**16
@@ -118,24 +119,38 @@ _EXTENT_LIMIT = 2**32
 _FIXMAP_5 = 0x85
 _BIN_8 = 0xC4
 
-_HEADS = {
-    order: (
-        b"\x85\xc4\x02nd\xc3\xc4\x04type" + msgspec.msgpack.encode(name) + b"\xc4\x04kind\xc4\x00\xc4\x05shape",
-        dtype,
-    )
-    for name, dtype in ARRAY_DTYPES.items()
-    for order in (dtype, dtype.newbyteorder(">"))
-}
-"""By the dtype of an array in memory: what comes before the shape, as we and msgpack-numpy write it, and its dtype on
-the wire."""
-_DATA = b"\xc4\x04data"
+ArrayKeys: TypeAlias = Literal["text", "bytes"]
+"""How the names in the map of an array are written: as text, which every library reads, or as MessagePack binary, as
+msgpack-numpy does. The canonical form of an analysis has bytes."""
+
+
+def _heads(key: Callable[[str], bytes]) -> dict[np.dtype[Any], tuple[bytes, bytes, np.dtype[Any]]]:
+    return {
+        order: (
+            b"\x85" + key("nd") + b"\xc3" + key("type") + _encode(name) + key("kind") + key("") + key("shape"),
+            key("data"),
+            dtype,
+        )
+        for name, dtype in ARRAY_DTYPES.items()
+        for order in (dtype, dtype.newbyteorder(">"))
+    }
+
+
+_encode = msgspec.msgpack.Encoder().encode
+_HEADS = {"text": _heads(_encode), "bytes": _heads(lambda name: _encode(name.encode("ascii")))}
+"""By the dtype of an array in memory: what comes before its shape, what between shape and numbers, and its dtype on the
+wire."""
 _binary_keys = msgspec.msgpack.Decoder(dict[bytes, msgspec.Raw])
 _text_keys = msgspec.msgpack.Decoder(dict[str, msgspec.Raw])
-_encode = msgspec.msgpack.Encoder().encode
 _bool = msgspec.msgpack.Decoder(bool)
 _text = msgspec.msgpack.Decoder(str)
 _shape = msgspec.msgpack.Decoder(list[int])
 _data = msgspec.msgpack.Decoder(memoryview)
+
+
+def array_keys(media_type: str) -> ArrayKeys:
+    """What the keys of arrays are in a message of this media type."""
+    return "bytes" if media_type == MSGPACK_BYTES else "text"
 
 
 def is_array(raw: bytes | msgspec.Raw) -> bool:
@@ -201,12 +216,12 @@ def _fields(view: memoryview) -> dict[str, msgspec.Raw]:
     return _text_keys.decode(view)
 
 
-def encode_array(array: NDArray[Any]) -> list[bytes | memoryview]:
+def encode_array(array: NDArray[Any], keys: ArrayKeys = "text") -> list[bytes | memoryview]:
     """MessagePack of one array as a header and the array's own memory, which is not copied.
 
     The array must be C-contiguous and of an allowed dtype; joining the parts gives the message.
     """
-    header, dtype = array_header(array.dtype, array.shape)
+    header, dtype = array_header(array.dtype, array.shape, keys)
     contiguous = np.ascontiguousarray(array, dtype)
     return [header, contiguous.reshape(-1).view(np.uint8).data]
 
@@ -216,13 +231,13 @@ def raw_array(array: NDArray[Any]) -> msgspec.Raw:
     return msgspec.Raw(b"".join(encode_array(array)))
 
 
-def array_header(dtype: np.dtype[Any], shape: tuple[int, ...]) -> tuple[bytes, np.dtype[Any]]:
+def array_header(dtype: np.dtype[Any], shape: tuple[int, ...], keys: ArrayKeys = "text") -> tuple[bytes, np.dtype[Any]]:
     """The message of an array up to its numbers, and the dtype in which they travel."""
-    found = _HEADS.get(dtype)
+    found = _HEADS[keys].get(dtype)
     if found is None:
         raise ValueError(f"dtype {dtype} does not travel; allowed: {', '.join(ARRAY_DTYPES)}")
-    head, travelling = found
-    return head + _encode(shape) + _DATA + _binary_header(math.prod(shape) * travelling.itemsize), travelling
+    head, data, travelling = found
+    return head + _encode(shape) + data + _binary_header(math.prod(shape) * travelling.itemsize), travelling
 
 
 def _binary_header(length: int) -> bytes:

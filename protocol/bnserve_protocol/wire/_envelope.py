@@ -23,6 +23,8 @@ from bnserve_protocol._errors import ERRORS_BY_CODE, BnserveError, FieldError, U
 from bnserve_protocol._printable import printable
 
 MSGPACK = "application/msgpack"
+MSGPACK_BYTES = "application/msgpack;keys=bytes"
+"""The names in the maps of arrays as MessagePack binary, as msgpack-numpy reads them."""
 JSON = "application/json"
 PROBLEM_JSON = "application/problem+json"
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBody
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodBatch, check_likelihood_names
 from bnserve_protocol._model import ModelIdentity
-from bnserve_protocol.wire._arrays import decode_array, decode_real, encode_array, is_array, raw_array
+from bnserve_protocol.wire._arrays import ArrayKeys, decode_array, decode_real, encode_array, is_array, raw_array
 from bnserve_protocol.wire._envelope import (
     JSON,
     MSGPACK,
@@ -210,13 +210,13 @@ def _rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> NDArray[np.flo
     return rows
 
 
-def encode_likelihood_answer(answer: LikelihoodAnswer) -> list[bytes | memoryview]:
+def encode_likelihood_answer(answer: LikelihoodAnswer, keys: ArrayKeys = "text") -> list[bytes | memoryview]:
     """Write an answer as a list of buffers; array memory is not copied. Joined, they are one MessagePack map."""
     head = b"\x84" + msgspec.msgpack.encode("model") + msgspec.msgpack.encode(answer.model)
     head += msgspec.msgpack.encode("analysis") + msgspec.msgpack.encode(answer.analysis)
     parts: list[bytes | memoryview] = [head]
     for name, array in (("log_likelihood", answer.log_likelihood), ("status", answer.status)):
-        header, data = encode_array(array)
+        header, data = encode_array(array, keys)
         parts += [msgspec.msgpack.encode(name) + bytes(header), data]
     return parts
 

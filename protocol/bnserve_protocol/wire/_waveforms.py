@@ -15,6 +15,7 @@ from bnserve_protocol._grids import UniformGrid, as_frequencies
 from bnserve_protocol._model import DtypeName, EvaluationOptions, ModelIdentity
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
 from bnserve_protocol.wire._arrays import (
+    ArrayKeys,
     Template,
     address_of,
     array_header,
@@ -280,14 +281,12 @@ ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", 
 cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm ``[N, M]``; always status ``[N]``,
 and estimated_mismatch ``[N]`` from models that have it."""
 
-
 ALIGNMENT = 64
 """Of large arrays within the body: a cache line, and what the widest vector instructions like."""
 LARGE = 2**16
 """Smaller arrays are cheaper to copy than to align."""
 
 _encode = msgspec.msgpack.Encoder().encode
-_MODEL = _encode("model")
 
 
 class WaveformAnswer(msgspec.Struct, frozen=True):
@@ -303,22 +302,24 @@ _templates: dict[int, Template] = {}
 """Of the small answers met last, by their length."""
 
 
-def encode_answer(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> list[bytes | memoryview]:
+def encode_answer(
+    arrays: Mapping[str, NDArray[Any]], model: ModelIdentity, keys: ArrayKeys = "text"
+) -> list[bytes | memoryview]:
     """Write an answer as buffers, which joined are one MessagePack map; the memory of large arrays is not copied.
 
     The data of a large array begins at a multiple of 64 bytes, behind a field of zeros named ``pad_`` and its name: a
     reader who puts the body into aligned memory can use the array where it is.
     """
     large = sum(array.nbytes >= LARGE for array in arrays.values())
-    start = b"%c" % (0x80 + 1 + len(arrays) + large) + _MODEL + _encode(model)
+    start = b"%c" % (0x80 + 1 + len(arrays) + large) + _encode("model") + _encode(model)
     parts: list[bytes | memoryview] = []
     position = 0
     for name, array in arrays.items():
         if array.nbytes < LARGE:
-            head, dtype = array_header(array.dtype, array.shape)
+            head, dtype = array_header(array.dtype, array.shape, keys)
             start += _encode(name) + head + array.astype(dtype, copy=False).tobytes()
             continue
-        header, data = encode_array(array)
+        header, data = encode_array(array, keys)
         start += _padded(name, header, position + len(start))
         parts += [start, data]
         position += len(start) + len(data)

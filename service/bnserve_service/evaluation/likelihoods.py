@@ -15,6 +15,7 @@ from bnserve_protocol.wire import (
     JSON,
     LikelihoodAnswer,
     LikelihoodRequest,
+    array_keys,
     content_digest,
     decode_likelihood_request,
     encode_likelihood_answer,
@@ -140,7 +141,9 @@ def pack(question: LikelihoodQuestion, pieces: Sequence[LogLikelihoods], media_t
         analysis=question.stored.analysis.digest,
     )
     parts: list[Buffer] = (
-        [encode_likelihood_answer_json(answer)] if media_type == JSON else encode_likelihood_answer(answer)
+        [encode_likelihood_answer_json(answer)]
+        if media_type == JSON
+        else encode_likelihood_answer(answer, array_keys(media_type))
     )
     digest = content_digest(parts).encode()
     evaluated = max(piece.evaluated for piece in pieces)

@@ -21,7 +21,15 @@ from bnserve_protocol import (
     TooLarge,
     UniformGrid,
 )
-from bnserve_protocol.wire import JSON, DigestName, content_digest, encode_answer, encode_answer_json
+from bnserve_protocol.wire import (
+    JSON,
+    MSGPACK,
+    DigestName,
+    array_keys,
+    content_digest,
+    encode_answer,
+    encode_answer_json,
+)
 from bnserve_service.http.answers import Buffer
 from bnserve_service.models.registry import LoadedModel, ServedModel, quick_work
 from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
@@ -65,7 +73,7 @@ class Question:
     def quick(self) -> bool:
         """Whether it takes less time than handing it to a worker."""
         work = len(self.batch) * (self.points + ROW_COST)
-        return work <= quick_work(self.model.model) and self.media_type != JSON
+        return work <= quick_work(self.model.model) and self.media_type == MSGPACK
 
     @property
     def answer_bytes(self) -> int:
@@ -202,7 +210,9 @@ def pack(question: Question, arrays: Arrays, started: float, evaluated: float) -
     begun = time.monotonic()
     identity = question.model.identity
     parts: list[Buffer] = (
-        [encode_answer_json(arrays, identity)] if question.media_type == JSON else encode_answer(arrays, identity)
+        [encode_answer_json(arrays, identity)]
+        if question.media_type == JSON
+        else encode_answer(arrays, identity, array_keys(question.media_type))
     )
     digest = content_digest(parts, question.digest).encode()
     length = sum(len(part) for part in parts)

@@ -13,7 +13,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Send
 
-from bnserve_protocol.wire import JSON, MSGPACK, content_digest
+from bnserve_protocol.wire import JSON, content_digest
 from bnserve_service.http.requests import answer_media_type
 
 Buffer: TypeAlias = bytes | memoryview
@@ -101,7 +101,7 @@ async def _copy(pieces: deque[Buffer]) -> None:
 def data_response(request: Request, value: Any, status: int = 200) -> Response:
     """A small structured answer in JSON, or in MessagePack for callers who prefer it."""
     media_type = answer_media_type(header_fields(request.scope["headers"]), preferred=JSON)
-    body = msgspec.msgpack.encode(value) if media_type == MSGPACK else msgspec.json.encode(value)
+    body = msgspec.json.encode(value) if media_type == JSON else msgspec.msgpack.encode(value)
     return plain_response(body, media_type, status)
 
 

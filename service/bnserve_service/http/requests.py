@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from bnserve_protocol import NotAcceptable, UnsupportedMediaType
-from bnserve_protocol.wire import JSON, MSGPACK, DigestName
+from bnserve_protocol.wire import JSON, MSGPACK, MSGPACK_BYTES, DigestName
 
 OFFERED = (MSGPACK, JSON)
 OCTETS = "application/octet-stream"
@@ -66,7 +66,7 @@ def require_media_type(headers: Mapping[bytes, bytes], wanted: str, advice: str)
 
 
 def answer_media_type(headers: Mapping[bytes, bytes], preferred: str) -> str:
-    """The offered media type that the ``Accept`` header likes best; ``preferred`` breaks ties.
+    """The offered media type that the ``Accept`` header likes best, with its parameter; ``preferred`` breaks ties.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def _preferred_digest(wanted: bytes) -> DigestName:
 @lru_cache(maxsize=64)
 def _best(accept: bytes, preferred: str) -> str:
     ranges = _parse(accept.decode("latin-1").lower())
-    candidates = [preferred, *(offer for offer in OFFERED if offer != preferred)]
+    candidates = [preferred, *(offer for offer in OFFERED if offer != preferred), MSGPACK_BYTES]
     qualities = {offer: _quality(offer, ranges) for offer in candidates}
     best = max(candidates, key=lambda offer: qualities[offer])
     if qualities[best] <= 0.0:
@@ -110,7 +110,8 @@ def _parse(accept: str) -> dict[str, float]:
     ranges: dict[str, float] = {}
     for item in accept.split(","):
         name, *parameters = (part.strip() for part in item.split(";"))
-        ranges[_ALIASES.get(name, name)] = _q(parameters)
+        keys = ";keys=bytes" if "keys=bytes" in parameters else ""
+        ranges[_ALIASES.get(name, name) + keys] = _q(parameters)
     return ranges
 
 
@@ -125,7 +126,7 @@ def _q(parameters: list[str]) -> float:
 
 
 def _quality(offer: str, ranges: dict[str, float]) -> float:
-    for name in (offer, "application/*", "*/*"):
+    for name in (offer,) if offer == MSGPACK_BYTES else (offer, "application/*", "*/*"):
         if name in ranges:
             return ranges[name]
     return 0.0

@@ -16,8 +16,9 @@ from bnserve_service.reference.schemas import reference, schemas
 _DESCRIPTION = """Gravitational waveforms of binary neutron stars from trained surrogates.
 
 Requests and answers are MessagePack (`application/msgpack`) or, for small ones, JSON. In MessagePack an array is the
-map that msgpack-numpy writes: `{nd: true, type: "<c16", kind: "", shape: [N, M], data: <bytes>}`; vectors and
-rows may also be plain lists. In JSON a complex array is `{"re": [...], "im": [...]}`.
+map `{nd: true, type: "<c16", kind: "", shape: [N, M], data: <bytes>}` of msgpack-numpy with keys of text, of bytes for
+`Accept: application/msgpack;keys=bytes`; vectors and rows may also be plain lists. In JSON a complex array is
+`{"re": [...], "im": [...]}`.
 Errors are RFC 9457 `application/problem+json`; `code` says what happened, `retryable` whether to try again.
 Answers carry `Content-Digest` (RFC 9530) and, where there was a request body, its SHA-256 as `X-Request-Digest`.
 """

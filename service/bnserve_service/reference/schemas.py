@@ -61,7 +61,7 @@ _ARRAY = _object(
         "shape": _list({"type": "integer", "minimum": 0}) | {"maxItems": 2},
         "data": {"type": "string", "format": "binary"},
     }
-) | {"description": "MessagePack only: a numpy array as msgpack-numpy writes it."}
+) | {"description": "MessagePack only: a numpy array as msgpack-numpy writes it; its keys may be text or binary."}
 _GRID = {
     "oneOf": [
         _object({key: {"type": "number", "exclusiveMinimum": 0} for key in ("f_min", "f_max", "delta_f")}),
