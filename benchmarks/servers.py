@@ -17,7 +17,7 @@ from bnserve_protocol import BnserveError
 from bnserve_service.bench.load import open_connection
 from tests.running_server import free_port
 
-PATIENCE = 60.0
+TIMEOUT = 60.0
 """Seconds until a server that is not ready counts as broken."""
 
 
@@ -35,7 +35,7 @@ def running(
     *,
     cpus: set[int] | None = None,
     environment: dict[str, str] | None = None,
-    patience: float = PATIENCE,
+    timeout: float = TIMEOUT,
 ) -> Iterator[int]:
     """Start a server in a process group of its own, wait until it answers, yield its number, and stop all of it.
 
@@ -56,7 +56,7 @@ def running(
         if cpus is not None:
             os.sched_setaffinity(process.pid, cpus)
         try:
-            deadline = time.monotonic() + patience
+            deadline = time.monotonic() + timeout
             while not is_ready():
                 if process.poll() is not None or time.monotonic() > deadline:
                     log.seek(0)

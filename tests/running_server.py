@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from urllib.error import URLError
 
-PATIENCE = 120.0
+TIMEOUT = 120.0
 """Seconds until a server that is still not ready counts as broken; a cold start on a busy machine takes a few."""
 
 
@@ -35,7 +35,7 @@ def running(command: list[str], log: Path, ready: Callable[[], bool], **options)
     with log.open("wb") as output:
         process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT, **options)
     try:
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TIMEOUT
         while not ready():
             assert process.poll() is None, f"the server ended with {process.returncode}:\n{log.read_text()}"
             assert time.monotonic() < deadline, f"the server did not become ready:\n{log.read_text()}"
@@ -47,7 +47,7 @@ def running(command: list[str], log: Path, ready: Callable[[], bool], **options)
             time.sleep(0.05)
             process.terminate()  # a second signal ends a server at once, without the grace of a drain
             try:
-                process.wait(PATIENCE)
+                process.wait(TIMEOUT)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()

@@ -5,6 +5,6 @@
 * a docstring whose first line is the promise,
 * ``MECHANISM``: how it is kept, in two sentences,
 * ``BAR``: what the measurement must reach, in words,
-* ``PLANTS``: faults that take the mechanism away, each with what it does, so that the measurement is seen to fail,
-* ``run(short, log, plant=None)``: measure, and return an :class:`~benchmarks.reliability.outcome.Outcome`.
+* ``INJECTED_FAULTS``: what takes the mechanism away, each with what it does, so that the measurement is seen to fail,
+* ``run(short, log, injected=None)``: measure, and return an :class:`~benchmarks.reliability.outcome.Outcome`.
 """

@@ -1,6 +1,6 @@
 """``python -m benchmarks.reliability NAME``: measure a promise. Exit status: 0 kept, 1 its bar is missed, 2 a mistake.
 
-With ``--plant FAULT`` the mechanism behind the promise is taken away first, and the status should be 1.
+With ``--inject FAULT`` the mechanism behind the promise is taken away first, and the status should be 1.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import json
 import sys
 from pathlib import Path
 
-from benchmarks.reliability.outcome import find, names, promise_of
+from benchmarks.reliability.outcome import find, names, present_name, promise_of
 from benchmarks.reliability.page import PAGE, README, write_pages
 from benchmarks.reliability.record import RESULTS, Clock, record_of, save
 from benchmarks.workers import unwind_on_sigterm
@@ -19,7 +19,7 @@ from bnserve_protocol import BnserveError
 
 def main(arguments: list[str] | None = None) -> int:
     """Measure and print; returns the exit status."""
-    options = _parser().parse_args(arguments)
+    options = _parser().parse_args([present_name(word) for word in (sys.argv[1:] if arguments is None else arguments)])
     try:
         if options.list:
             _list()
@@ -40,8 +40,8 @@ def _list() -> None:
     for name in names():
         promise = find(name)
         print(f"{name:<13} {promise_of(promise)}\n{'':<13} bar: {promise.BAR}")
-        for plant, effect in promise.PLANTS.items():
-            print(f"{'':<13} --plant {plant}: {effect}")
+        for injected, effect in promise.INJECTED_FAULTS.items():
+            print(f"{'':<13} --inject {injected}: {effect}")
 
 
 def _measure(options: argparse.Namespace) -> int:
@@ -50,10 +50,10 @@ def _measure(options: argparse.Namespace) -> int:
     def log(line: str) -> None:
         print(f"{clock.seconds():8.1f} s  {line}", file=sys.stderr, flush=True)
 
-    outcome = find(options.name, options.plant).run(options.short, log, options.plant)
+    outcome = find(options.name, options.inject).run(options.short, log, options.inject)
     record = record_of(outcome, _command(options), clock)
     if options.output is not None:
-        save(options.output, options.name, record, options.plant)
+        save(options.output, options.name, record, options.inject)
     if options.json:
         print(json.dumps({"name": options.name, **record}))
     else:
@@ -66,7 +66,7 @@ def _measure(options: argparse.Namespace) -> int:
 def _command(options: argparse.Namespace) -> str:
     words = ["python -m benchmarks.reliability", options.name]
     words += ["--short"] if options.short else []
-    words += [f"--plant {options.plant}"] if options.plant else []
+    words += [f"--inject {options.inject}"] if options.inject else []
     return " ".join(words)
 
 
@@ -74,9 +74,9 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.reliability", description=__doc__)
     add = parser.add_argument
     add("name", nargs="?", help="the promise to measure")
-    add("--list", action="store_true", help="name the promises, their bars and the faults that can be planted")
+    add("--list", action="store_true", help="name the promises, their bars and the faults that can be injected")
     add("--short", action="store_true", help="seconds instead of minutes")
-    add("--plant", metavar="FAULT", help="take the mechanism away first: the bar should be missed")
+    add("--inject", metavar="FAULT", help="take the mechanism away first: the bar should be missed")
     add("--json", action="store_true", help="print one JSON object")
     add("--output", type=Path, metavar="FILE", help="keep the figures there (benchmarks/reliability/results/NAME.json)")
     add("--page", action="store_true", help="write the page and the README's table from the results")

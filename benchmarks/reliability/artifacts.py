@@ -27,12 +27,14 @@ MECHANISM = """Before a version is served, every byte of it is covered by a dige
 manifest and must be finite, links may not leave the store, the model is built, and a stored evaluation is repeated;
 whatever fails is refused with its reason. What is served is dropped for nothing but its removal."""
 BAR = "refused 100 %, each with a reason; the old version answers throughout"
-PLANTS = {"no-verification": "versions are served as they are read: neither digests nor the stored evaluation count"}
+INJECTED_FAULTS = {
+    "no-verification": "versions are served as they are read: neither digests nor the stored evaluation count"
+}
 
 BATCH = 20
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
     flips = 20 if short else 1000
     served: Counter[str] = Counter()
@@ -43,7 +45,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         versions = Versions(Path(folder) / "store", "default")
         versions.publish("1.0.0", shipped="fast")
         todo = list(damages(versions.artifact, NAME, flips, random.Random(1)))
-        serve = serving("--store", str(versions.folder), "--model", NAME, plant=plant, poll_seconds=600)
+        serve = serving("--store", str(versions.folder), "--model", NAME, injected=injected, poll_seconds=600)
         with serve as server, load_process() as load:
             for start in range(0, len(todo), BATCH):
                 batch = {f"2.{start}.{number}": each for number, each in enumerate(todo[start : start + BATCH])}

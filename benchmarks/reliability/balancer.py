@@ -44,9 +44,9 @@ class Balancer:
         servers = [row["status"] for row in rows if row["pxname"] == "servers" and row["svname"] != "BACKEND"]
         return sum(status.startswith("UP") for status in servers)
 
-    def wait_for(self, count: int, patience: float = 60.0) -> None:
+    def wait_for(self, count: int, timeout: float = 60.0) -> None:
         """Return when it sends requests to so many servers."""
-        until = time.monotonic() + patience
+        until = time.monotonic() + timeout
         while self.up() != count:
             if time.monotonic() > until:
                 raise ServerFailed(f"HAProxy has {self.up()} servers, and should have {count}.")

@@ -28,7 +28,7 @@ BAR = (
     "413 after the limit and 64 KiB at the latest, memory <= limit + 16 MiB; bodies without end <= their room + "
     "32 MiB, a small question is answered meanwhile"
 )
-PLANTS = {"no-cap": "bodies are read to their end, as uvicorn does"}
+INJECTED_FAULTS = {"no-cap": "bodies are read to their end, as uvicorn does"}
 
 MIB = 2**20
 LIMIT = 16 * MIB
@@ -48,11 +48,11 @@ SMALL = HEAD.replace(b"msgpack", b"json") + b"content-length: %d\r\nconnection: 
 CHUNKED = HEAD + b"transfer-encoding: chunked\r\n\r\n"
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes a minute."""
-    poured = (64 if short or plant else 1024) * MIB
+    poured = (64 if short or injected else 1024) * MIB
     with serving(
-        "--model", "default", "--workers-threads", "1", plant=plant, max_body_bytes=LIMIT, max_incoming_bytes=ROOM
+        "--model", "default", "--workers-threads", "1", injected=injected, max_body_bytes=LIMIT, max_incoming_bytes=ROOM
     ) as server:
         for _ in range(3):  # memory that reading a body of the allowed size takes is not bloat
             _send(server, HEAD + b"content-length: %d\r\n\r\n" % LIMIT, b"\xc1" * 2**16, LIMIT // 2**16)

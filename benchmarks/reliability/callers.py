@@ -15,7 +15,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from benchmarks.reliability.client_plants import planted
+from benchmarks.reliability.client_faults import injecting
 from benchmarks.reliability.outcome import Figures
 from benchmarks.reliability.questions import EXPLICIT, SHORT, UNIFORM, UPLOADED, Question, Questions
 from benchmarks.servers import ServerFailed
@@ -38,8 +38,8 @@ class Task:
         Where the local model is, if it is none of those that ship.
     options:
         Of ``Model.connect``.
-    plant:
-        A fault of :mod:`.client_plants`.
+    injected:
+        A fault of :mod:`.client_faults`.
     pool:
         How many different questions there are, the same for all callers; 0 for ever new ones.
     reconnect:
@@ -51,7 +51,7 @@ class Task:
     name: str = "default"
     store: Path | None = None
     options: dict[str, Any] = field(default_factory=dict)
-    plant: str | None = None
+    injected: str | None = None
     pool: int = 0
     reconnect: int = 0
     pause: float = 0.0
@@ -155,7 +155,7 @@ def _local(name: str, version: str, store: Path | None) -> LocalModel:
 def _call(number: int, task: Task, stop: Any, out: Connection) -> None:
     """The life of a caller."""
     log, address = Log(), out.recv()
-    with planted(task.plant):
+    with injecting(task.injected):
         try:
             model = Model.connect(address, task.name, **task.options)
             out.send("ready")

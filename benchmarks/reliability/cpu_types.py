@@ -24,7 +24,7 @@ MECHANISM = """Vectors of the kernel have one width and one order of operations 
 multiplications are so by name. What differs by a unit in the last place is what numpy computes when a model is loaded
 and a grid prepared, and which scalar multiplications are fused. The phase is 10^5 rad: that is where it shows."""
 BAR = "mismatch <= 1e-18, |h| apart by <= 1e-9 of itself; the same bits where only the width of vectors differs"
-PLANTS = {"single-precision": "one type of processor evaluates in single precision"}
+INJECTED_FAULTS = {"single-precision": "one type of processor evaluates in single precision"}
 
 _NO_AVX512 = {"NPY_DISABLE_CPU_FEATURES": "X86_V4 AVX512_ICL AVX512_SPR", "OPENBLAS_CORETYPE": "Haswell"}
 _NO_FMA = {
@@ -53,7 +53,7 @@ KINDS = (
 )
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes a minute, most of it for fused multiplications without the instruction."""
     rows, kinds = (50, KINDS[:2]) if short else (1000, KINDS)
     figures: Figures = {"binaries": rows}
@@ -62,7 +62,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         reference = _evaluate(REFERENCE, rows, Path(folder))
         for kind in kinds:
             other = _evaluate(kind, rows, Path(folder))
-            if plant is not None:
+            if injected is not None:
                 other = {name: h.astype(np.complex64).astype(np.complex128) for name, h in other.items()}
             for name, h in other.items():
                 found = differences(reference[name], h)

@@ -30,7 +30,7 @@ MECHANISM = (
     "What once broke a reader is kept in tests/fuzz/corpus and tried by the test suite."
 )
 BAR = ">= 10^5 mutations: 5xx 0, crashes 0, RSS <= +64 MiB, decoding <= 5 ms; schemathesis and atheris: findings 0"
-PLANTS = {"bare-errors": "what goes wrong while a body is decoded comes out as it is, without a name"}
+INJECTED_FAULTS = {"bare-errors": "what goes wrong while a body is decoded comes out as it is, without a name"}
 
 _fork = multiprocessing.get_context("fork")
 _MEMORY = 64 * 2**20
@@ -45,11 +45,11 @@ _PATHS = {
 }
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Mutations against a server and against a clock; schemathesis; atheris."""
     count, examples, fuzzing = (180, 2, 0) if short else (102_000, 6, 10)
     statuses, slowest = Counter[int](), 0.0
-    with serving("--model", "default", plant=plant) as server:
+    with serving("--model", "default", injected=injected) as server:
         for name in _PATHS:  # warm-up
             _send(server.address, name, _bodies(TARGETS[name], min(count, 600) // len(_PATHS), first=10**9))
         before = _start_over(server)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from random import Random
 
-from benchmarks.reliability.client_plants import planted
+from benchmarks.reliability.client_faults import injecting
 from benchmarks.reliability.damage import burst, double, exchange_blocks, flip, flip_some, lose, put_in
 from benchmarks.reliability.outcome import Figures, Log, Outcome
 from benchmarks.reliability.proxy import NOTHING, Change, Fault, FaultyProxy
@@ -24,7 +24,7 @@ MECHANISM = (
     "(docs/decisions/0006). Damage to a question is found by SHA-256."
 )
 BAR = "undetected 0: every answer that was damaged, or belongs to another question, is right after all or refused"
-PLANTS = {
+INJECTED_FAULTS = {
     "no-digests": "the client believes every answer",
     "no-echo": "the client checks that an answer is whole, but not whose it is",
 }
@@ -44,14 +44,14 @@ class _Next:
         return fault
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Damage every bit of a question and of its answer, in turn; then damage both at random."""
     counts: Counter[str] = Counter()
     chosen, local = _Next(), LocalModel.default()
     with (
         serving("--model", "default") as server,
-        FaultyProxy(server.address, chosen, patience=4.0 * _SILENCE) as proxy,
-        planted(plant),
+        FaultyProxy(server.address, chosen, timeout=4.0 * _SILENCE) as proxy,
+        injecting(injected),
         _connect(proxy.url) as model,
     ):
         questions = Questions(model, seed=20170817, grids=(SHORT,), most_rows=2)
@@ -62,7 +62,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
 
 
 def _connect(url: str) -> Model:
-    """A client without retries and with little patience, however busy this machine is."""
+    """A client without retries and with a short timeout, however busy this machine is."""
     for _ in range(40):
         with suppress(BnserveError):
             return Model.connect(url, retries=0, silence=_SILENCE, timeout=20.0 * _SILENCE)

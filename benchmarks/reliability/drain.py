@@ -20,7 +20,7 @@ MECHANISM = """After SIGTERM the ready path says 503 at once, while everything i
 answer closing its connection, so that a balancer goes elsewhere first; then what is in flight is finished, and the
 process ends with 0."""
 BAR = "0 failures, every exit with status 0 within 30 s"
-PLANTS = {"no-drain": "SIGTERM ends the process as a program does that knows nothing of it"}
+INJECTED_FAULTS = {"no-drain": "SIGTERM ends the process as a program does that knows nothing of it"}
 
 REPLICAS = 2
 GRACE_OF_SHORT = 6.0
@@ -30,15 +30,15 @@ GRACE_OF_SHORT = 6.0
 class Replicas:
     """Servers on ports that stay theirs, one of which can be started again."""
 
-    def __init__(self, plant: str | None, grace: float) -> None:
-        self._plant, self._grace = plant, grace
+    def __init__(self, injected: str | None, grace: float) -> None:
+        self._injected, self._grace = injected, grace
         self._ports = [free_port() for _ in range(REPLICAS)]
         self._stacks = [ExitStack() for _ in self._ports]
         self.servers: list[Server] = [self._start(number) for number in range(REPLICAS)]
 
     def _start(self, number: int) -> Server:
         options = "--model", "default", "--workers-threads", "1"
-        server = serving(*options, plant=self._plant, port=self._ports[number], drain_grace=self._grace)
+        server = serving(*options, injected=self._injected, port=self._ports[number], drain_grace=self._grace)
         return self._stacks[number].enter_context(server)
 
     def restart(self, number: int) -> tuple[int, float]:
@@ -56,14 +56,14 @@ class Replicas:
             stack.close()
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
     restarts, seconds_of_load = (1, 5.0) if short else (16, 8.0)
     statuses: list[int] = []
     seconds: list[float] = []
     came: list[Came] = []
     with ExitStack() as stack:
-        replicas = Replicas(plant, GRACE_OF_SHORT if short else Settings().drain_grace)
+        replicas = Replicas(injected, GRACE_OF_SHORT if short else Settings().drain_grace)
         stack.callback(replicas.close)
         balancer = stack.enter_context(balancing([server.address for server in replicas.servers], retries=False))
         load = stack.enter_context(load_process())

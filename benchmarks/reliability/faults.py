@@ -19,7 +19,7 @@ MECHANISM = (
     "Here a proxy in front of each of 2 servers makes every kind of fault in turn, in 5 % of the exchanges."
 )
 BAR = "lost 0 and wrong 0 with every kind of fault"
-PLANTS = {
+INJECTED_FAULTS = {
     "no-retries": "the client asks once",
     "no-digests": "the client believes every answer",
 }
@@ -27,12 +27,12 @@ PLANTS = {
 _OFTEN = 0.05
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Each kind of fault for some seconds, with several clients on two addresses."""
     few = ["reset in an answer", "half-open", "bits of answers", "bits of questions", "answers to others"]
     count, seconds, kinds = (3, 0.7, few) if short else (6, 9.0, list(KINDS))
-    options = {"silence": 0.5, "timeout": 120.0, "retries": 0 if plant == "no-retries" else None}
-    task = Task(options=options, plant=plant)
+    options = {"silence": 0.5, "timeout": 120.0, "retries": 0 if injected == "no-retries" else None}
+    task = Task(options=options, injected=injected)
     total, met = Found(), 0
     figures: dict[str, float | int | str] = {}
     with ExitStack() as stack:

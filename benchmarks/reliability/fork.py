@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.reliability.client_plants import planted
+from benchmarks.reliability.client_faults import injecting
 from benchmarks.reliability.outcome import Figures, Log, Outcome
 from benchmarks.reliability.questions import UNIFORM, Questions
 from benchmarks.reliability.serving import serving
@@ -24,29 +24,29 @@ MECHANISM = (
     "nothing is put right silently."
 )
 BAR = "wrong 0, errors 0"
-PLANTS = {
+INJECTED_FAULTS = {
     "shared-sockets": "children go on with the connections of their parent; the digests notice, so there are errors",
     "shared-unchecked": "the same without digests, as other clients do it: answers reach the wrong process",
 }
 CHILDREN, REQUESTS, TIMES = 8, 200, 12
-_CLIENT_PLANTS = {"shared-sockets": ("shared-sockets",), "shared-unchecked": ("shared-sockets", "no-digests")}
+_CLIENT_FAULTS = {"shared-sockets": ("shared-sockets",), "shared-unchecked": ("shared-sockets", "no-digests")}
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """One client, used before, in forked children, while a thread uses it, too; then in spawned processes."""
     times, requests = (1, 20) if short else (TIMES, REQUESTS)
     local = LocalModel.default()
     local.warm_up()
     counts: Counter[str] = Counter()
-    first, second = (*_CLIENT_PLANTS.get(plant or "", ()), None, None)[:2]
-    with serving("--model", "default") as server, planted(first), planted(second):
-        silence = 2.0 if plant else 30.0
+    first, second = (*_CLIENT_FAULTS.get(injected or "", ()), None, None)[:2]
+    with serving("--model", "default") as server, injecting(first), injecting(second):
+        silence = 2.0 if injected else 30.0
         with Model.connect(server.url, retries=0, silence=silence, timeout=4.0 * silence) as model:
             _ask(model, local, 0, 3, counts)
             for number in range(times):
                 counts += _round(model, local, number, requests)
                 log(f"{CHILDREN} children, {number + 1} of {times}: {dict(counts)}")
-            if plant is None:
+            if injected is None:
                 counts += _spawned(model, requests)
                 log(f"2 spawned processes: {dict(counts)}")
     wrong, errors = counts["wrong"], sum(count for name, count in counts.items() if name not in ("right", "wrong"))

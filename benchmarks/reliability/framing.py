@@ -18,19 +18,19 @@ MECHANISM = """What another recipient could read otherwise is refused: what fram
 two, or an old or new version. Trailers are never headers, an offer to upgrade is ignored and its body stays a body, and
 one matcher of paths decides about access and endpoint. HAProxy passes on an allow-list of decoded paths."""
 BAR = ">= 10^5 requests, half behind HAProxy: 0 answers that do not belong, 0 requests smuggled or of another caller"
-PLANTS = {"trailers-as-headers": "trailers are headers, as uvicorn has them"}
+INJECTED_FAULTS = {"trailers-as-headers": "trailers are headers, as uvicorn has them"}
 
 MIB = 2**20
 _LARGEST_GROWTH = 64 * MIB
 """That of :mod:`.decode`, for the same reason: caches and buffers fill."""
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes a quarter of an hour."""
     count = 200 if short else 51_000
     settings: dict[str, Any] = {"tokens": tokens(), "access_log": True}
     with (
-        serving("--model", "default", plant=plant, **settings) as server,
+        serving("--model", "default", injected=injected, **settings) as server,
         balancing([server.address]) as balancer,
     ):
         found = fuzz(server.address, count // 10)  # warm-up, and part of it

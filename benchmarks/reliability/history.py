@@ -24,35 +24,35 @@ MECHANISM = (
     "digest of the model, digest of the answer); afterwards the logs are put side by side, and beside the local model."
 )
 BAR = "two answers to one question with one model: 0; wrong 0; lost 0"
-PLANTS = {
+INJECTED_FAULTS = {
     "no-digests": "the client believes every answer",
     "no-echo": "the client checks that an answer is whole, but not whose it is",
     "no-retries": "the client asks once",
 }
 
 _OFTEN = 0.04
-_OFTEN_PLANTED = 0.4
+_OFTEN_INJECTED = 0.4
 """So that the fault that is looked for is met in seconds."""
 _REPLICAS = 3
 _VERSIONS = 8
 """Published at most: replicas that start verify all of them first."""
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """All faults at once for a while; then compare the logs."""
     count, seconds = (4, 5.0) if short else (8, 120.0)
-    options = {"silence": 1.0, "timeout": 300.0, "retries": 0 if plant == "no-retries" else 60}
+    options = {"silence": 1.0, "timeout": 300.0, "retries": 0 if injected == "no-retries" else 60}
     with tempfile.TemporaryDirectory() as folder, ExitStack() as stack:
         store = Versions(Path(folder) / "store")
         store.publish("1.0.0")
         arguments = ("--store", str(store.folder), "--model", NAME)
         servers = stack.enter_context(replicas(Path(folder), _REPLICAS, *arguments))
-        weather = [Weather([], _OFTEN_PLANTED if plant else _OFTEN, seed) for seed in range(_REPLICAS)]
+        weather = [Weather([], _OFTEN_INJECTED if injected else _OFTEN, seed) for seed in range(_REPLICAS)]
         proxies = [
             stack.enter_context(FaultyProxy(server.address, each))
             for server, each in zip(servers, weather, strict=True)
         ]
-        task = Task(NAME, store.folder, options, plant, pool=300, reconnect=100)
+        task = Task(NAME, store.folder, options, injected, pool=300, reconnect=100)
         with Callers([[proxy.url for proxy in proxies]] * count, task) as callers:
             for each in weather:
                 each.kinds = list(KINDS)

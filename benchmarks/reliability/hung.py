@@ -25,23 +25,23 @@ MECHANISM = """Every worker gives a sign of life twice a second from its event l
 give none for four seconds, and copies a new worker from a template process that has everything loaded. The kernel
 closes the connections of a killed worker at once."""
 BAR = "out of rotation <= 5 s, replaced <= 10 s"
-PLANTS = {"no-watchdog": "signs of life are waited for during ten minutes"}
+INJECTED_FAULTS = {"no-watchdog": "signs of life are waited for during ten minutes"}
 
 WORKERS = 2
 SECONDS = 12.0
 SLOW = 1.0
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
     faults = [signal.SIGSTOP] if short else [signal.SIGKILL, signal.SIGSTOP] * 6
     draw = random.Random(1)
     out: dict[signal.Signals, list[float]] = {fault: [] for fault in faults}
     back: dict[signal.Signals, list[float]] = {fault: [] for fault in faults}
     sent = failed = 0
-    patience = {"hung_seconds": 600.0} if plant else {}
+    unwatched = {"hung_seconds": 600.0} if injected else {}
     options = "--model", "default", "--workers", str(WORKERS), "--workers-threads", "1"
-    with serving(*options, **patience) as server, load_process() as load:  # type: ignore[arg-type]  # of the settings
+    with serving(*options, **unwatched) as server, load_process() as load:  # type: ignore[arg-type]  # of the settings
         for number, fault in enumerate(faults, start=1):
             _wait_for_workers(server, 60.0)
             began = time.monotonic()
@@ -57,7 +57,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
             log(f"{number}/{len(faults)} {fault.name}: out of rotation after {max(0.0, out[fault][-1]):.1f} s, "
                 f"replaced after {back[fault][-1]:.1f} s, {lost} requests lost")  # fmt: skip
             if Path(f"/proc/{victim}").exists():
-                os.kill(victim, signal.SIGKILL)  # with the fault planted, nobody else does
+                os.kill(victim, signal.SIGKILL)  # with the fault injected, nobody else does
     worst_out, worst_back = max(map(max, out.values())), max(map(max, back.values()))
     figures: Figures = {
         "faults": len(faults),
@@ -87,18 +87,18 @@ def _workers(server: Server) -> list[int]:
     return [pid for pid, name in names.items() if name.exists() and name.read_text().startswith("bnserve-work")]
 
 
-def _wait_for_workers(server: Server, patience: float) -> None:
-    until = time.monotonic() + patience
+def _wait_for_workers(server: Server, timeout: float) -> None:
+    until = time.monotonic() + timeout
     while len(_workers(server)) != WORKERS or metric(server.address, "bnserve_workers_serving") != WORKERS:
         if time.monotonic() > until:
             raise ServerFailed(f"The server has {len(_workers(server))} workers, and should have {WORKERS}.")
         time.sleep(0.1)
 
 
-def _replaced(server: Server, victim: int, patience: float) -> float:
-    """Seconds until the victim is gone and as many as before serve; ``patience`` if that does not happen."""
+def _replaced(server: Server, victim: int, timeout: float) -> float:
+    """Seconds until the victim is gone and as many as before serve; ``timeout`` if that does not happen."""
     began = time.monotonic()
-    while (seconds := time.monotonic() - began) < patience:
+    while (seconds := time.monotonic() - began) < timeout:
         workers = _workers(server)
         complete = victim not in workers and len(workers) == WORKERS
         if complete and metric(server.address, "bnserve_workers_serving") == WORKERS:

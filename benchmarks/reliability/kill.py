@@ -19,7 +19,7 @@ MECHANISM = (
     "replicas; 16 sampler processes ask through it, and every answer is compared with the local model bit by bit."
 )
 BAR = "lost 0, wrong 0, p99.9 <= 2 s"
-PLANTS = {"no-retries": "neither HAProxy nor the client sends a request again"}
+INJECTED_FAULTS = {"no-retries": "neither HAProxy nor the client sends a request again"}
 
 _SLOWEST = 2.0
 _REPLICAS = 3
@@ -27,15 +27,15 @@ _PAUSE = 0.02
 """Seconds that a sampler spends on its own between two questions."""
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Kill one replica at random every few seconds; it is started again a second later."""
     seconds, count, every = (5.0, 6, 2.0) if short else (150.0, 16, 4.0)
-    options = {"timeout": 120.0} | ({"retries": 0} if plant else {})
+    options = {"timeout": 120.0} | ({"retries": 0} if injected else {})
     with tempfile.TemporaryDirectory() as folder, replicas(Path(folder), _REPLICAS, "--model", "default") as servers:
         addresses = [server.address for server in servers]
-        with balancing(addresses, retries=not plant) as balancer:
+        with balancing(addresses, retries=not injected) as balancer:
             log(f"{_REPLICAS} replicas are up behind HAProxy")
-            task = Task(options=options, plant=plant, pause=_PAUSE)
+            task = Task(options=options, injected=injected, pause=_PAUSE)
             with Callers([balancer.url] * count, task) as callers:
                 killed = _kill_for(seconds, every, servers, log)
     found = callers.log

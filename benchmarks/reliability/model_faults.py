@@ -1,4 +1,4 @@
-"""Faults of a server in what it does with models; :mod:`benchmarks.reliability.planted` plants them."""
+"""Faults of a server in what it does with models; :mod:`benchmarks.reliability.faulty_server` injects them."""
 
 from __future__ import annotations
 

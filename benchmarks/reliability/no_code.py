@@ -31,7 +31,7 @@ from bnserve_service.bench.load import Target
 MECHANISM = """Messages and manifests are decoded by schema into numbers, texts and arrays of types from a list; tensors
 are a format without code. pickle, joblib, eval and their like are banned from the sources by a test."""
 BAR = "0 events, server and client: no class unpickled, nothing imported, compiled, executed or started"
-PLANTS = {
+INJECTED_FAULTS = {
     "unpickle-bodies": "the server reads arrays of objects, as msgpack-numpy does",
     "unpickle-answers": "the client does",
 }
@@ -39,17 +39,17 @@ PLANTS = {
 QUESTION = {"parameters": GW170817, "grid": {"f_min": 20.0, "f_max": 40.0, "delta_f": 2.5}}
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes two minutes."""
     repeats = 1 if short else 20
     with auditing() as audit, tempfile.TemporaryDirectory() as folder:
         canary, versions = Path(folder) / "canary", Versions(Path(folder) / "store")
         versions.publish("1.0.0")
-        of_server = plant if plant == "unpickle-bodies" else None
+        of_server = injected if injected == "unpickle-bodies" else None
         stores = "--store", str(versions.folder)
-        with serving(*stores, plant=of_server, environment=audit.environment("server"), poll_seconds=600) as server:
+        with serving(*stores, injected=of_server, environment=audit.environment("server"), poll_seconds=600) as server:
             counts = _attack_server(server, audit, versions, canary, repeats, log)
-            client_counts = _attack_client(server, audit, canary, 4 * repeats, plant == "unpickle-answers", log)
+            client_counts = _attack_client(server, audit, canary, 4 * repeats, injected == "unpickle-answers", log)
         events = {who: audit.events(who) for who in ("server", "client")}
         ran = canary.exists()
     for who, found in events.items():
@@ -105,7 +105,9 @@ def _post(server: Server, media_type: str, body: bytes) -> int:
     return exchange(server.address, request).status
 
 
-def _attack_client(server: Server, audit: Audit, canary: Path, repeats: int, planted: bool, log: Log) -> dict[str, int]:
+def _attack_client(
+    server: Server, audit: Audit, canary: Path, repeats: int, injected: bool, log: Log
+) -> dict[str, int]:
     """Have a client ask through a proxy that puts hostile answers in the place of good ones, with right digests."""
     answers = hostile_answers(canary)
     chosen: list[bytes | None] = [None]
@@ -115,7 +117,7 @@ def _attack_client(server: Server, audit: Audit, canary: Path, repeats: int, pla
         return Fault() if body is None else Fault("hostile", answer=lambda message: _replaced(message, body))
 
     believed = asked = 0
-    command = [sys.executable, "-m", "benchmarks.reliability.audited_client", *(["unpickle"] if planted else [])]
+    command = [sys.executable, "-m", "benchmarks.reliability.audited_client", *(["unpickle"] if injected else [])]
     with FaultyProxy(server.address, choose) as proxy, Worker(command, audit.environment("client")) as client:
         client.ask("connect", url=proxy.url, model=NAME)
         for watched in [False, *[True] * repeats]:

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from benchmarks.reliability.client_plants import planted
+from benchmarks.reliability.client_faults import injecting
 from benchmarks.reliability.outcome import Figures, Log, Outcome
 from benchmarks.reliability.replicas import Replica, replicas
 from benchmarks.workers import ROOT
@@ -24,16 +24,16 @@ MECHANISM = (
     "of them are killed in the middle, and started again later."
 )
 BAR = "exceptions that reach the sampler 0; chain and log-posterior identical to the last bit"
-PLANTS = {"no-retries": "the client asks once"}
+INJECTED_FAULTS = {"no-retries": "the client asks once"}
 
 _AT = 20
 """The request before which the servers vanish."""
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """A seeded run without and one with an outage."""
     walkers, steps, seconds = (16, 30, 3.0) if short else (64, 150, 120.0)
-    options: dict[str, Any] = {"timeout": 900.0} | ({"retries": 0} if plant else {})
+    options: dict[str, Any] = {"timeout": 900.0} | ({"retries": 0} if injected else {})
     with tempfile.TemporaryDirectory() as folder, replicas(Path(folder), 3, "--model", "default") as servers:
         addresses = [server.url for server in servers]
         with Model.connect(addresses, **options) as model, _example() as (problem, with_emcee):
@@ -44,7 +44,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
             exceptions, same = 0, 0
             started = time.monotonic()
             try:
-                with planted(plant):
+                with injecting(injected):
                     found = with_emcee.sample(interrupted, walkers=walkers, steps=steps)
                 same = int(_bits(found) == _bits(expected))
             except BnserveError as error:

@@ -42,8 +42,8 @@ NAMES = (
     "cpu_types",
 )
 """The promises, in the order of the tables."""
-_RENAMED = {"shares": "quotas"}
-"""Names of before, for one version."""
+_RENAMED = {"shares": "quotas", "patience-restarts": "timeout-restarts", "--plant": "--inject"}
+"""What had another name before, for one version."""
 
 
 class PromiseUnknown(BnserveError):
@@ -70,10 +70,10 @@ class Promise(Protocol):
     __doc__: str | None
     MECHANISM: str
     BAR: str
-    PLANTS: dict[str, str]
+    INJECTED_FAULTS: dict[str, str]
 
-    def run(self, short: bool, log: Log, plant: str | None = None) -> Outcome:
-        """Measure. ``short`` takes seconds; ``plant`` takes the mechanism away first, as ``PLANTS`` says."""
+    def run(self, short: bool, log: Log, injected: str | None = None) -> Outcome:
+        """Measure. ``short`` takes seconds; ``injected``, of ``INJECTED_FAULTS``, takes the mechanism away first."""
 
 
 def names() -> list[str]:
@@ -82,7 +82,7 @@ def names() -> list[str]:
     return [name for name in NAMES if (here / f"{name}.py").exists()]
 
 
-def find(name: str, plant: str | None = None) -> Promise:
+def find(name: str, injected: str | None = None) -> Promise:
     """The module of a promise.
 
     Raises
@@ -90,17 +90,22 @@ def find(name: str, plant: str | None = None) -> Promise:
     PromiseUnknown
         No such promise, or it knows no such fault.
     """
-    if name in _RENAMED:
-        warnings.warn(f"'{name}' is '{_RENAMED[name]}'.", DeprecationWarning, stacklevel=2)
-        name = _RENAMED[name]
     if name not in names():
         raise PromiseUnknown(f"There is no promise '{name}'; there are: {', '.join(names())}.")
     promise = cast(Promise, importlib.import_module(f"benchmarks.reliability.{name}"))
-    if plant is not None and plant not in promise.PLANTS:
-        raise PromiseUnknown(f"'{name}' knows no fault '{plant}'; it knows: {', '.join(promise.PLANTS)}.")
+    if injected is not None and injected not in promise.INJECTED_FAULTS:
+        raise PromiseUnknown(f"'{name}' knows no fault '{injected}'; it knows: {', '.join(promise.INJECTED_FAULTS)}.")
     return promise
 
 
 def promise_of(promise: Promise) -> str:
     """The first line of a module's docstring, without its full stop."""
     return (promise.__doc__ or "").strip().splitlines()[0].rstrip(".")
+
+
+def present_name(name: str) -> str:
+    """The name of a promise, a fault or an option; with a warning if it is that of before."""
+    if name not in _RENAMED:
+        return name
+    warnings.warn(f"'{name}' is called '{_RENAMED[name]}'.", DeprecationWarning, stacklevel=2)
+    return _RENAMED[name]

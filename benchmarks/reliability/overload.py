@@ -21,7 +21,7 @@ MECHANISM = """The queue is bounded in samples of work, about a third of a secon
 whose deadline ends before its turn would come; what does not fit is refused at once with Retry-After, and what waited
 beyond its deadline is dropped before it is computed. Health is answered from memory, outside of the queue."""
 BAR = "goodput at 10x >= 95 % of the peak; refusals within 10 ms (p99), all with Retry-After; health never shed"
-PLANTS = {"endless-queue": "the queue takes everything, and computes it whatever its deadline"}
+INJECTED_FAULTS = {"endless-queue": "the queue takes everything, and computes it whatever its deadline"}
 
 LEVELS = (1, 2, 5, 10)
 ROWS, POINTS = 4096, 16
@@ -31,14 +31,14 @@ SETTLE = 0.5
 """Seconds of each level that do not count: the load opens its connections."""
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
     rounds, seconds = (1, 2.0) if short else (5, 6.0)
     levels = (1, 10) if short else LEVELS
     came: dict[int, list[Came]] = {level: [] for level in levels}
     health: list[Came] = []
     capacities: list[float] = []
-    with serving("--model", "default", "--workers-threads", "1", plant=plant) as server, load_process() as load:
+    with serving("--model", "default", "--workers-threads", "1", injected=injected) as server, load_process() as load:
         for _ in range(rounds):
             capacities.append(_capacity(server, seconds / 2))
             for level in levels:

@@ -56,12 +56,12 @@ def _circumstances(record: dict[str, Any]) -> str:
 
 
 def _seen_to_fail(promise: Promise, record: dict[str, Any] | None) -> list[str]:
-    seen: dict[str, dict[str, Any]] = record["plants"] if record else {}
+    seen: dict[str, dict[str, Any]] = record["injected"] if record else {}
     lines = []
-    for plant, effect in promise.PLANTS.items():
-        run = seen.get(plant)
+    for injected, effect in promise.INJECTED_FAULTS.items():
+        run = seen.get(injected)
         if run is None:
-            lines.append(f"- with `--plant {plant}` ({effect}): not run yet")
+            lines.append(f"- with `--inject {injected}` ({effect}): not run yet")
         else:
             verdict = "NOT seen to fail" if run["passed"] else "seen to fail"
             lines.append(f"- {verdict} with `{run['command']}` ({effect}): {run['summary']}")

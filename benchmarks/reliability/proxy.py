@@ -70,16 +70,16 @@ class FaultyProxy:
         Where the server is, or a function that says so anew for every connection.
     choose:
         The fault of the next exchange. Called in the proxy's thread, for one exchange at a time.
-    patience:
+    timeout:
         Seconds after which it gives a server up that does not answer.
     """
 
     def __init__(
-        self, upstream: Address | Callable[[], Address], choose: Callable[[], Fault], patience: float = 60.0
+        self, upstream: Address | Callable[[], Address], choose: Callable[[], Fault], timeout: float = 60.0
     ) -> None:
         self._upstream = upstream if callable(upstream) else lambda: upstream
         self.choose = choose
-        self._patience = patience
+        self._timeout = timeout
         self.counts: Counter[str] = Counter()
         """Exchanges by the name of their fault."""
         self._loop = asyncio.new_event_loop()
@@ -138,7 +138,7 @@ class FaultyProxy:
             fault = self.choose()
             self.counts[fault.name] += 1
             server_writer.write(fault.request(message))
-            answer = await asyncio.wait_for(read_message(server_reader), self._patience)
+            answer = await asyncio.wait_for(read_message(server_reader), self._timeout)
             answer, self._latest = (self._latest if fault.other and self._latest else answer), answer
             await asyncio.sleep(fault.delay)
             if not await self._pass_on(fault.answer(answer), fault, reader, writer):

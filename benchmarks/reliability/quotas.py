@@ -28,7 +28,7 @@ MECHANISM = """Every token has an account of rows per second and a number of req
 refused before the body is read. Workers take the work of whoever has had least, the event loop begins and refuses by
 turns, and when the queue is full, the newest of whoever has more than a fair share of it makes room."""
 BAR = "the others' p99 <= 2x that without the greedy token; none of theirs refused"
-PLANTS = {
+INJECTED_FAULTS = {
     "one-owner": "all callers use one token, so that there is nothing to be fair between",
 }
 
@@ -67,13 +67,13 @@ class _Pool:
     light_refused: int = 0
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
     rounds, seconds = (2, 1.5) if short else (8, 3.0)
     figures: Figures = {}
     ratios, passed = [], True
     for case in CASES:
-        pool = _measure(case, rounds, seconds, log, plant)
+        pool = _measure(case, rounds, seconds, log, injected)
         ratio = quantile(pool.beside, 0.99) / quantile(pool.alone, 0.99)
         refused = 1e3 * quantile(pool.refused, 0.99) if pool.refused else 0.0
         figures |= {
@@ -92,9 +92,9 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     return Outcome(figures, passed, f"p99 of the others beside a greedy token: {', '.join(ratios)} that without it")
 
 
-def _measure(case: Case, rounds: int, seconds: float, log: Log, plant: str | None) -> _Pool:
+def _measure(case: Case, rounds: int, seconds: float, log: Log, injected: str | None) -> _Pool:
     texts = {name: secrets.token_urlsafe(24) for name in ("greedy", "first", "second")}
-    if plant == "one-owner":
+    if injected == "one-owner":
         texts = dict.fromkeys(texts, texts["greedy"])
     pool = _Pool()
     with (

@@ -54,13 +54,13 @@ def record_of(outcome: Outcome, command: str, clock: Clock) -> dict[str, Any]:
     }
 
 
-def save(path: Path, name: str, record: dict[str, Any], plant: str | None) -> None:
-    """Write a measurement; one with a planted fault beside those that are there."""
-    known = read(path) or {"name": name, "plants": {}}
-    if plant is None:
+def save(path: Path, name: str, record: dict[str, Any], injected: str | None) -> None:
+    """Write a measurement; one with an injected fault beside those that are there."""
+    known = read(path) or {"name": name, "injected": {}}
+    if injected is None:
         known |= record
     else:
-        known["plants"][plant] = record
+        known["injected"][injected] = record
     path.write_text(json.dumps(known, indent=1, sort_keys=True) + "\n", encoding="utf-8")
 
 

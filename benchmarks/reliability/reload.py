@@ -23,7 +23,7 @@ from benchmarks.reliability.stores import NAME, Versions
 MECHANISM = """A new version is read, verified, built, warmed up and compared with a stored answer in a thread of
 its own; then one reference is replaced. A request keeps the model that it found when it arrived."""
 BAR = "100 reloads: 0 errors, no mixed versions, p99 <= 1.5 times that without reloads"
-PLANTS = {
+INJECTED_FAULTS = {
     "mixed-versions": "the tensors of the served model are replaced in place, its name afterwards",
     "reload-on-loop": "versions are loaded on the event loop",
 }
@@ -31,7 +31,7 @@ PLANTS = {
 RATE = 100.0
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes four minutes."""
     rounds, reloads = (1, 6) if short else (10, 10)
     seconds = 3.0 if short else 8.0
@@ -40,7 +40,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     with tempfile.TemporaryDirectory() as folder:
         versions = Versions(Path(folder) / "store", "default")
         versions.publish("0.0.0")
-        settings = serving("--store", str(versions.folder), "--model", NAME, plant=plant, poll_seconds=0.1)
+        settings = serving("--store", str(versions.folder), "--model", NAME, injected=injected, poll_seconds=0.1)
         with settings as server, load_process() as load:
             expected.add(_answer_of(server, "0.0.0"))
             stream = Stream("small", waveforms_request(server.url, 1, 64, model=NAME), RATE, with_digests=True)

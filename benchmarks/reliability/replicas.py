@@ -13,7 +13,7 @@ from pathlib import Path
 
 from benchmarks.servers import ServerFailed
 from benchmarks.workers import ONE_THREAD, ROOT
-from tests.running_server import PATIENCE, free_port, is_ready
+from tests.running_server import TIMEOUT, free_port, is_ready
 
 
 class Replica:
@@ -70,7 +70,7 @@ class Replica:
         ------
         ServerFailed
         """
-        until = time.monotonic() + PATIENCE
+        until = time.monotonic() + TIMEOUT
         while not self.is_ready():
             assert self._process is not None, "a replica is started before it is waited for"
             if self._process.poll() is not None or time.monotonic() > until:

@@ -1,4 +1,4 @@
-"""Faults of a server in what it does with requests; :mod:`benchmarks.reliability.planted` plants them."""
+"""Faults of a server in what it does with requests; :mod:`benchmarks.reliability.faulty_server` injects them."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def no_timers() -> None:
     no_cap()
 
 
-def patience_restarts() -> None:
+def timeout_restarts() -> None:
     """A peer that takes something has all of its time again."""
     from bnserve_service.http.timers import Pace
 
@@ -117,7 +117,7 @@ def patience_restarts() -> None:
         before = self._unsent
         count(self)
         if self._unsent < before:
-            self._left = self._patience
+            self._left = self._timeout
 
     Pace._count = count_from_the_start  # type: ignore[method-assign]
 

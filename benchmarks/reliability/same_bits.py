@@ -29,7 +29,7 @@ MECHANISM = (
     "ring of binaries is asked for in batches of every size and at every place in them."
 )
 BAR = "one digest per (model, row): every batch size and position, threads, replicas, reloads, workers, local model"
-PLANTS = {"batch-bits": "batches are rounded otherwise than single waveforms, as matrix libraries do it"}
+INJECTED_FAULTS = {"batch-bits": "batches are rounded otherwise than single waveforms, as matrix libraries do it"}
 _GRIDS: tuple[GridLike, ...] = (UNIFORM, EXPLICIT)
 
 
@@ -55,7 +55,7 @@ class Census:
         return sum(len(digests) > 1 for digests in self.seen.values())
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Ask everybody for the same rows in every way."""
     size = 9 if short else 33
     census = Census()
@@ -64,7 +64,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         store.publish("1.0.0")
         local = LocalModel.load(NAME, version="1.0.0", store=store.folder)
         ring = Questions(local, seed=20170817).batch(size)
-        for name, model, together in _places(short, store, local, plant):
+        for name, model, together in _places(short, store, local, injected):
             before = census.torn
             _ask_all(census, model, ring, together)
             log(f"{name}: {census.torn - before} rows with another digest than before")
@@ -94,14 +94,14 @@ def _ask_all(census: Census, model: Any, ring: ParameterBatch, together: int) ->
         list(threads.map(lambda task: census.add(model, task[0], ring, task[1]), tasks))
 
 
-def _places(short: bool, store: Versions, local: LocalModel, plant: str | None) -> Iterator[tuple[str, Any, int]]:
+def _places(short: bool, store: Versions, local: LocalModel, injected: str | None) -> Iterator[tuple[str, Any, int]]:
     """Where to ask: a name, a model, and how many requests at once."""
     yield "local model", local, 1
     settings: dict[str, dict[str, Any]] = {"1 thread": {"threads": 1}, "4 threads": {"threads": 4}}
     if not short:
         settings |= {"another replica": {"threads": 2}, "2 workers": {"workers": 2, "threads": 2}}
     for name, options in settings.items():
-        with _connected(store, plant, options) as (server, model):
+        with _connected(store, injected, options) as (server, model):
             yield name, model, 1
             yield f"{name}, 8 requests at once", model, 8
             if name == "4 threads":
@@ -111,10 +111,10 @@ def _places(short: bool, store: Versions, local: LocalModel, plant: str | None) 
 
 
 @contextmanager
-def _connected(store: Versions, plant: str | None, options: dict[str, Any]) -> Iterator[tuple[Server, Model]]:
+def _connected(store: Versions, injected: str | None, options: dict[str, Any]) -> Iterator[tuple[Server, Model]]:
     with ExitStack() as stack:
         server = stack.enter_context(
-            serving("--store", str(store.folder), "--model", NAME, plant=plant, poll_seconds=0.1, **options)
+            serving("--store", str(store.folder), "--model", NAME, injected=injected, poll_seconds=0.1, **options)
         )
         yield server, stack.enter_context(Model.connect(server.url, NAME, version="1.0.0"))
 

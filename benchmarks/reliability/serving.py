@@ -1,4 +1,4 @@
-"""Servers of this checkout as processes, as their operators start them, sound or with a fault planted."""
+"""Servers of this checkout as processes, as their operators start them, sound or with a fault injected."""
 
 from __future__ import annotations
 
@@ -67,10 +67,10 @@ class Server:
         stats = [Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split() for pid in self.processes()]
         return sum(int(fields[11]) + int(fields[12]) for fields in stats) / _TICKS
 
-    def stop(self, patience: float = 60.0) -> int:
+    def stop(self, timeout: float = 60.0) -> int:
         """Send SIGTERM and wait; the exit status."""
         self.process.send_signal(signal.SIGTERM)
-        return self.process.wait(patience)
+        return self.process.wait(timeout)
 
 
 def resident(pid: int) -> int:
@@ -81,7 +81,7 @@ def resident(pid: int) -> int:
 @contextmanager
 def serving(
     *arguments: str,
-    plant: str | None = None,
+    injected: str | None = None,
     cpus: set[int] | None = None,
     environment: dict[str, str] | None = None,
     port: int = 0,
@@ -93,8 +93,8 @@ def serving(
     ----------
     *arguments:
         Of the command line.
-    plant:
-        A fault of :mod:`benchmarks.reliability.planted` that the server has.
+    injected:
+        A fault of :mod:`benchmarks.reliability.faulty_server` that the server has.
     cpus:
         The processors that it may use; None for those of this process.
     environment:
@@ -104,7 +104,7 @@ def serving(
     **settings:
         Of :class:`bnserve_service.Settings`.
     """
-    program = ["bnserve_service"] if plant is None else ["benchmarks.reliability.planted", plant]
+    program = ["bnserve_service"] if injected is None else ["benchmarks.reliability.faulty_server", injected]
     with tempfile.TemporaryDirectory() as folder:
         config, log = Path(folder) / "settings.toml", Path(folder) / "server.log"
         config.write_text("".join(f"{key} = {_toml(value)}\n" for key, value in settings.items()))

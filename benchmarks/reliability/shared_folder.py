@@ -27,25 +27,25 @@ MECHANISM = """Every worker says that it is unready while the folder is not ther
 times a second; when it is gone, or another, it makes a new one, and replaces the workers by others that have that
 one, while those before finish what they have."""
 BAR = "unready <= 0.5 s, all workers replaced and ready <= 10 s, lost 0, wrong 0, no upload answered with 500"
-PLANTS = {"no-look": "the supervisor takes the folder for there"}
+INJECTED_FAULTS = {"no-look": "the supervisor takes the folder for there"}
 
 WORKERS = 2
 UNREADY, WHOLE = 0.5, 10.0
-_PLANTED = """
+_INJECTED = """
 from bnserve_service.shared.folder import SharedFolder
 
 SharedFolder.is_there = lambda self: True
 """
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes two minutes."""
     times, count, pause = (1, 4, 1.0) if short else (12, 12, 3.0)
-    options = {"timeout": 10.0 if plant else 60.0}
+    options = {"timeout": 10.0 if injected else 60.0}
     unready: list[float] = []
     whole: list[float] = []
     statuses: list[int] = []
-    with _environment(plant) as environment:
+    with _environment(injected) as environment:
         serve = serving(
             "--model", "default", "--workers", str(WORKERS), "--workers-threads", "1", environment=environment
         )
@@ -85,13 +85,13 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
 
 
 @contextlib.contextmanager
-def _environment(plant: str | None) -> Iterator[dict[str, str]]:
+def _environment(injected: str | None) -> Iterator[dict[str, str]]:
     """What a server with the fault needs: every process of it is a program of its own."""
     with tempfile.TemporaryDirectory() as folder:
-        if plant is None:
+        if injected is None:
             yield {}
             return
-        (Path(folder) / "sitecustomize.py").write_text(_PLANTED)
+        (Path(folder) / "sitecustomize.py").write_text(_INJECTED)
         yield {"PYTHONPATH": os.pathsep.join([folder, os.environ.get("PYTHONPATH", "")])}
 
 

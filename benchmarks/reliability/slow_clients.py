@@ -23,7 +23,7 @@ from benchmarks.workers import Worker
 MECHANISM = """The protocol of each connection has one timer for what it waits for: headers, a body, or room for the
 answer; a byte now and then does not start it again. A slow connection is a few kilobytes of memory and no thread."""
 BAR = "headers cut off after 10 s and bodies after 30 s (0.5 s more at most), others' p99 <= 1.2 times"
-PLANTS = {"no-timers": "connections may take their time, as in plain uvicorn"}
+INJECTED_FAULTS = {"no-timers": "connections may take their time, as in plain uvicorn"}
 
 HEAD = b"POST /v1/models/default/waveforms HTTP/1.1\r\nhost: localhost\r\ncontent-type: application/msgpack\r\n"
 TOLERANCE = 0.5
@@ -44,7 +44,7 @@ class Size:
 LONG, SHORT = Size(1000, 10.0, 30.0, 2), Size(100, 0.5, 1.0, 1)
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
     size = SHORT if short else LONG
     seconds = size.body_timeout + (4.0 if size is LONG else 2.0)
@@ -52,14 +52,14 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
     held: dict[str, list[float]] = {"headers": [], "bodies": []}
     command = [sys.executable, "-m", "benchmarks.reliability.slow_clients"]
     options = "--model", "default", "--workers-threads", "1"
-    serve = serving(*options, plant=plant, header_timeout=size.header_timeout, body_timeout=size.body_timeout)
+    serve = serving(*options, injected=injected, header_timeout=size.header_timeout, body_timeout=size.body_timeout)
     with serve as server, load_process() as load, Worker(command) as slow:
         stream = Stream("small", waveforms_request(server.url, 1, 64), 100.0)
         load.send(server.address, [stream], 1.0)
         for turn in range(size.turns):
             came[False].append(load.send(server.address, [stream], seconds / 2, seed=turn)["small"])
             under_way = load.begin(server.address, [stream], seconds, seed=turn)
-            told = slow.ask("hold", address=server.address, clients=size.clients, patience=seconds)
+            told = slow.ask("hold", address=server.address, clients=size.clients, timeout=seconds)
             came[True].append(under_way.result()["small"])
             came[False].append(load.send(server.address, [stream], seconds / 2, seed=turn + 100)["small"])
             for kind, own in held.items():
@@ -121,7 +121,7 @@ class _Slow:
             return True
 
 
-def hold(address: tuple[str, int], clients: int, patience: float) -> dict[str, list[float]]:
+def hold(address: tuple[str, int], clients: int, timeout: float) -> dict[str, list[float]]:
     """Open so many connections of both kinds; for how long each was let be, in seconds."""
     poll = select.epoll()
     slow: dict[int, _Slow] = {}
@@ -131,7 +131,7 @@ def hold(address: tuple[str, int], clients: int, patience: float) -> dict[str, l
             slow[each.socket.fileno()] = each
             poll.register(each.socket, select.EPOLLIN)
     seconds: dict[str, list[float]] = {"headers": [], "bodies": []}
-    until = time.monotonic() + patience
+    until = time.monotonic() + timeout
     following = time.monotonic() + EVERY
     while slow and time.monotonic() < until:
         for number, _ in poll.poll(0.05):
@@ -153,4 +153,4 @@ def hold(address: tuple[str, int], clients: int, patience: float) -> dict[str, l
 if __name__ == "__main__":
     for line in sys.stdin:
         command = json.loads(line)
-        print(json.dumps(hold(tuple(command["address"]), command["clients"], command["patience"])), flush=True)
+        print(json.dumps(hold(tuple(command["address"]), command["clients"], command["timeout"])), flush=True)

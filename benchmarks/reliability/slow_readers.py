@@ -23,8 +23,8 @@ write_timeout, and the size over write_rate, for an answer in all. The memory of
 computed; for a reader that takes more than a second, what is left is copied into pieces, and the promise shrinks
 with every piece that has left."""
 BAR = "cut off after write_timeout + size / write_rate (2 s more at most), others wait for <= 22.5 s"
-PLANTS = {
-    "patience-restarts": "whatever is taken starts the time again",
+INJECTED_FAULTS = {
+    "timeout-restarts": "whatever is taken starts the time again",
     "room-to-the-end": "an answer takes its room until all of it has left",
 }
 
@@ -76,12 +76,12 @@ class _Seen:
     """Seconds from one answer of the others to the next."""
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes four minutes."""
     size = SHORT if short else LONG
     settings = {"write_timeout": size.write_timeout, "write_rate": size.write_rate, "max_answer_bytes": ROOM}
     seen = _Seen()
-    with serving("--model", "default", "--workers-threads", "1", plant=plant, **settings) as server:  # type: ignore[arg-type]  # of the settings
+    with serving("--model", "default", "--workers-threads", "1", injected=injected, **settings) as server:  # type: ignore[arg-type]  # of the settings
         stop = time.monotonic() + size.seconds
         readers = [
             threading.Thread(target=_read_slowly, args=(server, size.rate, number, stop, seen)) for number in range(2)

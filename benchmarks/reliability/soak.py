@@ -23,8 +23,8 @@ MECHANISM = """Everything that callers can make the server keep is bounded (grid
 queue), connections that do nothing are closed, a version that is replaced is dropped with its last request, the
 allocator of a server process has one arena, so that freed memory is used again, and what is free goes back to the
 system every half minute. Nothing is restarted: the process that is measured is the one that serves."""
-BAR = "slope of the memory <= 1 MB/h after warm-up, open files flat, no 5xx; a planted leak is caught"
-PLANTS = {
+BAR = "slope of the memory <= 1 MB/h after warm-up, open files flat, no 5xx; an injected leak is caught"
+INJECTED_FAULTS = {
     "leak": "the server keeps a quarter of every answer",
     "open-files": "every 20th request leaves a file open",
 }
@@ -53,7 +53,7 @@ class Size:
 
 LONG = Size(turns=72, seconds=58.0, warm_up=10, pace=1.0, growth=1e6)
 SHORT = Size(turns=6, seconds=1.0, warm_up=2, pace=12.0, growth=3e9)
-PLANTED = Size(turns=12, seconds=13.0, warm_up=3, pace=4.0, growth=1e6)
+INJECTED = Size(turns=12, seconds=13.0, warm_up=3, pace=4.0, growth=1e6)
 
 
 @dataclass(slots=True)
@@ -65,13 +65,13 @@ class Reading:
     fds: int
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes 72 minutes."""
-    size = SHORT if short else PLANTED if plant else LONG
+    size = SHORT if short else INJECTED if injected else LONG
     with tempfile.TemporaryDirectory() as folder:
         versions = Versions(Path(folder) / "store")
         versions.publish("1.0.0")
-        server_of = serving(*OPTIONS, plant=plant, stores=[versions.folder], max_grids=16, poll_seconds=1.0)
+        server_of = serving(*OPTIONS, injected=injected, stores=[versions.folder], max_grids=16, poll_seconds=1.0)
         with server_of as server, load_process() as load:
             churn = Churn(server, versions, random.Random(1), size.pace)
             readings, counts = _soak(server, load, churn, size, log)

@@ -20,7 +20,7 @@ from bnserve_service.bench.load import Target
 MECHANISM = """The server knows SHA-256 digests alone and compares them in constant time, all of them for every request,
 before anything else of the request is looked at. Nothing of the header is ever logged, counted or repeated."""
 BAR = "401 and 403 where they belong, in all cases; nothing of a token in log, metrics or answers"
-PLANTS = {
+INJECTED_FAULTS = {
     "prefix-compare": "a token is compared up to the length of what was sent",
     "log-tokens": "the access log shows who asked with what",
 }
@@ -40,7 +40,7 @@ PATHS = ("/v1/models", "/v1/models/default", "/v1/limits", "/metrics", "/v1/mani
 PUBLIC = ("/v2/health/live", "/v2/health/ready", "/openapi.json", "/docs", "/")
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes a minute."""
     draw = random.Random(1)
     texts = {scope: secrets.token_urlsafe(32) for scope in SCOPES}
@@ -50,7 +50,7 @@ def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
         for scope, text in texts.items()
     ]
     wrong = list(_wrong_headers(right, draw, 20 if short else 1000))
-    with serving("--model", "default", "--access-log", plant=plant, tokens=tokens) as server:
+    with serving("--model", "default", "--access-log", injected=injected, tokens=tokens) as server:
         refused = [
             s for s in (_evaluate(server, f"Bearer {right}"), _evaluate(server, f"bearer  {right} ")) if s != 200
         ]

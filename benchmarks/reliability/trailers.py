@@ -27,7 +27,7 @@ MECHANISM = """Whatever is not body (head, trailers, chunk extensions, empty lin
 with 400 beyond 64 KiB, and parsed in pieces of that size, so that its cost is linear. Trailers are dropped once they
 are counted: they are neither kept nor headers. What comes before the refusal is read is thrown away, up to 1 MiB."""
 BAR = "every flood refused within 2 MiB, memory <= +32 MiB, no worker replaced, errors of others 0, p99 <= 1.5 times"
-PLANTS = {"endless-frames": "nothing but bodies is counted"}
+INJECTED_FAULTS = {"endless-frames": "nothing but bodies is counted"}
 
 MIB = 2**20
 RATE = 4.0
@@ -45,14 +45,14 @@ KINDS = {
 }
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes three minutes."""
     seconds, turns, size = (4.0, 1, 16 * MIB) if short else (20.0, 2, 512 * MIB)
     came: dict[bool, list[Came]] = {False: [], True: []}
     told: dict[str, Any] = {"floods": 0, "refused": 0, "largest": 0, "statuses": {}}
     command = [sys.executable, "-m", "benchmarks.reliability.trailers"]
     options = "--model", "default", "--workers", "2", "--workers-threads", "1"
-    with serving(*options, plant=plant) as server, load_process() as load, Worker(command) as flood:
+    with serving(*options, injected=injected) as server, load_process() as load, Worker(command) as flood:
         stream = Stream("small", waveforms_request(server.url, 1, 64), 100.0)
         load.send(server.address, [stream], 2.0)
         with _Memory(server) as memory:

@@ -21,20 +21,20 @@ from benchmarks.reliability.serving import Server, serving
 MECHANISM = """The answer to a request that has to wait is awaited beside a task that reads the connection: when that
 sees the end, the job is taken out of the queue. uvicorn itself lets handlers of vanished clients run to their end."""
 BAR = "removed <= 100 ms after the connection closed; wasted compute <= 5 %"
-PLANTS = {"no-watch": "nobody looks whether the caller is still there, as in plain uvicorn"}
+INJECTED_FAULTS = {"no-watch": "nobody looks whether the caller is still there, as in plain uvicorn"}
 
 ROWS, POINTS = 4096, 16
-PATIENCE = 0.6
+TIMEOUT = 0.6
 """Seconds without another withdrawal after which the last one has been seen."""
 
 
-def run(short: bool, log: Log, plant: str | None = None) -> Outcome:
+def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
     """Measure; the long form takes a minute."""
     rounds, clients = (1, 80) if short else (10, 160)
     draw = random.Random(1)
     removed: list[float] = []
     wasted, evaluated, errors, left = 0.0, 0.0, 0, 0
-    with serving("--model", "default", "--workers-threads", "1", plant=plant, queue_samples=2**31) as server:
+    with serving("--model", "default", "--workers-threads", "1", injected=injected, queue_samples=2**31) as server:
         for number in range(rounds):
             seconds, own_evaluated, answered, own_left = _round(server, clients, draw)
             removed.append(seconds)
@@ -93,7 +93,7 @@ def _last_withdrawal(server: Server, began: float) -> float:
     """Seconds from now to the last time that the counter of withdrawn jobs was seen to rise."""
     closed = last = time.monotonic()
     seen = began
-    while time.monotonic() - last < PATIENCE:
+    while time.monotonic() - last < TIMEOUT:
         count = metric(server.address, "bnserve_withdrawn_total", reason="disconnect")
         if count > seen:
             seen, last = count, time.monotonic()

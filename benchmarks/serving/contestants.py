@@ -80,7 +80,7 @@ def started(contestant: Contestant, folder: Path, cpus: set[int]) -> Iterator[As
         command: list[str | Path] = [python, contestant.script, str(port)]
         environment = {"RAY_TMPDIR": temporary, "RAY_USAGE_STATS_ENABLED": "0", "BENTOML_DO_NOT_TRACK": "1"}
         stack.enter_context(
-            running(command, lambda: _answers(asker), cpus=cpus, environment=environment, patience=180.0)
+            running(command, lambda: _answers(asker), cpus=cpus, environment=environment, timeout=180.0)
         )
         yield asker
 

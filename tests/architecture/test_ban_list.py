@@ -60,7 +60,7 @@ def test_nothing_banned_is_used(path):
 
 
 @pytest.mark.parametrize(
-    "planted",
+    "text",
     [
         "import pickle",
         "from cloudpickle import loads",
@@ -74,8 +74,8 @@ def test_nothing_banned_is_used(path):
         "__import__(name)",
     ],
 )
-def test_a_planted_violation_is_found(planted):
-    assert violations(planted) != []
+def test_a_violation_is_found(text):
+    assert violations(text) != []
 
 
 @pytest.mark.parametrize("harmless", ["model.load(path)", "np.load(path, allow_pickle=False)", "re.compile(text)"])

@@ -36,15 +36,15 @@ def test_no_file_carries_addresses_of_a_machine(pattern):
 
 
 @pytest.mark.parametrize(
-    ("pattern", "planted"),
+    ("pattern", "text"),
     [
         (MACHINE, "open('/{}/data.txt')".format("root")),
         (MACHINE, "cd /{}/someone/src".format("home")),
         (INDEX, "pip install -{}-url x".format("-index")),
     ],
 )
-def test_a_planted_address_is_found(pattern, planted):
-    assert pattern.search(planted)
+def test_an_address_is_found(pattern, text):
+    assert pattern.search(text)
 
 
 def test_modules_are_small():

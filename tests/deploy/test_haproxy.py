@@ -107,7 +107,7 @@ def test_the_configuration_is_valid():
     assert done.stderr == ""  # no warnings either
 
 
-def test_its_patience_is_that_of_the_servers():
+def test_its_timeouts_are_those_of_the_servers():
     text, settings = CONFIGURATION.read_text(), Settings()
     timeouts = dict(re.findall(r"^    timeout (\S+) (\S+)$", text, re.MULTILINE))
     assert timeouts["http-request"] == f"{settings.header_timeout:g}s"

@@ -39,7 +39,7 @@ def test_it_is_what_the_schema_asks_for(name, version):
     kubernetes_validate.validate(OBJECTS[name], version, strict=True)
 
 
-def test_a_planted_mistake_is_found():
+def test_a_mistake_is_found():
     wrong = yaml.safe_load(yaml.safe_dump(OBJECTS["Deployment/bnserve"]))
     wrong["spec"]["template"]["spec"]["containers"][0]["readinesProbe"] = {}
     with pytest.raises(kubernetes_validate.ValidationError):

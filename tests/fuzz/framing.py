@@ -26,7 +26,7 @@ TOKENS = {
 """By the name of the caller."""
 SCOPES = {"all": ("evaluate", "upload", "admin"), "usual": ("evaluate", "upload"), "none": ()}
 LAST = b"GET /v2/health/live HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\nX-Request-ID: NUMBERED-last\r\n\r\n"
-PATIENCE = 20.0
+TIMEOUT = 20.0
 """Seconds until an answer that has not come counts as none: a very busy machine takes some."""
 _CUT_OFF = 5.0
 """Seconds within which what is too large is refused: it is there in whole."""
@@ -78,23 +78,23 @@ def talk(address: tuple[str, int], data: bytes, number: int = 0, behind_gateway:
     """Send the pieces of a conversation, each when the answers to those before have come, and listen to the end."""
     pieces = data.replace(NUMBER, b"%08d" % number).split(MARK)
     sent = b""
-    with socket.create_connection(address, timeout=PATIENCE) as connection:
+    with socket.create_connection(address, timeout=TIMEOUT) as connection:
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         listener = _Listener(connection)
         for piece in pieces:
             _send(connection, piece)
             sent += piece
             reading = read(sent)
-            if listener.wait(reading, PATIENCE):
+            if listener.wait(reading, TIMEOUT):
                 break
         reading = read(sent)
         if reading.rest == "nothing" and not (reading.requests and reading.requests[-1].closes):
             last = LAST.replace(NUMBER, b"%08d" % number)
             _send(connection, last)
             reading = read(sent + last)
-            listener.wait(reading, PATIENCE)
+            listener.wait(reading, TIMEOUT)
         cut_off = _SURPLUS if behind_gateway else _CUT_OFF  # gateways have limits of their own
-        listener.finish(reading, {"nothing": PATIENCE, "too large": cut_off}.get(reading.rest, _SURPLUS))
+        listener.finish(reading, {"nothing": TIMEOUT, "too large": cut_off}.get(reading.rest, _SURPLUS))
         return reading, listener.heard(reading)
 
 
@@ -109,9 +109,9 @@ class _Listener:
     def __init__(self, connection: socket.socket) -> None:
         self._connection, self._said, self._ended = connection, b"", False
 
-    def wait(self, reading: Reading, patience: float) -> bool:
+    def wait(self, reading: Reading, timeout: float) -> bool:
         """Until all that is due has come; whether the server has ended the connection."""
-        until = time.monotonic() + patience
+        until = time.monotonic() + timeout
         while not self._ended and len(self.heard(reading).answers) < len(reading.requests):
             if time.monotonic() > until:
                 break

@@ -15,7 +15,7 @@ import pytest
 
 from bnserve_surrogate import Model, ParametersWithExtrinsic
 from tests.integration.dockerfile import Builder
-from tests.running_server import PATIENCE, free_port, running
+from tests.running_server import TIMEOUT, free_port, running
 
 ROOT = Path(__file__).parents[2]
 
@@ -101,7 +101,7 @@ def test_it_becomes_ready_answers_and_changes_no_file(image, server):
         data=json.dumps(body).encode(),
         headers={"Content-Type": "application/json", "Accept": "application/json"},
     )
-    with urllib.request.urlopen(request, timeout=PATIENCE) as response:
+    with urllib.request.urlopen(request, timeout=TIMEOUT) as response:
         answer = json.load(response)
     plus, cross = Model.default().predict(frequencies, parameters)
     for name, expected in [("h_plus", plus), ("h_cross", cross)]:
@@ -113,4 +113,4 @@ def test_it_becomes_ready_answers_and_changes_no_file(image, server):
 def test_sigterm_ends_it_well(server):
     _, process = server
     process.send_signal(signal.SIGTERM)
-    assert process.wait(PATIENCE) == 0
+    assert process.wait(TIMEOUT) == 0

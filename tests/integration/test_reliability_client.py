@@ -19,9 +19,9 @@ def say(line):
     print(line)
 
 
-def measure(promise, plant=None):
+def measure(promise, injected=None):
     """The figures of a short form; they are shown where a test fails."""
-    outcome = promise.run(True, say, plant)
+    outcome = promise.run(True, say, injected)
     print(outcome.figures)
     return outcome
 

@@ -47,20 +47,20 @@ def store(tmp_path_factory):
     return store
 
 
-PLANT = """
+INJECTION = """
 import importlib.abc, importlib.util, sys, time
 
-class Planter(importlib.abc.MetaPathFinder):
+class Injector(importlib.abc.MetaPathFinder):
     def find_spec(self, name, path=None, target=None):
         if name != "bnserve_service.evaluation.waveforms":
             return None
         sys.meta_path.remove(self)
         spec = importlib.util.find_spec(name)
         execute = spec.loader.exec_module
-        spec.loader.exec_module = lambda module: (execute(module), plant(module.Evaluator))
+        spec.loader.exec_module = lambda module: (execute(module), inject(module.Evaluator))
         return spec
 
-def plant(evaluator):
+def inject(evaluator):
     sound = evaluator.__call__
     def call(self, questions):
         if len(questions[0].batch) == 7:
@@ -68,7 +68,7 @@ def plant(evaluator):
         return sound(self, questions)
     evaluator.__call__ = call
 
-sys.meta_path.insert(0, Planter())
+sys.meta_path.insert(0, Injector())
 """
 """An evaluation of seven rows does not come back."""
 
@@ -77,7 +77,7 @@ sys.meta_path.insert(0, Planter())
 def workers(tmp_path_factory, store):
     """Three workers; every test leaves as many."""
     folder = tmp_path_factory.mktemp("workers")
-    (folder / "sitecustomize.py").write_text(PLANT)
+    (folder / "sitecustomize.py").write_text(INJECTION)
     (folder / "settings.toml").write_text("stuck_seconds = 3.0\ndrain_timeout = 5.0\nthreads = 1\n")
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("PYTHONPATH", os.pathsep.join([str(folder), *sys.path]))

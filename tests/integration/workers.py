@@ -16,10 +16,10 @@ from pathlib import Path
 from prometheus_client.parser import text_string_to_metric_families
 
 from tests.integration.conftest import ServerProcess, serving
-from tests.running_server import PATIENCE
+from tests.running_server import TIMEOUT
 
 
-def until(condition, what, seconds=PATIENCE):
+def until(condition, what, seconds=TIMEOUT):
     end = time.monotonic() + seconds
     while not (found := condition()):
         assert time.monotonic() < end, f"did not happen: {what}"

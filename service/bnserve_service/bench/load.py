@@ -23,7 +23,7 @@ Address: TypeAlias = tuple[str, int] | str
 
 _LENGTH = re.compile(rb"\r\ncontent-length:\s*(\d+)", re.IGNORECASE)
 _SCRATCH = 2**20
-_PATIENCE = 30.0
+_TIMEOUT = 30.0
 
 
 class LoadFailed(BnserveError):
@@ -71,14 +71,14 @@ def open_connection(address: Address) -> socket.socket:
     """A connection to a host and port, or to the path of a Unix socket."""
     if isinstance(address, str):
         connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-        connection.settimeout(_PATIENCE)
+        connection.settimeout(_TIMEOUT)
         try:
             connection.connect(address)
         except OSError:
             connection.close()
             raise
     else:
-        connection = socket.create_connection(address, timeout=_PATIENCE)
+        connection = socket.create_connection(address, timeout=_TIMEOUT)
         connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return connection
 
@@ -144,9 +144,9 @@ def answers_per_second(target: Target, requests: Sequence[bytes], seconds: float
                 client.connection.sendall(client.request)
             started, answers = time.perf_counter(), 0
             while (elapsed := time.perf_counter() - started) < seconds or answers < len(clients):
-                ready = selector.select(_PATIENCE)
+                ready = selector.select(_TIMEOUT)
                 if not ready:
-                    raise LoadFailed(f"The server did not answer for {_PATIENCE:g} s.")
+                    raise LoadFailed(f"The server did not answer for {_TIMEOUT:g} s.")
                 for key, _ in ready:
                     if _receive(key.data, scratch):
                         answers += 1

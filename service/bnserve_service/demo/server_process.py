@@ -11,9 +11,9 @@ from typing import IO, Self
 
 from bnserve_protocol import BnserveError
 
-PATIENCE = 120.0
+TIMEOUT = 120.0
 """Seconds until a server that is not ready counts as broken; a cold start on a busy machine takes a few."""
-DRAIN_PATIENCE = 30.0
+DRAIN_TIMEOUT = 30.0
 """Seconds until a server that was told to stop is killed."""
 
 # -P: no module of the current directory can take the place of an installed one.
@@ -73,7 +73,7 @@ class ServerProcess:
         started = time.perf_counter()
         self._process.terminate()
         try:
-            self.exit_code = self._process.wait(DRAIN_PATIENCE)
+            self.exit_code = self._process.wait(DRAIN_TIMEOUT)
         except subprocess.TimeoutExpired:
             self._process.kill()
             self.exit_code = self._process.wait()
@@ -85,7 +85,7 @@ class ServerProcess:
     def _wait_until_ready(self) -> None:
         """Read the announcements; the server's end, or ours of it, ends them."""
         assert self._process.stdout is not None
-        watchdog = threading.Timer(PATIENCE, self._process.kill)
+        watchdog = threading.Timer(TIMEOUT, self._process.kill)
         watchdog.daemon = True
         watchdog.start()
         try:

@@ -65,22 +65,22 @@ class ReadTimer:
 class Pace:
     """The time that one connection may be kept waiting for its peer.
 
-    It begins with ``patience``. Waiting uses it up, and what the peer takes earns time back, up to as much. So a peer
-    that takes nothing has ``patience`` seconds, and an answer of n bytes has ``patience + n / rate`` at the most.
+    It begins with ``timeout``. Waiting uses it up, and what the peer takes earns time back, up to as much. So a peer
+    that takes nothing has ``timeout`` seconds, and an answer of n bytes has ``timeout + n / rate`` at the most.
 
     Parameters
     ----------
     transport:
         Of the connection; what it holds unsent is what the peer has not taken.
-    patience:
+    timeout:
         In seconds.
     rate:
         In bytes per second.
     """
 
-    def __init__(self, transport: asyncio.Transport, patience: float, rate: float) -> None:
+    def __init__(self, transport: asyncio.Transport, timeout: float, rate: float) -> None:
         self._transport = transport
-        self._patience = self._left = patience
+        self._timeout = self._left = timeout
         self._rate = rate
         self._loop = asyncio.get_running_loop()
         self._timer: asyncio.TimerHandle | None = None
@@ -121,7 +121,7 @@ class Pace:
     def _count(self) -> None:
         now, unsent = self._loop.time(), self._transport.get_write_buffer_size()
         earned = (self._unsent - unsent) / self._rate
-        self._left = min(self._patience, self._left + earned - (now - self._since))
+        self._left = min(self._timeout, self._left + earned - (now - self._since))
         self._since, self._unsent = now, unsent
 
     def _look(self) -> None:

@@ -11,7 +11,7 @@ import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-_PATIENCE = 1e-3
+_TIMEOUT = 1e-3
 """Seconds to wait for another process. One that was stopped while it held the lock must not stop the others: they go on
 without it, and at worst a request is counted wrongly."""
 _MOST_PROCESSES = 256
@@ -100,7 +100,7 @@ def _claim_slot(number: int) -> int:
 
 
 def _lock(number: int) -> bool:
-    until = time.monotonic() + _PATIENCE
+    until = time.monotonic() + _TIMEOUT
     while True:
         with contextlib.suppress(OSError):
             fcntl.lockf(number, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, 0)

@@ -15,7 +15,7 @@ from bnserve_service.shared.loads import SharedLoads
 
 logger = logging.getLogger("bnserve.worker")
 
-_PATIENCE = 0.004
+_TIMEOUT = 0.004
 """Seconds that a worker with more connections leaves a new one to those with fewer. One that hangs delays by this."""
 _PAUSE = 0.1
 """Seconds to wait when this process cannot take any connection, as when it has no file descriptor left."""
@@ -80,7 +80,7 @@ class FairAcceptor:
         own = self._load()
         self._loads.say(self._place, own)
         if own > self._loads.least():
-            self._wait(_PATIENCE)
+            self._wait(_TIMEOUT)
         else:
             self._accept()
 

@@ -102,9 +102,9 @@ def judge(worker: Worker, rules: Rules, now: float, others_serve: bool) -> tuple
     if worker.killed:
         return Verdict.KEEP, ""
     if worker.heard is None:
-        patience = COPY_SECONDS if worker.pid is None else START_SECONDS
+        timeout = COPY_SECONDS if worker.pid is None else START_SECONDS
         # Whoever greets is made when a template comes to it, with its models at the latest.
-        is_late = now - max(worker.asked, worker.retired_at) > patience and (not worker.greets or bool(worker.retired))
+        is_late = now - max(worker.asked, worker.retired_at) > timeout and (not worker.greets or bool(worker.retired))
         return (Verdict.KILL, "silent") if is_late else (Verdict.KEEP, "")
     if worker.retired:
         return (Verdict.KILL, "slow") if now - worker.retired_at > rules.drain_seconds else (Verdict.KEEP, "")

@@ -25,7 +25,7 @@ from bnserve_surrogate.training.reduction.reductions import PaperReduction, Redu
 from bnserve_surrogate.training.regressors import Beside, coordinate_map, make_regressor
 
 Rows = NDArray[np.intp]
-_PATIENCE_SECONDS = 60.0
+_TIMEOUT = 60.0
 """How long to wait for another process that reads the same data set."""
 
 
@@ -79,7 +79,7 @@ def load_search_data(
     """
     generator = configured_generator(configuration)
     generate = Generation(configuration, generator, directory, **options)
-    until = time.monotonic() + _PATIENCE_SECONDS
+    until = time.monotonic() + _TIMEOUT
     while True:
         try:
             dataset = training_set(generate, *configured_nodes(generate, say), say)

@@ -1,4 +1,4 @@
-"""``python -m benchmarks.reliability.planted FAULT serve ...``: the ``bnserve`` command with one mechanism taken away.
+"""``python -m benchmarks.reliability.faulty_server FAULT serve ...``: ``bnserve`` with one mechanism taken away.
 
 Measurements run against such a server to show that they can fail.
 """
@@ -12,8 +12,8 @@ from pathlib import Path
 
 from benchmarks.reliability import model_faults, request_faults
 
-FAULT_NAME = "BNSERVE_PLANTED_FAULT"
-"""The variable that tells the programs that a server starts which fault to plant."""
+FAULT_NAME = "BNSERVE_INJECTED_FAULT"
+"""The variable that tells the programs that a server starts which fault to inject."""
 FAULTS: dict[str, Callable[[], None]] = {
     "bare-errors": request_faults.bare_errors,
     "batch-bits": model_faults.batch_bits,
@@ -28,7 +28,7 @@ FAULTS: dict[str, Callable[[], None]] = {
     "no-verification": model_faults.no_verification,
     "no-watch": request_faults.no_watch,
     "open-files": request_faults.open_files,
-    "patience-restarts": request_faults.patience_restarts,
+    "timeout-restarts": request_faults.timeout_restarts,
     "prefix-compare": request_faults.prefix_compare,
     "reload-on-loop": model_faults.reload_on_loop,
     "room-to-the-end": request_faults.room_to_the_end,
@@ -38,11 +38,11 @@ FAULTS: dict[str, Callable[[], None]] = {
 
 
 def main() -> int:
-    """Plant the fault, then do what ``bnserve`` does."""
+    """Inject the fault, then do what ``bnserve`` does."""
     fault, *arguments = sys.argv[1:]
     FAULTS[fault]()
     os.environ[FAULT_NAME] = fault
-    sys.path.insert(0, str(Path(__file__).parent / "planting"))  # which the supervisor gets from this process
+    sys.path.insert(0, str(Path(__file__).parent / "injecting"))  # which the supervisor gets from this process
     from bnserve_service.cli import main as bnserve
 
     return bnserve(arguments)

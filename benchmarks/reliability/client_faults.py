@@ -30,7 +30,7 @@ def _raise(self: Any, error: Exception) -> float:
     raise error
 
 
-PLANTS = {
+INJECTED_FAULTS = {
     "no-digests": (_session, "trusted_body", _body_as_it_came),
     "no-echo": (_session, "trusted_body", _whole_body),
     "no-retries": (_session.RetryPolicy, "pause_after", _raise),
@@ -39,11 +39,11 @@ PLANTS = {
 
 
 @contextmanager
-def planted(fault: str | None) -> Iterator[None]:
+def injecting(fault: str | None) -> Iterator[None]:
     """A client with a fault, in this process and in those that are forked from it; None changes nothing."""
     if fault is None:
         yield
         return
-    where, name, value = PLANTS[fault]
+    where, name, value = INJECTED_FAULTS[fault]
     with patch.object(where, name, value):
         yield
