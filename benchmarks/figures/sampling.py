@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 from benchmarks.figures import style
 from benchmarks.figures.drawing import Drawing, table
 from benchmarks.figures.workspace import Arrays, Workspace
+from benchmarks.sampling_counts import sampling_counts, uniform_count
 from bnserve_surrogate.training.data.generation import make_generator
 from bnserve_surrogate.training.data.generators import mass_seconds
 from bnserve_surrogate.training.data.sampling import ParameterRanges
-from bnserve_surrogate.training.reduction.multibanding import multibanded_grid, newtonian_duration, uniform_count
+from bnserve_surrogate.training.reduction.greedy import multibanded_grid, newtonian_duration
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes
-from bnserve_surrogate.training.reduction.sampling_counts import sampling_counts
 
 F_MIN, F_MAX, LARGEST_MASS_RATIO, TOLERANCE = 5.0, 2926.0, 2.0, 1e-5  # the paper's
 _PAPER = {"uniform": "2e7", "multibanded": "2e5", "greedy on waveforms": "3e3", "greedy on residuals": "1e3"}
@@ -64,7 +64,7 @@ def _nodes(workspace: Workspace, f_min: float, waveforms: int) -> dict[str, Arra
         ranges = ParameterRanges(mass_ratio=(1.0, LARGEST_MASS_RATIO))
         counted = sampling_counts(generator, ranges, **setup, n_jobs=workspace.jobs)  # type: ignore[arg-type]
         return {
-            f"{on} {quantity}": getattr(counted, f"{on[:-1]}_{quantity}").indices
+            f"{on} {quantity}": getattr(counted, f"{on[:-1]}_{quantity}")
             for on in ("waveforms", "residuals")
             for quantity in ("amplitude", "phase")
         }

@@ -1,14 +1,18 @@
 """What a generator must keep to is found on two waveforms; a constant modulo 2 pi is replaced, not learnt."""
 
+import os
+
 import numpy as np
 import pytest
 
 from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate.training.config import parse_configuration
-from bnserve_surrogate.training.data.generation import configured_generator
+from bnserve_surrogate.training.data.generation import Generation, configured_generator
+from bnserve_surrogate.training.data.generators import CallableGenerator
 from bnserve_surrogate.training.data.sampling import mf_band, training_band
 from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown, TooManyFailures
 from bnserve_surrogate.training.pipeline import train
+from bnserve_surrogate.training.reduction.nodes import configured_nodes
 from tests.surrogate import smooth_waveforms
 from tests.surrogate.training_runs import SMOOTH, merged
 
@@ -68,3 +72,15 @@ def test_teobresums_starts_where_the_band_begins_unless_told_otherwise():
     assert configured_generator(configuration).first_mf == mf_band(configuration)[0]
     own = merged(teobresums, {"generator": {"options": {"first_mf": 1e-4}}})
     assert configured_generator(parse_configuration(own)).first_mf == 1e-4
+
+
+def test_greedy_nodes_are_chosen_on_waveforms_of_the_backend_that_the_training_has(tmp_path):
+    here = []
+
+    def waveform(theta, mf):
+        here.append(os.getpid())
+        return smooth_waveforms.waveform(theta, mf)
+
+    configuration = configured("waveform", {"nodes": {"kind": "greedy", "waveforms": 2, "tolerance": 1e-3}})
+    configured_nodes(Generation(configuration, CallableGenerator(waveform), tmp_path, 2, "sequential", False))
+    assert here == [os.getpid()] * 2

@@ -3,28 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
 from bnserve_surrogate.training.config import TrainingConfiguration, demand
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
 from bnserve_surrogate.training.data.generation import Generation
-from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, WaveformGenerator, mass_seconds
+from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, mass_seconds
 from bnserve_surrogate.training.data.noise import noise_curve
 from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase, flatten_phase
 from bnserve_surrogate.training.data.sampling import (
-    ParameterRanges,
     UniformSampling,
     mf_band,
     parameter_ranges,
     training_band,
 )
-from bnserve_surrogate.training.reduction.greedy_downsampling import greedy_downsampling
+from bnserve_surrogate.training.reduction.greedy import greedy_downsampling, multibanded_grid
 from bnserve_surrogate.training.reduction.metric import has_weight
-from bnserve_surrogate.training.reduction.multibanding import multibanded_grid
 
+_CHUNK = 8
+"""Waveforms of a file: those on the multibanded grid are a hundred times as long as others."""
 _FEWEST = 4
 """Of a cubic spline."""
 _TURNOVER_HZ = 600.0
@@ -61,50 +59,6 @@ def _coordinate(frequency: float) -> float:
     return float(np.log(frequency) + frequency / _TURNOVER_HZ)
 
 
-def greedy_nodes(
-    generator: WaveformGenerator,
-    ranges: ParameterRanges,
-    mf_band: tuple[float, float],
-    *,
-    waveforms: int = 128,
-    tolerance: float = 1e-5,
-    on: Literal["residuals", "waveforms"] = "residuals",
-    seed: int = 0,
-    directory: Path | str,
-    n_jobs: int = -1,
-) -> tuple[FloatArray, FloatArray]:
-    """Nodes from which cubic splines restore every one of a sample of waveforms within a tolerance.
-
-    Parameters
-    ----------
-    generator, ranges, seed:
-        The sample: uniform in the box.
-    mf_band:
-        First and last M f, dimensionless; both become nodes.
-    waveforms, tolerance:
-        Size of the sample; largest error of log-amplitude (or amplitude) and phase (radians).
-    on:
-        Whether residuals to the baseline or full waveforms have to be restored; the paper does the latter.
-    directory, n_jobs:
-        As for :func:`~bnserve_surrogate.training.data.dataset.build_dataset`.
-
-    Returns
-    -------
-    Amplitude nodes and phase nodes in M f.
-    """
-    grid = multibanded_grid(*mf_band, ranges.mass_ratio[1])
-    specification = DatasetSpecification(generator, ranges, UniformSampling(), seed, "greedy nodes", grid, grid, 8)
-    dataset = build_dataset(specification, waveforms, directory, n_jobs=n_jobs)
-    amplitude, phase = dataset.log_amplitude_ratio, flatten_phase(grid, dataset.psi_residual).residual
-    if on == "waveforms":
-        for row, theta in enumerate(dataset.theta):
-            amplitude[row] = np.exp(amplitude[row]) * baseline_amplitude(theta, grid)
-            phase[row] += baseline_phase(theta, grid)
-    chosen = (greedy_downsampling(grid, values, tolerance).indices for values in (amplitude, phase))
-    amplitude_nodes, phase_nodes = (grid[indices] for indices in chosen)
-    return amplitude_nodes, phase_nodes
-
-
 def configured_nodes(generate: Generation, say: Callable[[str], None] = print) -> tuple[FloatArray, FloatArray]:
     """The amplitude's and the phase's nodes in M f; greedy ones are chosen on waveforms kept in the directory.
 
@@ -119,20 +73,37 @@ def configured_nodes(generate: Generation, say: Callable[[str], None] = print) -
         amplitude = smooth_nodes(*training_band(configuration), section.count, configuration.ranges.reference_mass)
         phase = amplitude
     else:
-        amplitude, phase = greedy_nodes(
-            generate.generator,
-            parameter_ranges(configuration),
-            mf_band(configuration),
-            waveforms=section.waveforms,
-            tolerance=section.tolerance,
-            on=section.on,
-            seed=configuration.dataset.seed,
-            directory=generate.directory,
-            n_jobs=generate.n_jobs,
-        )
+        amplitude, phase = _greedy_nodes(generate)
         check_nodes(configuration, amplitude, phase)
     say(f"  {len(amplitude)} for the amplitude, {len(phase)} for the phase")
     return amplitude, phase
+
+
+def _greedy_nodes(generate: Generation) -> tuple[FloatArray, FloatArray]:
+    """Nodes from which cubic splines restore each of a sample of waveforms, uniform in the box, within a tolerance."""
+    configuration, section = generate.configuration, generate.configuration.nodes
+    ranges, seed = parameter_ranges(configuration), configuration.dataset.seed
+    grid = multibanded_grid(*mf_band(configuration), ranges.mass_ratio[1])
+    specification = DatasetSpecification(
+        generate.generator, ranges, UniformSampling(), seed, "greedy nodes", grid, grid, _CHUNK
+    )
+    dataset = build_dataset(
+        specification,
+        section.waveforms,
+        generate.directory,
+        n_jobs=generate.n_jobs,
+        backend=generate.backend,
+        progress=generate.progress,
+    )
+    amplitude, phase = dataset.log_amplitude_ratio, flatten_phase(grid, dataset.psi_residual).residual
+    if section.on == "waveforms":
+        for row, theta in enumerate(dataset.theta):
+            amplitude[row] = np.exp(amplitude[row]) * baseline_amplitude(theta, grid)
+            phase[row] += baseline_phase(theta, grid)
+    amplitude_nodes, phase_nodes = (
+        grid[greedy_downsampling(grid, values, section.tolerance)] for values in (amplitude, phase)
+    )
+    return amplitude_nodes, phase_nodes
 
 
 def check_reduction(configuration: TrainingConfiguration, waveforms: int, described: str) -> None:
