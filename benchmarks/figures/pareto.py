@@ -9,7 +9,7 @@ import numpy as np
 from benchmarks.figures import style
 from benchmarks.figures.drawing import DataMissing, Drawing, table
 from benchmarks.figures.workspace import Workspace
-from bnserve_surrogate.training.search.pareto import ParetoCollection, ParetoEntry, parse_collection
+from bnserve_surrogate.training.search.hyperparameters import ParetoCollection, ParetoEntry, parse_collection
 
 _LOOKS = ((style.ORANGE, "o"), (style.BLUE, "s"), (style.GREEN, "^"))
 

@@ -3,7 +3,7 @@
 import pytest
 
 from bnserve_service.cli import main
-from bnserve_surrogate.training.search.pareto import parse_collection
+from bnserve_surrogate.training.search.hyperparameters import parse_collection
 
 CONFIGURATION = """
 name = "toy"

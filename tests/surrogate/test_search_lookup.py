@@ -11,15 +11,16 @@ from bnserve_surrogate._artifact import SurrogateMetadata
 from bnserve_surrogate.training.config import ConfigurationInvalid, parse_configuration
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.publication import publish
-from bnserve_surrogate.training.search.lookup import load_collection, with_best_hyperparameters
-from bnserve_surrogate.training.search.pareto import (
+from bnserve_surrogate.training.search.hyperparameters import (
     Hyperparameters,
     HyperparametersUnknown,
     ParetoCollection,
     ParetoEntry,
     ParetoSetup,
     collection_text,
+    load_collection,
     parse_collection,
+    with_best_hyperparameters,
     write_collection,
 )
 from bnserve_surrogate.training.search.results import search_results

@@ -7,9 +7,8 @@ import time
 
 import pytest
 
-from bnserve_surrogate.training.search.journal import StudyUnreadable
 from bnserve_surrogate.training.search.results import SearchEmpty, search_results
-from bnserve_surrogate.training.search.study import StudyMismatch, failures, finished, read_study
+from bnserve_surrogate.training.search.study import StudyMismatch, StudyUnreadable, failures, finished, read_study
 from tests.architecture.rooms import ROOT, room_environment
 from tests.surrogate.searching import NETWORK, SUM, run, toy_search
 

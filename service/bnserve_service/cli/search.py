@@ -52,8 +52,8 @@ def run(options: argparse.Namespace) -> int:
     """Search, print, save."""
     from bnserve_protocol import require
 
-    names = ("config", "search.trials", "search.results", "search.pareto")
-    config, search, results, pareto = (
+    names = ("config", "search.trials", "search.results", "search.hyperparameters")
+    config, search, results, hyperparameters = (
         require(f"bnserve_surrogate.training.{name}", "A search", "train") for name in names
     )
     require("matplotlib", "The picture of a search", "train")  # better missed now than at the end
@@ -74,7 +74,7 @@ def run(options: argparse.Namespace) -> int:
     found = results.search_results(wanted)
     print(results.results_table(found))
     text, picture = study.with_suffix(".toml"), study.with_suffix(".png")
-    pareto.write_collection(text, found.pareto, _comment(found))
+    hyperparameters.write_collection(text, found.pareto, _comment(found))
     results.plot_results(picture, f"{configuration.name}: {len(found.trials)} trials", found)
     print(f"Study: {study}\nHyper-parameters: {text}\nPicture: {picture}")
     return 0

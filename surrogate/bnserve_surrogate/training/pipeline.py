@@ -21,7 +21,7 @@ from bnserve_surrogate.training.reduction.nodes import check_reduction, configur
 from bnserve_surrogate.training.reduction.reductions import reduce_dataset
 from bnserve_surrogate.training.regressors import check_regressor, coordinate_map, export_regressor, make_regressor
 from bnserve_surrogate.training.regressors.exported import model_tensors
-from bnserve_surrogate.training.search.lookup import with_best_hyperparameters
+from bnserve_surrogate.training.search.hyperparameters import with_best_hyperparameters
 from bnserve_surrogate.training.validation.error_estimate import estimate_from, with_error_estimate
 from bnserve_surrogate.training.validation.measurement import validate_on_fresh
 

@@ -12,10 +12,15 @@ from optuna.trial import TrialState
 from bnserve_protocol import require
 from bnserve_surrogate.training.data.generation import configured_generator
 from bnserve_surrogate.training.errors import TrainingError
-from bnserve_surrogate.training.search.pareto import Hyperparameters, ParetoCollection, ParetoEntry, ParetoSetup
+from bnserve_surrogate.training.search.hyperparameters import (
+    Hyperparameters,
+    ParetoCollection,
+    ParetoEntry,
+    ParetoSetup,
+    nested,
+)
 from bnserve_surrogate.training.search.study import failures, read_study
 from bnserve_surrogate.training.search.trials import Search
-from bnserve_surrogate.training.search.values import nested
 from bnserve_surrogate.training.validation.report import write_whole
 
 

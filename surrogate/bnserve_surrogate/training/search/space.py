@@ -11,7 +11,7 @@ from typing import Any, Protocol
 from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors import weighted_exponents
-from bnserve_surrogate.training.search.values import Values
+from bnserve_surrogate.training.search.hyperparameters import Values
 
 FEWEST_WAVEFORMS = 50
 """The paper's smallest training set."""
