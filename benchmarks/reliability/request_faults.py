@@ -21,7 +21,7 @@ def open_files() -> None:
 
 def _after_each_group(what: Callable[[Any], Any]) -> None:
     """Keep what is made of the outcomes of each group for ever."""
-    from bnserve_service.evaluation.waveforms import Evaluator
+    from bnserve_service.evaluation.service import Evaluator
 
     kept: list[Any] = []
     evaluate = Evaluator.__call__
@@ -36,12 +36,12 @@ def _after_each_group(what: Callable[[Any], Any]) -> None:
 
 def no_watch() -> None:
     """Nobody looks whether the caller is still there."""
-    from bnserve_service.evaluation import waiting
+    from bnserve_service.evaluation import endpoint
 
     async def forget_never(*_: Any) -> None:
         """Let the work of those who went away be done."""
 
-    waiting._forget_when_gone = forget_never  # type: ignore[assignment]
+    endpoint._forget_when_gone = forget_never  # type: ignore[assignment]
 
 
 def no_cap() -> None:
@@ -58,12 +58,12 @@ def no_cap() -> None:
 def prefix_compare() -> None:
     """A token is compared up to the length of what was sent."""
     from bnserve_protocol import Unauthorized
-    from bnserve_service.http.access import AccessMiddleware
+    from bnserve_service.http.access import TokenCheck
 
-    find: Any = AccessMiddleware._find
+    find: Any = TokenCheck._find
     known: list[bytes] = []
 
-    def find_by_prefix(self: AccessMiddleware, given: Any) -> Any:
+    def find_by_prefix(self: TokenCheck, given: Any) -> Any:
         sent = given if isinstance(given, bytes) else dict(given).get(b"authorization", b"")
         try:
             token = find(self, given)
@@ -75,21 +75,23 @@ def prefix_compare() -> None:
         known.append(sent)
         return token
 
-    AccessMiddleware._find = find_by_prefix  # type: ignore[assignment,method-assign]
+    TokenCheck._find = find_by_prefix  # type: ignore[assignment,method-assign]
 
 
 def log_tokens() -> None:
     """The access log shows who asked with what."""
-    from bnserve_service.http import front as context
+    from bnserve_service.evaluation import endpoint
+    from bnserve_service.http import front, requests
 
-    new = context.new_context
+    new = requests.new_context
 
-    def new_and_told(headers: Any, *route: str) -> context.RequestContext:
+    def new_and_told(headers: Any, *route: str) -> requests.RequestContext:
         made = new(headers, *route)
-        context.access_logger.info("asked with %r", made.headers.get(b"authorization"))
+        front.access_logger.info("asked with %r", made.headers.get(b"authorization"))
         return made
 
-    context.new_context = new_and_told  # type: ignore[assignment]
+    for module in (endpoint, front):
+        module.new_context = new_and_told  # type: ignore[attr-defined]
 
 
 def no_drain() -> None:
@@ -132,7 +134,7 @@ def room_to_the_end() -> None:
 def unpickle_bodies() -> None:
     """Arrays of objects in bodies are read, as msgpack-numpy does."""
     from benchmarks.reliability.hostile import unpickle_what_is_found
-    from bnserve_service.evaluation import service as answering
+    from bnserve_service.evaluation import waveforms as answering
 
     decode: Any = answering.decode_request  # type: ignore[attr-defined]
 
@@ -180,9 +182,9 @@ def trailers_as_headers() -> None:
 def bare_errors() -> None:
     """What goes wrong while a body is decoded comes out as it is, without a name."""
     from bnserve_protocol import UndecodableBody
-    from bnserve_service.evaluation import service
+    from bnserve_service.evaluation import waveforms
 
-    answering: Any = service
+    answering: Any = waveforms
     decode = answering.decode_request
 
     def decode_only(*arguments: Any) -> Any:

@@ -1,50 +1,41 @@
-"""The composition root: every part of the service is made here and given to those who need it."""
+"""The composition root: every part of the service is made here, by its room, and given to those who need it."""
 
 from __future__ import annotations
 
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import msgspec
 from fastapi import APIRouter, FastAPI
 from starlette.routing import Route
-from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
-from bnserve_protocol import Analysis, BnserveError, Likelihood, Unavailable, WaveformModel, decode_analysis
+from bnserve_protocol import BnserveError, Unavailable, decode_analysis
 from bnserve_service.admission.control import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.quotas import rate_quotas
-from bnserve_service.evaluation.endpoint import PATHS, WaveformEndpoint
-from bnserve_service.evaluation.fast_path import FastPath
-from bnserve_service.evaluation.likelihood_endpoint import PATHS as LIKELIHOOD_PATHS
-from bnserve_service.evaluation.likelihood_endpoint import LikelihoodEndpoint
-from bnserve_service.evaluation.likelihood_evaluator import LikelihoodEvaluator, evaluating_both
-from bnserve_service.evaluation.likelihoods import LikelihoodService
-from bnserve_service.evaluation.service import WaveformService
-from bnserve_service.evaluation.waveforms import Evaluator
-from bnserve_service.http.access import AccessMiddleware
+from bnserve_service.evaluation.endpoint import EvaluationEndpoint, FastPath
+from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
+from bnserve_service.evaluation.questions import Kind, Question
+from bnserve_service.evaluation.service import EvaluationService, Evaluator, Outcome
+from bnserve_service.evaluation.waveforms import Waveforms
+from bnserve_service.http.access import HostCheck, TokenCheck
 from bnserve_service.http.body import BodyReader
-from bnserve_service.http.dispatch import Dispatcher
-from bnserve_service.http.front import RequestContextMiddleware
-from bnserve_service.http.hosts import HostCheck, HostMiddleware
-from bnserve_service.models.loading import Loader, Selection
+from bnserve_service.http.front import Front, places_of
+from bnserve_service.models.loading import loader_of
 from bnserve_service.models.maintenance import Health, Maintenance
 from bnserve_service.models.registry import ModelFactory, ModelSource, Registry, SharedModels
 from bnserve_service.process.cpu import available_cpus
 from bnserve_service.reference.explorer import explorer_router
 from bnserve_service.reference.openapi import openapi_document
-from bnserve_service.reference.openapi_likelihoods import with_likelihoods
-from bnserve_service.routes.analyses import analysis_router
-from bnserve_service.routes.grids import grid_router
-from bnserve_service.routes.health import health_router
-from bnserve_service.routes.limits import limits_router
-from bnserve_service.routes.manifests import manifest_router
-from bnserve_service.routes.metrics import metrics_router
 from bnserve_service.routes.models import model_router
-from bnserve_service.settings import Settings
+from bnserve_service.routes.operations import health_router, metrics_router, reload_router
+from bnserve_service.routes.uploads import Receiver, analysis_router, grid_router
+from bnserve_service.settings import Settings, Token
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.telemetry.metrics import Metrics
 from bnserve_service.uploads.blobs import gone
@@ -60,9 +51,9 @@ class Parts:
     registry: Registry
     grids: GridStore
     analyses: AnalysisStore
-    queue: WorkQueue[Any, Any]
-    waveforms: WaveformService
-    likelihoods: LikelihoodService
+    queue: WorkQueue[Question, Outcome]
+    kinds: tuple[Kind[Any], ...]
+    evaluation: EvaluationService
     lifecycle: Lifecycle
     health: Health
     maintenance: Maintenance
@@ -92,35 +83,19 @@ class Application(FastAPI):
             redoc_url=None,
             openapi_url=None,  # ours knows the bodies
             redirect_slashes=False,
-            max_body_size=None,  # read_body counts, and answers in our own form
+            max_body_size=None,  # bodies are counted by their reader, which answers in our own form
             lifespan=_lifespan,
         )
         self.parts = parts
         self.wait_for_models = wait_for_models
         self.follow = follow
-        evaluations = dict.fromkeys(
-            PATHS, WaveformEndpoint(parts.waveforms, parts.settings, parts.bodies)
-        ) | dict.fromkeys(LIKELIHOOD_PATHS, LikelihoodEndpoint(parts.likelihoods, parts.settings, parts.bodies))
-        routers = self._routers()
-        routes = [route for router in routers for route in router.routes if isinstance(route, Route)]
-        dispatcher = Dispatcher(evaluations, routes)
-        tokens = parts.settings.tokens
-        quotas = rate_quotas(tokens, parts.shared)
-        access = AccessMiddleware(dispatcher, tokens, quotas, parts.queue.turns.turn) if tokens else None
-        hosts = HostCheck.of(parts.settings)
-        self._front = RequestContextMiddleware(
-            HostMiddleware(access or dispatcher, hosts),
-            dispatcher.find,
-            parts.metrics,
-            parts.lifecycle,
-            parts.settings.access_log,
-        )
-        self.metrics = _metrics_alone(parts)
+        self._front = _front(parts, self._routers(), parts.kinds, HostCheck.of(parts.settings), parts.settings.tokens)
+        self.metrics = _front(parts, [metrics_router(parts.metrics)], (), HostCheck.of_metrics(parts.settings), ())
         """The application of the metrics port, if there is one."""
-        self.fast_path = FastPath(parts.waveforms, parts.lifecycle, self._front, hosts, access)
+        self.fast_path = FastPath(parts.kinds, parts.evaluation, parts.lifecycle, self._front)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Serve: HTTP through our own middlewares, the rest (the lifespan) through FastAPI's."""
+        """Serve: HTTP by ourselves, the rest (the lifespan) by FastAPI."""
         await (self._front if scope["type"] == "http" else super().__call__)(scope, receive, send)
 
     def _routers(self) -> list[APIRouter]:
@@ -129,31 +104,38 @@ class Application(FastAPI):
         Its router would match every path again, and its exception middlewares answer errors in a form of their own.
         """
         parts, limits = self.parts, self.parts.settings.limits()
-        stored = StorageQuotas(parts.settings.tokens, {"grid": parts.grids, "analysis": parts.analyses}, parts.shared)
-        largest_grid = min(parts.settings.max_body_bytes, 8 * parts.settings.max_frequencies)
-        largest_analysis = parts.settings.max_analysis_bytes
+        quotas = StorageQuotas(parts.settings.tokens, {"grid": parts.grids, "analysis": parts.analyses}, parts.shared)
+        receiver = Receiver(parts.bodies, quotas)
         routers = [
             model_router(parts.registry, limits),
-            limits_router(limits),
-            manifest_router(parts.registry, limits, parts.maintenance),
-            grid_router(parts.grids, parts.waveforms, parts.bodies, largest_grid, stored),
-            analysis_router(parts.analyses, parts.likelihoods, parts.bodies, largest_analysis, stored),
+            reload_router(parts.maintenance),
+            grid_router(parts.grids, receiver, parts.settings),
+            analysis_router(parts.analyses, receiver, parts.settings, parts.lifecycle),
             health_router(parts.health),
         ]
         if parts.settings.metrics_port is None:
             routers.append(metrics_router(parts.metrics))
         for router in routers:
             self.include_router(router)
-        described = openapi_document(self, PATHS, bool(parts.settings.tokens))
-        document = msgspec.json.encode(with_likelihoods(described, LIKELIHOOD_PATHS))
-        return [*routers, explorer_router(document)]
+        operations = {path: kind.operation for kind in parts.kinds for path in kind.paths}
+        document = openapi_document(self, operations, bool(parts.settings.tokens))
+        return [*routers, explorer_router(msgspec.json.encode(document))]
 
 
-def _metrics_alone(parts: Parts) -> ASGIApp:
-    dispatcher = Dispatcher({}, [route for route in metrics_router(parts.metrics).routes if isinstance(route, Route)])
-    return RequestContextMiddleware(
-        HostMiddleware(dispatcher, HostCheck.of_metrics(parts.settings)),
-        dispatcher.find,
+def _front(
+    parts: Parts, routers: list[APIRouter], kinds: tuple[Kind[Any], ...], hosts: HostCheck, tokens: tuple[Token, ...]
+) -> Front:
+    evaluations = {
+        path: EvaluationEndpoint(kind, parts.evaluation, parts.settings, parts.bodies)
+        for kind in kinds
+        for path in kind.paths
+    }
+    routes = [route for router in routers for route in router.routes if isinstance(route, Route)]
+    return Front(
+        places_of(evaluations, routes),
+        hosts,
+        TokenCheck(tokens, rate_quotas(tokens, parts.shared)) if tokens else None,
+        parts.queue.turns.turn,
         parts.metrics,
         parts.lifecycle,
         parts.settings.access_log,
@@ -173,8 +155,7 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
     finally:
         await parts.maintenance.stop()
         parts.queue.stop(timeout=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
-        parts.waveforms.close()
-        parts.likelihoods.close()
+        parts.bodies.close()
 
 
 def create_app(
@@ -215,68 +196,40 @@ def create_app(
         Whether the stores are looked at; otherwise there are no models but those of ``registry``.
     """
     settings, registry = settings or Settings(), registry or Registry()
-    loader = loader_of(settings, registry, source, factory)
-    parts = _parts(settings, registry, loader, bind or _likelihood, shared, worker)
-    _watch(parts)
-    return Application(parts, wait_for_models, follow)
-
-
-def _parts(
-    settings: Settings,
-    registry: Registry,
-    loader: Loader,
-    bind: LikelihoodFactory,
-    shared: Path | None,
-    worker: int,
-) -> Parts:
-    lifecycle = Lifecycle()
     metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
-    grids = GridStore(settings, shared)
-    analyses = AnalysisStore(settings, decode_analysis, shared)
-    workers = settings.threads or available_cpus()
-    queue = _queue(settings, metrics, bind, workers)
-    health = _health(settings, registry, lifecycle, queue, shared)
-    maintenance = Maintenance(loader, registry, health, metrics, settings.poll_seconds, settings.self_check_seconds)
+    lifecycle, threads, limits = Lifecycle(), settings.threads or available_cpus(), settings.limits()
+    bodies = BodyReader(settings.incoming_bytes, settings.body_timeout)
+    grids, analyses = GridStore(settings, shared), AnalysisStore(settings, decode_analysis, shared)
+    queue: WorkQueue[Question, Outcome] = WorkQueue(
+        Evaluator(metrics),
+        workers=threads,
+        capacity=settings.queue_samples,
+        group_cost=settings.group_samples,
+        metrics=metrics,
+    )
+    health = Health(
+        settings, registry, lifecycle, queue.workers.longest_evaluation, partial(_missing, settings, shared)
+    )
+    maintenance = Maintenance(loader_of(settings, registry, source, factory), registry, health, metrics, settings)
     if shared is not None:
         registry.join(SharedModels(shared, worker), maintenance.poke)
-    return Parts(
+    parts = Parts(
         settings=settings,
         registry=registry,
         grids=grids,
         analyses=analyses,
         queue=queue,
-        waveforms=WaveformService(settings, registry, grids, queue, lifecycle),
-        likelihoods=LikelihoodService(settings, registry, analyses, queue, lifecycle, workers),
+        kinds=(Waveforms(grids, limits, metrics), Likelihoods(analyses, limits, metrics, bind or bind_likelihood)),
+        evaluation=EvaluationService(settings, registry, queue, lifecycle, bodies, threads),
         lifecycle=lifecycle,
         health=health,
         maintenance=maintenance,
         metrics=metrics,
-        bodies=BodyReader(settings.incoming_bytes, settings.body_timeout),
+        bodies=bodies,
         shared=shared,
     )
-
-
-def _queue(settings: Settings, metrics: Metrics, bind: LikelihoodFactory, workers: int) -> WorkQueue[Any, Any]:
-    return WorkQueue(
-        evaluating_both(Evaluator(metrics), LikelihoodEvaluator(metrics, bind)),
-        workers=workers,
-        capacity=settings.queue_samples,
-        group_cost=settings.group_samples,
-        metrics=metrics,
-    )
-
-
-def _health(
-    settings: Settings, registry: Registry, lifecycle: Lifecycle, queue: WorkQueue[Any, Any], shared: Path | None
-) -> Health:
-    return Health(
-        registry,
-        lifecycle,
-        queue.workers.longest_evaluation,
-        settings.self_check_seconds,
-        settings.stuck_seconds,
-        lambda: _missing(settings, shared),
-    )
+    _watch(parts)
+    return Application(parts, wait_for_models, follow)
 
 
 def _missing(settings: Settings, shared: Path | None) -> BnserveError | None:
@@ -288,13 +241,6 @@ def _missing(settings: Settings, shared: Path | None) -> BnserveError | None:
     return None
 
 
-def loader_of(
-    settings: Settings, registry: Registry, source: ModelSource | None = None, factory: ModelFactory | None = None
-) -> Loader:
-    """What loads the models of the settings into a registry; ``source`` and ``factory`` as for :func:`create_app`."""
-    return Loader(registry, source or _stores(settings), factory or _surrogate, Selection(settings.models))
-
-
 def _watch(parts: Parts) -> None:
     """Show what operators look at, the first things first."""
     metrics, queue, analyses = parts.metrics, parts.queue, parts.analyses
@@ -303,7 +249,7 @@ def _watch(parts: Parts) -> None:
     metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
     metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.workers.waiting)
     metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: parts.settings.queue_samples)
-    metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: parts.waveforms.answer_bytes)
+    metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: parts.evaluation.answer_bytes)
     metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: parts.grids.stored_bytes, is_common=True)
     metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses), is_common=True)
     metrics.watch(
@@ -312,21 +258,3 @@ def _watch(parts: Parts) -> None:
     metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: parts.bodies.held_bytes)
     if parts.shared is None:
         metrics.watch("bnserve_workers", "Worker processes", lambda: 1.0)
-
-
-def _stores(settings: Settings) -> ModelSource:
-    from bnserve_store import ModelStore
-
-    return ModelStore.default(settings.stores)
-
-
-def _surrogate(artifact: Any) -> Any:
-    from bnserve_surrogate import Model  # here, because it compiles: a custom factory need not pay for it
-
-    return Model.from_artifact(artifact)
-
-
-def _likelihood(model: WaveformModel, analysis: Analysis) -> Likelihood:
-    from bnserve_inference import likelihood  # here, because a server that only serves waveforms need not load it
-
-    return likelihood(model, analysis)

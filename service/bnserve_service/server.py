@@ -16,7 +16,7 @@ import uvicorn
 from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
 from bnserve_service.errors import SettingsInvalid
-from bnserve_service.evaluation.fast_path import FastPath
+from bnserve_service.evaluation.endpoint import FastPath
 from bnserve_service.http.metrics_port import metrics_address, serving_metrics
 from bnserve_service.http.protocol import UvicornServer, bounded_protocol, connections_beside
 from bnserve_service.models.loading import RefreshReport

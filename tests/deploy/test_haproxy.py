@@ -14,7 +14,7 @@ import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_service import Settings, create_app
-from bnserve_service.evaluation.endpoint import PATHS
+from bnserve_service.evaluation.waveforms import Waveforms
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_surrogate import Model as LocalModel
 from tests.deploy.fake_servers import FakeServer, break_off, reply
@@ -181,7 +181,7 @@ def test_bodies_beyond_its_buffer_pass(proxy):
 
 def test_what_callers_use_passes(before):
     """Every path of the OpenAPI document but those of operators."""
-    document = openapi_document(create_app(Settings()), PATHS, False)
+    document = openapi_document(create_app(Settings()), dict.fromkeys(Waveforms.paths, Waveforms.operation), False)
     paths = {re.sub(r"{\w+}", "a.b_c-1", path) for path in document["paths"]} - {"/metrics", "/v1/reload"}
     assert len(paths) > 10
     server = FakeServer(reply(200))

@@ -4,7 +4,7 @@ import pytest
 
 from benchmarks.reliability.fuzzing.openapi import exercise
 from bnserve_service import BackgroundServer, Settings
-from bnserve_service.evaluation import service as answering
+from bnserve_service.evaluation import waveforms as answering
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
 from tests.service.conftest import SMALL_LIMITS
 

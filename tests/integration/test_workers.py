@@ -52,7 +52,7 @@ import importlib.abc, importlib.util, sys, time
 
 class Injector(importlib.abc.MetaPathFinder):
     def find_spec(self, name, path=None, target=None):
-        if name != "bnserve_service.evaluation.waveforms":
+        if name != "bnserve_service.evaluation.service":
             return None
         sys.meta_path.remove(self)
         spec = importlib.util.find_spec(name)

@@ -12,7 +12,7 @@ import pytest
 from bnserve_protocol import Unauthorized
 from bnserve_service import Settings, Token
 from bnserve_service.http import access
-from bnserve_service.http.front import new_context
+from bnserve_service.http.requests import new_context
 from tests.service.asking import MSGPACK, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel
 
@@ -73,7 +73,7 @@ def test_every_token_is_compared_also_after_one_was_found(monkeypatch):
 
     monkeypatch.setattr(access, "hmac", SimpleNamespace(compare_digest=compare))
     tokens = [Token.of(text) for text in ("the first of three", "the second of three", "the third of three")]
-    middleware = access.AccessMiddleware(None, tokens, {}, None)
+    middleware = access.TokenCheck(tokens, {})
     for text in ("the first of three", "the third of three", "none of them"):
         compared.clear()
         with suppress(Unauthorized):

@@ -258,7 +258,7 @@ def test_503_when_answers_fill_the_memory(start):
         check(evaluate(server.address, message), 503, "overloaded", "answers")
         model.gate.set()
         assert waiting.result().status == 200
-    until(lambda: server.app.parts.waveforms.answer_bytes == 0, "the memory is given back")
+    until(lambda: server.app.parts.evaluation.answer_bytes == 0, "the memory is given back")
 
 
 def test_504_a_deadline_that_passes_in_the_queue(start):

@@ -11,7 +11,7 @@ import pytest
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import Forbidden
 from bnserve_service.errors import SettingsInvalid
-from bnserve_service.http.hosts import HostCheck
+from bnserve_service.http.access import HostCheck
 from bnserve_service.process.listening import is_loopback, open_listener
 from bnserve_service.settings import Settings, Token, load_settings
 from tests.service.asking import MSGPACK, ask, question, raw_connection, read_response

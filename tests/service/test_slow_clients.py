@@ -74,7 +74,7 @@ def test_an_answer_that_is_not_taken_is_dropped(start):
         connection.connect((host, int(port)))
         connection.sendall(HEAD + b"accept: application/msgpack\r\ncontent-length: %d\r\n\r\n" % len(body) + body)
         assert connection.recv(1000).startswith(b"HTTP/1.1 200")
-        waveforms = server.app.parts.waveforms
+        waveforms = server.app.parts.evaluation
         assert waveforms.answer_bytes > 0
         until(lambda: waveforms.answer_bytes == 0, "the memory of the answer is given back")
 
@@ -123,7 +123,7 @@ def test_an_answer_that_is_taken_slowly_for_long_is_cut_off_though_some_of_it_is
     server = start(ChirpModel(), write_timeout=1.0, write_rate=64 * MIB, **LARGE)
     with asks(server.address, 2**22) as connection:  # 64 MiB, in nine seconds at least
         assert not is_whole(takes(connection, 7 * MIB))
-    until(lambda: server.app.parts.waveforms.answer_bytes == 0, "the memory of the answer is given back")
+    until(lambda: server.app.parts.evaluation.answer_bytes == 0, "the memory of the answer is given back")
 
 
 def test_an_answer_that_is_taken_as_fast_as_asked_may_take_longer_than_the_timeout(start):
@@ -134,7 +134,7 @@ def test_an_answer_that_is_taken_as_fast_as_asked_may_take_longer_than_the_timeo
 
 def test_what_has_left_of_an_answer_makes_room_for_others(start):
     server = start(ChirpModel(), max_answer_bytes=60 * MIB, **LARGE)
-    waveforms = server.app.parts.waveforms
+    waveforms = server.app.parts.evaluation
     with asks(server.address, 3 * 2**20, b"connection: close\r\n") as connection:  # 48 MiB
         received = takes(connection, 16 * MIB, 24 * MIB)
         until(lambda: waveforms.answer_bytes <= 30 * MIB, "what has left is not counted")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 from collections import OrderedDict
+from collections.abc import Hashable
 
 from bnserve_protocol import DeadlineExceeded, Draining, Overloaded, QuotaExceeded
 
@@ -177,26 +178,26 @@ def too_late() -> DeadlineExceeded:
 
 
 class CostEstimates:
-    """What bodies of about the same size from the same owner cost, leaning towards the cheapest.
+    """What bodies of about the same size that ask the same kind of thing cost, leaning towards the cheapest.
 
     Refusing is only cheap when it comes before the work: decoding a batch of thousands of rows costs several times as
     much as all the rest of a refusal, and a server under ten times its load does little else.
     """
 
     def __init__(self) -> None:
-        self._costs: OrderedDict[tuple[str, int], float] = OrderedDict()
+        self._costs: OrderedDict[tuple[Hashable, int], float] = OrderedDict()
 
-    def cost(self, owner: str, size: int) -> int | None:
+    def cost(self, kind: Hashable, size: int) -> int | None:
         """What a body of ``size`` bytes may cost; None when nothing is known."""
-        known = self._costs.get((owner, size.bit_length())) if size >= WORTH_IT else None
+        known = self._costs.get((kind, size.bit_length())) if size >= WORTH_IT else None
         return None if known is None else int(known)
 
-    def learn(self, owner: str, size: int, cost: int) -> None:
+    def learn(self, kind: Hashable, size: int, cost: int) -> None:
         """One was decoded, and cost so much."""
         if size < WORTH_IT:
             return
-        kind = owner, size.bit_length()
-        known = self._costs.pop(kind, cost)
-        self._costs[kind] = cost if cost < known else known + _FORGET * (cost - known)
+        like = kind, size.bit_length()
+        known = self._costs.pop(like, cost)
+        self._costs[like] = cost if cost < known else known + _FORGET * (cost - known)
         if len(self._costs) > _KINDS:
             self._costs.popitem(last=False)

@@ -76,6 +76,15 @@ class RateQuota:
             self.give_back(rows)
             raise
 
+    @contextmanager
+    def under_way(self) -> Iterator[None]:
+        """One request, from its beginning to its end; raises as :meth:`begin`."""
+        self.begin()
+        try:
+            yield
+        finally:
+            self.end()
+
     def begin(self) -> None:
         """A request begins.
 

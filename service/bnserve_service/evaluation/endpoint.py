@@ -1,27 +1,48 @@
-"""``POST /v1/models/{name}[/versions/{version}]/waveforms``."""
+"""The two ways on which questions of every kind come: as requests of an ASGI application, and the fast path.
+
+What is evaluated in less time than a task takes, and whose body has come with its headers, needs no coroutine, no
+``receive`` and no future: it is answered by plain calls.
+"""
 
 from __future__ import annotations
 
+import asyncio
+import re
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
 from starlette.types import Receive, Scope, Send
 
-from bnserve_service.admission.queue import Job
-from bnserve_service.evaluation.service import WaveformService
-from bnserve_service.evaluation.waiting import wait_for
-from bnserve_service.evaluation.waveforms import Packed, Question
-from bnserve_service.http.answers import send_answer
+from bnserve_protocol import BnserveError, QuotaExceeded
+from bnserve_protocol.wire import JSON, MSGPACK, DigestName, request_digest
+from bnserve_service.admission.control import Lifecycle
+from bnserve_service.errors import ClientDisconnected
+from bnserve_service.evaluation.questions import Kind, Question
+from bnserve_service.evaluation.service import EvaluationJob, EvaluationService, Outcome, Packed, join
+from bnserve_service.http.answers import Finish, send_answer
 from bnserve_service.http.body import BodyReader
-from bnserve_service.http.front import context_of
-from bnserve_service.http.requests import answer_digest, answer_media_type, request_media_type
+from bnserve_service.http.front import Front
+from bnserve_service.http.requests import (
+    Header,
+    RequestContext,
+    context_of,
+    header_fields,
+    negotiate,
+    new_context,
+)
 from bnserve_service.settings import Settings
 
-PATHS = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
+WATCH_AFTER = 0.01
+"""Seconds of waiting after which it is worth a task to notice that the caller went away."""
 
 
-class WaveformEndpoint:
-    """An ASGI application for the waveform paths.
+class EvaluationEndpoint:
+    """An ASGI application for the paths of one kind of question.
 
     Parameters
     ----------
+    kind:
+        Which.
     service:
         The use case.
     settings:
@@ -30,42 +51,190 @@ class WaveformEndpoint:
         Reads the bodies.
     """
 
-    def __init__(self, service: WaveformService, settings: Settings, bodies: BodyReader) -> None:
+    def __init__(self, kind: Kind[Any], service: EvaluationService, settings: Settings, bodies: BodyReader) -> None:
+        self._kind = kind
         self._service = service
-        self._settings = settings
+        self._body_limits = {media_type: settings.body_limit(media_type) for media_type in (MSGPACK, JSON)}
         self._bodies = bodies
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Evaluate one request."""
-        context = context_of(scope)
-        parameters = scope["path_params"]
-        media_type = request_media_type(context.headers)
-        answer_type = answer_media_type(context.headers, preferred=media_type)
-        digest = answer_digest(context.headers)
-        deadline = context.deadline
-        with self._bodies.of(context) as incoming:
-            body = await incoming.read(receive, self._settings.body_limit(media_type))
-            self._service.foresee(len(body), deadline, context.owner)
-            context.request_digest = await self._service.digest(body)
-            question = await self._service.ask(
-                parameters["name"], parameters.get("version"), body, media_type, answer_type, digest
-            )
-            self._service.learn(len(body), question, context.owner)
+        request = context_of(scope)
+        request.path = scope["path_params"]
+        request.media_type, request.answer_type, request.digest = negotiate(request.headers)
+        deadline = request.deadline
+        with self._bodies.of(request) as incoming:
+            body = await incoming.read(receive, self._body_limits[request.media_type])
+            self._service.foresee(self._kind, len(body), request)
+            await incoming.name(body)
+            question = await self._service.ask(self._kind, body, request)
             del body
-        with context.paying(len(question.batch)), self._service.reserve(question, context.owner) as give_back:
-            job = self._service.submit(question, deadline, context.owner)
-            packed = await self._wait(job, receive)
-            headers = answer_headers(packed, answer_type, job.submitted)
+        with request.paying(len(question.batch)), self._service.reserve(question, request.owner) as give_back:
+            jobs = self._service.submit(question, deadline, request.owner)
+            outcomes = [await jobs[0].result] if question.quick else await wait_for(jobs, receive, self._service)
+            packed = join(question, outcomes)
+            headers = answer_headers(packed, question.answer_type, jobs[0].submitted)
             await send_answer(send, 200, headers, packed.parts, give_back)
 
-    async def _wait(self, job: Job[Question, Packed], receive: Receive) -> Packed:
-        if job.quick:
-            return await job.result
-        [packed] = await wait_for([job], receive, self._service.withdraw)
-        return packed
+
+async def wait_for(jobs: Sequence[EvaluationJob], receive: Receive, service: EvaluationService) -> list[Outcome]:
+    """The results of all jobs of one request, in order.
+
+    When one fails, or nobody waits any more, the others are withdrawn.
+
+    Raises
+    ------
+    ClientDisconnected
+    """
+    loop = asyncio.get_running_loop()
+    watcher: list[asyncio.Task[None]] = []
+    timer = loop.call_later(
+        WATCH_AFTER, lambda: watcher.append(loop.create_task(_forget_when_gone(jobs, receive, service)))
+    )
+    try:
+        return [await job.result for job in jobs]
+    except BaseException:
+        for job in jobs:
+            service.withdraw(job)
+        raise
+    finally:
+        timer.cancel()
+        for task in watcher:
+            task.cancel()
 
 
-def answer_headers(packed: Packed, media_type: str, submitted: float) -> list[tuple[bytes, bytes]]:
+async def _forget_when_gone(jobs: Sequence[EvaluationJob], receive: Receive, service: EvaluationService) -> None:
+    while (await receive())["type"] != "http.disconnect":
+        pass
+    for job in jobs:
+        service.withdraw(job)
+        if not job.result.done():
+            job.result.set_exception(ClientDisconnected())
+            job.result.exception()  # retrieved: only the first of them is waited for
+
+
+class Asked(NamedTuple):
+    """What a head asks for: all that goes by it, and stays the same when it comes again."""
+
+    headers: list[Header]
+    fields: dict[bytes, bytes]
+    kind: Kind[Any]
+    route: str
+    path: dict[str, str]
+    media_type: str
+    answer_type: str
+    digest: DigestName
+
+
+class FastPath:
+    """Answers quick questions without a task; what it does not take goes the way of every other request.
+
+    :class:`~bnserve_service.http.protocol.BoundedProtocol` offers it what comes in one piece.
+
+    Parameters
+    ----------
+    kinds:
+        Of questions.
+    service:
+        The use case.
+    lifecycle:
+        While draining, it is closed.
+    front:
+        Knows who is let in, and what every answer has in common.
+    """
+
+    def __init__(
+        self, kinds: Sequence[Kind[Any]], service: EvaluationService, lifecycle: Lifecycle, front: Front
+    ) -> None:
+        self._places = [
+            (kind, template, _pattern(template)) for kind in kinds if kind.may_be_quick for template in kind.paths
+        ]
+        self._service = service
+        self._lifecycle = lifecycle
+        self._front = front
+
+    def read(self, url: bytes, headers: list[Header]) -> Asked | None:
+        """What a POST asks for, as far as its head says; None where the other way has to look at it."""
+        for kind, route, pattern in self._places:
+            found = pattern.fullmatch(url)
+            if found is not None:
+                path = {name: text.decode() for name, text in found.groupdict().items()}
+                fields = header_fields(headers)
+                try:
+                    self._front.hosts.check(fields, "POST", route)
+                    return Asked(headers, fields, kind, route, path, *negotiate(fields))
+                except BnserveError:  # the other way finds it again, and says what is wrong
+                    return None
+        return None
+
+    def take(self, asked: Asked, varying: dict[bytes, bytes], body: bytes, finish: Finish) -> bool:
+        """Begin to answer a request; ``finish`` is called at the end of this turn of the event loop.
+
+        False when the request has to go the other way, and nothing has happened.
+
+        Parameters
+        ----------
+        asked:
+            From :meth:`read`, for this head or one that differs by the values of ``varying`` alone.
+        """
+        if self._lifecycle.draining:
+            return False
+        context = new_context(asked.fields | varying, asked.route)
+        context.path = asked.path
+        context.media_type, context.answer_type, context.digest = asked.media_type, asked.answer_type, asked.digest
+        try:
+            if self._front.tokens is not None:
+                self._front.tokens.check(context, asked.headers, "POST")
+                context.check_quota()
+            context.request_digest = request_digest(body)
+            question = self._service.ask_now(asked.kind, body, context)
+            if not question.quick:
+                return False
+            self._submit(context, question, finish)
+        except QuotaExceeded as error:
+            told = error.with_traceback(None)  # which knows this call, which knows the error: a ring of garbage
+            self._service.refuse(context.owner, lambda: self._finish(context, told, finish))
+        except Exception:  # as above
+            return False
+        return True
+
+    def _submit(self, context: RequestContext, question: Question, finish: Finish) -> None:
+        quota = context.quota
+
+        def deliver(outcome: Outcome | BaseException) -> None:
+            if quota is not None:
+                quota.end()
+            self._finish(context, outcome, finish)
+
+        if quota is not None:
+            quota.begin()
+        try:
+            with context.paying(len(question.batch)):
+                self._service.submit_quick(question, context.deadline, deliver, context.owner)
+        except BaseException:
+            if quota is not None:
+                quota.end()
+            raise
+
+    def _finish(self, context: RequestContext, outcome: Outcome | BaseException, finish: Finish) -> None:
+        if isinstance(outcome, BaseException):
+            context.status, headers, body = self._front.problem_answer(outcome, context)
+        else:
+            assert isinstance(outcome, Packed), "a quick question is in one piece"
+            context.status, body = 200, b"".join(outcome.parts)
+            headers = answer_headers(outcome, context.answer_type, outcome.started)
+        finish(context.status, headers + self._front.common_headers(context), body)
+        self._front.finish("POST", context)
+
+
+def _pattern(template: str) -> re.Pattern[bytes]:
+    """Of the URLs that a template stands for and that need no decoding."""
+    literals = re.split(r"{(\w+)}", template)
+    parts = (f"(?P<{text}>[A-Za-z0-9_.:-]+)" if i % 2 else re.escape(text) for i, text in enumerate(literals))
+    return re.compile("".join(parts).encode())
+
+
+def answer_headers(packed: Packed, media_type: str, submitted: float) -> list[Header]:
     """The headers of an evaluated answer, with the time that its parts took."""
     timing = "queue;dur={:.3f}, eval;dur={:.3f}, pack;dur={:.3f}".format(
         *(1e3 * seconds for seconds in (packed.started - submitted, packed.evaluated, packed.packed))

@@ -1,151 +1,180 @@
-"""The use case behind ``/v1/analyses`` and ``POST .../likelihoods/{id}``: bodies in, answers out. Knows no HTTP."""
+"""Questions for log-likelihoods of an uploaded analysis: parameters there, eight bytes and a status per row back."""
 
 from __future__ import annotations
 
-import asyncio
-import time
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
-from typing import Any
 
+import msgspec
 import numpy as np
 
-from bnserve_protocol import InvalidRequest
+from bnserve_protocol import (
+    Analysis,
+    InvalidRequest,
+    Likelihood,
+    LikelihoodBatch,
+    TooLarge,
+    WaveformModel,
+    check_model_of,
+    likelihood_samples,
+)
 from bnserve_protocol.wire import (
     JSON,
     LikelihoodAnswer,
-    LikelihoodRequest,
     array_keys,
-    content_digest,
     decode_likelihood_request,
     encode_likelihood_answer,
     encode_likelihood_answer_json,
-    request_digest,
 )
-from bnserve_service.admission.control import Lifecycle
-from bnserve_service.admission.queue import Job, WorkQueue
-from bnserve_service.evaluation.likelihood_evaluator import LikelihoodQuestion, LogLikelihoods
-from bnserve_service.evaluation.service import OFF_LOOP
-from bnserve_service.evaluation.waveforms import Packed
-from bnserve_service.http.answers import Buffer
-from bnserve_service.models.registry import Registry
-from bnserve_service.settings import Settings
-from bnserve_service.uploads.stores import AnalysisStore, StoredAnalysis
+from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Operation, Question
+from bnserve_service.http.requests import RequestContext
+from bnserve_service.models.registry import LoadedModel
+from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
+from bnserve_service.telemetry.metrics import Metrics
+from bnserve_service.uploads.stores import AnalysisStore, LikelihoodFactory, StoredAnalysis
+
+_BYTES_PER_ROW = 9
+"""Of an answer: a float64 and a status."""
 
 
-class LikelihoodService:
-    """Keep analyses; decode questions, look up, admit, evaluate, pack.
+class LikelihoodQuestion(Question, frozen=True, eq=False, kw_only=True):
+    """Log-likelihoods of one analysis; ``batch`` is a ``LikelihoodBatch``."""
+
+    stored: StoredAnalysis
+
+    def pieces(self, most: int, piece_cost: int) -> list[LikelihoodQuestion]:
+        """The rows in at most ``most`` consecutive parts, each worth the hand-over to a worker."""
+        count = max(1, min(most, self.cost // piece_cost))
+        rows = max(1, -(-len(self.batch) // count))
+        if rows >= len(self.batch):
+            return [self]
+        row_cost = (self.cost - REQUEST_COST) // len(self.batch)
+        return [
+            msgspec.structs.replace(self, batch=part, cost=len(part) * row_cost + REQUEST_COST, is_part=True)
+            for part in self.batch.split(rows)
+        ]
+
+
+class Likelihoods(Kind[LikelihoodQuestion]):
+    """``POST /v1/models/{name}[/versions/{version}]/likelihoods/{sha256}``.
 
     Parameters
     ----------
-    settings:
-        The limits.
-    registry, analyses, queue, lifecycle:
-        Where models and analyses are, who evaluates, and whether new work is accepted.
-    workers:
-        Threads that evaluate: a large request is given to all of them.
+    analyses:
+        Those that were uploaded.
+    limits:
+        Of one request.
+    metrics:
+        Where to count.
+    bind:
+        Makes the likelihood of an analysis with a model.
     """
 
+    name = "likelihoods"
+    paths = ("/v1/models/{name}/likelihoods/{sha256}", "/v1/models/{name}/versions/{version}/likelihoods/{sha256}")
+    operation = Operation(
+        tag="likelihoods",
+        identifier="log_likelihood",
+        summary="Evaluate the likelihood of an uploaded analysis in batches",
+        bodies="Likelihood",
+        example={
+            "parameters": {
+                "mass_ratio": 1.2, "lambda_1": 400, "lambda_2": 600, "chi_1": 0.01, "chi_2": 0, "inclination": 2.5,
+                "total_mass": 2.76, "right_ascension": 3.45, "declination": -0.41, "polarization_angle": [0.1, 0.2],
+                "distance_mpc": 40, "coalescence_time": 0,
+            }
+        },
+    )  # fmt: skip
+
     def __init__(
-        self,
-        settings: Settings,
-        registry: Registry,
-        analyses: AnalysisStore,
-        queue: WorkQueue[Any, Any],
-        lifecycle: Lifecycle,
-        workers: int,
+        self, analyses: AnalysisStore, limits: ServiceLimits, metrics: Metrics, bind: LikelihoodFactory
     ) -> None:
-        self._limits = settings.limits()
-        self._piece_cost = settings.group_samples
-        self._registry = registry
         self._analyses = analyses
-        self._queue: WorkQueue[LikelihoodQuestion, LogLikelihoods] = queue
-        self._lifecycle = lifecycle
-        self._workers = workers
-        self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-analyses")
+        self._limits = limits
+        self._metrics = metrics
+        self._bind = bind
 
-    async def large_or_small(self, size: int, function: Any, *arguments: Any) -> Any:
-        """Call ``function`` at once for small bodies and in a helper thread for large ones."""
-        if size <= OFF_LOOP:
-            return function(*arguments)
-        return await asyncio.get_running_loop().run_in_executor(self._helper, function, *arguments)
+    def subject(self, request: RequestContext) -> str:
+        """The analysis."""
+        return request.path["sha256"].lower()
 
-    async def digest(self, body: bytes) -> str:
-        """SHA-256 of a request body, in hexadecimal."""
-        return await self.large_or_small(len(body), request_digest, body)
+    def bytes_to_load(self, request: RequestContext) -> int:
+        """The analysis, if another worker received it."""
+        return self._analyses.bytes_to_read(request.owner, self.subject(request))
 
-    def close(self) -> None:
-        """Stop the helper thread."""
-        self._helper.shutdown(wait=False, cancel_futures=True)
-
-    async def keep(self, owner: str, sha256: str, body: bytes) -> tuple[StoredAnalysis, bool]:
-        """Decode and store an analysis; whether it is new to its owner.
+    def read(self, model: LoadedModel, body: bytes, request: RequestContext) -> LikelihoodQuestion:
+        """Decode and check a body.
 
         Raises
         ------
-        Draining, UndecodableBody, AnalysisInvalid, TooLarge
+        AnalysisUnknown, AnalysisInvalid, UndecodableBody, InvalidParameters, InvalidRequest, TooLarge
         """
-        self._lifecycle.check_accepting()
-        return await self.large_or_small(len(body), self._analyses.put, owner, sha256, body)
-
-    async def ask(
-        self, owner: str, model: tuple[str, str | None], sha256: str, body: bytes, media_type: str
-    ) -> LikelihoodQuestion:
-        """Decode and check a request.
-
-        Raises
-        ------
-        Draining, ModelUnknown, ModelLoading, AnalysisUnknown, AnalysisInvalid, UndecodableBody, InvalidParameters,
-        TooLarge
-        """
-        self._lifecycle.check_accepting()
-        loaded = self._registry.find(*model)
-        to_read = self._analyses.bytes_to_read(owner, sha256)
-        stored: StoredAnalysis = await self.large_or_small(to_read, self._analyses.get, owner, sha256)
-        request: LikelihoodRequest = await self.large_or_small(len(body), decode_likelihood_request, body, media_type)
-        if request.analysis not in (None, stored.analysis.digest):
+        stored = self._analyses.get(request.owner, self.subject(request))
+        analysis = stored.analysis
+        asked = decode_likelihood_request(body, request.media_type, self._limits.max_rows)
+        if asked.analysis not in (None, analysis.digest):
             raise InvalidRequest("The body names another analysis than the path; they must be the same.")
-        question = LikelihoodQuestion(loaded, stored, request.batch)
-        question.check(self._limits)
-        return question
+        check_model_of(analysis, model.identity)
+        batch = asked.batch
+        samples = likelihood_samples(analysis)
+        _check_sizes(len(batch), samples, self._limits)
+        nodes = tuple((name, array.shape[1]) for name, array in batch.calibration_amplitude.items())
+        return LikelihoodQuestion(
+            kind=self,
+            model=model,
+            batch=batch,
+            key=(id(model), analysis.digest, batch.absent, nodes),
+            cost=len(batch) * (samples + ROW_COST) + REQUEST_COST,
+            answer_bytes=len(batch) * _BYTES_PER_ROW,
+            answer_type=request.answer_type,
+            digest=request.digest,
+            stored=stored,
+        )
 
-    def submit(self, question: LikelihoodQuestion, deadline: float | None, owner: str = "") -> list[Job[Any, Any]]:
-        """Queue a question, in as many pieces as can be evaluated at once; all of them or none.
+    def evaluate(self, questions: Sequence[LikelihoodQuestion]) -> Arrays:
+        """``log_likelihood`` and ``status``."""
+        first = questions[0]
+        likelihood = first.stored.likelihood(first.model, self._bind)
+        values, status = likelihood.evaluate(_stack([question.batch for question in questions]))
+        self._metrics.likelihoods(first.model.identity.name, status)
+        return {"log_likelihood": values, "status": status}
 
-        Raises
-        ------
-        Overloaded, QuotaExceeded, DeadlineExceeded
-        """
-        jobs: list[Job[Any, Any]] = []
-        try:
-            for piece in question.pieces(self._workers, self._piece_cost):
-                jobs.append(self._queue.submit(piece.key, piece.cost, piece, deadline, owner=owner))
-        except BaseException:
-            for job in jobs:
-                self.withdraw(job)
-            raise
-        return jobs
-
-    def withdraw(self, job: Job[Any, Any]) -> None:
-        """Forget a job whose caller went away."""
-        self._queue.withdraw(job, "disconnect")
+    def encode(self, question: LikelihoodQuestion, arrays: Arrays) -> list[Buffer]:
+        """The answer as buffers."""
+        answer = LikelihoodAnswer(
+            log_likelihood=arrays["log_likelihood"],
+            status=arrays["status"],
+            model=question.model.identity,
+            analysis=question.stored.analysis.digest,
+        )
+        if question.answer_type == JSON:
+            return [encode_likelihood_answer_json(answer)]
+        return encode_likelihood_answer(answer, array_keys(question.answer_type))
 
 
-def pack(question: LikelihoodQuestion, pieces: Sequence[LogLikelihoods], media_type: str) -> Packed:
-    """The answer as buffers."""
-    begun = time.monotonic()
-    answer = LikelihoodAnswer(
-        log_likelihood=np.concatenate([piece.values for piece in pieces]),
-        status=np.concatenate([piece.status for piece in pieces]),
-        model=question.model.identity,
-        analysis=question.stored.analysis.digest,
+def _check_sizes(rows: int, samples: int, limits: ServiceLimits) -> None:
+    if rows > limits.max_rows:
+        raise TooLarge(f"A batch has at most {limits.max_rows} rows here; this one has {rows}: split it.")
+    if rows * samples > limits.max_samples:
+        raise TooLarge(
+            f"A request has at most {limits.max_samples} samples here, and a row of this analysis counts as "
+            f"{samples}: send at most {limits.max_samples // samples} rows at a time."
+        )
+
+
+def _stack(batches: Sequence[LikelihoodBatch]) -> LikelihoodBatch:
+    """Batches of one layout as one batch."""
+    if len(batches) == 1:
+        return batches[0]
+    first = batches[0]
+    amplitude, phase = (
+        {name: np.concatenate([getattr(batch, which)[name] for batch in batches]) for name in getattr(first, which)}
+        for which in ("calibration_amplitude", "calibration_phase")
     )
-    parts: list[Buffer] = (
-        [encode_likelihood_answer_json(answer)]
-        if media_type == JSON
-        else encode_likelihood_answer(answer, array_keys(media_type))
-    )
-    digest = content_digest(parts).encode()
-    evaluated = max(piece.evaluated for piece in pieces)
-    started = min(piece.started for piece in pieces)
-    return Packed(parts, digest, sum(len(part) for part in parts), evaluated, time.monotonic() - begun, started)
+    return LikelihoodBatch(np.concatenate([batch.values for batch in batches]), amplitude, phase, first.absent)
+
+
+def bind_likelihood(model: WaveformModel, analysis: Analysis) -> Likelihood:
+    """The likelihood of an analysis with a model."""
+    from bnserve_inference import likelihood  # here, because a server that only serves waveforms need not load it
+
+    return likelihood(model, analysis)

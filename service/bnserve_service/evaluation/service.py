@@ -1,137 +1,185 @@
-"""The use case behind ``POST .../waveforms``: a body in, a packed answer out. Knows no HTTP."""
+"""The way of every question: admitted, read, queued, evaluated with others of its kind, packed. Knows no HTTP."""
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
+import time
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, TypeVar
+from dataclasses import dataclass
+from typing import Any, TypeAlias
 
-from bnserve_protocol import GridLike, Overloaded, TooLarge, UniformGrid, grid_digest
-from bnserve_protocol.wire import DigestName, GridDigest, WaveformRequest, decode_request, request_digest
+import numpy as np
+
+from bnserve_protocol import Overloaded
+from bnserve_protocol.wire import content_digest
 from bnserve_service.admission.control import Capacity, CostEstimates, Lifecycle
 from bnserve_service.admission.queue import Job, WorkQueue
-from bnserve_service.evaluation.waveforms import Packed, Question, grid_key
-from bnserve_service.models.registry import LoadedModel, Registry
+from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Question
+from bnserve_service.http.body import BodyReader
+from bnserve_service.http.requests import RequestContext
+from bnserve_service.models.registry import Registry
 from bnserve_service.settings import Settings
-from bnserve_service.uploads.stores import GridStore
-
-T = TypeVar("T")
-
-OFF_LOOP = 2**17
-"""Bodies above this are hashed and decoded in a thread: 128 KiB take about as long as the hand-over costs."""
+from bnserve_service.telemetry.metrics import Metrics
 
 
-class WaveformService:
-    """Decode, look up, admit, evaluate.
+@dataclass(slots=True, eq=False)
+class Evaluated:
+    """The arrays of one question, and the seconds they took."""
+
+    arrays: Arrays
+    started: float
+    """``time.monotonic()`` when a worker took it."""
+    seconds: float
+    """For the whole group."""
+
+
+@dataclass(slots=True, eq=False)
+class Packed:
+    """An answer ready for the socket, and the seconds it took."""
+
+    parts: list[Buffer]
+    digest: bytes
+    length: int
+    started: float
+    """As of :class:`Evaluated`; so is ``evaluated``."""
+    evaluated: float
+    packed: float
+
+
+Outcome: TypeAlias = Packed | Evaluated
+EvaluationJob: TypeAlias = Job[Question, Outcome]
+
+
+class Evaluator:
+    """Evaluates groups of questions that share a key; what a :class:`~bnserve_service.admission.queue.WorkQueue` calls.
+
+    Parameters
+    ----------
+    metrics:
+        Where to count.
+    """
+
+    def __init__(self, metrics: Metrics) -> None:
+        self._metrics = metrics
+
+    def __call__(self, questions: Sequence[Question]) -> list[Outcome | BaseException]:
+        """An answer or an error for each question, in order; the parts of one are packed when all are there."""
+        started = time.monotonic()
+        try:
+            arrays = questions[0].kind.evaluate(questions)
+        except Exception as error:
+            if len(questions) == 1:
+                return [_told(error)]
+            return [outcome for question in questions for outcome in self([question])]  # only the culprit is refused
+        seconds = time.monotonic() - started
+        self._metrics.evaluation.observe(seconds)
+        answers: list[Outcome | BaseException] = []
+        end = 0
+        for question in questions:
+            start, end = end, end + len(question.batch)
+            own = arrays if len(questions) == 1 else {name: array[start:end] for name, array in arrays.items()}
+            evaluated = Evaluated(own, started, seconds)
+            answers.append(evaluated if question.is_part else pack(question, evaluated))
+        return answers
+
+
+def _told(error: Exception) -> Exception:
+    if isinstance(error, MemoryError):
+        return Overloaded("There is no memory for this answer now; ask for fewer rows.")
+    return error
+
+
+def pack(question: Question, evaluated: Evaluated) -> Packed:
+    """The answer as buffers, with their digest."""
+    begun = time.monotonic()
+    parts = question.kind.encode(question, evaluated.arrays)
+    digest = content_digest(parts, question.digest).encode()
+    length = sum(map(len, parts))
+    return Packed(parts, digest, length, evaluated.started, evaluated.seconds, time.monotonic() - begun)
+
+
+def join(question: Question, outcomes: Sequence[Outcome]) -> Packed:
+    """The answer to a question, from those to its pieces."""
+    if isinstance(outcomes[0], Packed):
+        return outcomes[0]
+    pieces = [piece for piece in outcomes if isinstance(piece, Evaluated)]
+    arrays = {name: np.concatenate([piece.arrays[name] for piece in pieces]) for name in pieces[0].arrays}
+    started, seconds = min(piece.started for piece in pieces), max(piece.seconds for piece in pieces)
+    return pack(question, Evaluated(arrays, started, seconds))
+
+
+class EvaluationService:
+    """Admits questions, reads them and has them evaluated.
 
     Parameters
     ----------
     settings:
         The limits.
-    registry, grids, queue, lifecycle:
-        Where models and grids are, who evaluates, and whether new work is accepted.
+    registry, queue, lifecycle:
+        Where models are, who evaluates, and whether new work is accepted.
+    bodies:
+        Who works through large bodies.
+    workers:
+        Threads that evaluate: a large question may be divided among all of them.
     """
 
     def __init__(
         self,
         settings: Settings,
         registry: Registry,
-        grids: GridStore,
-        queue: WorkQueue[Question, Packed],
+        queue: WorkQueue[Question, Outcome],
         lifecycle: Lifecycle,
+        bodies: BodyReader,
+        workers: int,
     ) -> None:
-        self._limits = settings.limits()
         self._registry = registry
-        self._grids = grids
         self._queue = queue
-        self._cost_estimates = CostEstimates()
         self._lifecycle = lifecycle
-        self._helper = ThreadPoolExecutor(1, thread_name_prefix="bnserve-decode")
+        self._bodies = bodies
+        self._workers = workers
+        self._piece_cost = settings.group_samples
+        self._cost_estimates = CostEstimates()
         self._promised = Capacity(settings.max_answer_bytes)
-
-    async def large_or_small(self, size: int, function: Any, *arguments: Any) -> Any:
-        """Call ``function`` at once for small bodies and in a helper thread for large ones."""
-        if size <= OFF_LOOP:
-            return function(*arguments)
-        return await asyncio.get_running_loop().run_in_executor(self._helper, function, *arguments)
-
-    def close(self) -> None:
-        """Stop the helper thread."""
-        self._helper.shutdown(wait=False, cancel_futures=True)
-
-    def digest_now(self, body: bytes) -> str:
-        """:meth:`digest`, for small bodies."""
-        return request_digest(body)
-
-    async def digest(self, body: bytes) -> str:
-        """SHA-256 of a request body, in hexadecimal."""
-        return await self.large_or_small(len(body), request_digest, body)
-
-    async def ask(
-        self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str, digest: DigestName
-    ) -> Question:
-        """Decode and check a request.
-
-        Raises
-        ------
-        Draining, ModelUnknown, ModelLoading, UndecodableBody, InvalidParameters, InvalidFrequencies, GridUnknown,
-        TooLarge
-        """
-        if len(body) <= OFF_LOOP:
-            return self.ask_now(name, version, body, media_type, answer_type, digest)
-        self._lifecycle.check_accepting()
-        model = self._registry.find(name, version)
-        loop = asyncio.get_running_loop()
-        decoded = await loop.run_in_executor(self._helper, self._decode, body, media_type)
-        return self._question(model, decoded, answer_type, digest)
-
-    def ask_now(
-        self, name: str, version: str | None, body: bytes, media_type: str, answer_type: str, digest: DigestName
-    ) -> Question:
-        """:meth:`ask`, for small bodies."""
-        self._lifecycle.check_accepting()
-        model = self._registry.find(name, version)
-        return self._question(model, self._decode(body, media_type), answer_type, digest)
-
-    def _question(
-        self, model: LoadedModel, decoded: tuple[WaveformRequest, Any], answer_type: str, digest: DigestName
-    ) -> Question:
-        request, key = decoded
-        question = Question(
-            model=model,
-            batch=request.batch,
-            grid=request.grid,
-            grid_key=key,
-            output=request.output,
-            dtype=request.dtype,
-            options=request.options,
-            media_type=answer_type,
-            digest=digest,
-        )
-        question.check(self._limits)
-        return question
-
-    def _decode(self, body: bytes, media_type: str) -> tuple[WaveformRequest, Any]:
-        request = decode_request(body, media_type, self._limits.max_rows)
-        grid: GridLike | GridDigest = request.grid
-        if isinstance(grid, GridDigest):
-            return _with_grid(request, self._grids.get("", grid.sha256)), grid.sha256
-        if isinstance(grid, UniformGrid) and len(grid) > self._limits.max_frequencies:
-            raise TooLarge(
-                f"A grid has at most {self._limits.max_frequencies} frequencies here; this one has {len(grid)}: use a "
-                "larger 'delta_f'."
-            )
-        return request, grid_key(grid, grid_digest)
 
     @property
     def answer_bytes(self) -> int:
         """Memory promised to answers that are being computed or sent."""
         return self._promised.total
 
+    def foresee(self, kind: Kind[Any], size: int, request: RequestContext) -> None:
+        """Refuse a body of ``size`` bytes before it is decoded, if others of its kind would be refused now.
+
+        Raises
+        ------
+        Overloaded, QuotaExceeded, DeadlineExceeded
+        """
+        cost = self._cost_estimates.cost((request.owner, kind.subject(request)), size)
+        if cost is not None:
+            self._queue.check_room(request.owner, cost, request.deadline)
+
+    async def ask(self, kind: Kind[Any], body: bytes, request: RequestContext) -> Question:
+        """Find the model, decode and check a body; large ones in a thread.
+
+        Raises
+        ------
+        Draining, NotFound, ModelLoading, UndecodableBody, InvalidRequest, TooLarge
+        """
+        self._lifecycle.check_accepting()
+        model = self._registry.find(request.path["name"], request.path.get("version"))
+        size = len(body) + kind.bytes_to_load(request)
+        question: Question = await self._bodies.work(size, kind.read, model, body, request)
+        self._cost_estimates.learn((request.owner, kind.subject(request)), len(body), question.cost)
+        return question
+
+    def ask_now(self, kind: Kind[Any], body: bytes, request: RequestContext) -> Question:
+        """:meth:`ask`, for small bodies that tell all."""
+        self._lifecycle.check_accepting()
+        model = self._registry.find(request.path["name"], request.path.get("version"))
+        question: Question = kind.read(model, body, request)
+        return question
+
     @contextmanager
-    def reserve(self, question: Question, owner: str = "") -> Iterator[Callable[[int], None]]:
+    def reserve(self, question: Question, owner: str) -> Iterator[Callable[[int], None]]:
         """Hold memory for an answer until it has been sent, or so many bytes less as the yielded function is told.
 
         Raises
@@ -156,36 +204,29 @@ class WaveformService:
         finally:
             give_back(left)
 
-    def foresee(self, size: int, deadline: float | None, owner: str = "") -> None:
-        """Refuse a body of ``size`` bytes before it is decoded, if others of its kind would be refused now.
+    def submit(self, question: Question, deadline: float | None, owner: str) -> list[EvaluationJob]:
+        """Queue a question, in as many pieces as can be evaluated at once; all of them or none.
 
         Raises
         ------
         Overloaded, QuotaExceeded, DeadlineExceeded
         """
-        cost = self._cost_estimates.cost(owner, size)
-        if cost is not None:
-            self._queue.check_room(owner, cost, deadline)
-
-    def learn(self, size: int, question: Question, owner: str = "") -> None:
-        """Remember what a body of ``size`` bytes cost, for :meth:`foresee`."""
-        self._cost_estimates.learn(owner, size, question.cost)
-
-    def submit(self, question: Question, deadline: float | None, owner: str = "") -> Job[Question, Packed]:
-        """Queue a question.
-
-        Raises
-        ------
-        Overloaded, QuotaExceeded, DeadlineExceeded
-        """
-        return self._queue.submit(question.key, question.cost, question, deadline, quick=question.quick, owner=owner)
+        jobs: list[EvaluationJob] = []
+        try:
+            for piece in question.pieces(self._workers, self._piece_cost):
+                jobs.append(self._queue.submit(piece.key, piece.cost, piece, deadline, quick=piece.quick, owner=owner))
+        except BaseException:
+            for job in jobs:
+                self.withdraw(job)
+            raise
+        return jobs
 
     def submit_quick(
         self,
         question: Question,
         deadline: float | None,
-        deliver: Callable[[Packed | BaseException], None],
-        owner: str = "",
+        deliver: Callable[[Outcome | BaseException], None],
+        owner: str,
     ) -> None:
         """Queue a quick question; ``deliver`` is called at the end of this turn of the event loop, or of one of the
         next when others ask, too.
@@ -201,16 +242,6 @@ class WaveformService:
         """Call ``refusal`` when it is the turn of this owner."""
         self._queue.turns.refuse(owner, refusal)
 
-    def withdraw(self, job: Job[Question, Packed]) -> None:
+    def withdraw(self, job: EvaluationJob) -> None:
         """Forget a job whose caller went away."""
         self._queue.withdraw(job, "disconnect")
-
-
-def _with_grid(request: WaveformRequest, frequencies: GridLike) -> WaveformRequest:
-    return WaveformRequest(
-        batch=request.batch,
-        grid=frequencies,
-        output=request.output,
-        dtype=request.dtype,
-        options=request.options,
-    )

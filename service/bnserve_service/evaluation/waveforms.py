@@ -1,11 +1,8 @@
-"""From a decoded question to a packed answer: stacking, one call of the model, splitting, packing. No HTTP."""
+"""Questions for waveforms: parameters and frequencies there, the arrays of the requested output back."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Any, TypeAlias
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,106 +12,134 @@ from bnserve_protocol import (
     EvaluationOptions,
     GridLike,
     InvalidRequest,
-    Limits,
-    Overloaded,
     ParameterBatch,
     TooLarge,
     UniformGrid,
+    grid_digest,
 )
 from bnserve_protocol.wire import (
     JSON,
     MSGPACK,
-    DigestName,
+    GridDigest,
     array_keys,
-    content_digest,
+    decode_request,
     encode_answer,
     encode_answer_json,
 )
-from bnserve_service.http.answers import Buffer
+from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Operation, Question
+from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel, ServedModel, quick_work
 from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
 from bnserve_service.telemetry.metrics import Metrics
+from bnserve_service.uploads.stores import GridStore
 
-Arrays: TypeAlias = dict[str, NDArray[Any]]
 
+class WaveformQuestion(Question, frozen=True, eq=False, kw_only=True):
+    """Waveforms on one grid; ``batch`` is a ``ParameterBatch``."""
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Question:
-    """One request, ready to evaluate."""
-
-    model: LoadedModel
-    batch: ParameterBatch
     grid: GridLike
-    grid_key: Hashable
-    """Equal keys mean equal grids."""
     output: str
     dtype: DtypeName
     options: EvaluationOptions
-    media_type: str
-    digest: DigestName = "sha-256"
-    """Of the answer, as the caller wants it."""
 
-    @property
-    def key(self) -> Hashable:
-        """Questions with equal keys may be evaluated in one call of the model."""
-        return (id(self.model), self.grid_key, self.output, self.dtype, self.options)
 
-    @property
-    def points(self) -> int:
-        """Frequencies."""
-        return _points(self.grid)
+class Waveforms(Kind[WaveformQuestion]):
+    """``POST /v1/models/{name}[/versions/{version}]/waveforms``.
 
-    @property
-    def cost(self) -> int:
-        """Work in samples, what is fixed per row and per request included."""
-        return len(self.batch) * (self.points + ROW_COST) + REQUEST_COST
+    Parameters
+    ----------
+    grids:
+        Those that were uploaded.
+    limits:
+        Of one request.
+    metrics:
+        Where to count.
+    """
 
-    @property
-    def quick(self) -> bool:
-        """Whether it takes less time than handing it to a worker."""
-        work = len(self.batch) * (self.points + ROW_COST)
-        return work <= quick_work(self.model.model) and self.media_type == MSGPACK
+    name = "waveforms"
+    paths = ("/v1/models/{name}/waveforms", "/v1/models/{name}/versions/{version}/waveforms")
+    may_be_quick = True
+    operation = Operation(
+        tag="waveforms",
+        identifier="evaluate",
+        summary="Evaluate a batch of waveforms",
+        bodies="Waveform",
+        example={
+            "parameters": {
+                "mass_ratio": 1.2, "lambda_1": 400, "lambda_2": 600, "chi_1": 0.01, "chi_2": 0, "distance_mpc": 40,
+                "inclination": 2.5, "total_mass": 2.76,
+            },
+            "grid": {"f_min": 20, "f_max": 2048, "delta_f": 4},
+        },
+    )  # fmt: skip
 
-    @property
-    def answer_bytes(self) -> int:
-        """Memory of the answer's arrays."""
-        arrays = 1 if self.output in ("factored", "modes") else 2
-        return len(self.batch) * self.points * arrays * (8 if self.dtype == "complex64" else 16)
+    def __init__(self, grids: GridStore, limits: ServiceLimits, metrics: Metrics) -> None:
+        self._grids = grids
+        self._limits = limits
+        self._metrics = metrics
 
-    def check(self, limits: ServiceLimits) -> None:
-        """Raise ``TooLarge`` when it is over a limit."""
-        _check_sizes(len(self.batch), self.points, limits)
-        if self.media_type == JSON and len(self.batch) * self.points > limits.max_json_samples:
+    def read(self, model: LoadedModel, body: bytes, request: RequestContext) -> WaveformQuestion:
+        """Decode and check a body.
+
+        Raises
+        ------
+        UndecodableBody, InvalidParameters, InvalidFrequencies, GridUnknown, TooLarge
+        """
+        asked = decode_request(body, request.media_type, self._limits.max_rows)
+        grid, grid_key = self._grid(asked.grid, request.owner)
+        rows, points = len(asked.batch), len(grid)  # type: ignore[arg-type]  # a UniformGrid or an array here
+        _check_sizes(rows, points, self._limits, request.answer_type)
+        work = rows * (points + ROW_COST)
+        arrays = 1 if asked.output in ("factored", "modes") else 2
+        return WaveformQuestion(
+            kind=self,
+            model=model,
+            batch=asked.batch,
+            key=(id(model), grid_key, asked.output, asked.dtype, asked.options),
+            cost=work + REQUEST_COST,
+            answer_bytes=rows * points * arrays * (8 if asked.dtype == "complex64" else 16),
+            answer_type=request.answer_type,
+            digest=request.digest,
+            quick=work <= quick_work(model.model) and request.answer_type == MSGPACK,
+            grid=grid,
+            output=asked.output,
+            dtype=asked.dtype,
+            options=asked.options,
+        )
+
+    def _grid(self, asked: GridLike | GridDigest, owner: str) -> tuple[GridLike, UniformGrid | str]:
+        """The frequencies, and a key that is equal for equal ones."""
+        if isinstance(asked, GridDigest):
+            return self._grids.get(owner, asked.sha256), asked.sha256
+        if not isinstance(asked, UniformGrid):
+            return asked, grid_digest(np.asarray(asked))
+        if len(asked) > self._limits.max_frequencies:
             raise TooLarge(
-                f"A JSON answer has at most {limits.max_json_samples} samples (rows times frequencies), this one would "
-                f"have {len(self.batch) * self.points}: send Accept: application/msgpack, or ask for less."
+                f"A grid has at most {self._limits.max_frequencies} frequencies here; this one has {len(asked)}: use a "
+                "larger 'delta_f'."
             )
+        return asked, asked
+
+    def evaluate(self, questions: Sequence[WaveformQuestion]) -> Arrays:
+        """The arrays of the output that all ask for."""
+        first = questions[0]
+        batch = first.batch
+        if len(questions) > 1:
+            batch = ParameterBatch(np.concatenate([question.batch.values for question in questions]))
+        arrays = evaluate_output(first.model.model, first, batch)
+        rows, points = len(batch), len(first.grid)  # type: ignore[arg-type]  # as above
+        self._metrics.evaluated(first.model.identity.name, rows, rows * points)
+        return arrays
+
+    def encode(self, question: WaveformQuestion, arrays: Arrays) -> list[Buffer]:
+        """The answer as buffers."""
+        identity = question.model.identity
+        if question.answer_type == JSON:
+            return [encode_answer_json(arrays, identity)]
+        return encode_answer(arrays, identity, array_keys(question.answer_type))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Packed:
-    """An answer ready for the socket, and the seconds it took."""
-
-    parts: list[Buffer]
-    digest: bytes
-    length: int
-    evaluated: float
-    """Seconds in the model, for the whole group."""
-    packed: float
-    started: float
-    """``time.monotonic()`` when a worker took it."""
-
-
-def grid_key(grid: GridLike, digest: Callable[[NDArray[np.float64]], str]) -> Hashable:
-    """A key that is equal for equal grids."""
-    return grid if isinstance(grid, UniformGrid) else digest(np.asarray(grid))
-
-
-def _points(grid: GridLike) -> int:
-    return len(grid)  # type: ignore[arg-type]  # a UniformGrid or an array here, both of which have a length
-
-
-def _check_sizes(rows: int, points: int, limits: Limits) -> None:
+def _check_sizes(rows: int, points: int, limits: ServiceLimits, answer_type: str) -> None:
     if points > limits.max_frequencies:
         raise TooLarge(f"A grid has at most {limits.max_frequencies} frequencies here; this one has {points}.")
     if rows > limits.max_rows:
@@ -124,16 +149,21 @@ def _check_sizes(rows: int, points: int, limits: Limits) -> None:
             f"A request has at most {limits.max_samples} samples (rows times frequencies) here; this one has "
             f"{rows * points}: send at most {limits.rows_per_request(points)} rows at a time on this grid."
         )
+    if answer_type == JSON and rows * points > limits.max_json_samples:
+        raise TooLarge(
+            f"A JSON answer has at most {limits.max_json_samples} samples (rows times frequencies), this one would "
+            f"have {rows * points}: send Accept: application/msgpack, or ask for less."
+        )
 
 
-def evaluate_output(model: ServedModel, question: Question, batch: ParameterBatch) -> Arrays:
+def evaluate_output(model: ServedModel, question: WaveformQuestion, batch: ParameterBatch) -> Arrays:
     """The arrays of one ``output``, one row per row of ``batch``; with the model's own error estimate if it has one."""
     arrays, estimates = _evaluate_output(model, question, batch)
     return arrays if estimates is None else arrays | {"estimated_mismatch": estimates}
 
 
 def _evaluate_output(
-    model: ServedModel, question: Question, batch: ParameterBatch
+    model: ServedModel, question: WaveformQuestion, batch: ParameterBatch
 ) -> tuple[Arrays, NDArray[np.float64] | None]:
     if question.output == "amplitude_phase":
         curves = model.predict_amplitude_phase(question.grid, batch, options=question.options)
@@ -154,66 +184,3 @@ def _evaluate_output(
         degree, order = model.description.modes[0]
         return {f"h_{degree}{order}": one.h, "status": one.status}, one.estimated_mismatch
     return {"h": one.h, "plus": one.plus, "cross": one.cross, "status": one.status}, one.estimated_mismatch
-
-
-class Evaluator:
-    """Evaluates groups of questions that share a key; what a :class:`~bnserve_service.admission.queue.WorkQueue` calls.
-
-    The model gives the same bits for a row whatever the batch around it, so that being grouped is invisible.
-    """
-
-    def __init__(self, metrics: Metrics) -> None:
-        self._metrics = metrics
-
-    def __call__(self, questions: Sequence[Question]) -> list[Packed | BaseException]:
-        """An answer or an error for each question, in order."""
-        started = time.monotonic()
-        try:
-            arrays = self._together(questions)
-        except Exception as error:
-            if len(questions) == 1:
-                return [_told(error)]
-            return [outcome for question in questions for outcome in self([question])]  # only the culprit is refused
-        evaluated = time.monotonic() - started
-        self._metrics.evaluation.observe(evaluated)
-        return [pack(question, own, started, evaluated) for question, own in zip(questions, arrays, strict=True)]
-
-    def _together(self, questions: Sequence[Question]) -> list[Arrays]:
-        first = questions[0]
-        loaded = first.model
-        batches = [question.batch for question in questions]
-        stacked = first.batch if len(batches) == 1 else ParameterBatch(np.concatenate([b.values for b in batches]))
-        arrays = evaluate_output(loaded.model, first, stacked)
-        self._metrics.evaluated(loaded.identity.name, len(stacked), len(stacked) * first.points)
-        return split_rows(arrays, [len(batch) for batch in batches])
-
-
-def _told(error: Exception) -> Exception:
-    if isinstance(error, MemoryError):
-        return Overloaded("There is no memory for this answer now; ask for fewer rows.")
-    return error
-
-
-def split_rows(arrays: Mapping[str, NDArray[Any]], lengths: Sequence[int]) -> list[Arrays]:
-    """The rows of each part of a stacked batch, as views."""
-    if len(lengths) == 1:
-        return [dict(arrays)]
-    ends = np.cumsum(lengths).tolist()
-    return [
-        {name: array[end - length : end] for name, array in arrays.items()}
-        for end, length in zip(ends, lengths, strict=True)
-    ]
-
-
-def pack(question: Question, arrays: Arrays, started: float, evaluated: float) -> Packed:
-    """The answer as buffers; the arrays' memory is not copied for MessagePack."""
-    begun = time.monotonic()
-    identity = question.model.identity
-    parts: list[Buffer] = (
-        [encode_answer_json(arrays, identity)]
-        if question.media_type == JSON
-        else encode_answer(arrays, identity, array_keys(question.media_type))
-    )
-    digest = content_digest(parts, question.digest).encode()
-    length = sum(len(part) for part in parts)
-    return Packed(parts, digest, length, evaluated, time.monotonic() - begun, started)

@@ -1,20 +1,29 @@
-"""Bearer tokens: constant-time comparison of hashes; the token itself is never kept or logged."""
+"""Who is let in: by the ``Host`` and ``Origin`` that a request names, and by its token.
+
+A page whose host name is made to point at 127.0.0.1 (DNS rebinding) is, for its visitor's browser, of one origin with
+a server on the visitor's machine: it reads every answer and may ask for anything. Its requests still name its host.
+Of bearer tokens, the hashes are compared, in constant time; the token itself is never kept or logged.
+"""
 
 from __future__ import annotations
 
 import hashlib
 import hmac
-from collections.abc import Awaitable, Callable, Mapping, Sequence
-
-from starlette.types import ASGIApp, Receive, Scope, Send
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from ipaddress import ip_address
 
 from bnserve_protocol import Forbidden, Unauthorized
 from bnserve_service.admission.quotas import RateQuota
-from bnserve_service.http.answers import Header
-from bnserve_service.http.front import RequestContext, context_of
+from bnserve_service.http.requests import Header, RequestContext
+from bnserve_service.process.listening import is_loopback
+from bnserve_service.settings import ANY_HOST, Settings, Token
 from bnserve_service.settings import Scope as TokenScope
-from bnserve_service.settings import Token
 
+_AUTHORITY = re.compile(rb"(?:\[([0-9A-Fa-f:.]{2,45})\]|([A-Za-z0-9._-]{1,253}))(?::[0-9]{0,5})?")
+_HEALTH = "/v2/"
+"""Probes name whatever they like (an address of a pod, the name of a balancer's backend), and learn nothing."""
+_READING = frozenset({"GET", "HEAD", "OPTIONS"})
 PUBLIC_ROUTES = frozenset({"/", "/docs", "/openapi.json"})
 """Pages without data of their own; what they show, they ask for with the visitor's token."""
 ADMIN_ROUTES = frozenset({"/metrics", "/v1/reload"})
@@ -23,73 +32,105 @@ _SCOPES: dict[str, TokenScope] = {"POST": "evaluate", "PUT": "upload", "DELETE":
 """By method; what only reads needs a token, whatever its scopes."""
 
 
-class AccessMiddleware:
-    """Let only callers with a known token through, within their quotas; probes of health need none.
+class HostCheck:
+    """Refuses requests for other hosts, and changes that pages of other sites ask for.
+
+    Refused with 403, as Jupyter, Rails and Ollama do (starlette's and Django's answer is 400): nothing is wrong with
+    the message, and no client takes it for a body that it should mend, or as with 421 for a request to send again.
 
     Parameters
     ----------
-    app:
-        The rest of the service.
+    names:
+        The hosts that this server is called by beside those of the loopback interface; None answers to every host.
+    """
+
+    def __init__(self, names: Iterable[str] | None) -> None:
+        self._any = names is None
+        self._names = frozenset(name.lower() for name in names or () if not _is_loopback_name(name.lower()))
+        self._known = b""
+        """The last header that was right: a sampler sends the same for hours."""
+
+    @classmethod
+    def of(cls, settings: Settings) -> HostCheck:
+        """By ``allowed_hosts``; without it, every host unless only this machine can connect."""
+        if ANY_HOST in settings.allowed_hosts:
+            return cls(None)
+        if settings.allowed_hosts:
+            return cls(settings.allowed_hosts)
+        if settings.uds is not None:
+            return cls(())
+        return cls((settings.host,) if is_loopback(settings.host) else None)
+
+    @classmethod
+    def of_metrics(cls, settings: Settings) -> HostCheck:
+        """For the metrics port: by loopback names and ``allowed_hosts``, or every host where others can connect."""
+        everybody = ANY_HOST in settings.allowed_hosts or not is_loopback(settings.metrics_host)
+        return cls(None if everybody else (settings.metrics_host, *settings.allowed_hosts))
+
+    def check(self, headers: Mapping[bytes, bytes], method: str, route: str) -> None:
+        """Look at the headers of one request.
+
+        Raises
+        ------
+        Forbidden
+            With what to configure if the caller is right.
+        """
+        host = headers.get(b"host", b"")
+        if host != self._known and not route.startswith(_HEALTH):
+            self._check_host(host)
+        if b"origin" in headers and method not in _READING:
+            self._check_origin(headers[b"origin"], host)
+
+    def _check_host(self, host: bytes) -> None:
+        if self._any or not host:  # only HTTP/1.0, which no browser speaks, may leave it out
+            return
+        name = _name_of(host)
+        if not (_is_loopback_name(name) or name in self._names):
+            raise Forbidden(
+                f"This server does not go by the host '{name}' (Host header). Connect to it by a name of its own; if "
+                "this is one, its operators add it to the setting `allowed_hosts` (--allowed-host)."
+            )
+        self._known = host
+
+    def _check_origin(self, origin: bytes, host: bytes) -> None:
+        authority = origin.partition(b"://")[2]
+        if authority.lower() == host.lower() != b"" or _name_of(authority) in self._names:
+            return
+        raise Forbidden(
+            "A web page of another site (Origin header) asks for this, which only this server's own pages may. If the "
+            "page is this server's, behind a proxy, its operators add its host to `allowed_hosts` (--allowed-host)."
+        )
+
+
+class TokenCheck:
+    """Lets only callers with a known token through; probes of health need none.
+
+    Parameters
+    ----------
     tokens:
         The tokens that are let in.
     quotas:
         By digest: the quotas of those tokens that have limits.
-    turn:
-        Waits until it is the turn of a token, by its digest.
     """
 
-    def __init__(
-        self,
-        app: ASGIApp,
-        tokens: Sequence[Token],
-        quotas: Mapping[str, RateQuota],
-        turn: Callable[[str], Awaitable[None]],
-    ) -> None:
-        self._app = app
+    def __init__(self, tokens: Sequence[Token], quotas: Mapping[str, RateQuota]) -> None:
         self._tokens = tuple(tokens)
-        self._quotas = dict(quotas or {})
-        self._turn = turn
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Serve one HTTP request."""
-        context = context_of(scope)
-        if is_public(context.route):
-            await self._app(scope, receive, send)
-            return
-        needed = self._identify(context, scope["headers"], scope["method"])
-        await self._turn(context.owner)
-        self._check_quota(context, needed)
-        if context.quota is None:
-            await self._app(scope, receive, send)
-            return
-        context.quota.begin()
-        try:
-            await self._app(scope, receive, send)
-        finally:
-            context.quota.end()
+        self._quotas = dict(quotas)
 
     def check(self, context: RequestContext, headers: Sequence[Header], method: str) -> None:
-        """Find out who asks, and whether he may, now.
+        """Find out who asks, and whether he may ask for this.
 
         Raises
         ------
-        Unauthorized, Forbidden, QuotaExceeded
+        Unauthorized, Forbidden
         """
-        self._check_quota(context, self._identify(context, headers, method))
-
-    def _identify(self, context: RequestContext, headers: Sequence[Header], method: str) -> str | None:
-        """Find out who asks; the scope that this needs, which he has."""
         token = self._find(headers)
         context.caller, context.owner = token.name, token.sha256
         needed = "admin" if context.route in ADMIN_ROUTES else _SCOPES.get(method)
         if needed is not None and needed not in token.scopes:
             raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")
         context.quota = self._quotas.get(token.sha256)
-        return needed
-
-    def _check_quota(self, context: RequestContext, needed: str | None) -> None:
-        if context.quota is not None and needed == "evaluate":
-            context.quota.check()  # before the body is read
+        context.pays = needed == "evaluate"
 
     def _find(self, headers: Sequence[Header]) -> Token:
         given = [value for name, value in headers if name == b"authorization"]
@@ -105,4 +146,18 @@ class AccessMiddleware:
 
 def is_public(route: str) -> bool:
     """Whether a route is answered without a token."""
-    return route in PUBLIC_ROUTES or route.startswith("/v2/")
+    return route in PUBLIC_ROUTES or route.startswith(_HEALTH)
+
+
+def _name_of(authority: bytes) -> str:
+    """The host of ``host:port``, without the brackets of IPv6; empty when it is none."""
+    found = _AUTHORITY.fullmatch(authority)
+    return (found[1] or found[2]).decode().lower().removesuffix(".") if found is not None else ""
+
+
+def _is_loopback_name(name: str) -> bool:
+    """Whether ``name`` means the machine of whoever uses it; browsers never ask DNS for these (RFC 6761, 6.3)."""
+    try:
+        return ip_address(name).is_loopback
+    except ValueError:
+        return name == "localhost" or name.endswith(".localhost")

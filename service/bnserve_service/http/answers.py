@@ -14,10 +14,9 @@ from starlette.responses import Response
 from starlette.types import Send
 
 from bnserve_protocol.wire import JSON, content_digest
-from bnserve_service.http.requests import answer_media_type
+from bnserve_service.http.requests import Header, answer_media_type, context_of
 
 Buffer: TypeAlias = bytes | memoryview
-Header: TypeAlias = tuple[bytes, bytes]
 Finish: TypeAlias = Callable[[int, list[Header], bytes], None]
 """Called with the status, the headers and the body of an answer."""
 
@@ -27,17 +26,6 @@ SMALL = 2**16
 """Below this, one copy is cheaper than several writes."""
 _SLOW = 1.0
 """Seconds after which the memory of what has left is worth a copy of the rest."""
-
-
-def header_fields(headers: Sequence[Header]) -> dict[bytes, bytes]:
-    """Headers by name, those that are there several times as one list (RFC 9110, 5.3).
-
-    None of several values wins without a word: where one belongs, a list is none.
-    """
-    fields = dict(headers)
-    if len(fields) != len(headers):
-        fields = {name: b", ".join(value for other, value in headers if other == name) for name in fields}
-    return fields
 
 
 def body_headers(parts: Sequence[Buffer], media_type: str) -> list[Header]:
@@ -100,7 +88,7 @@ async def _copy(pieces: deque[Buffer]) -> None:
 
 def data_response(request: Request, value: Any, status: int = 200) -> Response:
     """A small structured answer in JSON, or in MessagePack for callers who prefer it."""
-    media_type = answer_media_type(header_fields(request.scope["headers"]), preferred=JSON)
+    media_type = answer_media_type(context_of(request.scope).headers, preferred=JSON)
     body = msgspec.json.encode(value) if media_type == JSON else msgspec.msgpack.encode(value)
     return plain_response(body, media_type, status)
 

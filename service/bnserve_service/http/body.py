@@ -1,4 +1,4 @@
-"""Reading request bodies: none larger or slower than its limit, and all together within one room.
+"""Reading request bodies: none larger or slower than its limit, all together within one room, large ones in threads.
 
 They are counted as they arrive, so that a slow sender holds no more than it has sent. One owner alone may fill the
 room, until others come: then what he has beyond his fair share makes room for them, the newest first.
@@ -7,20 +7,30 @@ room, until others come: then what he has beyond his fair share makes room for t
 from __future__ import annotations
 
 import asyncio
-from typing import Self
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from typing import Self, TypeVar, TypeVarTuple, Unpack
 
 from starlette.types import Receive
 
 from bnserve_protocol import Overloaded, QuotaExceeded, TooLarge
+from bnserve_protocol.wire import request_digest
 from bnserve_service.admission.control import Capacity
 from bnserve_service.errors import BodyTooSlow, ClientDisconnected
-from bnserve_service.http.front import RequestContext
+from bnserve_service.http.requests import RequestContext
 
 UNCOUNTED = 2**16
 """So much of every body takes no room: the parser holds as much of every connection anyway, and requests for waveforms,
 which are smaller, pass however many large bodies are on their way."""
+OFF_LOOP = 2**17
+"""Bodies above this are hashed and decoded in a thread: 128 KiB take about as long as the hand-over costs."""
+_THREADS = 2
+"""So that requests do not wait for the largest of analyses."""
 _MOMENT = 1.0
 """Seconds after which another body may have been read and decoded."""
+
+A = TypeVarTuple("A")
+R = TypeVar("R")
 
 
 class BodyReader:
@@ -36,6 +46,7 @@ class BodyReader:
 
     def __init__(self, capacity: int, timeout: float) -> None:
         self.timeout = timeout
+        self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="bnserve-bodies")
         self._held = Capacity(capacity)
         self._bodies: dict[IncomingBody, None] = {}
         """Those that take room, in the order in which they began to."""
@@ -44,6 +55,16 @@ class BodyReader:
     def held_bytes(self) -> int:
         """Bytes held now."""
         return self._held.total
+
+    async def work(self, size: int, function: Callable[[Unpack[A]], R], *arguments: *A) -> R:
+        """Call what works through ``size`` bytes: at once if those are few, and in a thread if they are many."""
+        if size <= OFF_LOOP:
+            return function(*arguments)
+        return await asyncio.get_running_loop().run_in_executor(self._threads, function, *arguments)
+
+    def close(self) -> None:
+        """Stop the threads."""
+        self._threads.shutdown(wait=False, cancel_futures=True)
 
     def of(self, context: RequestContext) -> IncomingBody:
         """The body of a request; a context manager, since it takes room until it is decoded."""
@@ -175,6 +196,10 @@ class IncomingBody:
         if self.displaced:
             raise self._reader.refusal(self.owner)
         return body
+
+    async def name(self, body: bytes) -> None:
+        """Note the digest of the body, which the answer tells."""
+        self._context.request_digest = await self._reader.work(len(body), request_digest, body)
 
     async def _collect(self, receive: Receive, limit: int) -> bytes:
         chunks: list[bytes] = []

@@ -12,7 +12,7 @@ import msgspec
 
 from bnserve_protocol import UndecodableBody
 from bnserve_protocol.wire import PROBLEM_JSON, Problem, content_digest
-from bnserve_service.http.answers import Header
+from bnserve_service.http.requests import Header
 
 MAX_FRAME_BYTES = 2**16
 """Of a request line with its headers, of trailers, and of what comes between two pieces of a body; browsers and

@@ -1,110 +1,93 @@
-"""The outermost middleware: names every request, measures it, and turns what went wrong into a problem answer."""
+"""The front of the service: every request is named, its route found, and whoever asks let in; then it is handed to its
+endpoint, and what went wrong becomes a problem answer.
+
+The route is found once, and before all else: access, hosts, metrics and the endpoint go by it. Two matchers of one path
+are a door, however alike they look: the patterns of starlette end in ``$``, which also matches before a newline, so
+that its router takes ``/metrics%0A`` for ``/metrics`` where a comparison of strings does not.
+"""
 
 from __future__ import annotations
 
 import logging
-import os
 import re
 import time
-from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field
+from collections.abc import Awaitable, Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from fastapi.exceptions import RequestValidationError
+from fastapi.middleware.asyncexitstack import AsyncExitStackMiddleware
 from starlette.exceptions import HTTPException
+from starlette.routing import Route
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from bnserve_protocol import BnserveError, InvalidRequest
+from bnserve_protocol import BnserveError, InvalidRequest, UndecodableBody
 from bnserve_protocol.wire import PROBLEM_JSON
 from bnserve_service.admission.control import Lifecycle
-from bnserve_service.admission.quotas import RateQuota
-from bnserve_service.errors import (
-    ClientDisconnected,
-    from_http_status,
-    internal_error,
-    problem_body,
-    problem_headers,
-)
-from bnserve_service.http.answers import Header, body_headers, header_fields, send_answer
+from bnserve_service.errors import ClientDisconnected, from_http_status, internal_error, problem_body, problem_headers
+from bnserve_service.http.access import HostCheck, TokenCheck, is_public
+from bnserve_service.http.answers import body_headers, send_answer
+from bnserve_service.http.requests import CONTEXT, NO_ROUTE, Header, RequestContext, header_fields, new_context
 from bnserve_service.telemetry.log_words import log_word
 from bnserve_service.telemetry.metrics import Metrics
 
 logger = logging.getLogger("bnserve.service")
 access_logger = logging.getLogger("bnserve.access")
 
-_REQUEST_ID = re.compile(rb"[\x21-\x7e]{1,128}")
 _METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "OPTIONS", "PATCH", "TRACE"})
 """Others are one, in metrics and log: callers may invent them, too."""
-_KEY = "bnserve.request"
-NO_ROUTE = "none"
-_FREE = nullcontext()
+_PARAMETER = re.compile(r"{(\w+)}")
+_NOT_IN_PATHS = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ufffd]")
+"""Controls, the other ends of lines, and what a decoder puts in the place of bytes that are not UTF-8."""
 
 
-@dataclass(slots=True)
-class RequestContext:
-    """What is known about one request beside its body."""
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A path of the service and who answers there, by method."""
 
-    request_id: str
-    headers: dict[bytes, bytes]
-    arrived: float
-    """``time.monotonic()``."""
-    route: str = NO_ROUTE
-    """The route's template: what access and metrics go by. A path would let callers invent label values."""
-    caller: str = "anonymous"
-    owner: str = ""
-    """To whom belongs what this request uploads: the digest of the token; without tokens, everybody is one."""
-    quota: RateQuota | None = None
-    """What the token may still do, if that is limited."""
-    request_digest: str | None = None
-    """SHA-256 of the request body, in hexadecimal, once it was read."""
-    status: int = 0
-    extra_headers: list[Header] = field(default_factory=list)
-
-    @property
-    def deadline(self) -> float | None:
-        """When the caller stops waiting (``time.monotonic()``), from ``X-Request-Deadline-Ms``.
-
-        Raises
-        ------
-        InvalidRequest
-            Not a positive number.
-        """
-        text = self.headers.get(b"x-request-deadline-ms")
-        if text is None:
-            return None
-        try:
-            milliseconds = float(text)
-        except ValueError:
-            milliseconds = -1.0
-        if not 0.0 <= milliseconds < 1e12:
-            raise InvalidRequest("X-Request-Deadline-Ms must be a number of milliseconds from now.")
-        return self.arrived + milliseconds / 1e3
-
-    def paying(self, rows: int) -> AbstractContextManager[None]:
-        """Charge rows to the caller's quota, if there is one; given back when they cannot be evaluated now.
-
-        Raises
-        ------
-        QuotaExceeded
-        """
-        return _FREE if self.quota is None else self.quota.paying(rows)
+    template: str
+    pattern: re.Pattern[str]
+    endpoints: Mapping[str, ASGIApp]
 
 
-def context_of(scope: Scope) -> RequestContext:
-    """The context that :class:`RequestContextMiddleware` attached to a request."""
-    context: RequestContext = scope[_KEY]
-    return context
-
-
-class RequestContextMiddleware:
-    """Attach a :class:`RequestContext`; add the common headers; answer errors; count.
+def places_of(evaluations: Mapping[str, ASGIApp], routes: Iterable[Route]) -> list[Place]:
+    """All paths; where there is GET, there is HEAD (RFC 9110, 9.1), of which the server leaves the content out.
 
     Parameters
     ----------
-    app:
-        The rest of the service.
-    find:
-        Tells which route a request takes, by its template.
+    evaluations:
+        ASGI applications by the templates of their paths, such as ``/v1/models/{name}/waveforms``, for POST. They are
+        called as they are: what FastAPI's routes have around them takes 100 us for each request.
+    routes:
+        All others.
+    """
+    places: dict[str, dict[str, ASGIApp]] = {path: {"POST": endpoint} for path, endpoint in evaluations.items()}
+    for route in routes:
+        endpoint = AsyncExitStackMiddleware(route.app)  # the one middleware that FastAPI's routes rely on
+        places.setdefault(route.path, {}).update(dict.fromkeys(route.methods or (), endpoint))
+    for endpoints in places.values():
+        if "GET" in endpoints:
+            endpoints.setdefault("HEAD", endpoints["GET"])
+    return [Place(path, _pattern(path), endpoints) for path, endpoints in places.items()]
+
+
+def _pattern(template: str) -> re.Pattern[str]:
+    """Of the paths that a template stands for."""
+    literals = _PARAMETER.split(template)
+    return re.compile("".join(f"(?P<{text}>[^/]+)" if i % 2 else re.escape(text) for i, text in enumerate(literals)))
+
+
+class Front:
+    """Attaches a :class:`~bnserve_service.http.requests.RequestContext` to each request; lets it in and hands it on;
+    adds the common headers, answers errors, counts.
+
+    Parameters
+    ----------
+    places:
+        Who answers where.
+    hosts, tokens:
+        Under which names; and who is let in, None for everybody.
+    turn:
+        Waits until it is the turn of a token, by its digest.
     metrics, lifecycle:
         Where to count, and whether connections are still kept open.
     log_requests:
@@ -112,18 +95,26 @@ class RequestContextMiddleware:
     """
 
     def __init__(
-        self, app: ASGIApp, find: Callable[[Scope], str], metrics: Metrics, lifecycle: Lifecycle, log_requests: bool
+        self,
+        places: Sequence[Place],
+        hosts: HostCheck,
+        tokens: TokenCheck | None,
+        turn: Callable[[str], Awaitable[None]],
+        metrics: Metrics,
+        lifecycle: Lifecycle,
+        log_requests: bool,
     ) -> None:
-        self._app = app
-        self._find = find
+        self._places = places
+        self.hosts = hosts
+        self.tokens = tokens
+        self._turn = turn
         self._metrics = metrics
         self._lifecycle = lifecycle
         self._log_requests = log_requests
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
-        context = new_context(header_fields(scope["headers"]))
-        scope[_KEY] = context
+        context = scope[CONTEXT] = new_context(header_fields(scope["headers"]))
 
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
@@ -132,20 +123,53 @@ class RequestContextMiddleware:
             await send(message)
 
         try:
-            context.route = self._find(scope)
-            await self._app(scope, receive, send_with_headers)
+            await self._hand_on(context, scope, receive, send_with_headers)
         except ClientDisconnected:
             context.status = 499  # the name nginx gave to "the client closed the request"
         except Exception as error:
-            await self._answer_error(error, context, send_with_headers)
+            if context.status:  # too late: break the connection, so that nobody takes half an answer for a whole
+                raise
+            status, headers, body = self.problem_answer(error, context)
+            await send_answer(send_with_headers, status, headers, [body])
         finally:
             self.finish(scope["method"] if scope["method"] in _METHODS else "other", context)
 
-    async def _answer_error(self, error: Exception, context: RequestContext, send: Send) -> None:
-        if context.status:  # too late for an answer: break the connection, so that nobody takes half of it for a whole
-            raise error
-        status, headers, body = self.problem_answer(error, context)
-        await send_answer(send, status, headers, [body])
+    async def _hand_on(self, context: RequestContext, scope: Scope, receive: Receive, send: Send) -> None:
+        place = self._find(scope)
+        context.route = NO_ROUTE if place is None else place.template
+        method = scope["method"]
+        self.hosts.check(context.headers, method, context.route)
+        if self.tokens is not None and not is_public(context.route):
+            self.tokens.check(context, scope["headers"], method)
+            await self._turn(context.owner)
+            context.check_quota()  # before the body is read
+        if place is None:
+            raise HTTPException(404)
+        endpoint = place.endpoints.get(method)
+        if endpoint is None:
+            raise HTTPException(405, headers={"Allow": ", ".join(sorted(place.endpoints))})
+        with context.under_way():
+            await endpoint(scope, receive, send)
+
+    def _find(self, scope: Scope) -> Place | None:
+        """The place that a request takes, whatever its method.
+
+        Raises
+        ------
+        UndecodableBody
+            Its path has control characters, or is not UTF-8.
+        """
+        path: str = scope["path"]
+        if _NOT_IN_PATHS.search(path):
+            raise UndecodableBody("The path has control characters, or bytes that are not UTF-8: none here has.")
+        root = scope.get("root_path", "")  # of another application that this one is a part of
+        path = path.removeprefix(root) if path.startswith(f"{root}/") else path
+        for place in self._places:
+            match = place.pattern.fullmatch(path)
+            if match is not None:
+                scope["path_params"] = match.groupdict()
+                return place
+        return None
 
     def problem_answer(self, error: BaseException, context: RequestContext) -> tuple[int, list[Header], bytes]:
         """What the caller is told about an error: status, headers and body."""
@@ -169,7 +193,7 @@ class RequestContextMiddleware:
 
     def common_headers(self, context: RequestContext) -> list[Header]:
         """What every answer has: the name of the request, the digest of its body, and whether the connection ends."""
-        headers = [(b"x-request-id", context.request_id.encode("ascii")), *context.extra_headers]
+        headers = [(b"x-request-id", context.request_id.encode("ascii"))]
         if context.request_digest is not None:
             headers.append((b"x-request-digest", context.request_digest.encode("ascii")))
         if self._lifecycle.draining:
@@ -186,10 +210,3 @@ class RequestContextMiddleware:
                 context.request_id, method, context.route, context.status, seconds * 1e3, context.caller,
                 log_word(context.headers.get(b"traceparent", b"-")),
             )  # fmt: skip
-
-
-def new_context(headers: dict[bytes, bytes], route: str = NO_ROUTE) -> RequestContext:
-    """The context of a request that arrives now; header names are lower case."""
-    given = headers.get(b"x-request-id", b"")
-    request_id = given.decode("ascii") if _REQUEST_ID.fullmatch(given) else os.urandom(16).hex()
-    return RequestContext(request_id=request_id, headers=headers, arrived=time.monotonic(), route=route)

@@ -18,7 +18,7 @@ import uvicorn
 from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 from uvicorn.server import ServerState
 
-from bnserve_service.http.answers import Finish, Header
+from bnserve_service.http.answers import Finish
 from bnserve_service.http.complaints import Complaints
 from bnserve_service.http.framing import (
     MOST_PIPELINED,
@@ -31,6 +31,7 @@ from bnserve_service.http.framing import (
     refusal,
     without_upgrade,
 )
+from bnserve_service.http.requests import Header
 from bnserve_service.http.timers import Due, Pace, ReadTimer
 from bnserve_service.process.listening import Acceptor
 from bnserve_service.settings import Settings

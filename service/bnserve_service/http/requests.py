@@ -1,18 +1,147 @@
-"""Which media type a body is in, and which one the caller wants back."""
+"""What came: the headers of a request, what is known about it beside its body, and which forms of bodies it names."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import os
+import re
+import time
+from collections.abc import Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
+from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import TypeAlias
 
-from bnserve_protocol import NotAcceptable, UnsupportedMediaType
+from starlette.types import Scope
+
+from bnserve_protocol import InvalidRequest, NotAcceptable, UnsupportedMediaType
 from bnserve_protocol.wire import JSON, MSGPACK, MSGPACK_BYTES, DigestName
+from bnserve_service.admission.quotas import RateQuota
+
+Header: TypeAlias = tuple[bytes, bytes]
 
 OFFERED = (MSGPACK, JSON)
 OCTETS = "application/octet-stream"
 
 _ALIASES = {"application/x-msgpack": MSGPACK, "application/vnd.msgpack": MSGPACK}
 """Names that MessagePack had before it was registered; libraries still send them."""
+_REQUEST_ID = re.compile(rb"[\x21-\x7e]{1,128}")
+CONTEXT = "bnserve.request"
+"""Where a scope has its :class:`RequestContext`."""
+NO_ROUTE = "none"
+_FREE = nullcontext()
+
+
+@dataclass(slots=True)
+class RequestContext:
+    """What is known about one request beside its body."""
+
+    request_id: str
+    headers: dict[bytes, bytes]
+    arrived: float
+    """``time.monotonic()``."""
+    route: str = NO_ROUTE
+    """The route's template: what access and metrics go by. A path would let callers invent label values."""
+    caller: str = "anonymous"
+    owner: str = ""
+    """To whom belongs what this request uploads: the digest of the token; without tokens, everybody is one."""
+    quota: RateQuota | None = None
+    """What the token may still do, if that is limited."""
+    pays: bool = False
+    """Whether this request counts towards it."""
+    request_digest: str | None = None
+    """SHA-256 of the request body, in hexadecimal, once it was read."""
+    status: int = 0
+    path: Mapping[str, str] = field(default_factory=dict)
+    """The parameters of the route."""
+    media_type: str = ""
+    """Of the body; it and what follows are those of an evaluation, from :func:`negotiate`."""
+    answer_type: str = ""
+    """The media type of the answer."""
+    digest: DigestName = "sha-256"
+    """The algorithm of the answer's digest."""
+
+    @property
+    def deadline(self) -> float | None:
+        """When the caller stops waiting (``time.monotonic()``), from ``X-Request-Deadline-Ms``.
+
+        Raises
+        ------
+        InvalidRequest
+            Not a positive number.
+        """
+        text = self.headers.get(b"x-request-deadline-ms")
+        if text is None:
+            return None
+        try:
+            milliseconds = float(text)
+        except ValueError:
+            milliseconds = -1.0
+        if not 0.0 <= milliseconds < 1e12:
+            raise InvalidRequest("X-Request-Deadline-Ms must be a number of milliseconds from now.")
+        return self.arrived + milliseconds / 1e3
+
+    def check_quota(self) -> None:
+        """Refuse early what :meth:`paying` would refuse.
+
+        Raises
+        ------
+        QuotaExceeded
+        """
+        if self.quota is not None and self.pays:
+            self.quota.check()
+
+    def under_way(self) -> AbstractContextManager[None]:
+        """Count towards the caller's requests under way, if those are limited.
+
+        Raises
+        ------
+        QuotaExceeded
+        """
+        return _FREE if self.quota is None else self.quota.under_way()
+
+    def paying(self, rows: int) -> AbstractContextManager[None]:
+        """Charge rows to the caller's quota, if there is one; given back when they cannot be evaluated now.
+
+        Raises
+        ------
+        QuotaExceeded
+        """
+        return _FREE if self.quota is None else self.quota.paying(rows)
+
+
+def new_context(headers: dict[bytes, bytes], route: str = NO_ROUTE) -> RequestContext:
+    """The context of a request that arrives now; header names are lower case."""
+    given = headers.get(b"x-request-id", b"")
+    request_id = given.decode("ascii") if _REQUEST_ID.fullmatch(given) else os.urandom(16).hex()
+    return RequestContext(request_id=request_id, headers=headers, arrived=time.monotonic(), route=route)
+
+
+def context_of(scope: Scope) -> RequestContext:
+    """The context that :class:`~bnserve_service.http.front.Front` attached to a request."""
+    context: RequestContext = scope[CONTEXT]
+    return context
+
+
+def header_fields(headers: Sequence[Header]) -> dict[bytes, bytes]:
+    """Headers by name, those that are there several times as one list (RFC 9110, 5.3).
+
+    None of several values wins without a word: where one belongs, a list is none.
+    """
+    fields = dict(headers)
+    if len(fields) != len(headers):
+        fields = {name: b", ".join(value for other, value in headers if other == name) for name in fields}
+    return fields
+
+
+def negotiate(headers: Mapping[bytes, bytes]) -> tuple[str, str, DigestName]:
+    """The media type of the body, that of the answer, and the algorithm of the answer's digest.
+
+    Raises
+    ------
+    UnsupportedMediaType, NotAcceptable
+    """
+    media_type = request_media_type(headers)
+    return media_type, answer_media_type(headers, preferred=media_type), answer_digest(headers)
 
 
 def request_media_type(headers: Mapping[bytes, bytes]) -> str:

@@ -8,9 +8,11 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
+from typing import Any
 
 from bnserve_protocol import ArtifactCorrupted, BnserveError, ModelIdentity
 from bnserve_service.models.registry import Catalogue, LoadedModel, ModelFactory, ModelSource, Registry
+from bnserve_service.settings import Settings
 
 logger = logging.getLogger("bnserve.models")
 
@@ -167,3 +169,24 @@ class Loader:
                 f"Version {version} of '{name}' does not reproduce the answer stored with it; it is not served."
             )
         return LoadedModel(ModelIdentity(name=name, version=version, digest=digest), model)
+
+
+def loader_of(
+    settings: Settings, registry: Registry, source: ModelSource | None = None, factory: ModelFactory | None = None
+) -> Loader:
+    """What loads the models of the settings into a registry; ``source`` and ``factory`` as for
+    :func:`bnserve_service.create_app`.
+    """
+    return Loader(registry, source or _stores(settings), factory or _surrogate, Selection(settings.models))
+
+
+def _stores(settings: Settings) -> ModelSource:
+    from bnserve_store import ModelStore
+
+    return ModelStore.default(settings.stores)
+
+
+def _surrogate(artifact: Any) -> Any:
+    from bnserve_surrogate import Model  # here, because it compiles: a custom factory need not pay for it
+
+    return Model.from_artifact(artifact)

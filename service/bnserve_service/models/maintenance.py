@@ -13,6 +13,7 @@ from bnserve_service.admission.control import Lifecycle
 from bnserve_service.models.loading import Loader, RefreshReport
 from bnserve_service.models.registry import LoadedModel, Registry
 from bnserve_service.process.allocator import give_back_freed_memory
+from bnserve_service.settings import Settings
 from bnserve_service.telemetry.metrics import Metrics
 
 logger = logging.getLogger("bnserve.models")
@@ -30,33 +31,30 @@ class Health:
 
     Parameters
     ----------
+    settings:
+        How often the models are checked, and which evaluation will not come back.
     registry, lifecycle:
         What is served, and whether the server is stopping.
     longest_evaluation:
         Seconds that the slowest worker has been busy.
-    check_interval:
-        Seconds between two calls of :meth:`check_models`.
-    stuck_seconds:
-        An evaluation that takes longer will not come back.
     missing:
         Says what this server cannot do without and has lost.
     """
 
     def __init__(
         self,
+        settings: Settings,
         registry: Registry,
         lifecycle: Lifecycle,
         longest_evaluation: Callable[[], float],
-        check_interval: float,
-        stuck_seconds: float,
         missing: Callable[[], BnserveError | None],
     ) -> None:
         self._missing = missing
         self._registry = registry
         self._lifecycle = lifecycle
         self._longest_evaluation = longest_evaluation
-        self._stuck_seconds = stuck_seconds
-        self._stale_after = max(STALE_CHECKS * check_interval, LEAST_STALE_SECONDS)
+        self._stuck_seconds = settings.stuck_seconds
+        self._stale_after = max(STALE_CHECKS * settings.self_check_seconds, LEAST_STALE_SECONDS)
         self._wrong: dict[LoadedModel, str] = {}
         self._checked = time.monotonic()
 
@@ -111,25 +109,19 @@ class Maintenance:
     ----------
     loader, registry, health, metrics:
         Who does the work and where it shows.
-    poll_seconds, check_seconds:
+    settings:
         How often.
     """
 
     def __init__(
-        self,
-        loader: Loader,
-        registry: Registry,
-        health: Health,
-        metrics: Metrics,
-        poll_seconds: float,
-        check_seconds: float,
+        self, loader: Loader, registry: Registry, health: Health, metrics: Metrics, settings: Settings
     ) -> None:
         self._loader = loader
         self._registry = registry
         self._health = health
         self._metrics = metrics
-        self._poll_seconds = poll_seconds
-        self._check_seconds = check_seconds
+        self._poll_seconds = settings.poll_seconds
+        self._check_seconds = settings.self_check_seconds
         self._threads = ThreadPoolExecutor(2, thread_name_prefix="bnserve-maintenance")
         self._poked = asyncio.Event()
         self._first_look = asyncio.Event()

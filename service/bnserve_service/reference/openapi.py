@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -11,6 +12,7 @@ from fastapi.openapi.utils import get_openapi
 
 from bnserve_protocol import __version__
 from bnserve_protocol.wire import JSON, MSGPACK, PROBLEM_JSON
+from bnserve_service.evaluation.questions import Operation
 from bnserve_service.reference.schemas import reference, schemas
 
 _DESCRIPTION = """Gravitational waveforms of binary neutron stars from trained surrogates.
@@ -80,68 +82,45 @@ FOUND_OR_NOT: dict[int | str, dict[str, Any]] = {
 GONE: dict[int | str, dict[str, Any]] = {204: {"description": "It is forgotten"}, **_PROBLEMS}
 """The ``responses`` of a ``DELETE``."""
 
-GRID_BODY: dict[str, Any] = {
-    "requestBody": {
-        "required": True,
-        "description": "The frequencies in Hz, raw little-endian float64, increasing; their SHA-256 is the path.",
-        "content": {"application/octet-stream": {"schema": {"type": "string", "format": "binary"}}},
-    }
-}
+
+def binary_body(media_type: str, description: str) -> dict[str, Any]:
+    """The ``openapi_extra`` of a route that takes bytes."""
+    content = {media_type: {"schema": {"type": "string", "format": "binary"}}}
+    return {"requestBody": {"required": True, "description": description, "content": content}}
 
 
 def _first_line(struct: type[msgspec.Struct]) -> str:
     return (struct.__doc__ or struct.__name__).strip().partition("\n")[0]
 
 
-_EXAMPLE = {
-    "parameters": {
-        "mass_ratio": 1.2, "lambda_1": 400, "lambda_2": 600, "chi_1": 0.01, "chi_2": 0, "distance_mpc": 40,
-        "inclination": 2.5, "total_mass": 2.76,
-    },
-    "grid": {"f_min": 20, "f_max": 2048, "delta_f": 4},
-}  # fmt: skip
-
 _HEADERS_IN = {
     "X-Request-ID": ("string", "Echoed; names the request in logs"),
     "X-Request-Deadline-Ms": ("number", "Milliseconds after which the answer is of no use"),
-    "Want-Content-Digest": ("string", "RFC 9530; waveforms carry crc32c where it is preferred, all else sha-256"),
+    "Want-Content-Digest": ("string", "RFC 9530; evaluations carry crc32c where it is preferred, all else sha-256"),
 }
 _HEADERS_OUT = {
     name: {"schema": {"type": "string"}} for name in ("Content-Digest", "X-Request-Digest", "Server-Timing")
 }
 
 
-def post_operation(path: str, tag: str, what: tuple[str, str], name: str, example: Any) -> dict[str, Any]:
-    """The path item of a ``POST`` that evaluates; of a given version where its path has one.
-
-    Parameters
-    ----------
-    path:
-        Its template.
-    tag:
-        What it is listed under.
-    what:
-        ``operationId`` and ``summary``.
-    name:
-        Its bodies have the schemas ``<name>Request`` and ``<name>Answer``.
-    example:
-        A request in JSON.
-    """
-    identifier, summary = what
+def _post(path: str, operation: Operation) -> dict[str, Any]:
+    """The path item of a ``POST`` that evaluates; of a given version where its path has one."""
+    identifier, summary = operation.identifier, operation.summary
     if "{version}" in path:
         identifier, summary = f"{identifier}_version", f"{summary} with a given version"
-    request, answer = ({"schema": reference(name + kind)} for kind in ("Request", "Answer"))
+    request, answer = ({"schema": reference(operation.bodies + kind)} for kind in ("Request", "Answer"))
     ok = {"description": "The answer", "headers": _HEADERS_OUT, "content": {MSGPACK: answer, JSON: answer}}
     problems = {status: _problem(text) for status, text in _STATUSES.items()}
-    operation = {
-        "tags": [tag],
+    example = request | {"example": operation.example}
+    described = {
+        "tags": [operation.tag],
         "summary": summary,
         "operationId": identifier,
         "parameters": _parameters(path),
-        "requestBody": {"required": True, "content": {MSGPACK: request, JSON: request | {"example": example}}},
+        "requestBody": {"required": True, "content": {MSGPACK: request, JSON: example}},
         "responses": {"200": ok, **problems, "default": _problem("Any other error")},
     }
-    return {"post": operation}
+    return {"post": described}
 
 
 def _parameters(path: str) -> list[dict[str, Any]]:
@@ -154,12 +133,10 @@ def _parameters(path: str) -> list[dict[str, Any]]:
     ]
 
 
-def openapi_document(app: FastAPI, waveform_paths: tuple[str, ...], with_tokens: bool) -> dict[str, Any]:
-    """The document: FastAPI's account of its routes, and ours of the bodies it does not decode."""
+def openapi_document(app: FastAPI, operations: Mapping[str, Operation], with_tokens: bool) -> dict[str, Any]:
+    """The document: FastAPI's account of its routes, and ours of those that evaluate, by their paths."""
     document = get_openapi(title="bnserve", version=__version__, description=_DESCRIPTION, routes=app.routes)
-    what = ("evaluate", "Evaluate a batch of waveforms")
-    for path in waveform_paths:
-        document["paths"][path] = post_operation(path, "waveforms", what, "Waveform", _EXAMPLE)
+    document["paths"] |= {path: _post(path, operation) for path, operation in operations.items()}
     components = document.setdefault("components", {})
     components["schemas"] = schemas()
     if with_tokens:

@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Self
 
 from bnserve_protocol import BnserveError
-from bnserve_service.app import Application, create_app, loader_of
-from bnserve_service.models.loading import Loader, RefreshReport
+from bnserve_service.app import Application, create_app
+from bnserve_service.models.loading import Loader, RefreshReport, loader_of
 from bnserve_service.models.registry import Registry
 from bnserve_service.process.cpu import available_cpus
 from bnserve_service.process.name import name_process
