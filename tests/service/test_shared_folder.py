@@ -97,8 +97,9 @@ class TestBlobStore:
 
     @pytest.mark.parametrize("name", ["../../etc/passwd", "", "A" * 64, "a" * 63, "a" * 65, f"{'a' * 64}\n"])
     def test_only_digests_become_paths(self, blobs, name):
-        assert not blobs.put(ME, name, b"x")
-        assert not blobs.put(name or "/", digest(b"x"), b"x")
+        for owner, wrong in ((ME, name), (name or "/", digest(b"x"))):
+            with pytest.raises(FileNotFoundError):
+                blobs.put(owner, wrong, b"x")
         assert blobs.read(ME, name) is None
         assert not blobs.drop(ME, name)
         assert blobs.usage() == (0, 0)

@@ -54,12 +54,12 @@ def folder(request, tmp_path):
 class Case:
     """Two tokens, one with a quota of 2000 bytes, in a server of one process or in any worker of several."""
 
-    def __init__(self, folder, is_common, kept_seconds):
+    def __init__(self, folder, is_common):
         tokens = [Token.of(LIMITED, "limited", max_stored_bytes=2000), Token.of(OTHER, "other")]
         self.limited, self.other = (token.sha256 for token in tokens)
         self.kept = Kept(is_common)
         uploads = {"grid": self.kept, "analysis": self.kept}
-        workers = [StorageQuotas(tokens, uploads, folder, kept_seconds) for _ in range(1 if folder is None else 2)]
+        workers = [StorageQuotas(tokens, uploads, folder) for _ in range(1 if folder is None else 2)]
         self.quotas, self.quotas_elsewhere = workers[0], workers[-1]
 
     def upload(self, owner, name, size, kind="grid"):
@@ -68,8 +68,12 @@ class Case:
 
 
 @pytest.fixture
-def case(folder):
-    return lambda is_common=False, kept_seconds=60.0: Case(folder, is_common, kept_seconds)
+def case(folder, monkeypatch):
+    def make(is_common=False, kept_seconds=60.0):
+        monkeypatch.setattr(storage_quotas_module, "KEPT_SECONDS", kept_seconds)
+        return Case(folder, is_common)
+
+    return make
 
 
 def test_what_was_uploaded_a_moment_ago_stays(case):

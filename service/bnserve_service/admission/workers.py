@@ -13,7 +13,7 @@ import os
 import threading
 import time
 from collections import OrderedDict, deque
-from collections.abc import Callable, Hashable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from typing import Generic, Protocol, TypeVar
 
 _NICENESS = 5
@@ -23,17 +23,12 @@ _NICENESS = 5
 class Waiting(Protocol):
     """What a line needs to know of a job."""
 
-    @property
-    def key(self) -> Hashable:
-        """Jobs with equal keys may be taken together."""
-
-    @property
-    def cost(self) -> int:
-        """Its work."""
-
-    @property
-    def owner(self) -> str:
-        """Who asked for it."""
+    key: Hashable
+    """Jobs with equal keys may be taken together."""
+    cost: int
+    """Its work."""
+    owner: str
+    """Who asked for it."""
 
 
 J = TypeVar("J", bound=Waiting)
@@ -101,19 +96,10 @@ class FairLine(Generic[J]):
         self._forget_if_idle(job.owner)
         return True
 
-    def newest(self, owner: str) -> J | None:
-        """The job that came last of those that wait for an owner."""
-        waiting = self._waiting.get(owner)
+    def newest(self, owners: Iterable[str]) -> J | None:
+        """The job that came last of those of the first of these owners who has any here."""
+        waiting = next((self._waiting[owner] for owner in owners if owner in self._waiting), None)
         return None if waiting is None else next(reversed(waiting.jobs))
-
-    def clear(self) -> list[J]:
-        """Take everything out."""
-        jobs = list(self)
-        self._waiting.clear()
-        for owner in self._owners.values():
-            owner.groups.clear()
-            owner.jobs.clear()
-        return jobs
 
     def take(self, most: int) -> list[J]:
         """What is evaluated together next: the job whose turn it is, and those of its key while they cost at most
@@ -188,7 +174,9 @@ class WorkerPool(Generic[J]):
         """Wait for what runs, seconds at the longest for each thread; returns what waited and will not be evaluated."""
         with self._changed:
             self._stopping = True
-            waiting = self._line.clear()
+            waiting = list(self._line)
+            for job in waiting:
+                self._line.remove(job)
             self._changed.notify_all()
         for thread in self._threads:
             thread.join(timeout)
@@ -206,9 +194,9 @@ class WorkerPool(Generic[J]):
             return self._line.remove(job)
 
     def newest(self, owners: list[str]) -> J | None:
-        """The job that came last of those that wait for the first of these owners who has any."""
+        """See :meth:`FairLine.newest`."""
         with self._changed:
-            return next((job for owner in owners if (job := self._line.newest(owner)) is not None), None)
+            return self._line.newest(owners)
 
     def _work(self, index: int, loop: asyncio.AbstractEventLoop) -> None:
         _stand_back()

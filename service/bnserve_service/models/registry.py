@@ -157,33 +157,25 @@ class Registry:
     """Holds the current :class:`Catalogue`. Reading is one reference; replacing it is one assignment."""
 
     def __init__(self) -> None:
-        self._catalogue = Catalogue()
-        self._loaded = False
+        self.catalogue = Catalogue()
+        """What is served now. It never changes; the next one is another object."""
+        self.loaded = False
+        """Whether the first look at the stores is over."""
         self._peers: SharedModels | None = None
         self._catch_up: Callable[[], None] = lambda: None
-
-    @property
-    def catalogue(self) -> Catalogue:
-        """What is served now. It never changes; the next one is another object."""
-        return self._catalogue
-
-    @property
-    def loaded(self) -> bool:
-        """Whether the first look at the stores is over."""
-        return self._loaded
 
     def swap(self, catalogue: Catalogue) -> None:
         """Serve ``catalogue`` from now on; evaluations under way keep the model they began with."""
         if self._peers is not None:
             self._peers.announce(catalogue)
-        self._catalogue = catalogue
-        self._loaded = True
+        self.catalogue = catalogue
+        self.loaded = True
 
     def join(self, peers: SharedModels, catch_up: Callable[[], None]) -> None:
         """Be one of several processes; ``catch_up`` is called when the others have what is missing here."""
         self._peers = peers
         self._catch_up = catch_up
-        peers.announce(self._catalogue)
+        peers.announce(self.catalogue)
 
     def find(self, name: str, version: str | None = None) -> LoadedModel:
         """The model of a version, a label (by default ``stable``) or a digest.
@@ -199,7 +191,7 @@ class Registry:
         ModelLoading
             The stores have not been read yet.
         """
-        catalogue = self._catalogue
+        catalogue = self.catalogue
         wanted = version if version is not None else DEFAULT_LABEL
         labels = catalogue.labels.get(name)
         found = catalogue.models.get((name, labels.get(wanted, wanted) if labels else wanted))
@@ -207,7 +199,7 @@ class Registry:
             found = catalogue.pins.get((name, wanted))
         if found is not None:
             return found
-        if not self._loaded:
+        if not self.loaded:
             raise ModelLoading("The models are being loaded; try again in a moment.", retry_after=1.0)
         if self._peers is not None and self._peers.have(name, wanted):
             self._catch_up()

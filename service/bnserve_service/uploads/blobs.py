@@ -129,13 +129,11 @@ class BlobStore:
 
     def use(self, owner: str, name: str) -> bool:
         """Whether a file is there; it counts as used now."""
-        path = self._path(owner, name)
         try:
-            if path is not None:
-                os.utime(path)
+            os.utime(self._path(owner, name))
         except OSError:
             return False
-        return path is not None
+        return True
 
     def has(self, owner: str, name: str) -> bool:
         """Whether a file is there."""
@@ -143,19 +141,15 @@ class BlobStore:
 
     def size(self, owner: str, name: str) -> int | None:
         """Bytes of a file; None when it is not there."""
-        path = self._path(owner, name)
         try:
-            return None if path is None else path.stat().st_size
+            return self._path(owner, name).stat().st_size
         except OSError:
             return None
 
     def read(self, owner: str, name: str) -> memoryview | None:
         """The content of a file, mapped, so that it takes memory once; None when it is not there."""
-        path = self._path(owner, name)
-        if path is None:
-            return None
         try:
-            with path.open("rb") as file:
+            with self._path(owner, name).open("rb") as file:
                 # What is renamed into place is never written again, and what is dropped lives while it is mapped.
                 return memoryview(mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ))
         except ValueError:  # it is empty, which none is
@@ -171,11 +165,9 @@ class BlobStore:
         Raises
         ------
         FileNotFoundError
-            The folder that workers share is gone.
+            The folder that workers share is gone, or this is no digest.
         """
         path = self._path(owner, name)
-        if path is None:
-            return False
         with locked(self._folder):
             path.parent.mkdir(mode=0o700, exist_ok=True)
             same = next((blob for blob in self._blobs() if blob.name == name and blob.size == len(body)), None)
@@ -192,13 +184,11 @@ class BlobStore:
 
     def drop(self, owner: str, name: str) -> bool:
         """Take a file from one owner; whether it was there."""
-        path = self._path(owner, name)
         try:
-            if path is not None:
-                path.unlink()
+            self._path(owner, name).unlink()
         except OSError:
             return False
-        return path is not None
+        return True
 
     def usage(self) -> tuple[int, int]:
         """Files and their bytes, those of several owners once."""
@@ -208,9 +198,9 @@ class BlobStore:
             blobs = []
         return len({blob.name for blob in blobs}), size_of(blobs)
 
-    def _path(self, owner: str, name: str) -> Path | None:
+    def _path(self, owner: str, name: str) -> Path:
         if not DIGEST.fullmatch(name) or not (owner == "" or DIGEST.fullmatch(owner)):
-            return None  # nothing else is a digest, and nothing else may become part of a path
+            raise FileNotFoundError(name)  # nothing else is a digest, and nothing else may become part of a path
         return self._folder / (owner or _EVERYBODY) / name
 
     def _blobs(self) -> list[Blob]:

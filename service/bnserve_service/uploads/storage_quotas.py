@@ -17,31 +17,20 @@ from collections.abc import Generator, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import ClassVar, Literal, Protocol, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 from bnserve_protocol import QuotaExceeded, TooLarge
 from bnserve_service.settings import Token
 from bnserve_service.uploads.blobs import DIGEST, gone, locked
+from bnserve_service.uploads.stores import UploadStore
 
 Kind: TypeAlias = Literal["grid", "analysis"]
 KEPT_SECONDS = 60.0
+"""So long an upload stays in any case."""
 LEFT_BEHIND = 60.0
 """Seconds after which an upload that is still being stored belongs to a worker that did not live to finish it."""
 _MOMENT = 1.0
 """Seconds after which an upload that is under way has been stored or refused."""
-
-
-class Uploads(Protocol):
-    """Where uploads of one kind are; :class:`~bnserve_service.uploads.stores.UploadStore` is one."""
-
-    is_common: ClassVar[bool]
-    """Whether all owners of one have the same: then it is dropped when the last of them loses it."""
-
-    def has(self, owner: str, sha256: str) -> bool:
-        """Whether one is there still."""
-
-    def discard(self, owner: str, sha256: str) -> bool:
-        """Drop one; whether it was there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,21 +135,14 @@ class StorageQuotas:
     tokens:
         The tokens of the settings.
     uploads:
-        By kind.
+        Where they are, by kind.
     shared:
         A folder that the processes of one server share; None for one process.
-    kept_seconds:
-        So long an upload stays in any case; by default ``KEPT_SECONDS``.
     """
 
     def __init__(
-        self,
-        tokens: Sequence[Token],
-        uploads: Mapping[Kind, Uploads],
-        shared: Path | None = None,
-        kept_seconds: float | None = None,
+        self, tokens: Sequence[Token], uploads: Mapping[Kind, UploadStore[Any]], shared: Path | None = None
     ) -> None:
-        self._kept_seconds = KEPT_SECONDS if kept_seconds is None else kept_seconds
         self._most = {token.sha256: token.max_stored_bytes for token in tokens if token.max_stored_bytes is not None}
         self._uploads = uploads
         self._records = Records() if shared is None else SharedRecords(shared / "storage-quotas")
@@ -210,11 +192,11 @@ class StorageQuotas:
 
     def _refuse_while_fresh(self, oldest: Upload, when: float, most: int) -> None:
         age = time.time() - when
-        if oldest.coming or 0.0 <= age < self._kept_seconds:
+        if oldest.coming or 0.0 <= age < KEPT_SECONDS:
             raise QuotaExceeded(
                 f"This token may keep {most} bytes uploaded, and what it has was uploaded a moment ago; "
                 "wait, delete an analysis, or ask the operators for a larger quota.",
-                retry_after=max(_MOMENT, self._kept_seconds - age),
+                retry_after=max(_MOMENT, KEPT_SECONDS - age),
             )
 
     def _drop(self, owner: str, upload: Upload) -> None:
