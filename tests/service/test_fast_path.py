@@ -227,21 +227,3 @@ def test_every_byte_of_a_known_head_counts(start):
         for other in (b"", 2 * byte, b"\n" if byte == b" " else b" ", b"a" if byte.isdigit() else b"0"):
             said = AGAIN[:place] + other + AGAIN[place + 1 :] + ASKED
             assert told_after_a_known_head(server, said) == told_first(server, said), said
-
-
-WANTED = {
-    "crc32c=10, sha-256=1": "crc32c",
-    "crc32c=1": "crc32c",
-    "sha-256=9, crc32c=1": "sha-256",
-    "sha-512=9": "sha-256",
-    "crc32c=0": "sha-256",
-    "crc32c": "sha-256",
-    "=,;": "sha-256",
-}
-
-
-@pytest.mark.parametrize("wanted", WANTED)
-def test_the_digest_is_the_one_that_the_caller_wants(server, wanted):
-    answer = evaluate(server.address, question(), want_content_digest=wanted)
-    assert answer.status == 200
-    assert answer.headers["content-digest"].partition("=")[0] == WANTED[wanted]

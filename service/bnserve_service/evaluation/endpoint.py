@@ -210,7 +210,8 @@ class FastPath:
             quota.begin()
         try:
             with context.paying(len(question.batch)):
-                self._service.submit_quick(question, context.deadline, deliver, context.owner)
+                [job] = self._service.submit(question, context.deadline, context.owner)
+            job.deliver = deliver
         except BaseException:
             if quota is not None:
                 quota.end()

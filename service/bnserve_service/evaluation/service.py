@@ -17,7 +17,7 @@ from bnserve_service.admission.queue import Job, WorkQueue
 from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Question
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.requests import RequestContext
-from bnserve_service.models.registry import Registry
+from bnserve_service.models.registry import LoadedModel, Registry
 from bnserve_service.settings import Settings
 from bnserve_service.telemetry.metrics import Metrics
 
@@ -164,8 +164,7 @@ class EvaluationService:
         ------
         Draining, NotFound, ModelLoading, UndecodableBody, InvalidRequest, TooLarge
         """
-        self._lifecycle.check_accepting()
-        model = self._registry.find(request.path["name"], request.path.get("version"))
+        model = self._find(request)
         size = len(body) + kind.bytes_to_load(request)
         question: Question = await self._bodies.work(size, kind.read, model, body, request)
         self._cost_estimates.learn((request.owner, kind.subject(request)), len(body), question.cost)
@@ -173,10 +172,12 @@ class EvaluationService:
 
     def ask_now(self, kind: Kind[Any], body: bytes, request: RequestContext) -> Question:
         """:meth:`ask`, for small bodies that tell all."""
-        self._lifecycle.check_accepting()
-        model = self._registry.find(request.path["name"], request.path.get("version"))
-        question: Question = kind.read(model, body, request)
+        question: Question = kind.read(self._find(request), body, request)
         return question
+
+    def _find(self, request: RequestContext) -> LoadedModel:
+        self._lifecycle.check_accepting()
+        return self._registry.find(request.path["name"], request.path.get("version"))
 
     @contextmanager
     def reserve(self, question: Question, owner: str) -> Iterator[Callable[[int], None]]:
@@ -213,30 +214,13 @@ class EvaluationService:
         """
         jobs: list[EvaluationJob] = []
         try:
-            for piece in question.pieces(self._workers, self._piece_cost):
+            for piece in (question,) if question.quick else question.pieces(self._workers, self._piece_cost):
                 jobs.append(self._queue.submit(piece.key, piece.cost, piece, deadline, quick=piece.quick, owner=owner))
         except BaseException:
             for job in jobs:
                 self.withdraw(job)
             raise
         return jobs
-
-    def submit_quick(
-        self,
-        question: Question,
-        deadline: float | None,
-        deliver: Callable[[Outcome | BaseException], None],
-        owner: str,
-    ) -> None:
-        """Queue a quick question; ``deliver`` is called at the end of this turn of the event loop, or of one of the
-        next when others ask, too.
-
-        Raises
-        ------
-        Overloaded, QuotaExceeded, DeadlineExceeded
-        """
-        job = self._queue.submit(question.key, question.cost, question, deadline, quick=True, owner=owner)
-        job.deliver = deliver
 
     def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
         """Call ``refusal`` when it is the turn of this owner."""

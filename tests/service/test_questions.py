@@ -1,0 +1,170 @@
+"""Questions of every kind go one way: refused, digested and packed alike; and a new kind is one class."""
+
+import base64
+import dataclasses
+import hashlib
+import json
+from concurrent.futures import ThreadPoolExecutor
+
+import msgpack
+import numpy as np
+import pytest
+from crc32c import crc32c
+
+from bnserve_protocol.wire import encode_likelihood_request
+from bnserve_service import Settings, create_app
+from bnserve_service.app import Application
+from bnserve_service.evaluation.questions import Kind, Operation, Question
+from bnserve_service.process.listening import address_of, listen_tcp
+from bnserve_service.server import BnserveServer
+from tests.service.asking import GW170817, JSON, MSGPACK, ask, question
+from tests.service.chirp import GatedModel, MemorySource, QuickChirpModel, as_it_is, until
+from tests.service.conftest import SMALL_LIMITS
+from tests.service.injections import name_of, samples, small_analysis, upload
+
+ANALYSIS = small_analysis()
+WAVEFORMS = "/v1/models/chirp/waveforms"
+LIKELIHOODS = f"/v1/models/chirp/likelihoods/{name_of(ANALYSIS)}"
+ROWS = 60
+MANY = {name: [value] * ROWS for name, value in GW170817.items()}
+BODIES = {
+    WAVEFORMS: msgpack.packb(question(MANY, {"f_min": 20.0, "f_max": 60.0, "delta_f": 0.25}, output="factored")),
+    LIKELIHOODS: encode_likelihood_request(ANALYSIS.digest, samples(ROWS)),
+}
+"""Of more than 4 KiB: smaller ones are decoded in less time than it takes to think about them."""
+NARROW = {"queue_samples": 110_000, "max_samples": 2**15}
+"""Room for one of them."""
+kinds = pytest.mark.parametrize("path", BODIES, ids=["waveforms", "likelihoods"])
+
+
+def put(server, path, body=None, **headers):
+    return ask(server.address, "POST", path, body or BODIES[path], **{"content_type": MSGPACK} | headers)
+
+
+@pytest.fixture
+def closed(start):
+    """A server whose evaluations wait for a gate, and that knows the analysis."""
+
+    def start_closed(**settings):
+        model = GatedModel()
+        server = start(model, threads=1, **settings)
+        assert upload(server.address, ANALYSIS).status == 201
+        return model, server
+
+    return start_closed
+
+
+WANTED = {
+    "crc32c=10, sha-256=1": "crc32c",
+    "crc32c=1": "crc32c",
+    "sha-256=9, crc32c=1": "sha-256",
+    "sha-512=9": "sha-256",
+    "crc32c=0": "sha-256",
+    "crc32c": "sha-256",
+    "=,;": "sha-256",
+}
+
+
+@kinds
+@pytest.mark.parametrize("wanted", WANTED)
+def test_the_digest_is_the_one_that_the_caller_wants(server, path, wanted):
+    upload(server.address, ANALYSIS)
+    answer = put(server, path, want_content_digest=wanted)
+    assert answer.status == 200
+    checksum = crc32c(answer.body).to_bytes(4, "big")
+    digest = checksum if WANTED[wanted] == "crc32c" else hashlib.sha256(answer.body).digest()
+    assert answer.headers["content-digest"] == f"{WANTED[wanted]}=:{base64.b64encode(digest).decode()}:"
+
+
+@kinds
+def test_what_a_full_queue_would_refuse_is_refused_before_it_is_decoded(closed, path):
+    model, server = closed(**NARROW)
+    assert put(server, path).status == 200
+    wrong = b"\xc1" * len(BODIES[path])
+    assert put(server, path, wrong).code == "body-undecodable"
+    model.gate.clear()
+    with ThreadPoolExecutor(1) as caller:
+        waiting = caller.submit(put, server, path)
+        until(lambda: server.app.parts.queue.cost > 0, "one that waits")
+        refused = put(server, path, wrong)
+        assert (refused.status, refused.code) == (503, "overloaded")
+        assert "x-request-digest" not in refused.headers, "nor is it hashed"
+        assert put(server, path, wrong[:1000]).code == "body-undecodable", "a small one is read"
+        model.gate.set()
+        assert waiting.result().status == 200
+
+
+def test_what_one_analysis_costs_says_nothing_about_another(closed):
+    model, server = closed(**NARROW)
+    assert put(server, LIKELIHOODS).status == 200
+    model.gate.clear()
+    other = LIKELIHOODS.replace(name_of(ANALYSIS), "0" * 64)
+    with ThreadPoolExecutor(1) as caller:
+        waiting = caller.submit(put, server, LIKELIHOODS)
+        until(lambda: server.app.parts.queue.cost > 0, "one that waits")
+        assert put(server, other, BODIES[LIKELIHOODS]).code == "analysis-unknown"
+        assert put(server, LIKELIHOODS).code == "overloaded"
+        model.gate.set()
+        assert waiting.result().status == 200
+
+
+@kinds
+def test_the_memory_of_answers_is_reserved(closed, path):
+    model, server = closed(max_answer_bytes=2**20)
+    model.gate.clear()
+    with ThreadPoolExecutor(1) as caller:
+        waiting = caller.submit(put, server, path)
+        model.wait_until_entered()
+        assert server.app.parts.evaluation.answer_bytes == {WAVEFORMS: ROWS * 161 * 16, LIKELIHOODS: ROWS * 9}[path]
+        model.gate.set()
+        assert waiting.result().status == 200
+    until(lambda: server.app.parts.evaluation.answer_bytes == 0, "the memory is given back")
+
+
+class SumQuestion(Question, frozen=True, eq=False, kw_only=True):
+    """Numbers to add up."""
+
+
+class Sums(Kind[SumQuestion]):
+    """A kind of question that bnserve has not: sums, at once where there are few numbers."""
+
+    name = "sums"
+    paths = ("/v1/models/{name}/sums/{unit}",)
+    may_be_quick = True
+    operation = Operation(tag="sums", identifier="add", summary="Add up", bodies="Waveform", example=[1])
+
+    def read(self, model, body, request):
+        numbers = np.array(json.loads(body))
+        return SumQuestion(
+            kind=self, model=model, batch=numbers, key=(self.name, request.path["unit"]), cost=len(numbers),
+            answer_bytes=8 * len(numbers), answer_type=request.answer_type, digest=request.digest,
+            quick=len(numbers) < 3,
+        )  # fmt: skip
+
+    def evaluate(self, questions):
+        return {"numbers": np.concatenate([question.batch for question in questions])}
+
+    def encode(self, question, arrays):
+        return [json.dumps([question.key[1], arrays["numbers"].sum().item()]).encode()]
+
+
+def test_a_new_kind_is_one_class_and_takes_both_ways():
+    app = create_app(Settings(**SMALL_LIMITS), source=MemorySource().add(QuickChirpModel()), factory=as_it_is)
+    app = Application(dataclasses.replace(app.parts, kinds=(*app.parts.kinds, Sums())), wait_for_models=True)
+    with listen_tcp("127.0.0.1", 0) as listener, ThreadPoolExecutor(1) as thread:
+        server = BnserveServer(app, lambda line: None)
+        running = thread.submit(server.run, listener, with_signals=False)
+        assert server.ready.wait(60.0)
+        try:
+            for numbers in ([1, 2], [1, 2, 3]):
+                path = "/v1/models/chirp/sums/g"
+                answer = ask(address_of(listener), "POST", path, json.dumps(numbers), content_type=JSON)
+                assert answer.document == ["g", sum(numbers)]
+                assert answer.headers["content-digest"].startswith("sha-256=:")
+                assert answer.headers["x-request-digest"] == hashlib.sha256(json.dumps(numbers).encode()).hexdigest()
+            assert (
+                "/v1/models/{name}/sums/{unit}" in ask(address_of(listener), "GET", "/openapi.json").document["paths"]
+            )
+        finally:
+            server.stop_from_thread()
+            running.result()
