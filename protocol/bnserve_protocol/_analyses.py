@@ -55,6 +55,8 @@ class Analysis:
     settings: AnalysisSettings
     arrays: Mapping[str, NDArray[Any]]
     digest: str = field(init=False)
+    samples: int = field(init=False, repr=False, compare=False)
+    """Work of one log-likelihood, see :func:`likelihood_samples`."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "settings", canonical(self.settings))
@@ -67,6 +69,7 @@ class Analysis:
         for part in encode_analysis(self):
             digest.update(part)
         object.__setattr__(self, "digest", f"sha256:{digest.hexdigest()}")
+        object.__setattr__(self, "samples", _samples(self))
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Analysis, (self.settings, dict(self.arrays))
@@ -200,8 +203,10 @@ def likelihood_samples(analysis: Analysis) -> int:
     A sample is one frequency of one waveform. In every detector each node costs about as much again, and a sum over
     coalescence times as much as its times in every detector.
     """
-    settings = analysis.settings
-    samples = likelihood_nodes(analysis) * (1 + len(settings.detectors))
-    if settings.time_marginalisation is not None:
-        samples += len(settings.detectors) * (time_steps(settings)[0] + 1)
-    return samples
+    return analysis.samples
+
+
+def _samples(analysis: Analysis) -> int:
+    detectors = len(analysis.settings.detectors)
+    times = 0 if analysis.settings.time_marginalisation is None else time_steps(analysis.settings)[0] + 1
+    return likelihood_nodes(analysis) * (1 + detectors) + detectors * times

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import math
 import operator
 from collections.abc import Iterable, Mapping, Sequence
@@ -21,6 +20,9 @@ from bnserve_protocol._parameters import (
     ParameterBatch,
     column_of_numbers,
     one_number,
+    table_of,
+    table_of_columns,
+    table_of_rows,
 )
 
 
@@ -78,7 +80,7 @@ LIKELIHOOD_NAMES: tuple[str, ...] = tuple(
 )
 """The parameters in the order of the columns of :attr:`LikelihoodBatch.values`."""
 _values_of = operator.attrgetter(*LIKELIHOOD_NAMES)
-_DEFAULTS = {"distance_mpc": math.nan, "coalescence_time": math.nan, "reference_phase": 0.0}
+LIKELIHOOD_DEFAULTS = {"distance_mpc": math.nan, "coalescence_time": math.nan, "reference_phase": 0.0}
 _OPTIONAL = ("distance_mpc", "coalescence_time")
 """What has no default, and may yet be left out where it is marginalised."""
 
@@ -112,17 +114,24 @@ class LikelihoodBatch:
         calibration_phase: Mapping[str, ArrayLike] | None = None,
         absent: Iterable[str] = (),
     ) -> None:
-        array = np.ascontiguousarray(column_of_numbers("parameters", values, None))
-        if array.ndim != 2 or array.shape[1] != len(LIKELIHOOD_NAMES):
-            raise InvalidParameters(
-                f"A parameter array has shape (N, {len(LIKELIHOOD_NAMES)}), one column for each of "
-                f"{', '.join(LIKELIHOOD_NAMES)}; got {array.shape}."
-            )
-        self.values = array
+        self.values = table_of(values, LIKELIHOOD_NAMES)
         self.absent = frozenset(absent)
-        self.calibration_amplitude, self.calibration_phase = _calibration(
-            len(array), calibration_amplitude or {}, calibration_phase or {}
+        self.calibration_amplitude, self.calibration_phase = calibration_errors(
+            len(self.values), calibration_amplitude or {}, calibration_phase or {}
         )
+
+    @classmethod
+    def unchecked(
+        cls,
+        values: NDArray[np.float64],
+        calibration: tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]]],
+        absent: frozenset[str] = frozenset(),
+    ) -> LikelihoodBatch:
+        """Of C-contiguous float64 ``(N, 13)`` and :func:`calibration_errors`: nothing is checked or copied."""
+        batch = cls.__new__(cls)
+        batch.values, batch.absent = values, absent
+        batch.calibration_amplitude, batch.calibration_phase = calibration
+        return batch
 
     def __len__(self) -> int:
         return int(self.values.shape[0])
@@ -139,7 +148,7 @@ class LikelihoodBatch:
                 values[:, column] = fixed[name]
             elif name in LIKELIHOOD_NAMES:
                 values[:, column] = self[name]
-        return ParameterBatch(values)
+        return ParameterBatch.unchecked(values)
 
     def split(self, rows: int) -> list[LikelihoodBatch]:
         """Consecutive pieces of at most ``rows`` rows."""
@@ -147,12 +156,11 @@ class LikelihoodBatch:
 
     def rows(self, index: slice | NDArray[np.intp]) -> LikelihoodBatch:
         """Some of the rows."""
-        return LikelihoodBatch(
-            self.values[index],
-            {name: array[index] for name, array in self.calibration_amplitude.items()},
-            {name: array[index] for name, array in self.calibration_phase.items()},
-            self.absent,
+        amplitude, phase = (
+            {name: np.ascontiguousarray(array[index]) for name, array in arrays.items()}
+            for arrays in (self.calibration_amplitude, self.calibration_phase)
         )
+        return self.unchecked(np.ascontiguousarray(self.values[index]), (amplitude, phase), self.absent)
 
     @classmethod
     def coerce(cls, batch: LikelihoodBatchLike) -> LikelihoodBatch:
@@ -177,11 +185,9 @@ class LikelihoodBatch:
         if isinstance(batch, Mapping):
             return cls._from_columns(batch)
         if isinstance(batch, Sequence) and all(isinstance(row, LikelihoodParameters) for row in batch):
-            rows = [[getattr(row, name) for name in LIKELIHOOD_NAMES] for row in batch]
-            values = np.array(rows, np.float64).reshape(len(rows), len(LIKELIHOOD_NAMES))
             absent = [name for name in _OPTIONAL if batch and all(math.isnan(getattr(row, name)) for row in batch)]
             amplitude, phase = (_stacked(batch, name) for name in CALIBRATION_NAMES)
-            return cls(values, amplitude, phase, absent)
+            return cls(table_of_rows(batch, LIKELIHOOD_NAMES), amplitude, phase, absent)
         raise InvalidParameters(
             "A batch is a list of LikelihoodParameters or a mapping from parameter names to numbers and vectors; "
             f"got {type(batch).__name__}."
@@ -189,19 +195,12 @@ class LikelihoodBatch:
 
     @classmethod
     def _from_columns(cls, columns: Mapping[str, Any]) -> LikelihoodBatch:
-        check_likelihood_names([name for name in columns if name not in CALIBRATION_NAMES])
-        arrays = {name: _vector(name, value) for name, value in columns.items() if name not in CALIBRATION_NAMES}
-        lengths = {name: len(array) for name, array in arrays.items() if array.ndim == 1}
-        if len(set(lengths.values())) > 1:
-            described = ", ".join(f"{name}: {length}" for name, length in lengths.items())
-            raise InvalidParameters(f"All parameter vectors must have the same length; got {described}.")
-        rows = next(iter(lengths.values()), 1)
-        values = np.empty((rows, len(LIKELIHOOD_NAMES)))
-        for column, name in enumerate(LIKELIHOOD_NAMES):
-            values[:, column] = arrays[name] if name in arrays else _DEFAULTS[name]
-        absent = [name for name in _OPTIONAL if name not in columns]
-        amplitude, phase = (_repeated(rows, name, columns.get(name, {})) for name in CALIBRATION_NAMES)
-        return cls(values, amplitude, phase, absent)
+        columns, calibration = dict(columns), {name: columns.get(name, {}) for name in CALIBRATION_NAMES}
+        for name in CALIBRATION_NAMES:
+            columns.pop(name, None)
+        values = table_of_columns(columns, LIKELIHOOD_NAMES, LIKELIHOOD_DEFAULTS)
+        amplitude, phase = (_repeated(len(values), name, given) for name, given in calibration.items())
+        return cls(values, amplitude, phase, [name for name in _OPTIONAL if name not in columns])
 
 
 LikelihoodBatchLike: TypeAlias = (
@@ -210,43 +209,8 @@ LikelihoodBatchLike: TypeAlias = (
 """What ``log_likelihood`` accepts."""
 
 
-def check_likelihood_names(names: Iterable[str]) -> None:
-    """Refuse unknown, missing and repeated parameter names, suggesting the nearest known one.
-
-    Raises
-    ------
-    InvalidParameters
-    """
-    given = list(names)
-    problems: list[FieldError] = []
-    for name in dict.fromkeys(given):
-        shown = str(name)[:80]
-        if name not in LIKELIHOOD_NAMES:
-            near = difflib.get_close_matches(shown, LIKELIHOOD_NAMES, n=1, cutoff=0.5)  # never of megabytes
-            hint = f"did you mean '{near[0]}'?" if near else f"known names: {', '.join(LIKELIHOOD_NAMES)}"
-            problems.append(FieldError(reason=f"unknown; {hint}", parameter=shown))
-        elif given.count(name) > 1:
-            problems.append(FieldError(reason="given more than once", parameter=shown))
-    missing = [name for name in LIKELIHOOD_NAMES if name not in given and name not in _DEFAULTS]
-    problems += [FieldError(reason="missing", parameter=name) for name in missing]
-    if problems:
-        sentences = "; ".join(f"'{problem.parameter}' is {problem.reason}" for problem in problems[:16])
-        end = "" if sentences.endswith("?") else "."
-        raise InvalidParameters(f"Parameters of a likelihood: {sentences}{end}", errors=problems)
-
-
-def _calibration_errors(name: str, detector: str, value: Any) -> NDArray[np.float64]:
+def _errors_of(name: str, detector: str, value: Any) -> NDArray[np.float64]:
     return column_of_numbers(f"{name}/{detector}"[:80], value, PARAMETER_UNITS[name])
-
-
-def _vector(name: str, value: Any) -> NDArray[np.float64]:
-    array = column_of_numbers(name, value, PARAMETER_UNITS[name])
-    if array.ndim > 1:
-        raise InvalidParameters(
-            f"Parameter '{name}' must be a number or a vector; got an array of shape {array.shape}.",
-            errors=[FieldError(reason="not a number or vector", parameter=name)],
-        )
-    return array
 
 
 def _repeated(rows: int, name: str, by_detector: Any) -> dict[str, NDArray[np.float64]]:
@@ -255,7 +219,7 @@ def _repeated(rows: int, name: str, by_detector: Any) -> dict[str, NDArray[np.fl
             f"'{name}' maps detectors to arrays (N, nodes); got {type(by_detector).__name__}.",
             errors=[FieldError(reason="not a mapping", parameter=name)],
         )
-    arrays = {detector: _calibration_errors(name, detector, value) for detector, value in by_detector.items()}
+    arrays = {detector: _errors_of(name, detector, value) for detector, value in by_detector.items()}
     return {detector: np.tile(array, (rows, 1)) if array.ndim == 1 else array for detector, array in arrays.items()}
 
 
@@ -264,12 +228,12 @@ def _stacked(batch: Sequence[LikelihoodParameters], name: str) -> dict[str, NDAr
     if any(set(getattr(row, name)) != detectors for row in batch):
         raise InvalidParameters(f"Every row must give '{name}' for the same detectors.")
     return {
-        detector: _calibration_errors(name, detector, [getattr(row, name)[detector] for row in batch])
+        detector: _errors_of(name, detector, [getattr(row, name)[detector] for row in batch])
         for detector in sorted(detectors)
     }
 
 
-def _calibration(
+def calibration_errors(
     rows: int, amplitude: Mapping[str, ArrayLike], phase: Mapping[str, ArrayLike]
 ) -> tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]]]:
     """Both of one shape for every detector that has either; what is not given is zero."""
@@ -277,7 +241,7 @@ def _calibration(
     found: dict[str, dict[str, NDArray[np.float64]]] = {name: {} for name in CALIBRATION_NAMES}
     for detector in sorted({*amplitude, *phase}):
         given = {
-            name: np.ascontiguousarray(_calibration_errors(name, detector, arrays[detector]))
+            name: np.ascontiguousarray(_errors_of(name, detector, arrays[detector]))
             for name, arrays in named.items()
             if detector in arrays
         }

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import operator
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
 from bnserve_protocol._numbers import NotNumbers, as_real_number, as_real_numbers
+from bnserve_protocol._printable import nearest
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,13 +132,7 @@ class ParameterBatch:
     values: NDArray[np.float64]
 
     def __init__(self, values: ArrayLike) -> None:
-        array = np.ascontiguousarray(column_of_numbers("parameters", values, None))
-        if array.ndim != 2 or array.shape[1] != len(PARAMETER_NAMES):
-            raise InvalidParameters(
-                f"A parameter array has shape (N, {len(PARAMETER_NAMES)}), one column for each of "
-                f"{', '.join(PARAMETER_NAMES)}; got {array.shape}."
-            )
-        self.values = array
+        self.values = table_of(values, PARAMETER_NAMES)
 
     def __len__(self) -> int:
         return int(self.values.shape[0])
@@ -171,20 +166,19 @@ class ParameterBatch:
         if isinstance(batch, ParametersWithExtrinsic):
             batch = [batch]
         if isinstance(batch, Mapping):
-            return cls._from_columns(batch)
+            return cls.unchecked(table_of_columns(batch, PARAMETER_NAMES, PARAMETER_DEFAULTS))
         if isinstance(batch, Sequence) and all(isinstance(row, ParametersWithExtrinsic) for row in batch):
-            rows = [[getattr(row, name) for name in PARAMETER_NAMES] for row in batch]
-            return cls(np.array(rows, np.float64).reshape(len(rows), len(PARAMETER_NAMES)))
+            return cls.unchecked(table_of_rows(batch, PARAMETER_NAMES))
         raise InvalidParameters(
             "A batch is a list of ParametersWithExtrinsic or a mapping from parameter names to numbers and vectors; "
             f"got {type(batch).__name__}."
         )
 
     @classmethod
-    def of_one(cls, values: NDArray[np.float64]) -> ParameterBatch:
-        """The batch of one binary whose ten values are already an array of their own: nothing is checked."""
+    def unchecked(cls, values: NDArray[np.float64]) -> ParameterBatch:
+        """Of C-contiguous float64 ``(N, 10)``: nothing is checked or copied."""
         batch = cls.__new__(cls)
-        batch.values = values.reshape(1, len(PARAMETER_NAMES))
+        batch.values = values
         return batch
 
     @classmethod
@@ -197,34 +191,15 @@ class ParameterBatch:
             Also for any other number of rows.
         """
         if type(parameters) is ParametersWithExtrinsic:
-            return cls.of_one(np.array(_values_of(parameters), np.float64))
+            return cls.unchecked(np.array([_values_of(parameters)], np.float64))
         batch = cls.coerce(parameters)
         if len(batch) != 1:
             raise InvalidParameters(f"predict takes one binary; got {len(batch)}. Use predict_batch for them.")
         return batch
 
-    @classmethod
-    def _from_columns(cls, columns: Mapping[str, ArrayLike]) -> ParameterBatch:
-        check_names(columns)
-        arrays = {name: column_of_numbers(name, column, PARAMETER_UNITS[name]) for name, column in columns.items()}
-        for name, array in arrays.items():
-            if array.ndim > 1:
-                raise InvalidParameters(
-                    f"Parameter '{name}' must be a number or a vector; got an array of shape {array.shape}.",
-                    errors=[FieldError(reason="not a number or vector", parameter=name)],
-                )
-        lengths = {name: len(array) for name, array in arrays.items() if array.ndim == 1}
-        if len(set(lengths.values())) > 1:
-            described = ", ".join(f"{name}: {length}" for name, length in lengths.items())
-            raise InvalidParameters(f"All parameter vectors must have the same length; got {described}.")
-        values = np.empty((next(iter(lengths.values()), 1), len(PARAMETER_NAMES)))
-        for column, name in enumerate(PARAMETER_NAMES):
-            values[:, column] = arrays[name] if name in arrays else PARAMETER_DEFAULTS[name]
-        return cls(values)
-
     def split(self, rows: int) -> list[ParameterBatch]:
         """Consecutive pieces of at most ``rows`` rows."""
-        return [ParameterBatch(self.values[start : start + rows]) for start in range(0, len(self), rows)]
+        return [self.unchecked(self.values[start : start + rows]) for start in range(0, len(self), rows)]
 
 
 BatchLike: TypeAlias = (
@@ -266,27 +241,80 @@ def one_number(name: str, value: Any) -> float:
         ) from error
 
 
-def check_names(names: Iterable[str]) -> None:
+def table_of(values: Any, names: Sequence[str]) -> NDArray[np.float64]:
+    """A parameter array given as such: C-contiguous float64 ``(N, P)``.
+
+    Raises
+    ------
+    InvalidParameters
+        What counts as no numbers, or another shape than one column for each of the P ``names``.
+    """
+    array = np.ascontiguousarray(column_of_numbers("parameters", values, None))
+    if array.ndim != 2 or array.shape[1] != len(names):
+        raise InvalidParameters(
+            f"A parameter array has shape (N, {len(names)}), one column for each of {', '.join(names)}; "
+            f"got {array.shape}."
+        )
+    return array
+
+
+def table_of_rows(rows: Sequence[Any], names: Sequence[str]) -> NDArray[np.float64]:
+    """The parameter array ``(N, P)`` of N objects that have the P ``names`` as attributes."""
+    values = [[getattr(row, name) for name in names] for row in rows]
+    return np.array(values, np.float64).reshape(len(values), len(names))
+
+
+def table_of_columns(
+    columns: Mapping[str, Any], names: Sequence[str], defaults: Mapping[str, float]
+) -> NDArray[np.float64]:
+    """The parameter array ``(N, P)`` of named numbers and vectors, where those with a default may be left out.
+
+    Raises
+    ------
+    InvalidParameters
+        Unknown, missing or repeated names, what counts as no numbers, or shapes that do not fit together.
+    """
+    check_names(columns, names, defaults)
+    arrays = {name: column_of_numbers(name, column, PARAMETER_UNITS[name]) for name, column in columns.items()}
+    for name, array in arrays.items():
+        if array.ndim > 1:
+            raise InvalidParameters(
+                f"Parameter '{name}' must be a number or a vector; got an array of shape {array.shape}.",
+                errors=[FieldError(reason="not a number or vector", parameter=name)],
+            )
+    lengths = {name: len(array) for name, array in arrays.items() if array.ndim == 1}
+    if len(set(lengths.values())) > 1:
+        described = ", ".join(f"{name}: {length}" for name, length in lengths.items())
+        raise InvalidParameters(f"All parameter vectors must have the same length; got {described}.")
+    values = np.empty((next(iter(lengths.values()), 1), len(names)))
+    for column, name in enumerate(names):
+        values[:, column] = arrays[name] if name in arrays else defaults[name]
+    return values
+
+
+def check_names(
+    given: Iterable[str], known: Sequence[str] = PARAMETER_NAMES, optional: Collection[str] = PARAMETER_DEFAULTS
+) -> None:
     """Refuse unknown, missing and repeated parameter names, suggesting the nearest known one.
 
     Raises
     ------
     InvalidParameters
+        Some names are not among ``known`` or repeated, or some that are not ``optional`` are missing.
     """
-    given = list(names)
+    counts = Counter(iter(given))
     problems: list[FieldError] = []
     sentences: list[str] = []
-    for name in dict.fromkeys(given):
-        if name not in PARAMETER_NAMES:
-            shown = str(name)[:80]  # comparing takes seconds and gigabytes where a name has megabytes
-            near = difflib.get_close_matches(shown, PARAMETER_NAMES, n=1, cutoff=0.5)
-            hint = f" Did you mean '{near[0]}'?" if near else f" Known names: {', '.join(PARAMETER_NAMES)}."
-            sentences.append(f"Unknown parameter '{shown}'.{hint}")
-            problems.append(FieldError(reason=("unknown." + hint).strip(), parameter=shown))
-        elif given.count(name) > 1:
-            sentences.append(f"Parameter '{name}' is given more than once.")
-            problems.append(FieldError(reason="given more than once", parameter=name))
-    missing = [name for name in PARAMETER_NAMES if name not in given and name not in PARAMETER_DEFAULTS]
+    for name, count in counts.items():
+        shown = str(name)[:80]
+        if name not in known:
+            hint = nearest(name, known)
+            sentences.append(f"Unknown parameter '{shown}'. {hint}")
+            problems.append(FieldError(reason=f"unknown. {hint}", parameter=shown))
+        elif count > 1:
+            sentences.append(f"Parameter '{shown}' is given more than once.")
+            problems.append(FieldError(reason="given more than once", parameter=shown))
+    missing = [name for name in known if name not in counts and name not in optional]
     if missing:
         sentences.append(f"Missing parameter{'s' if len(missing) > 1 else ''}: {', '.join(missing)}.")
         problems.extend(FieldError(reason="missing", parameter=name) for name in missing)

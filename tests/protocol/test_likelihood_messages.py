@@ -98,8 +98,8 @@ def test_the_waveform_has_its_own_part():
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        ({"declinatoin": 1.0}, "did you mean 'declination'"),
-        ({"time_shift": 1.0}, "'time_shift' is unknown"),
+        ({"declinatoin": 1.0}, "Did you mean 'declination'"),
+        ({"time_shift": 1.0}, "Unknown parameter 'time_shift'"),
         ({"mass_ratio": [1.0, 2.0], "chi_1": [0.0, 0.0, 0.0]}, "same length"),
         ({"mass_ratio": "heavy"}, "must be a number"),
         ({"mass_ratio": [[1.0]]}, "number or a vector"),
@@ -114,7 +114,7 @@ def test_names_and_shapes_that_do_not_fit_are_refused(change, reason):
 
 
 def test_missing_parameters_are_named():
-    with pytest.raises(InvalidParameters, match="'declination' is missing"):
+    with pytest.raises(InvalidParameters, match="Missing parameter: declination"):
         LikelihoodBatch.coerce({name: value for name, value in COLUMNS.items() if name != "declination"})
     with pytest.raises(InvalidParameters, match="LikelihoodParameters"):
         LikelihoodBatch.coerce([1.0])

@@ -10,8 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBody
-from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodBatch, check_likelihood_names
+from bnserve_protocol._likelihood_parameters import (
+    CALIBRATION_NAMES,
+    LIKELIHOOD_DEFAULTS,
+    LIKELIHOOD_NAMES,
+    LikelihoodBatch,
+    calibration_errors,
+)
 from bnserve_protocol._model import ModelIdentity
+from bnserve_protocol._parameters import check_names
 from bnserve_protocol.wire._arrays import ArrayKeys, decode_array, decode_real, encode_array, is_array, raw_array
 from bnserve_protocol.wire._envelope import (
     JSON,
@@ -49,7 +56,7 @@ _MOST_PLAIN_BYTES = 2**20
 """Of numbers that do not travel as an array: decoded one by one they take up to sixty times as much."""
 
 _ALL_NAMES = list(LIKELIHOOD_NAMES)
-_MAPS = ("calibration_amplitude", "calibration_phase")
+_MAPS = (*CALIBRATION_NAMES, "parameters")
 _Named: TypeAlias = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)]
 
 
@@ -170,7 +177,7 @@ def decode_likelihood_request(
     try:
         wire: LikelihoodBody = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
-        check_keys(body, media_type, _MAPS if wire.names is not None else (*_MAPS, "parameters"))
+        check_keys(body, media_type, _MAPS if wire.names is None else CALIBRATION_NAMES)
     except UNREADABLE as error:
         raise undecodable(error, media_type) from error
     return LikelihoodRequest(analysis=wire.analysis, batch=batch)
@@ -194,14 +201,14 @@ def _batch(reader: _Reader, wire: LikelihoodBody, max_rows: int) -> LikelihoodBa
     if any(array.ndim != 2 for array in (*amplitude.values(), *phase.values())):
         raise InvalidParameters("Calibration errors travel as one array [N, nodes] for each detector.")
     if rows is not None and wire.names == _ALL_NAMES:  # what our client sends
-        return LikelihoodBatch(rows.copy(), amplitude, phase)  # a copy, because the body it views is read-only
-    calibration = {"calibration_amplitude": amplitude, "calibration_phase": phase}
-    return LikelihoodBatch.coerce({**columns, **calibration})
+        calibration = calibration_errors(len(rows), amplitude, phase)
+        return LikelihoodBatch.unchecked(rows.copy(), calibration)  # a copy, because the body it views is read-only
+    return LikelihoodBatch.coerce({**columns, "calibration_amplitude": amplitude, "calibration_phase": phase})
 
 
 def _rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> NDArray[np.float64]:
     if names != _ALL_NAMES:
-        check_likelihood_names(names)
+        check_names(names, LIKELIHOOD_NAMES, LIKELIHOOD_DEFAULTS)
     rows = reader.values(raw)
     if rows.ndim != 2 or rows.shape[1] != len(names):
         raise InvalidParameters(

@@ -163,8 +163,8 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows
     around = bytes(body[:1]), bytes(body[_TAIL_AT:])
     known = _known.get(around)
     if known is not None:
-        values = np.frombuffer(body, np.dtype("<f8"), len(PARAMETER_NAMES), _NUMBERS_AT).astype(np.float64)
-        return msgspec.structs.replace(known, batch=ParameterBatch.of_one(values))
+        values = np.frombuffer(body, np.dtype("<f8"), len(PARAMETER_NAMES), _NUMBERS_AT).astype(np.float64)[None]
+        return msgspec.structs.replace(known, batch=ParameterBatch.unchecked(values))
     request = _decode_request(body, media_type, max_rows)
     if not isinstance(request.grid, np.ndarray):
         if len(_known) >= _MOST_TAILS:
@@ -226,7 +226,7 @@ def _batch_from_rows(reader: _Reader, raw: msgspec.Raw, names: list[str], max_ro
         )
     _check_rows(len(rows), max_rows)
     if ours:  # what our client sends
-        return ParameterBatch(rows.copy())  # a copy, because the body it views is read-only
+        return ParameterBatch.unchecked(rows.copy())  # a copy, because the body it views is read-only
     return ParameterBatch.coerce({name: rows[:, column] for column, name in enumerate(names)})
 
 
