@@ -131,7 +131,6 @@ class Job(Generic[P, R]):
     cost: int
     payload: P
     result: asyncio.Future[R]
-    deadline: float | None = None
     submitted: float = field(default_factory=time.monotonic)
     quick: bool = False
     """Whether it is evaluated on the event loop."""
@@ -248,7 +247,7 @@ class WorkQueue(Generic[P, R]):
             self._backlog.check_deadline(deadline, now, owner, 0 if quick else cost)
         if not self._backlog.fits(cost):
             self._make_room(owner, cost)
-        job: Job[P, R] = Job(key, cost, payload, loop.create_future(), deadline, now, quick, owner)
+        job: Job[P, R] = Job(key, cost, payload, loop.create_future(), now, quick, owner)
         if quick:  # not held: as many wait as there are connections, for as long as a few of them take
             self.turns.add(owner, job)
             return job
