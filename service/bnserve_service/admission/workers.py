@@ -211,11 +211,8 @@ class WorkerPool(Generic[J]):
 
     def _take(self) -> list[J] | None:
         with self._changed:
-            while not self._line:
-                if self._stopping:
-                    return None
-                self._changed.wait()
-            return self._line.take(self._group_cost)
+            self._changed.wait_for(lambda: self._line or self._stopping)
+            return self._line.take(self._group_cost) if self._line else None
 
 
 def _stand_back() -> None:

@@ -129,7 +129,6 @@ class SharedModels:
     """
 
     def __init__(self, shared: Path, place: int) -> None:
-        self._folder = shared
         self._file = models_file(shared, place)
 
     def announce(self, catalogue: Catalogue) -> None:
@@ -143,7 +142,7 @@ class SharedModels:
 
     def have(self, name: str, wanted: str) -> bool:
         """Whether another worker has a version, label or digest of a model."""
-        for path in self._folder.glob("models-*.json"):
+        for path in self._file.parent.glob("models-*.json"):
             if path != self._file:
                 with suppress(OSError, msgspec.MsgspecError):
                     offer = _decode(path.read_bytes())
@@ -195,8 +194,7 @@ class Registry:
         wanted = version if version is not None else DEFAULT_LABEL
         labels = catalogue.labels.get(name)
         found = catalogue.models.get((name, labels.get(wanted, wanted) if labels else wanted))
-        if found is None:
-            found = catalogue.pins.get((name, wanted))
+        found = found or catalogue.pins.get((name, wanted))
         if found is not None:
             return found
         if not self.loaded:

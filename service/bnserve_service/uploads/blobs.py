@@ -117,21 +117,19 @@ class BlobStore:
         self._bounds = bounds
         folder.mkdir(mode=0o700, exist_ok=True)
 
-    def check(self) -> None:
-        """Find out why a file is not there: because nothing is.
+    def use(self, owner: str, name: str) -> bool:
+        """Whether a file is there; it counts as used now.
 
         Raises
         ------
         Unavailable
+            Nothing is there: the folder that workers share is gone.
         """
-        if not self._folder.parent.is_dir():
-            raise gone()
-
-    def use(self, owner: str, name: str) -> bool:
-        """Whether a file is there; it counts as used now."""
         try:
             os.utime(self._path(owner, name))
         except OSError:
+            if not self._folder.parent.is_dir():
+                raise gone() from None
             return False
         return True
 
@@ -173,13 +171,13 @@ class BlobStore:
             same = next((blob for blob in self._blobs() if blob.name == name and blob.size == len(body)), None)
             if same is not None:
                 with suppress(FileExistsError):
-                    os.link(self._folder / same.owner / name, path)
+                    os.link(self._path(same.owner, name), path)
                 os.utime(path)
             elif not self._write(path, body):
                 return False
-            fresh = Blob(path.parent.name, name, len(body))
+            fresh = Blob(owner, name, len(body))
             for blob in self._bounds.surplus(fresh, [blob for blob in self._blobs() if blob[:2] != fresh[:2]]):
-                self._drop(blob)
+                self.drop(*blob[:2])
         return True
 
     def drop(self, owner: str, name: str) -> bool:
@@ -204,14 +202,15 @@ class BlobStore:
         return self._folder / (owner or _EVERYBODY) / name
 
     def _blobs(self) -> list[Blob]:
-        """All, in the order in which they were used; an owner is a folder. What is left unfinished is removed."""
+        """All, in the order in which they were used. What is left unfinished is removed."""
         found = []
         for folder in os.scandir(self._folder):
+            owner = folder.name.replace(_EVERYBODY, "")
             for entry in os.scandir(folder.path) if folder.is_dir() else ():
                 with suppress(FileNotFoundError):
                     status = entry.stat()
                     if DIGEST.fullmatch(entry.name):
-                        found.append((status.st_mtime_ns, Blob(folder.name, entry.name, status.st_size)))
+                        found.append((status.st_mtime_ns, Blob(owner, entry.name, status.st_size)))
                     elif time.time() - status.st_mtime > _LEFT_BEHIND:
                         Path(entry.path).unlink()
         return [blob for _, blob in sorted(found)]
@@ -226,11 +225,8 @@ class BlobStore:
                 except OSError as error:
                     if error.errno not in (errno.ENOSPC, errno.EDQUOT) or not (blobs := self._blobs()):
                         return False
-                    self._drop(_first_to_go(blobs))
+                    self._path(*_first_to_go(blobs)[:2]).unlink(missing_ok=True)
             fresh.replace(path)
         finally:
             fresh.unlink(missing_ok=True)
         return True
-
-    def _drop(self, blob: Blob) -> None:
-        (self._folder / blob.owner / blob.name).unlink(missing_ok=True)

@@ -86,13 +86,11 @@ class SharedRecords(Records):
     Parameters
     ----------
     folder:
-        Where; it is made.
+        Where; it is made when it is needed.
     """
 
     def __init__(self, folder: Path) -> None:
-        super().__init__()
         self._folder = folder
-        folder.mkdir(mode=0o700, exist_ok=True)
 
     def alone(self) -> AbstractContextManager[object]:
         """A process that dies lets go."""

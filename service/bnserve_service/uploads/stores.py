@@ -104,7 +104,6 @@ class UploadStore(ABC, Generic[T]):
         """
         key = self._key(owner, sha256)
         if self._blobs is not None and not self._blobs.use(*key):
-            self._blobs.check()
             self._forget(key)
         with self._lock:
             found = self._held.get(key)
