@@ -23,12 +23,19 @@ find_python() {
 }
 
 # TEOBResumS comes as C source: a compiler, GSL and the headers of Python; the configuration in deploy/haproxy is run by
-# HAProxy, which Debian keeps in /usr/sbin. Names of the Debian packages that are missing.
+# HAProxy, which Debian keeps in /usr/sbin; the clients in examples/clients are built and run. Names of the Debian packages
+# that are missing.
 missing_packages() {
     command -v gcc >/dev/null || echo gcc libc6-dev
     command -v pkg-config >/dev/null || echo pkg-config
     [ -e /usr/include/gsl/gsl_version.h ] || pkg-config --exists gsl 2>/dev/null || echo libgsl-dev
     PATH="$PATH:/usr/sbin:/usr/local/sbin" command -v haproxy >/dev/null || echo haproxy
+    command -v node >/dev/null || echo nodejs
+    command -v npm >/dev/null || echo npm
+    command -v go >/dev/null || echo golang-go
+    [ -d /usr/share/gocode/src/github.com/vmihailenco/msgpack ] || echo golang-github-vmihailenco-msgpack.v5-dev
+    pkg-config --exists libcurl 2>/dev/null || echo libcurl4-openssl-dev
+    pkg-config --exists msgpack 2>/dev/null || echo libmsgpack-dev
     "$python" - <<'PYTHON_END'
 import importlib.util, os, sys, sysconfig
 debian = f"python{sys.version_info.major}.{sys.version_info.minor}" if sys.base_prefix == "/usr" else None

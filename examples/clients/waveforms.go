@@ -1,5 +1,6 @@
 // Two binaries from a running server, in Go:
 //
+//	go mod init waveforms && go get github.com/vmihailenco/msgpack/v5
 //	go run waveforms.go http://127.0.0.1:8000
 package main
 
@@ -26,16 +27,13 @@ func main() {
 	if len(os.Args) > 1 {
 		server = os.Args[1]
 	}
-	question, err := msgpack.Marshal(map[string]any{
+	question, _ := msgpack.Marshal(map[string]any{
 		"parameters": map[string]any{
 			"mass_ratio": 1.2, "lambda_1": 400.0, "lambda_2": []float64{600, 700}, "chi_1": 0.01, "chi_2": 0.0,
 			"distance_mpc": 40.0, "inclination": 2.5, "total_mass": 2.76,
 		},
 		"grid": map[string]float64{"f_min": 20, "f_max": 2048, "delta_f": 0.25},
 	})
-	if err != nil {
-		log.Fatal(err)
-	}
 	response, err := http.Post(server+"/v1/models/default/waveforms", "application/msgpack", bytes.NewReader(question))
 	if err != nil {
 		log.Fatal(err)
