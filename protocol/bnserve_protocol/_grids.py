@@ -11,9 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidFrequencies, TooLarge
+from bnserve_protocol._names import suggesting
 from bnserve_protocol._numbers import NotNumbers, as_real_number, as_real_numbers
 
 
+@suggesting
 @dataclass(frozen=True, slots=True)
 class UniformGrid:
     """``f_min, f_min + delta_f, ...`` up to and including ``f_max`` (to a millionth of a step), in Hz.

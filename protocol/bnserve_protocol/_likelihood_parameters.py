@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
+from bnserve_protocol._names import suggesting
 from bnserve_protocol._parameters import (
     FLOATS,
     PARAMETER_NAMES,
@@ -26,6 +27,7 @@ from bnserve_protocol._parameters import (
 )
 
 
+@suggesting
 @dataclass(frozen=True, slots=True)
 class LikelihoodParameters:
     """One binary at one place and time.
@@ -85,6 +87,7 @@ _OPTIONAL = ("distance_mpc", "coalescence_time")
 """What has no default, and may yet be left out where it is marginalised."""
 
 
+@suggesting
 class LikelihoodBatch:
     """N signals: their parameters as one ``(N, 13)`` float64 array, and calibration errors by detector.
 

@@ -13,10 +13,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
+from bnserve_protocol._names import nearest, suggesting
 from bnserve_protocol._numbers import NotNumbers, as_real_number, as_real_numbers
-from bnserve_protocol._printable import nearest
 
 
+@suggesting
 @dataclass(frozen=True, slots=True)
 class ParametersWithExtrinsic:
     """One binary. The field names are those of mlgw_bns.
@@ -46,7 +47,8 @@ class ParametersWithExtrinsic:
     Raises
     ------
     InvalidParameters
-        A field is no number, more than one, or in a unit that cannot be converted.
+        A field is no number, more than one, or in a unit that cannot be converted; also a ``TypeError`` where a field
+        is unknown: the nearest one is named.
     """
 
     mass_ratio: float

@@ -1,6 +1,7 @@
 """A batch of binaries: every accepted form, and what is said about the others."""
 
 import dataclasses
+import pickle
 
 import numpy as np
 import pytest
@@ -10,8 +11,11 @@ from bnserve_protocol import (
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
     InvalidParameters,
+    LikelihoodBatch,
+    LikelihoodParameters,
     ParameterBatch,
     ParametersWithExtrinsic,
+    UniformGrid,
 )
 
 ONE = ParametersWithExtrinsic.gw170817()
@@ -82,6 +86,28 @@ def test_a_misspelt_name_suggests_the_nearest(misspelt, meant):
     error = refused(TYPICAL | {misspelt: 1.0})
     assert f"Unknown parameter '{misspelt}'. Did you mean '{meant}'?" in error.detail
     assert [(problem.parameter, problem.row) for problem in error.errors] == [(misspelt, None)]
+
+
+@pytest.mark.parametrize(
+    ("made", "given", "meant"),
+    [
+        (ParametersWithExtrinsic, TYPICAL | {"lamda_1": 1.0}, "lambda_1"),
+        (LikelihoodParameters, {"mass_ration": 1.0}, "mass_ratio"),
+        (LikelihoodBatch, {"calibration_phases": {}}, "calibration_phase"),
+        (UniformGrid, {"f_min": 20.0, "f_max": 21.0, "deltaf": 1.0}, "delta_f"),
+    ],
+)
+def test_a_misspelt_keyword_suggests_the_nearest(made, given, meant):
+    with pytest.raises(InvalidParameters, match=f"{made.__name__} takes no '.*'. Did you mean '{meant}'?") as caught:
+        made(**given)
+    assert isinstance(caught.value, TypeError)
+    assert type(pickle.loads(pickle.dumps(caught.value))) is type(caught.value)
+
+
+def test_a_missing_keyword_is_pythons_own_error():
+    with pytest.raises(TypeError, match=r"missing 7 required positional arguments: 'lambda_1'") as caught:
+        ParametersWithExtrinsic(1.0)
+    assert not isinstance(caught.value, InvalidParameters)
 
 
 def test_a_name_like_no_other_lists_those_that_exist():
