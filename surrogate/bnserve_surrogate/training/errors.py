@@ -1,17 +1,4 @@
-"""What can go wrong while training data are made.
-
-::
-
-    BnserveError
-    └── TrainingError
-        ├── GeneratorFailure      one waveform could not be computed
-        ├── GeneratorUnknown      no generator of that name, or options that it does not take
-        ├── GeneratorDependsOnGrid a waveform changes with the frequencies asked for beside it
-        ├── WorkersUnusable       worker processes cannot load the generator
-        ├── TooManyFailures       more waveforms failed than allowed
-        ├── DatasetInUse          another run writes to the same directory
-        └── DatasetUnwritable     the directory cannot be written: disk full, read-only, no permission
-"""
+"""What can go wrong while training data are made."""
 
 from __future__ import annotations
 

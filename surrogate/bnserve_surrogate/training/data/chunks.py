@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import io
 import os
 import secrets
 import zipfile
@@ -136,29 +137,45 @@ def merge(chunks: list[Chunk]) -> Chunk:
     return Chunk(**columns)
 
 
+def write_whole(path: Path, data: bytes) -> None:
+    """Write a file so that ``path`` either has all of it or is what it was: temporary file, fsync, rename.
+
+    Raises
+    ------
+    OSError
+        Disk full, no permission, and the like; nothing half-written is left.
+    """
+    # Not by the number of the process: two containers that share a disk have the same.
+    temporary = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
+    try:
+        with temporary.open("wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        temporary.replace(path)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            temporary.unlink()
+        raise
+    descriptor = os.open(path.parent, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)  # renames survive a power cut
+    finally:
+        os.close(descriptor)
+
+
 def write_chunk(path: Path, chunk: Chunk) -> None:
-    """Write a chunk so that ``path`` either has all of it or does not exist: temporary file, fsync, rename.
+    """Write a chunk as :func:`write_whole` does.
 
     Raises
     ------
     DatasetUnwritable
         Disk full, no permission, and the like; nothing half-written is left.
     """
-    # Not by the number of the process: two containers that share a disk have the same.
-    temporary = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
+    archive = io.BytesIO()
+    np.savez(archive, allow_pickle=False, **{field.name: getattr(chunk, field.name) for field in fields(Chunk)})
     with unwritable_named(path.parent):
-        try:
-            with temporary.open("wb") as file:
-                np.savez(
-                    file, allow_pickle=False, **{field.name: getattr(chunk, field.name) for field in fields(Chunk)}
-                )
-                file.flush()
-                os.fsync(file.fileno())
-            temporary.replace(path)
-        except BaseException:
-            temporary.unlink(missing_ok=True)
-            raise
-        sync_directory(path.parent)
+        write_whole(path, archive.getvalue())
 
 
 def read_chunk(path: Path, amplitudes: int, phases: int) -> Chunk | None:
@@ -170,15 +187,6 @@ def read_chunk(path: Path, amplitudes: int, phases: int) -> Chunk | None:
         return None
     expected = ((chunk.index.size, amplitudes), (chunk.index.size, phases))
     return chunk if (chunk.log_amplitude_ratio.shape, chunk.psi_residual.shape) == expected else None
-
-
-def sync_directory(directory: Path) -> None:
-    """Make renames in ``directory`` survive a power cut."""
-    descriptor = os.open(directory, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
 
 
 @contextlib.contextmanager

@@ -26,6 +26,7 @@ from bnserve_surrogate.training.data.chunks import (
     read_chunk,
     unwritable_named,
     write_chunk,
+    write_whole,
 )
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.residuals import baseline_fingerprint
@@ -137,16 +138,8 @@ class ResidualDataset:
 
     def subset(self, rows: NDArray[Any]) -> ResidualDataset:
         """Some of the samples, by a boolean mask or positions."""
-        return ResidualDataset(
-            self.index[rows],
-            self.theta[rows],
-            self.log_amplitude_ratio[rows],
-            self.psi_residual[rows],
-            self.mf_amplitude,
-            self.mf_phase,
-            self.failures,
-            self.digest,
-        )
+        columns = ("index", "theta", "log_amplitude_ratio", "psi_residual")
+        return replace(self, **{name: getattr(self, name)[rows] for name in columns})
 
 
 def joined(first: ResidualDataset, second: ResidualDataset, count: int) -> ResidualDataset:
@@ -286,9 +279,7 @@ def _describe(folder: Path, specification: DatasetSpecification) -> None:
     if path.exists():
         return
     with unwritable_named(folder):
-        temporary = path.with_name(f".{_DESCRIPTION}.tmp")
-        temporary.write_text(json.dumps(specification.description, indent=2, sort_keys=True) + "\n")
-        temporary.replace(path)
+        write_whole(path, (json.dumps(specification.description, indent=2, sort_keys=True) + "\n").encode())
 
 
 @contextlib.contextmanager

@@ -4,7 +4,7 @@ Both are affine, ``[dA, dpsi] = mean + components @ basis``, and both take off a
 components, so that the regressor and the exported model do not care which one was used.
 """
 
-from typing import NamedTuple, Protocol, Self, TypeAlias
+from typing import NamedTuple, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -109,22 +109,6 @@ class NodeBasis(NamedTuple):
     basis: FloatArray
 
 
-class Reduction(Protocol):
-    """What training needs of a reduction; both classes of this module have it."""
-
-    def fit(self, log_amplitude: ArrayLike, phase: ArrayLike) -> Self:
-        """Learn from residuals of shape (N, n_A) and (N, n_phi)."""
-
-    def transform(self, log_amplitude: ArrayLike, phase: ArrayLike) -> ReducedResiduals:
-        """Reduce residuals."""
-
-    def inverse_transform(self, reduced: ReducedResiduals) -> tuple[FloatArray, FloatArray]:
-        """Residuals (N, n_A) and (N, n_phi) back."""
-
-    def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
-        """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
-
-
 class MetricReduction(BaseEstimator):
     """Principal components in the metric of the mismatch: squared distances of components are mismatches.
 
@@ -223,6 +207,9 @@ class PaperReduction(BaseEstimator):
         return _bases(
             (mean[:, : self.split_], mean[:, self.split_ :]), (basis[:, : self.split_], basis[:, self.split_ :])
         )
+
+
+Reduction: TypeAlias = MetricReduction | PaperReduction
 
 
 def _joint(log_amplitude: ArrayLike, phase: ArrayLike) -> FloatArray:

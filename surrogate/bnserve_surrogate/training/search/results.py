@@ -21,7 +21,7 @@ from bnserve_surrogate.training.search.hyperparameters import (
 )
 from bnserve_surrogate.training.search.study import failures, read_study
 from bnserve_surrogate.training.search.trials import Search
-from bnserve_surrogate.training.validation.report import write_whole
+from bnserve_surrogate.training.validation.report import write_file
 
 
 class SearchEmpty(TrainingError):
@@ -89,7 +89,7 @@ def plot_results(path: Path, title: str, results: SearchResults) -> None:
     right.legend(frameon=False)
     picture = io.BytesIO()
     figure.savefig(picture, format="png", dpi=130)
-    write_whole(path, picture.getvalue())
+    write_file(path, picture.getvalue())
 
 
 def _entry(search: Search, trial: optuna.trial.FrozenTrial) -> ParetoEntry:

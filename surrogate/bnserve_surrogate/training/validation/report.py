@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import base64
-import contextlib
 import html
 import io
-import os
-import tempfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from bnserve_protocol import require
+from bnserve_surrogate.training.data.chunks import write_whole
 from bnserve_surrogate.training.errors import DatasetUnwritable
 from bnserve_surrogate.training.validation.measurement import QUANTILES, Validation, quantiles
 
@@ -84,12 +82,12 @@ pre{{background:#f3f5f8;padding:1rem;overflow-x:auto}}</style>
 
 
 def write_text(path: Path, text: str) -> None:
-    """As :func:`write_whole`, in UTF-8."""
-    write_whole(path, text.encode())
+    """As :func:`write_file`, in UTF-8."""
+    write_file(path, text.encode())
 
 
-def write_whole(path: Path, data: bytes) -> None:
-    """Write a file whole or not at all.
+def write_file(path: Path, data: bytes) -> None:
+    """Write a file whole or not at all; its folder is made.
 
     Raises
     ------
@@ -98,17 +96,7 @@ def write_whole(path: Path, data: bytes) -> None:
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        try:
-            with os.fdopen(descriptor, "wb") as file:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-            Path(name).replace(path)
-        except BaseException:
-            with contextlib.suppress(OSError):
-                Path(name).unlink()
-            raise
+        write_whole(path, data)
     except OSError as error:
         raise DatasetUnwritable(f"Cannot write {path}: {error.strerror}. Make room or choose another place.") from error
 
