@@ -27,6 +27,13 @@ from bnserve_store._names import NAME_PATTERN, VERSION_PATTERN, check_tensor_nam
 
 DTYPES = ("<f8", "<f4", "<f2", "<i8", "<i4", "<i2", "|i1", "<u8", "<u4", "<u2", "|u1", "|b1")
 """The only array types that are stored."""
+SCHEMA_VERSION = 1
+"""The only schema that this program reads and writes."""
+_Sha256 = Annotated[str, msgspec.Meta(pattern=r"^[0-9a-f]{64}\Z")]
+_Count = Annotated[int, msgspec.Meta(ge=0)]
+_Dtype = Annotated[str, msgspec.Meta(pattern="^(" + "|".join(dtype.replace("|", r"\|") for dtype in DTYPES) + r")\Z")]
+RESTORE = "Restore this version from a copy, or publish the model again under a new version."
+"""What to do about a damaged version."""
 
 
 def prepare_tensors(tensors: Mapping[str, ArrayLike]) -> dict[str, NDArray[Any]]:
@@ -100,14 +107,6 @@ def decode_tensors(data: bytes) -> dict[str, NDArray[Any]]:
     for array in arrays.values():
         array.setflags(write=False)
     return arrays
-
-
-SCHEMA_VERSION = 1
-"""The only schema that this program reads and writes."""
-
-_Sha256 = Annotated[str, msgspec.Meta(pattern=r"^[0-9a-f]{64}\Z")]
-_Count = Annotated[int, msgspec.Meta(ge=0)]
-_Dtype = Annotated[str, msgspec.Meta(pattern="^(" + "|".join(dtype.replace("|", r"\|") for dtype in DTYPES) + r")\Z")]
 
 
 class TensorEntry(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -208,10 +207,6 @@ def decode_manifest(data: bytes, file: str) -> Manifest:
     if data != canonical:  # which also holds the digest
         raise ArtifactCorrupted(f"{file} does not match its own digest: it was damaged or edited. {RESTORE}")
     return manifest
-
-
-RESTORE = "Restore this version from a copy, or publish the model again under a new version."
-"""What to do about a damaged version."""
 
 
 def _unreadable(error: msgspec.DecodeError, file: str) -> ArtifactCorrupted | ArtifactIncomplete:

@@ -19,6 +19,15 @@ from bnserve_protocol.wire import refuse_repeated_keys
 from bnserve_store._files import RESTORE, Manifest, decode_manifest, decode_tensors, is_finite, tensor_digest
 from bnserve_store._names import is_version
 
+LABELS_FILE = "labels.json"
+_LABELS_LIMIT = 2**20
+"""Bytes; thousands of labels."""
+_labels_decoder = msgspec.json.Decoder(dict[str, str])
+MANIFEST_FILE = "manifest.json"
+TENSORS_FILE = "tensors.safetensors"
+_MANIFEST_LIMIT = 2**26
+"""A larger manifest is not one of ours; tables belong into tensors."""
+
 
 class Root(Protocol):
     """Read access to one root. Paths are given as parts below the root, which the caller has checked."""
@@ -104,13 +113,6 @@ class LocalRoot:
         return real
 
 
-LABELS_FILE = "labels.json"
-_LABELS_LIMIT = 2**20
-"""Bytes; thousands of labels."""
-
-_labels_decoder = msgspec.json.Decoder(dict[str, str])
-
-
 def read_labels(root: Root, name: str) -> dict[str, str]:
     """The labels of a model in one root, label to version; none where there is no file.
 
@@ -147,12 +149,6 @@ def _corrupted(name: str) -> ArtifactCorrupted:
 def encode_labels(labels: dict[str, str]) -> bytes:
     """The bytes of ``labels.json``."""
     return msgspec.json.format(msgspec.json.encode(labels, order="sorted"), indent=2) + b"\n"
-
-
-MANIFEST_FILE = "manifest.json"
-TENSORS_FILE = "tensors.safetensors"
-_MANIFEST_LIMIT = 2**26
-"""A larger manifest is not one of ours; tables belong into tensors."""
 
 
 @dataclass(frozen=True, eq=False)

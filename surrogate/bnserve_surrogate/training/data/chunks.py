@@ -24,6 +24,8 @@ from bnserve_surrogate.training.data.residuals import log_amplitude_ratio, phase
 from bnserve_surrogate.training.errors import DatasetUnwritable, GeneratorFailure, TrainingError, WorkersUnusable
 
 _NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
+_NEEDED = "Training", "train"
+_CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
 
 
 @dataclass(frozen=True)
@@ -204,10 +206,6 @@ def unwritable_named(directory: Path) -> Iterator[None]:
             f"The data set cannot be written in {directory} ({error.strerror or error}). Choose a directory that you "
             "can write to; finished chunks are kept."
         ) from error
-
-
-_NEEDED = "Training", "train"
-_CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
 
 
 def computed_chunks(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterator[tuple[ChunkTask, Chunk]]:

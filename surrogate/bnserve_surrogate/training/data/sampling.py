@@ -18,6 +18,10 @@ from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.generators import FloatArray, mass_seconds
 
 Interval = tuple[float, float]
+DIMENSION = 5
+UNIT_COLUMNS = 12
+"""Uniform numbers per sample: 5 coordinates, 5 to choose faces, 1 for their number, 1 to choose within a mixture."""
+_FACES, _FACE_COUNT, _CHOICE = slice(5, 10), 10, 11
 
 
 @dataclass(frozen=True)
@@ -96,12 +100,6 @@ def mf_band(configuration: TrainingConfiguration) -> tuple[float, float]:
     low, high = training_band(configuration)
     mass = mass_seconds(configuration.ranges.reference_mass)
     return low * mass, high * mass
-
-
-DIMENSION = 5
-UNIT_COLUMNS = 12
-"""Uniform numbers per sample: 5 coordinates, 5 to choose faces, 1 for their number, 1 to choose within a mixture."""
-_FACES, _FACE_COUNT, _CHOICE = slice(5, 10), 10, 11
 
 
 class Sampling(Protocol):

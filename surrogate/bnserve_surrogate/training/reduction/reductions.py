@@ -18,6 +18,8 @@ from bnserve_surrogate.training.data.residuals import flatten_phase, merger_phas
 from bnserve_surrogate.training.reduction.metric import MetricCoordinates, MismatchMetric
 
 FloatArray: TypeAlias = NDArray[np.float64]
+SCALARS = ("log_amplitude", "time_shift", "phase_shift")
+"""Outputs of the regressor beside the components: what the match does not see."""
 
 
 class PrincipalComponents(TransformerMixin, BaseEstimator):
@@ -84,10 +86,6 @@ def _covariance(samples: FloatArray, mean: FloatArray, rows: int = 16_384) -> Fl
         centred = samples[start : start + rows] - mean
         total += centred.T @ centred
     return total / len(samples)
-
-
-SCALARS = ("log_amplitude", "time_shift", "phase_shift")
-"""Outputs of the regressor beside the components: what the match does not see."""
 
 
 class ReducedResiduals(NamedTuple):

@@ -23,6 +23,16 @@ from bnserve_surrogate.training.regressors.exported import ExportedRegressor
 FloatArray: TypeAlias = NDArray[np.float64]
 Exponents: TypeAlias = NDArray[np.uint8]
 """Degrees of the factors of every term, shape (T, D)."""
+Basis: TypeAlias = Callable[[FloatArray], FloatArray]
+"""Points (n, D) -> values of the T terms, shape (T, n)."""
+_ROWS = 8192
+"""Samples per piece: bounds the memory to T times this."""
+_RANK_TOLERANCE = 1e-12
+"""Pivots of the Gram matrix (unit diagonal) below this belong to dependent terms."""
+_REFINEMENTS = 2
+"""Each gains the digits that the Cholesky factor has; two reach rounding for condition numbers up to 1e6."""
+_SCREENINGS = 5
+"""Fits without the outliers of the one before: a few bad samples hide behind a worse one only so many times."""
 
 
 def weighted_exponents(degree: float, weights: Sequence[float]) -> Exponents:
@@ -79,17 +89,6 @@ def _chebyshev_table(x: FloatArray, degree: int) -> FloatArray:
     for n in range(2, degree + 1):
         table[n] = 2.0 * x * table[n - 1] - table[n - 2]
     return table
-
-
-Basis: TypeAlias = Callable[[FloatArray], FloatArray]
-"""Points (n, D) -> values of the T terms, shape (T, n)."""
-
-_ROWS = 8192
-"""Samples per piece: bounds the memory to T times this."""
-_RANK_TOLERANCE = 1e-12
-"""Pivots of the Gram matrix (unit diagonal) below this belong to dependent terms."""
-_REFINEMENTS = 2
-"""Each gains the digits that the Cholesky factor has; two reach rounding for condition numbers up to 1e6."""
 
 
 @dataclass(frozen=True)
@@ -188,10 +187,6 @@ def _independent_terms(gram: FloatArray) -> NDArray[np.intp]:
     scaled = gram[np.ix_(present, present)] * np.multiply.outer(scale, scale)
     _, pivots, rank, _ = lapack.dpstrf(scaled, lower=1, tol=_RANK_TOLERANCE)
     return np.sort(present[np.asarray(pivots[:rank], dtype=np.intp) - 1])
-
-
-_SCREENINGS = 5
-"""Fits without the outliers of the one before: a few bad samples hide behind a worse one only so many times."""
 
 
 class ChebyshevPolynomial(RegressorMixin, BaseEstimator):

@@ -23,6 +23,7 @@ from bnserve_surrogate.training.data.chunks import unwritable_named
 from bnserve_surrogate.training.errors import TrainingError
 
 _NAME = "bnserve search"
+_SETUP, _REASON = "setup", "reason"
 
 
 class StudyUnreadable(TrainingError):
@@ -97,9 +98,6 @@ def _mend(path: Path, lock: JournalLock) -> None:
             file.truncate(file.read().rfind(b"\n") + 1)
         finally:
             lock.release()
-
-
-_SETUP, _REASON = "setup", "reason"
 
 
 class StudyMismatch(TrainingError):

@@ -32,6 +32,18 @@ tried.
 """
 _ELEMENTS = 2_000_000
 """Numbers per temporary array: rows are taken in pieces, so that memory does not grow with their number."""
+Aligned: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
+"""1 - R, slope in radians per unit of frequency, constant in radians at f = 0: each of shape (N,)."""
+MAX_STEPS = 60
+"""Newton steps per local search; three are typical, tens only where the search starts on the flank of a low peak."""
+PEAKS = 4
+"""Highest peaks of the coarse scan that are climbed."""
+_STEP = 0.1
+"""Step of the coarse scan, in units of 1 / (spread of the frequencies): peaks of R are about one unit wide."""
+_LEAST_CURVATURE = 1e-6
+"""Keeps Newton steps finite where a curvature changes sign; a step that is too long is not accepted anyway."""
+_MAX_SCAN = 65_536
+"""Longest scan; residuals that would need more are noise, for which any answer is as good."""
 
 
 class Mismatch(NamedTuple):
@@ -69,13 +81,15 @@ def mismatch(
     grid, dense_weights, log_amplitude, phase = _checked(
         frequencies, weights, log_amplitude_difference, phase_difference
     )
-    rows = max(1, _ELEMENTS // len(grid))
-    pieces = [_empty()]
-    for start in range(0, len(phase), rows):
-        piece = slice(start, start + rows)
-        row_weights = dense_weights if dense_weights.ndim == 1 else dense_weights[piece]
-        pieces.append(_mismatch_rows(grid, row_weights, log_amplitude[piece], phase[piece]))
-    return Mismatch(*(np.concatenate(column) for column in zip(*pieces, strict=True)))
+    amplitude_loss, density = _amplitude_loss(dense_weights, log_amplitude)
+    phase_loss, slope, constant = refine(grid, density, phase)
+    poor = np.flatnonzero(phase_loss > SEARCH_ABOVE)
+    if len(poor):
+        better = search(grid, density[poor], phase[poor], slope[poor])
+        won = better[0] < phase_loss[poor]
+        for ours, theirs in zip((phase_loss, slope, constant), better, strict=True):
+            ours[poor[won]] = theirs[won]
+    return Mismatch(amplitude_loss + (1.0 - amplitude_loss) * phase_loss, slope / (2.0 * np.pi), constant)
 
 
 class NodeMismatch:
@@ -107,31 +121,13 @@ class NodeMismatch:
             raise ValueError(f"Got {len(log_amplitude)} amplitude differences and {len(phase)} phase differences.")
         _require_finite(log_amplitude, phase)
         rows = max(1, _ELEMENTS // len(self.frequencies))
-        pieces = [_empty()]
+        pieces = [Mismatch(np.empty(0), np.empty(0), np.empty(0))]
         for start in range(0, len(phase), rows):
             piece = slice(start, start + rows)
             weights = self.weights if self.weights.ndim == 1 else self.weights[piece]
             dense = log_amplitude[piece] @ self._amplitude_spline, phase[piece] @ self._phase_spline
             pieces.append(mismatch(self.frequencies, weights, *dense))
         return Mismatch(*(np.concatenate(column) for column in zip(*pieces, strict=True)))
-
-
-def _empty() -> Mismatch:
-    return Mismatch(np.empty(0), np.empty(0), np.empty(0))
-
-
-def _mismatch_rows(
-    frequencies: FloatArray, weights: FloatArray, log_amplitude: FloatArray, phase: FloatArray
-) -> Mismatch:
-    amplitude_loss, density = _amplitude_loss(weights, log_amplitude)
-    phase_loss, slope, constant = refine(frequencies, density, phase)
-    poor = np.flatnonzero(phase_loss > SEARCH_ABOVE)
-    if len(poor):
-        better = search(frequencies, density[poor], phase[poor], slope[poor])
-        won = better[0] < phase_loss[poor]
-        for ours, theirs in zip((phase_loss, slope, constant), better, strict=True):
-            ours[poor[won]] = theirs[won]
-    return Mismatch(amplitude_loss + (1.0 - amplitude_loss) * phase_loss, slope / (2.0 * np.pi), constant)
 
 
 def _amplitude_loss(weights: FloatArray, log_amplitude: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -171,21 +167,6 @@ def _checked(
 def _require_finite(*arrays: FloatArray) -> None:
     if not all(np.isfinite(array).all() for array in arrays):
         raise ValueError("Frequencies, weights and differences must be finite; screen failed waveforms first.")
-
-
-Aligned: TypeAlias = tuple[FloatArray, FloatArray, FloatArray]
-"""1 - R, slope in radians per unit of frequency, constant in radians at f = 0: each of shape (N,)."""
-
-MAX_STEPS = 60
-"""Newton steps per local search; three are typical, tens only where the search starts on the flank of a low peak."""
-PEAKS = 4
-"""Highest peaks of the coarse scan that are climbed."""
-_STEP = 0.1
-"""Step of the coarse scan, in units of 1 / (spread of the frequencies): peaks of R are about one unit wide."""
-_LEAST_CURVATURE = 1e-6
-"""Keeps Newton steps finite where a curvature changes sign; a step that is too long is not accepted anyway."""
-_MAX_SCAN = 65_536
-"""Longest scan; residuals that would need more are noise, for which any answer is as good."""
 
 
 class _Frame:

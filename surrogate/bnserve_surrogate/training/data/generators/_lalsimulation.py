@@ -27,6 +27,11 @@ _FIRST_SPACING = 2e-5
 _REFINEMENTS = 6
 _STEP = 1e-3
 """Relative spacing of the difference at the reference frequency: truncation and rounding below 1e-7 rad."""
+_DISTANCE_METRES = 3.0856775814913673e22
+"""One megaparsec; it cancels."""
+_REFERENCE_MF = 20.0 * mass_seconds()
+_LAST_MF = 0.2
+"""Beyond the merger of any binary of neutron stars (0.06 at the most), and inside the range of every approximant."""
 
 
 def continuous_phase(
@@ -90,13 +95,6 @@ def _refined(mf: FloatArray, spacing: float) -> FloatArray:
     """``mf`` with points between, at most ``spacing`` apart."""
     count = int((mf[-1] - mf[0]) / spacing) + 2
     return np.union1d(mf, np.linspace(mf[0], mf[-1], count))
-
-
-_DISTANCE_METRES = 3.0856775814913673e22
-"""One megaparsec; it cancels."""
-_REFERENCE_MF = 20.0 * mass_seconds()
-_LAST_MF = 0.2
-"""Beyond the merger of any binary of neutron stars (0.06 at the most), and inside the range of every approximant."""
 
 
 @dataclass(frozen=True)
