@@ -28,7 +28,7 @@ class BucketRoot:
             raise self._unreachable(error) from error
 
     def folders(self, *parts: str) -> list[str]:
-        """Names of the folders in a folder of the bucket, listed anew."""
+        """As :meth:`Root.folders`, listed anew."""
         try:
             entries: list[dict[str, Any]] = self._files.ls(self._join(parts), detail=True, refresh=True)
         except FileNotFoundError as error:
@@ -40,7 +40,7 @@ class BucketRoot:
         return sorted(_last(entry["name"]) for entry in entries if entry["type"] == "directory")
 
     def read(self, *parts: str, limit: int) -> bytes:
-        """The bytes of an object of the bucket."""
+        """As :meth:`Root.read`; StoreUnknown where the bucket cannot be reached."""
         file = "/".join(parts)
         try:
             with self._files.open(self._join(parts), "rb") as stream:

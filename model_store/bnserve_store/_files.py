@@ -76,8 +76,13 @@ def encode_tensors(arrays: Mapping[str, NDArray[Any]]) -> bytes:
 
     Parameters
     ----------
-    arrays:
+    arrays
         As :func:`prepare_tensors` returns them.
+
+    Raises
+    ------
+    InternalError
+        They are not what is read back.
     """
     data: bytes = safetensors.numpy.save(dict(arrays))
     back = decode_tensors(data)
@@ -176,9 +181,9 @@ def decode_manifest(data: bytes, file: str) -> Manifest:
 
     Parameters
     ----------
-    data:
+    data
         The bytes of the file.
-    file:
+    file
         Its path relative to the store, for messages.
 
     Raises

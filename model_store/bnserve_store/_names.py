@@ -33,43 +33,43 @@ def is_version(text: str) -> bool:
     return isinstance(text, str) and _VERSION.fullmatch(text) is not None
 
 
+def _check(allowed: re.Pattern[str], text: str, complaint: str) -> None:
+    if not isinstance(text, str) or allowed.fullmatch(text) is None:
+        raise InvalidRequest(f"'{str(text)[:80]}' {complaint}")
+
+
 def check_name(name: str) -> None:
     """Refuse a model name that could not be a folder: InvalidRequest."""
-    if not is_name(name):
-        raise InvalidRequest(
-            f"'{str(name)[:80]}' cannot be the name of a model: use up to 64 letters, digits, '_' and '-', "
-            "beginning with a letter or digit."
-        )
+    rule = "use up to 64 letters, digits, '_' and '-', beginning with a letter or digit."
+    _check(_NAME, name, f"cannot be the name of a model: {rule}")
 
 
 def check_version(version: str) -> None:
     """Refuse a version that is not numbered: InvalidRequest."""
-    if not is_version(version):
-        raise InvalidRequest(f"'{str(version)[:80]}' is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
+    _check(_VERSION, version, "is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
 
 
 def check_label(label: str) -> None:
     """Refuse a label that could be mistaken for a version or a path: InvalidRequest."""
-    if not isinstance(label, str) or _LABEL.fullmatch(label) is None:
-        raise InvalidRequest(
-            f"'{str(label)[:80]}' cannot be a label: use up to 64 letters, digits, '_' and '-', beginning with a "
-            "letter."
-        )
+    rule = "use up to 64 letters, digits, '_' and '-', beginning with a letter."
+    _check(_LABEL, label, f"cannot be a label: {rule}")
 
 
 def check_tensor_name(name: str) -> None:
     """Refuse a tensor name with unusual characters: InvalidRequest."""
-    if not isinstance(name, str) or _TENSOR.fullmatch(name) is None:
-        raise InvalidRequest(
-            f"'{str(name)[:80]}' cannot be the name of a tensor: use up to 200 letters, digits, '_', '-', '.' and '/', "
-            "beginning with a letter or digit."
-        )
+    rule = "use up to 200 letters, digits, '_', '-', '.' and '/', beginning with a letter or digit."
+    _check(_TENSOR, name, f"cannot be the name of a tensor: {rule}")
 
 
 def version_key(version: str) -> tuple[tuple[int, ...], tuple[int, int], int, float, str]:
     """Sort key of a version, in the order of PEP 440: 1.0.dev1 < 1.0a1 < 1.0rc1 < 1.0 < 1.0.post1 < 1.0.1 < 1.10.
 
     The text comes last, so that the equal versions 1.0 and 1.0.0 have an order too.
+
+    Raises
+    ------
+    InvalidRequest
+        It is no version.
     """
     parts = _PARTS.fullmatch(version)
     if parts is None:

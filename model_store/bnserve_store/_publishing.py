@@ -50,7 +50,13 @@ _ADVICE = {
 
 @contextmanager
 def explained(action: str) -> Iterator[None]:
-    """Turn an OSError into a BnserveError that says what failed and what to do."""
+    """Turn what the file system refuses into an error with what to do about it.
+
+    Raises
+    ------
+    BnserveError
+        For an OSError inside.
+    """
     try:
         yield
     except OSError as error:
@@ -63,9 +69,9 @@ def check_writable(folder: Path, needed: int = 0) -> None:
 
     Parameters
     ----------
-    folder:
+    folder
         Need not exist.
-    needed:
+    needed
         Bytes that are to be written.
 
     Raises

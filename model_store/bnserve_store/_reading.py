@@ -66,7 +66,7 @@ class LocalRoot:
         self.title = str(path)
 
     def folders(self, *parts: str) -> list[str]:
-        """Names of the folders in a folder; ArtifactCorrupted where that is a link out of the root."""
+        """As :meth:`Root.folders`, and ArtifactCorrupted where the folder is a link out of the root."""
         try:
             if not self.path.is_dir():
                 raise StoreUnknown(
@@ -81,7 +81,7 @@ class LocalRoot:
             ) from error
 
     def read(self, *parts: str, limit: int) -> bytes:
-        """The bytes of a regular file inside the root."""
+        """As :meth:`Root.read`, of a regular file."""
         file = "/".join(parts)
         path = self.inside(*parts)
         try:
@@ -100,7 +100,13 @@ class LocalRoot:
         return data
 
     def inside(self, *parts: str) -> Path:
-        """The real path of something in this root; ArtifactCorrupted where a link leads out of it or in circles."""
+        """The real path of something in this root.
+
+        Raises
+        ------
+        ArtifactCorrupted
+            A link leads out of it or in circles.
+        """
         try:
             real, root = self.path.joinpath(*parts).resolve(), self.path.resolve()
         except (OSError, RuntimeError) as error:
@@ -165,14 +171,15 @@ def read_manifest(root: Root, name: str, version: str, folder: tuple[str, ...] =
 
     Parameters
     ----------
-    root, name, version:
+    root, name, version
         Where it should be and what it should be.
-    folder:
+    folder
         The folder of the version below the root where it is not ``name/version``.
 
     Raises
     ------
     SchemaUnknown, ArtifactIncomplete, ArtifactCorrupted
+        As :func:`decode_manifest`; or there is none, or that of another version.
     """
     parts = (*(folder or (name, version)), MANIFEST_FILE)
     file = "/".join(parts)
@@ -186,9 +193,14 @@ def read_manifest(root: Root, name: str, version: str, folder: tuple[str, ...] =
 
 
 def read_artifact(root: Root, name: str, version: str, folder: tuple[str, ...] = ()) -> Artifact:
-    """Read one version completely and verify everything (arguments and errors as :func:`read_manifest`).
+    """Read one version completely and verify everything; arguments are those of :func:`read_manifest`.
 
     The file is read once, not mapped: what was verified is what is used, whatever happens to the file later.
+
+    Raises
+    ------
+    SchemaUnknown, ArtifactIncomplete, ArtifactCorrupted
+        As :func:`read_manifest`; or the tensors are not all there, or not what the manifest says.
     """
     manifest = read_manifest(root, name, version, folder)
     parts = (*(folder or (name, version)), TENSORS_FILE)

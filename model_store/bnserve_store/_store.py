@@ -44,7 +44,7 @@ class ModelStore:
 
     Parameters
     ----------
-    roots:
+    roots
         Directories (as strings, or whatever has a path), or URLs that fsspec understands (``s3://bucket/models``;
         read-only; needs the extra ``buckets``). Directories need not exist before they are used.
 
@@ -77,14 +77,26 @@ class ModelStore:
         return sorted({name for root in self._roots for name in root.folders() if is_name(name) and _has(root, name)})
 
     def versions(self, name: str) -> list[str]:
-        """The versions of a model, oldest first by number. ModelUnknown if there is no such model."""
+        """The versions of a model, oldest first by number.
+
+        Raises
+        ------
+        ModelUnknown
+            There is no such model.
+        """
         found = {version for root in self._roots for version in _versions(root, name)} if is_name(name) else set()
         if not found:
             raise self._unknown(name)
         return sorted(found, key=version_key)
 
     def labels(self, name: str) -> dict[str, str]:
-        """The labels of a model, label to version. ModelUnknown if there is no such model."""
+        """The labels of a model, label to version.
+
+        Raises
+        ------
+        ModelUnknown
+            There is no such model.
+        """
         self.versions(name)
         merged: dict[str, str] = {}
         for root in reversed(self._roots):
@@ -153,19 +165,19 @@ class ModelStore:
 
         Parameters
         ----------
-        name, version:
+        name, version
             Up to 64 letters, digits, ``_`` and ``-``; numbers as in PEP 440.
-        tensors:
+        tensors
             Arrays by name, of any memory layout and byte order; real, finite.
-        metadata:
+        metadata
             Any JSON object.
-        labels:
+        labels
             Labels that shall point to this version from now on.
-        root:
+        root
             One of the roots of this store, by default the first; made if it does not exist.
-        created:
+        created
             A time with a time zone, for the manifest. Without one there is none: the same content has the same digest.
-        beside:
+        beside
             Makes files for people, such as a report: contents by name. They appear in the version's folder with it, and
             are no part of its digest. What it raises stops the publishing.
 
@@ -197,9 +209,14 @@ class ModelStore:
         root: str | os.PathLike[str] | None = None,
         room: int = 0,
     ) -> None:
-        """Raise what :meth:`publish` would raise for these names: for who has hours of work before publishing.
+        """Find out, before hours of work, what :meth:`publish` would refuse.
 
         With ``room`` also whether the store can be written, and has so many bytes left.
+
+        Raises
+        ------
+        VersionExists, InvalidRequest, BnserveError
+            As :meth:`publish` for these names.
         """
         check_name(name)
         check_version(version)
@@ -219,9 +236,9 @@ class ModelStore:
 
         Parameters
         ----------
-        name, label, version:
+        name, label, version
             The version must be in one of the roots of this store.
-        root:
+        root
             Where to write the label: one of the roots of this store, by default the first.
 
         Raises

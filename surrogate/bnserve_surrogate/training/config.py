@@ -174,7 +174,13 @@ def read_configuration(path: Path | str) -> TrainingConfiguration:
 
 
 def parse_configuration(table: dict[str, Any]) -> TrainingConfiguration:
-    """Check a configuration given as nested dictionaries; raises as :func:`read_configuration`."""
+    """Check a configuration given as nested dictionaries.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        A key or value that the schema does not have; the nearest key is suggested.
+    """
     try:
         return msgspec.convert(table, TrainingConfiguration)
     except msgspec.ValidationError as error:
@@ -182,7 +188,13 @@ def parse_configuration(table: dict[str, Any]) -> TrainingConfiguration:
 
 
 def demand(holds: bool, complaint: str) -> None:
-    """Raise ``ConfigurationInvalid`` with a complaint, unless what is demanded holds."""
+    """Refuse a configuration with a complaint.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        Unless what is demanded holds.
+    """
     if not holds:
         raise ConfigurationInvalid(f"The training configuration is wrong: {complaint}.")
 

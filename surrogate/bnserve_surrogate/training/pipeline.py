@@ -57,13 +57,13 @@ def train(
 
     Parameters
     ----------
-    configuration:
+    configuration
         What to train.
-    directory:
+    directory
         Where waveforms are kept, chunk by chunk: the same call after an interruption goes on from there.
-    n_jobs, backend, progress:
+    n_jobs, backend, progress
         As for :func:`build_dataset`.
-    say:
+    say
         Called with a line at the beginning of each stage.
 
     Raises

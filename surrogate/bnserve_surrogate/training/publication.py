@@ -140,18 +140,11 @@ def with_results(
 
 def _typical(metadata: SurrogateMetadata) -> ParametersWithExtrinsic:
     """The binary in the middle of the box."""
-    middle = {
-        name: 0.5 * (low + high)
-        for name, (low, high) in {
-            "mass_ratio": metadata.mass_ratio,
-            "lambda_1": metadata.lambda_,
-            "lambda_2": metadata.lambda_,
-            "chi_1": metadata.chi,
-            "chi_2": metadata.chi,
-            "total_mass": metadata.total_mass,
-        }.items()
-    }
-    return ParametersWithExtrinsic(**middle, distance_mpc=40.0, inclination=0.0)
+    middle = {name: 0.5 * sum(getattr(metadata, name)) for name in ("mass_ratio", "chi", "lambda_", "total_mass")}
+    lambda_, chi = middle.pop("lambda_"), middle.pop("chi")
+    return ParametersWithExtrinsic(
+        lambda_1=lambda_, lambda_2=lambda_, chi_1=chi, chi_2=chi, distance_mpc=40.0, inclination=0.0, **middle
+    )
 
 
 def _commit() -> str:
@@ -224,9 +217,9 @@ def publish(
 
     Parameters
     ----------
-    with_report:
+    with_report
         A page with plots lies beside the manifest.
-    force:
+    force
         Give it its labels whatever it is worth.
 
     Raises

@@ -193,7 +193,13 @@ def read_chunk(path: Path, amplitudes: int, phases: int) -> Chunk | None:
 
 @contextlib.contextmanager
 def unwritable_named(directory: Path) -> Iterator[None]:
-    """Turn what the file system refuses into :class:`DatasetUnwritable` with what to do about it."""
+    """Turn what the file system refuses into an error with what to do about it.
+
+    Raises
+    ------
+    DatasetUnwritable
+        For an OSError inside.
+    """
     try:
         yield
     except OSError as error:

@@ -78,7 +78,12 @@ def einstein_telescope_d(frequencies: ArrayLike) -> FloatArray:
     """Einstein Telescope, configuration D, from 1 to 10,000 Hz: the noise curve of the paper.
 
     Hild et al. 2011 (arXiv:1012.0908). The table, 3,000 rows, is the one distributed with bilby under the MIT licence
-    (``data/LICENSE.bilby``). Raises InvalidFrequencies outside the table.
+    (``data/LICENSE.bilby``).
+
+    Raises
+    ------
+    InvalidFrequencies
+        Outside the table.
     """
     return _einstein_telescope_table()(frequencies)
 
@@ -87,7 +92,12 @@ def advanced_ligo_design(frequencies: ArrayLike) -> FloatArray:
     """Advanced LIGO's design sensitivity (zero detuning, high power), by the fit of Ajith 2011 (arXiv:1107.1267).
 
     Meant for weights: from 25 to 4,000 Hz it is within 11 % of LALSimulation's table. The wall of seismic noise below
-    10 Hz is not in the fit, so smaller frequencies are refused with InvalidFrequencies.
+    10 Hz is not in the fit.
+
+    Raises
+    ------
+    InvalidFrequencies
+        Below 10 Hz.
     """
     grid = np.asarray(frequencies, dtype=np.float64)
     if not (grid >= 10.0 * (1.0 - 1e-12)).all():
@@ -108,14 +118,26 @@ NOISE_CURVES: Mapping[str, NoiseCurve] = MappingProxyType(
 
 
 def noise_curve(name: str) -> NoiseCurve:
-    """The noise curve called ``name``; InvalidParameters, listing the known ones, if there is none."""
+    """The noise curve called ``name``.
+
+    Raises
+    ------
+    InvalidParameters
+        There is none; the known ones are listed.
+    """
     if name not in NOISE_CURVES:
         raise InvalidParameters(f"Unknown noise curve '{name}'; known are {', '.join(NOISE_CURVES)}.")
     return NOISE_CURVES[name]
 
 
 def trapezoid_weights(frequencies: ArrayLike) -> FloatArray:
-    """Weights v, shape (J,), such that ``v @ y`` is the trapezoidal integral of y over ``frequencies``, shape (J,)."""
+    """Weights v, shape (J,), such that ``v @ y`` is the trapezoidal integral of y over ``frequencies``, shape (J,).
+
+    Raises
+    ------
+    ValueError
+        Fewer than two frequencies, or they do not increase.
+    """
     grid = np.asarray(frequencies, dtype=np.float64)
     if grid.ndim != 1 or len(grid) < 2 or not (np.diff(grid) > 0.0).all():
         raise ValueError("An integration grid must be a vector of at least two strictly increasing frequencies.")

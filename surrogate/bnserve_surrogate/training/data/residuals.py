@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from dataclasses import dataclass
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -83,21 +82,12 @@ def phase_difference(theta: FloatArray, mf: FloatArray, psi: FloatArray) -> Floa
     return psi - baseline_phase(theta, mf)
 
 
-@dataclass(frozen=True)
-class FlattenedPhase:
-    """Phase residuals without their linear trends, which are kept.
+class FlattenedPhase(NamedTuple):
+    """Phase residuals (N, n) in radians without their linear trends, which are kept.
 
-    ``residual + constant + 2 pi mf time_shift`` is what there was. A positive time shift delays the signal: psi
-    grows by 2 pi f t, h is multiplied by exp(-2 pi i f t).
-
-    Parameters
-    ----------
-    residual
-        (N, n) radians; zero at the first frequency and at the upper end of the interval.
-    time_shift
-        (N,) in units of the total mass: average slope of the residual over 2 pi.
-    constant
-        (N,) radians: the trend at zero frequency.
+    ``residual + constant + 2 pi mf time_shift`` is what there was: ``constant`` (N,) in radians, ``time_shift`` (N,) in
+    units of the total mass. A positive time shift delays the signal: psi grows by 2 pi f t, h is multiplied by exp(-2
+    pi i f t). The residual is zero at the first frequency and at the upper end of the interval.
     """
 
     residual: FloatArray

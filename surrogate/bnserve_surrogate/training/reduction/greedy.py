@@ -43,6 +43,11 @@ def multibanded_grid(
     Returns
     -------
     (n,) increasing dimensionless frequencies from exactly ``mf_min`` to exactly ``mf_max``.
+
+    Raises
+    ------
+    ValueError
+        The two do not increase, or are not positive.
     """
     if not 0.0 < mf_min < mf_max:
         raise ValueError(f"A grid needs 0 < mf_min < mf_max; got {mf_min}, {mf_max}.")

@@ -42,6 +42,11 @@ def smooth_nodes(f_min: float, f_max: float, count: int, total_mass: float = REF
     Returns
     -------
     (count,) increasing dimensionless frequencies M f, from exactly ``f_min`` to exactly ``f_max``.
+
+    Raises
+    ------
+    ValueError
+        The two do not increase, or are not positive; or fewer than two nodes.
     """
     if not (0.0 < f_min < f_max and count >= 2):
         raise ValueError(f"smooth_nodes needs 0 < f_min < f_max and count >= 2; got {f_min}, {f_max}, {count}.")

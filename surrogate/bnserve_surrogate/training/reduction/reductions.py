@@ -249,13 +249,13 @@ def regression_targets(
 
     Parameters
     ----------
-    reduced:
+    reduced
         Of N residuals.
-    theta:
+    theta
         Their parameters.
-    reference_mf:
+    reference_mf
         Where ``reduced.phase`` is taken.
-    start_mf:
+    start_mf
         Where the generator's phase starts from zero, or 0 if it does not.
     """
     intercept = reduced.phase - reduced.phase_slope * reference_mf

@@ -58,7 +58,13 @@ class ExportedRegressor:
     def of_network(
         cls, weights: Sequence[ArrayLike], biases: Sequence[ArrayLike], activation: str
     ) -> "ExportedRegressor":
-        """From the layers' matrices (inputs, outputs) and biases."""
+        """From the layers' matrices (inputs, outputs) and biases.
+
+        Raises
+        ------
+        NotExportable
+            The kernel does not have the activation.
+        """
         if activation not in ACTIVATIONS:
             raise NotExportable(f"Activation '{activation}' cannot be exported; known are {', '.join(ACTIVATIONS)}.")
         arrays = {f"mlp_weights_{i}": np.ascontiguousarray(w, dtype=np.float64) for i, w in enumerate(weights)}
@@ -78,7 +84,13 @@ class ExportedRegressor:
         return ExportedRegressor(arrays, dict(self.metadata))
 
     def plus(self, other: "ExportedRegressor") -> "ExportedRegressor":
-        """The sum of two regressors, at most one of which has a network; NotExportable otherwise."""
+        """The sum of two regressors.
+
+        Raises
+        ------
+        NotExportable
+            Both have a network.
+        """
         if self.n_layers and other.n_layers:
             raise NotExportable("The sum of two networks cannot be exported; export a polynomial plus one network.")
         arrays = {**self.arrays, **other.arrays}

@@ -69,6 +69,11 @@ def chebyshev_terms(coordinates: ArrayLike, exponents: ArrayLike) -> FloatArray:
         Shape (N, D). Outside [-1, 1] the polynomials grow quickly, and are still polynomials.
     exponents
         Shape (T, D).
+
+    Raises
+    ------
+    ValueError
+        The two have different numbers of columns.
     """
     points, degrees = np.asarray(coordinates, dtype=np.float64), np.asarray(exponents)
     if points.ndim != 2 or degrees.ndim != 2 or points.shape[1] != degrees.shape[1]:

@@ -42,12 +42,12 @@ class TrialCost:
 
     Parameters
     ----------
-    reconstruction_error:
+    reconstruction_error
         Average over the validation waveforms of |x_orig - x_pred|^2 / (n_A + n_phi) (paper, section "Hyperparameter
         optimization"), x = [dA, dphi] at the nodes without what the reduction treats as a scalar.
-    median_mismatch:
+    median_mismatch
         Of the same waveforms, time and phase maximised, to second order in the differences.
-    training_seconds:
+    training_seconds
         CPU seconds of reduction and regression.
     """
 

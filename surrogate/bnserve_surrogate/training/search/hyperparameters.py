@@ -20,17 +20,14 @@ Values = dict[str, Any]
 
 
 def override(configuration: TrainingConfiguration, values: Mapping[str, Any]) -> TrainingConfiguration:
-    """The configuration with some values replaced; raises ``ConfigurationInvalid`` for a key it does not have."""
-    table = msgspec.to_builtins(configuration)
-    for key, value in values.items():
-        *sections, name = key.split(".")
-        part = table
-        for section in sections:
-            part = part.setdefault(section, {})
-            if not isinstance(part, dict):
-                raise ConfigurationInvalid(f"The training configuration is wrong: '{section}' has no keys ({key}).")
-        part[name] = value
-    return parse_configuration(table)
+    """The configuration with some values replaced.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        A key or value that it cannot have.
+    """
+    return parse_configuration(nested(flat(msgspec.to_builtins(configuration)) | dict(values)))
 
 
 def flat(table: Mapping[str, Any], prefix: str = "") -> Values:
@@ -42,13 +39,21 @@ def flat(table: Mapping[str, Any], prefix: str = "") -> Values:
 
 
 def nested(values: Mapping[str, Any]) -> dict[str, Any]:
-    """The inverse of :func:`flat`."""
+    """The inverse of :func:`flat`.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        A key that lies below a value.
+    """
     table: dict[str, Any] = {}
     for key, value in values.items():
         *sections, name = key.split(".")
         part = table
         for section in sections:
             part = part.setdefault(section, {})
+            if not isinstance(part, dict):
+                raise ConfigurationInvalid(f"The training configuration is wrong: '{section}' has no keys ({key}).")
         part[name] = value
     return table
 
@@ -126,7 +131,13 @@ class ParetoCollection(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown
 
 
 def parse_collection(text: str, name: str) -> ParetoCollection:
-    """Read a collection from TOML; raises ``ConfigurationInvalid``, which calls it ``name``."""
+    """Read a collection from TOML.
+
+    Raises
+    ------
+    ConfigurationInvalid
+        It is none; the message calls it ``name``.
+    """
     try:
         return msgspec.convert(tomllib.loads(text), ParetoCollection)
     except (tomllib.TOMLDecodeError, msgspec.ValidationError) as error:
@@ -143,7 +154,13 @@ def collection_text(collection: ParetoCollection, comment: str) -> str:
 
 
 def write_collection(path: Path, collection: ParetoCollection, comment: str) -> None:
-    """Write :func:`collection_text` to a file, whole or not at all; raises ``DatasetUnwritable``."""
+    """Write :func:`collection_text` to a file, whole or not at all.
+
+    Raises
+    ------
+    DatasetUnwritable
+        Disk full, no permission.
+    """
     write_text(path, collection_text(collection, comment))
 
 

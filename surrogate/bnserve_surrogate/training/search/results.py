@@ -73,7 +73,13 @@ def results_table(results: SearchResults) -> str:
 
 
 def plot_results(path: Path, title: str, results: SearchResults) -> None:
-    """Write the two costs of every trial and the Pareto front as a picture; raises ``DatasetUnwritable``."""
+    """Write the two costs of every trial and the Pareto front as a picture.
+
+    Raises
+    ------
+    DatasetUnwritable
+        Disk full, no permission.
+    """
     drawing = require("matplotlib.figure", "The picture of a search", "train")
     figure = drawing.Figure(figsize=(9, 4.2), layout="constrained")
     left, right = figure.subplots(1, 2)

@@ -113,9 +113,9 @@ def working_on(path: Path, setup: dict[str, Any]) -> Iterator[optuna.Study]:
 
     Parameters
     ----------
-    path:
+    path
         The journal. Its folder is made.
-    setup:
+    setup
         Everything that trials of this study have in common, as plain values.
 
     Raises
@@ -145,7 +145,15 @@ def working_on(path: Path, setup: dict[str, Any]) -> Iterator[optuna.Study]:
 
 
 def read_study(path: Path, setup: dict[str, Any]) -> optuna.Study:
-    """Open a study to look at it; raises as :func:`working_on`, and if there is none."""
+    """Open a study to look at it.
+
+    Raises
+    ------
+    StudyUnreadable
+        There is none, or the file is something else.
+    StudyMismatch
+        It was made with another configuration.
+    """
     if not path.is_file() or not path.stat().st_size:
         raise StudyUnreadable(f"There is no study {path}. Begin one by leaving out --report, or name another.")
     study = open_journal(path)

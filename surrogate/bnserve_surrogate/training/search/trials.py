@@ -38,14 +38,14 @@ class Search:
 
     Parameters
     ----------
-    configuration:
+    configuration
         The kind of its regressor, its reduction and coordinates decide what is searched; all trials draw their
         waveforms from its data set.
-    study:
+    study
         File of the study.
-    waveforms:
+    waveforms
         Size of the data set; None for the configuration's.
-    waveform_seconds:
+    waveform_seconds
         What one training waveform adds to the second cost.
     """
 
@@ -89,17 +89,17 @@ def run_search(
 
     Parameters
     ----------
-    search:
+    search
         What, and where.
-    directory:
+    directory
         Where waveforms are kept.
-    trials, timeout:
+    trials, timeout
         When to stop. ``timeout`` does not count the generation of waveforms.
-    seed:
+    seed
         Trial i draws its waveforms from it and i, and its parameters from these and the trials before.
-    n_jobs, backend, progress:
+    n_jobs, backend, progress
         As for ``build_dataset``.
-    say:
+    say
         Called with a line for every trial.
 
     Raises

@@ -36,9 +36,9 @@ class ErrorEstimate:
 
     Parameters
     ----------
-    exponents:
+    exponents
         (T, 5) degrees of the Chebyshev products.
-    coefficients:
+    coefficients
         (T,) calibration included.
     """
 
@@ -57,13 +57,13 @@ def fit_error_estimate(
 
     Parameters
     ----------
-    coordinates:
+    coordinates
         (N, 5) scaled coordinates of fresh waveforms, from the middle of the box and from its edges.
-    mismatch:
+    mismatch
         (N,) measured.
-    kinds:
+    kinds
         (N,) from where each is: the promise is kept for every kind.
-    degree:
+    degree
         Largest total degree; lowered until there are ten waveforms for every term.
 
     Returns

@@ -33,19 +33,19 @@ def validate_artifact(
 
     Parameters
     ----------
-    artifact:
+    artifact
         Of a store.
-    directory:
+    directory
         Where waveforms are kept.
-    counts:
+    counts
         How many ``"uniform"`` in the box and on its ``"edges"``.
-    seed:
+    seed
         Of the waveforms; different from the configuration's seeds, they are new to the model.
-    noise, total_mass, f_min:
+    noise, total_mass, f_min
         As for :func:`validate`.
-    n_jobs:
+    n_jobs
         Processes at once.
-    own_function:
+    own_function
         The user's function that the model was trained on, as ``module:function``. A model that names another, or any
         when this is None, is refused: importing is running, and what a model names is data.
 

@@ -43,21 +43,21 @@ class Validation:
 
     Parameters
     ----------
-    theta:
+    theta
         (N, 5).
-    mismatch:
+    mismatch
         (N,) one minus the match, time and phase maximised, of the model.
-    merger_time:
+    merger_time
         (N,) seconds by which ``alignment="merger"`` misses the generator's merger.
-    merger_phase:
+    merger_phase
         (N,) radians by which its phase misses the generator's, at zero frequency.
-    estimated_mismatch:
+    estimated_mismatch
         (N,) what the model says of itself, or None.
-    log_amplitude, phase:
+    log_amplitude, phase
         (N, n) differences at the nodes, the phase after the best shift of time and phase.
-    frequencies:
+    frequencies
         (n,) nodes in Hz at the reference mass.
-    measure_baseline:
+    measure_baseline
         Computes :attr:`baseline_mismatch`, which takes longer than all the rest.
     """
 
@@ -131,17 +131,17 @@ def validate(
 
     Parameters
     ----------
-    model:
+    model
         Any waveform model: the published one, local or remote, so that what is measured is what is served.
-    metadata:
+    metadata
         Its band and reference mass.
-    dataset:
+    dataset
         Fresh waveforms.
-    noise:
+    noise
         Name of a noise curve.
-    total_mass:
+    total_mass
         Of the binaries, in solar masses; None: the reference mass.
-    f_min:
+    f_min
         Lower end of the mismatch integral in Hz; None: the beginning of the trained band.
 
     Raises
@@ -225,9 +225,9 @@ def validate_on_fresh(
 
     Parameters
     ----------
-    generate:
+    generate
         Makes the waveforms, with this ``seed``.
-    model, metadata, at:
+    model, metadata, at
         As for :func:`validate`, which says what it raises.
     """
     configuration = generate.configuration
