@@ -47,8 +47,6 @@ class HostCheck:
     def __init__(self, names: Iterable[str] | None) -> None:
         self._any = names is None
         self._names = frozenset(name.lower() for name in names or () if not _is_loopback_name(name.lower()))
-        self._known = b""
-        """The last header that was right: a sampler sends the same for hours."""
 
     @classmethod
     def of(cls, settings: Settings) -> HostCheck:
@@ -76,7 +74,7 @@ class HostCheck:
             With what to configure if the caller is right.
         """
         host = headers.get(b"host", b"")
-        if host != self._known and not route.startswith(_HEALTH):
+        if not route.startswith(_HEALTH):
             self._check_host(host)
         if b"origin" in headers and method not in _READING:
             self._check_origin(headers[b"origin"], host)
@@ -90,7 +88,6 @@ class HostCheck:
                 f"This server does not go by the host '{name}' (Host header). Connect to it by a name of its own; if "
                 "this is one, its operators add it to the setting `allowed_hosts` (--allowed-host)."
             )
-        self._known = host
 
     def _check_origin(self, origin: bytes, host: bytes) -> None:
         authority = origin.partition(b"://")[2]

@@ -23,9 +23,9 @@ from bnserve_service.http.complaints import Complaints
 from bnserve_service.http.framing import (
     MOST_PIPELINED,
     PIECE,
+    Alone,
     Frame,
     FramingError,
-    KnownHead,
     new_parser,
     reason_of,
     refusal,
@@ -36,8 +36,6 @@ from bnserve_service.http.timers import Due, Pace, ReadTimer
 from bnserve_service.process.listening import Acceptor
 from bnserve_service.settings import Settings
 
-FAST_BODY = 2**14
-"""Larger bodies rarely come in one piece, and are not for the fast path."""
 _LINGER_BYTES = 2**20
 """So much a peer that is refused may go on sending before it reads why."""
 _BLANKS = b" \t"
@@ -102,13 +100,13 @@ class _TimedProtocol(HttpToolsProtocol):
 
 
 class FastPath(Protocol):
-    """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.fast_path.FastPath`."""
+    """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.endpoint.FastPath`."""
 
-    def read(self, url: bytes, headers: list[Header]) -> Any:
-        """What a POST asks for, as far as its head says; None if it is not for the fast path."""
+    def take(self, request: Alone, finish: Finish) -> bool:
+        """Begin to answer a request with a known head; false when it goes the other way, and nothing has happened."""
 
-    def take(self, asked: Any, varying: dict[bytes, bytes], body: bytes, finish: Finish) -> bool:
-        """Begin to answer a request; false when it goes the other way, and nothing has happened."""
+    def learn(self, request: Alone, url: bytes, headers: list[Header]) -> None:
+        """Know the head of a POST that was found to be right, and that leaves the connection open."""
 
 
 class _FastCycle:
@@ -121,76 +119,32 @@ class _FastCycle:
 
 
 class _FastProtocol(_TimedProtocol):
-    """... whose small requests are answered by a fast path, if they come in one piece; all else by the application."""
+    """... which has a fast path answer small requests that come alone and whose head is known, without the parser."""
 
     fast_path: FastPath | None = None
 
-    def __init__(self, *arguments: Any, **options: Any) -> None:
-        super().__init__(*arguments, **options)
-        self._asked: Any = None
-        """What a request asks for that the fast path takes if it comes in one piece."""
-        self._held = bytearray()
-        """Its body."""
-        self._arrived: bytes | None = None
-        """What is being parsed, while it may begin with a request for the fast path."""
-        self._known: tuple[KnownHead, Any] | None = None
-        """The last head, and what it asked for."""
-
-    def on_headers_complete(self) -> None:
-        """Parser: the headers are there."""
-        if (
-            self._arrived is not None
-            and self.fast_path is not None
-            and self._is_idle()
-            and not self.expect_100_continue
-            and not self.flow.write_paused
-            and self.parser.get_method() == b"POST"
-            and self.parser.get_http_version() == "1.1"
-            and self.parser.should_keep_alive()
-        ):
-            self._asked = self.fast_path.read(self.url, self.headers)
-        if self._asked is None:
-            super().on_headers_complete()
-
-    def on_body(self, body: bytes) -> None:
-        """Parser: some of the body."""
-        if self._asked is None:
-            super().on_body(body)
-        else:
-            self._held += body
-
-    def on_message_complete(self) -> None:
-        """Parser: the body is there."""
-        if self._asked is not None and len(self._held) <= FAST_BODY and self._take(self._asked, {}, bytes(self._held)):
-            known = KnownHead.of(self._arrived or b"", self.headers)
-            self._known = (known, self._asked) if known is not None else None
-            self._drop_held()
-        else:
-            self._go_the_other_way()
-            super().on_message_complete()
-
-    def _take_again(self, data: bytes) -> bool:
-        """Have the fast path answer a request that came in one piece and whose head is known, without the parser."""
-        self._arrived = data
-        if self._known is None or not self._is_idle() or self.flow.write_paused:
+    def _take(self, request: Alone) -> bool:
+        """False when it is to be parsed."""
+        if self.fast_path is None or not self._is_idle() or self.flow.write_paused:
             return False
-        head, asked = self._known
-        found = head.read(data)
-        if found is None:
+        cycle = _FastCycle()
+        if not self.fast_path.take(request, lambda *answer: self._answer(cycle, *answer)):
             return False
-        if not self._take(asked, *found):
-            self._arrived = None  # or it would be decoded there again
-            return False
+        self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
         self._watch()
         return True
 
-    def _take(self, asked: Any, varying: dict[bytes, bytes], body: bytes) -> bool:
-        assert self.fast_path is not None, "it has said what is asked for"
-        cycle = _FastCycle()
-        if not self.fast_path.take(asked, varying, body, lambda *answer: self._answer(cycle, *answer)):
-            return False
-        self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
-        return True
+    def _learn(self, request: Alone) -> None:
+        """Know the head of what was parsed, if its kind can be for the fast path."""
+        if (
+            self.fast_path is not None
+            and self.parser.get_method() == b"POST"
+            and self.parser.get_http_version() == "1.1"
+            and self.parser.should_keep_alive()
+            and not self.expect_100_continue
+            and request.is_what_was_parsed(self.headers)
+        ):
+            self.fast_path.learn(request, self.url, self.headers)
 
     def _answer(self, cycle: _FastCycle, status: int, headers: list[Header], body: bytes) -> None:
         """Send an answer of the fast path."""
@@ -206,19 +160,6 @@ class _FastProtocol(_TimedProtocol):
         if not cycle.keep_alive:
             self.transport.close()
         self.on_response_complete()
-
-    def _go_the_other_way(self) -> None:
-        """Hand a request that is held, if there is one, to the application."""
-        is_held = self._asked is not None
-        body = self._drop_held()
-        if is_held:
-            super().on_headers_complete()
-        if body:
-            super().on_body(bytes(body))
-
-    def _drop_held(self) -> bytearray:
-        body, self._held, self._asked, self._arrived = self._held, bytearray(), None, None
-        return body
 
 
 class BoundedProtocol(_FastProtocol):
@@ -240,7 +181,8 @@ class BoundedProtocol(_FastProtocol):
             self._ignore(len(data))
             return
         self._unset_keepalive_if_required()
-        if self._due is Due.NOTHING and self._take_again(data):
+        alone = Alone.of(data) if self._due is Due.NOTHING else None
+        if alone is not None and self._take(alone):
             self._frame.pending = 0
             return
         try:
@@ -248,7 +190,8 @@ class BoundedProtocol(_FastProtocol):
         except (httptools.HttpParserError, FramingError) as error:
             self._refuse(error)
             return
-        self._go_the_other_way()
+        if alone is not None and self._due is Due.NOTHING:
+            self._learn(alone)
         if not self.transport.is_closing():
             self._watch()
 
@@ -319,8 +262,7 @@ class BoundedProtocol(_FastProtocol):
         """Answer what is no request, unless others wait for answers: then end after the last of these."""
         sentence = reason_of(error)
         self.complaints.tell(self.client, sentence)
-        begun = self._due is Due.BODY and self._asked is None
-        self._drop_held()
+        begun = self._due is Due.BODY
         self._due = Due.END
         self._timer.wait_for(Due.NOTHING)
         if begun and self.pipeline:
