@@ -336,7 +336,7 @@ def test_room_can_be_asked_for_without_taking_it():
     with_queue(check)
 
 
-def test_a_request_like_those_before_is_foreseen_to_cost_what_they_did():
+def test_a_request_like_those_before_is_expected_to_cost_what_they_did():
     cost_estimates = CostEstimates()
     assert cost_estimates.cost("one", 10_000) is None
     cost_estimates.learn("one", 10_000, 500)

@@ -1,11 +1,13 @@
 """What the workers of one server share: a folder for them alone, uploads, counts, and what they serve."""
 
+import errno
 import hashlib
 import os
 import shutil
 import subprocess
 import sys
 import threading
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -128,6 +130,22 @@ class TestBlobStore:
         blobs.put(YOU, digest(more), more)
         assert not blobs.has(ME, digest(mine))
         assert blobs.usage() == (2, 900)
+
+    def test_a_full_disk_is_a_smaller_bound(self, tmp_path, monkeypatch):
+        blobs = BlobStore(tmp_path / "blobs", Bounds(100, 2**20, 2**20))
+        write = Path.write_bytes
+
+        def write_if_it_fits(path, body):
+            if blobs.usage()[1] + len(body) > 3000:
+                raise OSError(errno.ENOSPC, "full")
+            return write(path, body)
+
+        monkeypatch.setattr(Path, "write_bytes", write_if_it_fits)
+        bodies = [bytes([number]) * 900 for number in range(3)]
+        assert all(blobs.put(ME, digest(body), body) for body in bodies)
+        assert blobs.put(YOU, digest(b"y" * 1500), b"y" * 1500)
+        assert [blobs.has(ME, digest(body)) for body in bodies] == [False, False, True]
+        assert not blobs.put(YOU, digest(b"y" * 4000), b"y" * 4000)
 
     def test_what_is_mapped_outlives_being_dropped(self, blobs):
         blobs.put(ME, digest(b"abc"), b"abc")

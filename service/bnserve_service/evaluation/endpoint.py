@@ -67,7 +67,7 @@ class EvaluationEndpoint:
         deadline = request.deadline
         with self._bodies.of(request) as incoming:
             body = await incoming.read(receive, self._body_limits[request.media_type])
-            self._service.foresee(self._kind, len(body), request)
+            self._service.refuse_early(self._kind, len(body), request)
             await incoming.name(body)
             question = await self._service.ask(self._kind, body, request)
             del body

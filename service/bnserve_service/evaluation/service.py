@@ -146,7 +146,7 @@ class EvaluationService:
         """Memory promised to answers that are being computed or sent."""
         return self._promised.total
 
-    def foresee(self, kind: Kind[Any], size: int, request: RequestContext) -> None:
+    def refuse_early(self, kind: Kind[Any], size: int, request: RequestContext) -> None:
         """Refuse a body of ``size`` bytes before it is decoded, if others of its kind would be refused now.
 
         Raises
