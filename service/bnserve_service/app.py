@@ -21,7 +21,7 @@ from bnserve_service.admission.quotas import rate_quotas
 from bnserve_service.evaluation.endpoint import EvaluationEndpoint, FastPath
 from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
 from bnserve_service.evaluation.questions import Kind, Question
-from bnserve_service.evaluation.service import EvaluationService, Evaluator, Outcome
+from bnserve_service.evaluation.service import EvaluationService, Outcome
 from bnserve_service.evaluation.waveforms import Waveforms
 from bnserve_service.http.access import HostCheck, TokenCheck
 from bnserve_service.http.body import BodyReader
@@ -29,7 +29,6 @@ from bnserve_service.http.front import Front, places_of
 from bnserve_service.models.loading import loader_of
 from bnserve_service.models.maintenance import Health, Maintenance
 from bnserve_service.models.registry import ModelFactory, ModelSource, Registry, SharedModels
-from bnserve_service.process.cpu import available_cpus
 from bnserve_service.reference.explorer import explorer_router
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_service.routes.models import model_router
@@ -197,19 +196,12 @@ def create_app(
     """
     settings, registry = settings or Settings(), registry or Registry()
     metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
-    lifecycle, threads, limits = Lifecycle(), settings.threads or available_cpus(), settings.limits()
+    lifecycle, limits = Lifecycle(), settings.limits()
     bodies = BodyReader(settings.incoming_bytes, settings.body_timeout)
     grids, analyses = GridStore(settings, shared), AnalysisStore(settings, decode_analysis, shared)
-    queue: WorkQueue[Question, Outcome] = WorkQueue(
-        Evaluator(metrics),
-        workers=threads,
-        capacity=settings.queue_samples,
-        group_cost=settings.group_samples,
-        metrics=metrics,
-    )
-    health = Health(
-        settings, registry, lifecycle, queue.workers.longest_evaluation, partial(_missing, settings, shared)
-    )
+    evaluation = EvaluationService(settings, registry, lifecycle, bodies, metrics)
+    longest, missing = evaluation.queue.workers.longest_evaluation, partial(_missing, settings, shared)
+    health = Health(settings, registry, lifecycle, longest, missing)
     maintenance = Maintenance(loader_of(settings, registry, source, factory), registry, health, metrics, settings)
     if shared is not None:
         registry.join(SharedModels(shared, worker), maintenance.poke)
@@ -218,9 +210,9 @@ def create_app(
         registry=registry,
         grids=grids,
         analyses=analyses,
-        queue=queue,
+        queue=evaluation.queue,
         kinds=(Waveforms(grids, limits, metrics), Likelihoods(analyses, limits, metrics, bind or bind_likelihood)),
-        evaluation=EvaluationService(settings, registry, queue, lifecycle, bodies, threads),
+        evaluation=evaluation,
         lifecycle=lifecycle,
         health=health,
         maintenance=maintenance,

@@ -18,6 +18,7 @@ from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Question
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel, Registry
+from bnserve_service.process.cpu import available_cpus
 from bnserve_service.settings import Settings
 from bnserve_service.telemetry.metrics import Metrics
 
@@ -114,30 +115,31 @@ class EvaluationService:
     Parameters
     ----------
     settings:
-        The limits.
-    registry, queue, lifecycle:
-        Where models are, who evaluates, and whether new work is accepted.
+        The limits, and how many threads evaluate: a large question may be divided among all of them.
+    registry, lifecycle:
+        Where models are, and whether new work is accepted.
     bodies:
         Who works through large bodies.
-    workers:
-        Threads that evaluate: a large question may be divided among all of them.
+    metrics:
+        Where to count.
     """
 
     def __init__(
-        self,
-        settings: Settings,
-        registry: Registry,
-        queue: WorkQueue[Question, Outcome],
-        lifecycle: Lifecycle,
-        bodies: BodyReader,
-        workers: int,
+        self, settings: Settings, registry: Registry, lifecycle: Lifecycle, bodies: BodyReader, metrics: Metrics
     ) -> None:
         self._registry = registry
-        self._queue = queue
         self._lifecycle = lifecycle
         self._bodies = bodies
-        self._workers = workers
+        self._workers = settings.threads or available_cpus()
         self._piece_cost = settings.group_samples
+        self.queue: WorkQueue[Question, Outcome] = WorkQueue(
+            Evaluator(metrics),
+            workers=self._workers,
+            capacity=settings.queue_samples,
+            group_cost=settings.group_samples,
+            metrics=metrics,
+        )
+        """Who evaluates."""
         self._cost_estimates = CostEstimates()
         self._promised = Capacity(settings.max_answer_bytes)
 
@@ -155,7 +157,7 @@ class EvaluationService:
         """
         cost = self._cost_estimates.cost((request.owner, kind.subject(request)), size)
         if cost is not None:
-            self._queue.check_room(request.owner, cost, request.deadline)
+            self.queue.check_room(request.owner, cost, request.deadline)
 
     async def ask(self, kind: Kind[Any], body: bytes, request: RequestContext) -> Question:
         """Find the model, decode and check a body; large ones in a thread.
@@ -215,7 +217,7 @@ class EvaluationService:
         jobs: list[EvaluationJob] = []
         try:
             for piece in (question,) if question.quick else question.pieces(self._workers, self._piece_cost):
-                jobs.append(self._queue.submit(piece.key, piece.cost, piece, deadline, quick=piece.quick, owner=owner))
+                jobs.append(self.queue.submit(piece.key, piece.cost, piece, deadline, quick=piece.quick, owner=owner))
         except BaseException:
             for job in jobs:
                 self.withdraw(job)
@@ -224,8 +226,8 @@ class EvaluationService:
 
     def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
         """Call ``refusal`` when it is the turn of this owner."""
-        self._queue.turns.refuse(owner, refusal)
+        self.queue.turns.refuse(owner, refusal)
 
     def withdraw(self, job: EvaluationJob) -> None:
         """Forget a job whose caller went away."""
-        self._queue.withdraw(job, "disconnect")
+        self.queue.withdraw(job, "disconnect")
