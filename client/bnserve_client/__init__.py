@@ -16,6 +16,7 @@ import warnings
 from bnserve_client._async_model import AsyncModel
 from bnserve_client._likelihoods import AsyncLikelihood, Likelihood
 from bnserve_client._model import Model
+from bnserve_client._together import Together
 from bnserve_protocol import (
     AmplitudePhase,
     Analysis,
@@ -82,6 +83,7 @@ __all__ = [
     "QuotaExceeded",
     "RowStatus",
     "RunManifest",
+    "Together",
     "TooLarge",
     "Unauthorized",
     "Unavailable",

@@ -14,9 +14,8 @@ import dynesty
 import dynesty.pool
 import numpy as np
 from problem import SAMPLED, Problem, arguments, from_unit_cube, report
-from together import Together
 
-from bnserve_client import Model
+from bnserve_client import Model, Together
 
 PROCESSES = 2
 

@@ -275,6 +275,7 @@ def value_of(likelihood):
     return likelihood.log_likelihood_ratio(SIGNAL)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("method", ["fork", "spawn", "forkserver"])
 def test_a_likelihood_of_bilby_with_it_is_the_same_in_other_processes(ours, method):
     waveforms = generator(binary_neutron_star, **ours)

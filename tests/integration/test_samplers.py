@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from bnserve_client import Model
+from bnserve_client import Model, Together
 from tests.integration.conftest import COMMAND
 from tests.running_server import free_port, is_ready, running
 
@@ -122,9 +122,7 @@ def test_the_detectors_noise_may_come_from_files(bnserve_server, tmp_path, examp
         np.testing.assert_allclose(ours.asd[band], theirs.asd[band], rtol=1e-2)
 
 
-def test_questions_of_threads_travel_together(examples):
-    from together import Together
-
+def test_questions_of_threads_travel_together():
     asked = []
 
     def evaluate(questions):
@@ -143,9 +141,7 @@ def test_questions_of_threads_travel_together(examples):
     assert asked == [[0, 1, 2, 3], [101, 103], [4, 5], [105]]
 
 
-def test_a_failure_reaches_every_thread_that_asked(examples):
-    from together import Together
-
+def test_a_failure_reaches_every_thread_that_asked():
     def evaluate(questions):
         raise ConnectionError("nobody answers")
 
@@ -193,5 +189,5 @@ def test_emcee_outlives_an_outage(tmp_path, examples):
 
 
 def test_every_example_is_run_here():
-    helpers = {"problem.py", "together.py", "bilby_adapter.py"}
+    helpers = {"problem.py"}
     assert {path.name for path in SAMPLERS.glob("*.py")} == helpers | {script for script, *_ in RUNS.values()}

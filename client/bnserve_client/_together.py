@@ -6,12 +6,15 @@ of them are one request. Values have the same bits in any batch, and each propos
 a seeded run does not depend on which thread was first.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from threading import Lock
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 class Together:
@@ -23,19 +26,24 @@ class Together:
         Takes a list of questions and returns as many log-likelihoods.
     size:
         Threads, which is the most questions in a request.
+
+    Attributes
+    ----------
+    requests:
+        How often ``evaluate`` was called.
     """
 
-    def __init__(self, evaluate: Callable[[list[Any]], np.ndarray], size: int) -> None:
-        self.size = size
+    def __init__(self, evaluate: Callable[[list[Any]], NDArray[np.float64]], size: int) -> None:
+        self.size, self.requests = size, 0
         self._evaluate = evaluate
         self._threads = ThreadPoolExecutor(size)
         self._lock = Lock()
         self._at_work = 0
-        self._waiting: list[tuple[Any, Future]] = []
+        self._waiting: list[tuple[Any, Future[float]]] = []
 
     def log_likelihood(self, question: Any) -> float:
         """The answer to one question, asked together with those of the other threads."""
-        answer: Future = Future()
+        answer: Future[float] = Future()
         with self._lock:
             self._waiting.append((question, answer))
             ready = self._all_that_wait()
@@ -44,7 +52,8 @@ class Together:
 
     def map(self, function: Callable[[Any], Any], items: Iterable[Any]) -> list[Any]:
         """``function`` of each item, in their order; :attr:`size` at a time."""
-        todo, done = list(items), []
+        todo = list(items)
+        done: list[Any] = []
         for first in range(0, len(todo), self.size):
             group = todo[first : first + self.size]
             self._at_work = len(group)
@@ -68,16 +77,17 @@ class Together:
                 ready = self._all_that_wait()
             self._ask(ready)
 
-    def _all_that_wait(self) -> list[tuple[Any, Future]]:
+    def _all_that_wait(self) -> list[tuple[Any, Future[float]]]:
         """All questions, once nobody is left who could ask another one before they are answered."""
         if len(self._waiting) < self._at_work:
             return []
         ready, self._waiting = self._waiting, []
         return ready
 
-    def _ask(self, ready: list[tuple[Any, Future]]) -> None:
+    def _ask(self, ready: list[tuple[Any, Future[float]]]) -> None:
         if not ready:
             return
+        self.requests += 1
         try:
             values = self._evaluate([question for question, _ in ready])
         except BaseException as error:

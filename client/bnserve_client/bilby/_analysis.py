@@ -1,0 +1,114 @@
+"""bilby's interferometers and priors as an analysis of bnserve."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_client._chosen import local_part
+from bnserve_client.bilby._ranges import distance_prior, prior_ranges
+from bnserve_protocol import InvalidRequest, Likelihood, TimeMarginalisation, WaveformModel
+
+Floats = NDArray[np.float64]
+
+
+class Marginalised(NamedTuple):
+    """What is integrated over."""
+
+    time: bool
+    phase: bool
+    distance: bool
+
+
+def build_analysis(
+    interferometers: Any,
+    priors: Any,
+    model: WaveformModel,
+    arguments: Mapping[str, Any],
+    approximant: str | None,
+    marginalised: Marginalised,
+    *,
+    fiducial: dict[str, Floats] | None,
+    trigger_time: float | None,
+    error_bound: float,
+) -> Likelihood:
+    """The likelihood of an analysis that :meth:`ServiceLikelihood.from_bilby` describes, which raises the same.
+
+    Parameters
+    ----------
+    fiducial:
+        One binary, as ``binaries`` makes it: by relative binning around it; None for the full grid.
+    """
+    parts = local_part("analyses", "Building an analysis of bilby's data")
+    trigger = _trigger(priors) if trigger_time is None else float(trigger_time)
+    low, high = _band(interferometers, arguments)
+    data = [_data(parts, interferometer, low, high) for interferometer in interferometers]
+    options = parts.LikelihoodOptions(
+        prior=prior_ranges(priors, trigger) if fiducial is not None else {},
+        phase_marginalisation=marginalised.phase,
+        time_marginalisation=_times(priors, trigger, approximant) if marginalised.time else None,
+        distance_marginalisation=distance_prior(priors["luminosity_distance"]) if marginalised.distance else None,
+        error_bound=error_bound,
+    )
+    common = {"trigger_time": trigger, "f_min": low, "f_max": high, "alignment": "merger", "options": options}
+    if fiducial is None:
+        analysis = parts.full_analysis(data, **common)
+    else:
+        binary = {**fiducial, "distance_mpc": 100.0, "inclination": 0.0}
+        analysis = parts.relative_binning_analysis(data, fiducial=binary, model=model, **common)
+    bound: Likelihood = parts.likelihood(model, analysis)
+    return bound
+
+
+def _trigger(priors: Any) -> float:
+    time = priors["geocent_time"]
+    if isinstance(time, int | float):
+        return float(time)
+    return 0.5 * (float(time.minimum) + float(time.maximum))
+
+
+def _times(priors: Any, trigger: float, approximant: str | None) -> TimeMarginalisation:
+    prior = priors["geocent_time"]
+    if approximant is not None or type(prior).__name__ != "Uniform":
+        raise InvalidRequest(
+            "The time of the merger is integrated over a uniform prior: give geocent_time a bilby.core.prior.Uniform, "
+            "and leave out 'waveform_approximant', whose time is another; or sample in the time."
+        )
+    return TimeMarginalisation(minimum=prior.minimum - trigger, maximum=prior.maximum - trigger)
+
+
+def _band(interferometers: Any, arguments: Mapping[str, Any]) -> tuple[float, float]:
+    """The frequencies of the data in which there is a waveform and a detector, in Hz."""
+    grid = interferometers[0].frequency_array
+    used = np.any([interferometer.frequency_mask for interferometer in interferometers], axis=0)
+    used &= (grid >= arguments.get("minimum_frequency", 20.0)) & (grid > 0.0)
+    used &= grid <= arguments.get("maximum_frequency", grid[-1])
+    if used.sum() < 2:
+        raise InvalidRequest(
+            "No frequency of the data is in a detector's band and in the waveform's: compare minimum_frequency and "
+            "maximum_frequency of the interferometers with those of waveform_arguments."
+        )
+    duration = interferometers[0].duration
+    return tuple(float(round(f * duration) / duration) for f in grid[used][[0, -1]])  # type: ignore[return-value]  # two
+
+
+def _data(parts: Any, interferometer: Any, low: float, high: float) -> Any:
+    """Strain and noise of one detector; where bilby leaves out a frequency, it has no weight."""
+    if type(interferometer.calibration_model).__name__ != "Recalibrate":
+        raise InvalidRequest(
+            f"{interferometer.name} has a calibration model, whose errors are not sampled here: use the source model "
+            "binary_neutron_star in bilby's own likelihood, or bnserve_inference.LikelihoodOptions(calibration=...)."
+        )
+    asd = np.sqrt(np.asarray(interferometer.power_spectral_density_array, dtype=np.float64))
+    return parts.DetectorData(
+        detector=parts.Detector(
+            interferometer.name, np.asarray(interferometer.detector_tensor), np.asarray(interferometer.vertex)
+        ),
+        strain=np.asarray(interferometer.frequency_domain_strain, dtype=np.complex128),
+        asd=np.where(interferometer.frequency_mask, asd, np.inf),
+        start_time=float(interferometer.strain_data.start_time),
+        duration=float(interferometer.duration),
+    )

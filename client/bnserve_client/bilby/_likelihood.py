@@ -1,0 +1,187 @@
+"""A likelihood of bnserve as bilby's: its value comes from where the model is, all else is bilby's own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from bilby.gw.conversion import convert_to_lal_binary_neutron_star_parameters
+from bilby.gw.likelihood import GravitationalWaveTransient
+from bilby.gw.waveform_generator import WaveformGenerator
+from numpy.typing import NDArray
+
+from bnserve_client._chosen import chosen_model
+from bnserve_client._together import Together
+from bnserve_client.bilby._analysis import Marginalised, build_analysis
+from bnserve_client.bilby._arguments import Choice, read_choice
+from bnserve_client.bilby._binaries import binaries
+from bnserve_client.bilby._source import OPTIONS, binary_neutron_star
+from bnserve_protocol import DEFAULT_ERROR_BOUND, Likelihood, WaveformModel
+
+Floats = NDArray[np.float64]
+
+_SAME = {
+    "right_ascension": "ra", "declination": "dec", "polarization_angle": "psi", "inclination": "theta_jn",
+    "distance_mpc": "luminosity_distance",
+}  # fmt: skip
+_NOTHING = float(np.nan_to_num(-np.inf))
+"""What bilby's likelihoods say outside of a model's range."""
+
+
+class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bilby has no annotations
+    """A likelihood of bnserve for any sampler of bilby; made by :meth:`from_bilby`.
+
+    It takes bilby's parameters, and is all that ``bilby.gw.GravitationalWaveTransient`` is: it can be pickled and
+    copied, and reconstructs what it integrates over. Its values come from the service, eight bytes for each sample,
+    many in one request where a sampler asks for many (:meth:`log_likelihood_ratios`, :meth:`together`).
+    """
+
+    @classmethod
+    def from_bilby(
+        cls,
+        interferometers: Any,
+        priors: Any,
+        *,
+        waveform_arguments: Mapping[str, Any] | None = None,
+        fiducial_parameters: Mapping[str, float] | None = None,
+        trigger_time: float | None = None,
+        time_marginalization: bool = False,
+        phase_marginalization: bool = False,
+        distance_marginalization: bool = False,
+        error_bound: float = DEFAULT_ERROR_BOUND,
+        parameter_conversion: Any = convert_to_lal_binary_neutron_star_parameters,
+    ) -> ServiceLikelihood:
+        """The likelihood of bilby's data, uploaded to the service that ``waveform_arguments`` name.
+
+        Parameters
+        ----------
+        interferometers:
+            bilby's, with strain and noise; their bands, notches and geometry are kept.
+        priors:
+            bilby's, in whatever it can convert: chirp mass and mass ratio, component masses, symmetric mass ratio,
+            Lambda-tilde. As in bilby, what is integrated over is fixed in them.
+        waveform_arguments:
+            As of :func:`binary_neutron_star`.
+        fiducial_parameters:
+            A binary near the maximum, by bilby's names: the likelihood is then by relative binning, right to
+            ``error_bound``. Without it, it is that on the full grid.
+        trigger_time:
+            GPS seconds near the merger; None for the middle of the prior of ``geocent_time``.
+        time_marginalization, phase_marginalization, distance_marginalization:
+            As in bilby. Time and distance are integrated exactly, over priors that are uniform and a power.
+        error_bound:
+            By how much ln L by relative binning may differ from that on the full grid.
+        parameter_conversion:
+            From the priors' parameters to bilby's source model's.
+
+        Raises
+        ------
+        InvalidRequest
+            Priors or detectors that a service's likelihood cannot have; says what to do.
+        AnalysisInvalid
+            As :func:`bnserve_inference.full_analysis` and ``relative_binning_analysis``.
+        PackageMissing
+            What builds analyses is not installed.
+        """
+        arguments = dict(waveform_arguments or {})
+        choice = read_choice(arguments)
+        model = chosen_model(
+            choice.url, choice.model, version=choice.version, digest=choice.digest, timeout=choice.timeout
+        )
+        marginalised = Marginalised(time_marginalization, phase_marginalization, distance_marginalization)
+        fiducial = None if fiducial_parameters is None else parameter_conversion(dict(fiducial_parameters))[0]
+        bound = build_analysis(
+            interferometers, priors, model, arguments, choice.zero_points.approximant, marginalised,
+            fiducial=None if fiducial is None else binaries(fiducial), trigger_time=trigger_time,
+            error_bound=error_bound,
+        )  # fmt: skip
+        generator = WaveformGenerator(
+            duration=interferometers.duration, sampling_frequency=interferometers.sampling_frequency,
+            start_time=interferometers.start_time, frequency_domain_source_model=binary_neutron_star,
+            parameter_conversion=parameter_conversion, waveform_arguments=arguments,
+        )  # fmt: skip
+        return cls(interferometers, generator, bound, model, choice, marginalised, priors)
+
+    def __init__(
+        self,
+        interferometers: Any,
+        waveform_generator: Any,
+        bound: Likelihood,
+        model: WaveformModel,
+        choice: Choice,
+        marginalised: Marginalised,
+        priors: Any,
+    ) -> None:
+        self._bound, self._model, self._choice = bound, model, choice
+        self._together: Together | None = None
+        super().__init__(
+            interferometers, waveform_generator, time_marginalization=marginalised.time,
+            phase_marginalization=marginalised.phase, distance_marginalization=marginalised.distance, priors=priors,
+            jitter_time=False,
+        )  # fmt: skip
+
+    @property
+    def likelihood(self) -> Likelihood:
+        """That of bnserve, which takes its names and counts what it was asked."""
+        return self._bound
+
+    def log_likelihood_ratio(self, parameters: Mapping[str, float] | None = None) -> float:
+        """ln of the ratio to the likelihood of no signal, of one sample by bilby's names."""
+        sample = self.parameters if parameters is None else parameters
+        if self._together is not None:
+            return self._together.log_likelihood(dict(sample))
+        return float(self.log_likelihood_ratios([sample])[0])
+
+    def log_likelihood_ratios(self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]) -> Floats:
+        """As :meth:`log_likelihood_ratio` of N samples, ``(N,)``, in one request (two where the phase is not
+        integrated over: its meaning depends on the waveform at the reference frequency).
+
+        Parameters
+        ----------
+        samples:
+            A list of dictionaries, or a dictionary (or data frame) of vectors and numbers.
+        """
+        values = self._bound.log_likelihood(self._columns(samples))
+        return np.where(np.isfinite(values), values, _NOTHING)
+
+    def together(self, threads: int) -> Together:
+        """A ``pool`` for ``bilby.run_sampler``, with ``queue_size=threads``: questions of all threads are one request.
+
+        It is left behind when the likelihood is pickled or copied.
+        """
+        self._together = Together(self.log_likelihood_ratios, threads)
+        return self._together
+
+    def _columns(self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]) -> dict[str, Floats]:
+        if isinstance(samples, Sequence):
+            samples = {name: [sample[name] for sample in samples] for name in samples[0]}
+        given = {name: np.asarray(samples[name], dtype=np.float64) for name in samples if _is_number(samples[name])}
+        theirs, _ = self.waveform_generator.parameter_conversion(given)
+        columns = binaries(theirs)
+        settings = self._bound.analysis.settings
+        shift, time = np.zeros(1), np.zeros(1)
+        if not settings.phase_marginalisation or self._choice.zero_points.approximant is not None:
+            shift, time = self._shifts(columns)
+        ours = columns | {name: theirs[their_name] for name, their_name in _SAME.items()}
+        ours["coalescence_time"] = np.asarray(theirs["geocent_time"]) - settings.trigger_time - time
+        ours["reference_phase"] = 2.0 * np.asarray(theirs["phase"]) + shift
+        return dict(zip(ours, np.broadcast_arrays(*ours.values()), strict=True))
+
+    def _shifts(self, columns: dict[str, Floats]) -> tuple[Floats, Floats]:
+        zero_points, grid = self._choice.zero_points, self.waveform_generator.frequency_array
+        last = self.waveform_generator.waveform_arguments.get("maximum_frequency", grid[-1])
+        top = float(grid[np.searchsorted(grid, last, side="right") - 1])
+        batch: dict[str, Any] = {**columns, "distance_mpc": 1.0, "inclination": 0.0}
+        h = self._model.predict_factored(zero_points.frequencies(top), batch, options=OPTIONS).h
+        return zero_points.shifts(np.asarray(h, dtype=np.complex128), columns, top)
+
+    def _setup_distance_marginalization(self, lookup_table: Any = None) -> None:
+        """bilby would tabulate its integral over the distance; here it is the service's."""
+
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_together": None}
+
+
+def _is_number(value: Any) -> bool:
+    return np.asarray(value).dtype.kind in "fiub"
