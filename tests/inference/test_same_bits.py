@@ -8,7 +8,7 @@ import pytest
 
 from bnserve_inference import likelihood
 from bnserve_inference.kernel._contraction import ASSEMBLY
-from bnserve_inference.kernel._digest import source_digest
+from bnserve_inference.kernel.build import sources
 from bnserve_protocol import (
     Calibration,
     DistanceMarginalisation,
@@ -18,6 +18,7 @@ from bnserve_protocol import (
     encode_analysis,
 )
 from bnserve_surrogate.kernel._loader import DIGEST_PREFIX
+from bnserve_surrogate.kernel.build import source_digest
 from tests.inference.networks import F_MAX, F_MIN, columns, full
 from tests.inference.test_kinds_agree import binned
 
@@ -93,4 +94,4 @@ def test_an_analysis_that_travelled_gives_the_same_bits(model, data):
 
 def test_the_compiled_contraction_is_of_these_sources():
     first_line = ASSEMBLY.read_text().split("\n", 1)[0]
-    assert first_line == DIGEST_PREFIX + source_digest(), "run: python -m bnserve_inference.kernel.build"
+    assert first_line == DIGEST_PREFIX + source_digest(sources()), "run: python -m bnserve_inference.kernel.build"

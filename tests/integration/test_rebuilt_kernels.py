@@ -47,7 +47,7 @@ def assert_close(shipped, anew):
 
 def test_the_kernel_is_what_its_sources_compile_to(tmp_path, monkeypatch):
     file = rebuilt("bnserve_surrogate", loader.ASSEMBLY, tmp_path)
-    again = loader.load_assembly(file, loader.ENTRY_POINT, "ppp", vectorise=False)
+    again = loader.load_assembly(file, loader.ENTRY_POINT, vectorise=False)
     batch, model = ParameterBatch(random_batch(11)), Model.default()
     for f in (np.geomspace(3.0, 2700.0, 300), np.linspace(3.0, 2700.0, 20_000)):
         shipped = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
@@ -62,7 +62,7 @@ def test_the_kernel_is_what_its_sources_compile_to(tmp_path, monkeypatch):
 
 def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):
     file = rebuilt("bnserve_inference", contraction.ASSEMBLY, tmp_path)
-    again = loader.load_assembly(file, contraction.ENTRY_POINT, contraction._SIGNATURE)
+    again = loader.load_assembly(file, contraction.ENTRY_POINT)
     model = Model.load("fast")
     data, batch = network(model), columns(20)
     calibration = Calibration(nodes=5, f_min=F_MIN, f_max=F_MAX)

@@ -20,8 +20,8 @@ from bnserve_protocol import (
 )
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate import Model, SelfCheck
-from bnserve_surrogate.kernel._digest import source_digest
 from bnserve_surrogate.kernel._loader import ASSEMBLY, DIGEST_PREFIX
+from bnserve_surrogate.kernel.build import source_digest, sources
 from tests.surrogate.conftest import random_batch
 
 GRID = np.geomspace(5.0, 2048.0, 100)
@@ -30,7 +30,7 @@ ONE = ParametersWithExtrinsic.gw170817()
 
 def test_the_kernel_was_compiled_from_the_sources_that_are_here():
     first_line = ASSEMBLY.read_text().splitlines()[0]
-    assert first_line == DIGEST_PREFIX + source_digest(), "run: python -m bnserve_surrogate.kernel.build"
+    assert first_line == DIGEST_PREFIX + source_digest(sources()), "run: python -m bnserve_surrogate.kernel.build"
 
 
 @pytest.fixture(scope="module")

@@ -3,7 +3,7 @@
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from bnserve_surrogate.kernel._splines import second_derivative_operator
+from bnserve_surrogate.kernel._mode import second_derivative_operator
 
 
 def test_second_derivatives_are_those_of_scipys_not_a_knot_spline():

@@ -2,50 +2,34 @@
 
 from __future__ import annotations
 
-import ctypes
 import functools
-import threading
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._calibration import calibration_splines
-from bnserve_inference.kernel._layout import LANES, scratch_size
+from bnserve_inference.kernel._layout import Argument, scratch_size
 from bnserve_protocol import Analysis, LikelihoodBatch
-from bnserve_surrogate.kernel import load_assembly
+from bnserve_protocol.wire import address_of
+from bnserve_surrogate.kernel import Workspace, load_assembly, padded
 
 ASSEMBLY = Path(__file__).with_name("contraction.ll")
 ENTRY_POINT = "bnserve_contract"
-_SIGNATURE = "pp pi i pi pi pi pi pi pi pi pi pi pi pi pi pi pi i pi pi pi pi pi"
 
 Floats = NDArray[np.float64]
 _NONE = np.zeros(0)
 
 
 @functools.cache
-def load_contraction() -> Callable[..., int]:
-    """The compiled contraction as a C function that releases the GIL."""
-    return load_assembly(ASSEMBLY, ENTRY_POINT, _SIGNATURE)
+def load_contraction() -> Callable[[int, int, int], int]:
+    """The compiled contraction, called as :func:`~bnserve_surrogate.kernel.load_assembly` says."""
+    return load_assembly(ASSEMBLY, ENTRY_POINT)
 
 
-class _Scratch(threading.local):
-    """Working memory of one thread, kept between calls."""
-
-    floats = _NONE
-
-    def __init__(self) -> None:
-        self.slots = (ctypes.c_int64 * 2)()
-
-    def of_size(self, size: int) -> Floats:
-        if self.floats.size < size:
-            self.floats = np.empty(size)
-        return self.floats
-
-
-_scratch = _Scratch()
+_workspace = Workspace(len(Argument))
 
 
 class InnerProducts(NamedTuple):
@@ -60,10 +44,7 @@ class InnerProducts(NamedTuple):
 
 
 class Contraction:
-    """The arrays of an analysis in the layout of the compiled code.
-
-    Nodes are padded to whole lanes with zero weights. ``linear`` is ``(D, T, 2, width)``: real parts, then imaginary
-    parts; calibration splines are ``(nodes, width)``.
+    """The arrays of an analysis, as :class:`~bnserve_inference.kernel._layout.Argument` says, and calls with them.
 
     Attributes
     ----------
@@ -73,27 +54,28 @@ class Contraction:
 
     def __init__(self, analysis: Analysis) -> None:
         settings, arrays = analysis.settings, analysis.arrays
-        self.detectors = settings.detectors
-        linear, quadratic = analysis.linear_nodes, analysis.quadratic_nodes
+        self.detectors, calibration = settings.detectors, settings.calibration
+        linear, quadratic = nodes = analysis.linear_nodes, analysis.quadratic_nodes
         self.frequencies = linear if settings.kind == "full" else np.union1d(linear, quadratic)
-        self._linear_at = np.searchsorted(self.frequencies, linear).astype(np.int64)
-        self._quadratic_at = np.searchsorted(self.frequencies, quadratic).astype(np.int64)
-        self._nodes = _padded(linear)
+        self.calibration_nodes = 0 if calibration is None else calibration.nodes
         weights = [arrays[f"linear_weights/{name}"] for name in self.detectors]
-        self._linear = _padded(np.array([np.stack([table.real, table.imag], axis=1) for table in weights]))
-        self._quadratic = _padded(np.array([arrays[f"quadratic_weights/{name}"] for name in self.detectors]))
-        self._responses = np.array([arrays[f"response/{name}"] for name in self.detectors])
-        self._locations = np.array([arrays[f"location/{name}"] for name in self.detectors])
-        self._sidereal = np.array([settings.sidereal_time, settings.sidereal_rate])
+        tables = _padded(np.array([np.stack([table.real, table.imag], axis=1) for table in weights]))
         grid = settings.time_grid
-        self._knots = np.array([0.0, 1.0] if grid is None else [grid.start, grid.step])
-        self.calibration_nodes = 0 if settings.calibration is None else settings.calibration.nodes
-        self._splines = (_NONE, _NONE)
-        if settings.calibration is not None:
-            self._splines = (
-                _padded(calibration_splines(settings.calibration, linear)),
-                _padded(calibration_splines(settings.calibration, quadratic)),
-            )
+        self._held = [
+            np.array([0.0, 1.0] if grid is None else [grid.start, grid.step]),
+            np.array([settings.sidereal_time, settings.sidereal_rate]),
+            np.array([arrays[f"response/{name}"] for name in self.detectors]),
+            np.array([arrays[f"location/{name}"] for name in self.detectors]),
+            _padded(linear),
+            np.searchsorted(self.frequencies, linear).astype(np.int64),
+            np.searchsorted(self.frequencies, quadratic).astype(np.int64),
+            tables,
+            _padded(np.array([arrays[f"quadratic_weights/{name}"] for name in self.detectors])),
+            *((_NONE, _NONE) if calibration is None else (_padded(calibration_splines(calibration, f)) for f in nodes)),
+        ]
+        counts = len(self.detectors), len(self.frequencies), len(linear), len(quadratic), tables.shape[1]
+        self._arguments = [*counts, *map(address_of, self._held)]
+        self._scratch_size = scratch_size(len(self.detectors))
 
     def __call__(
         self, h: NDArray[np.complex128], sky: Floats, calibration: tuple[Floats, Floats] | None,
@@ -117,23 +99,21 @@ class Contraction:
         rows = len(h)
         products = np.empty((rows, times), dtype=np.complex128)
         norms = np.empty(rows)
-        terms = np.empty((rows, len(self._linear_at)), dtype=np.complex128) if spectrum else None
-        errors, splines = ((_NONE, _NONE), (_NONE, _NONE)) if calibration is None else (calibration, self._splines)
-        arrays = [self._sidereal, self._responses, self._locations]
-        tables = [self._linear, self._quadratic, self._knots]
-        outputs = [products.view(np.float64), norms, _NONE if terms is None else terms.view(np.float64)]
-        scratch = _scratch.of_size(scratch_size(len(self.detectors)))
-        strain = np.ascontiguousarray(h, dtype=np.complex128).view(np.float64)
-        head = [*_place(strain), len(self.frequencies), *_place(np.ascontiguousarray(sky))]
-        middle = [self._nodes, self._linear_at, self._quadratic_at, *tables]
-        held = [*arrays, *middle, *(np.ascontiguousarray(values) for values in errors), *splines]
-        tail = [np.array([step]), *outputs, scratch]
-        slots = ctypes.addressof(_scratch.slots)
-        status = load_contraction()(
-            slots, slots + 8, *head, *_places(held), times, *_places(tail)
-        )  # fmt: skip
-        if status != 0:
-            raise RuntimeError(f"The contraction stopped with status {status}.")
+        terms = np.empty((rows, self._arguments[Argument.LINEAR]), dtype=np.complex128) if spectrum else None
+        strain = np.ascontiguousarray(h, np.complex128)
+        given = [np.ascontiguousarray(array, np.float64) for array in (sky, *(calibration or (_NONE, _NONE)))]
+        sky_at, *errors_at = map(address_of, given)
+        workspace = _workspace
+        if workspace.scratch.size < self._scratch_size:
+            workspace.reserve(self._scratch_size)
+        workspace.arguments[:] = [
+            *self._arguments, rows, address_of(strain), sky_at,
+            0 if calibration is None else self.calibration_nodes, *errors_at,
+            times, int(np.float64(step).view(np.int64)), address_of(products), address_of(norms),
+            0 if terms is None else address_of(terms), workspace.scratch_at,
+        ]  # fmt: skip
+        if load_contraction()(*workspace.addresses) != 0:
+            raise RuntimeError("The contraction stopped with an error.")
         return InnerProducts(data=products, norm=norms, spectrum=terms)
 
     def calibration_of(self, batch: LikelihoodBatch) -> tuple[Floats, Floats] | None:
@@ -150,13 +130,5 @@ class Contraction:
 
 def _padded(array: Floats) -> Floats:
     """A C-contiguous copy, its last axis filled with zeros up to whole lanes."""
-    missing = -array.shape[-1] % LANES
-    return np.ascontiguousarray(np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, missing)]))
-
-
-def _place(array: NDArray[Any]) -> tuple[int, int]:
-    return array.__array_interface__["data"][0], array.size
-
-
-def _places(arrays: list[NDArray[Any]]) -> list[int]:
-    return [number for array in arrays for number in _place(array)]
+    size = array.shape[-1]
+    return np.ascontiguousarray(np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, padded(size) - size)]))

@@ -12,16 +12,16 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from bnserve_inference.kernel._layout import BLOCK, LANES, Sky
+from bnserve_inference.kernel._layout import BLOCK, Argument, Sky
+from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
+from bnserve_surrogate.kernel._simd import floats_at, floats_in, from_bits, integers_at, padded
 
 Floats = NDArray[np.float64]
+Integers = NDArray[np.int64]
 
 LIGHT_SPEED = 299792458.0
 _TWO_PI = 2.0 * np.pi
-_RIGHT_ASCENSION, _DECLINATION, _POLARIZATION = int(Sky.RIGHT_ASCENSION), int(Sky.DECLINATION), int(Sky.POLARIZATION)
-_TIME, _PLUS = int(Sky.TIME), int(Sky.PLUS)
-_CROSS_REAL, _CROSS_IMAGINARY = int(Sky.CROSS_REAL), int(Sky.CROSS_IMAGINARY)
 _COLUMNS = len(Sky)
 
 
@@ -32,10 +32,10 @@ def _geometry(sky: Floats, sidereal: Floats, responses: Floats, locations: Float
     The antenna patterns are those of LAL's ComputeDetAMResponse (Anderson et al. 2001, eqs. B4 to B7), the delay that
     of its TimeDelayFromEarthCenter.
     """
-    hour_angle = sidereal[0] + sidereal[1] * sky[_TIME] - sky[_RIGHT_ASCENSION]
+    hour_angle = sidereal[0] + sidereal[1] * sky[Sky.TIME] - sky[Sky.RIGHT_ASCENSION]
     sin_h, cos_h = sincos(hour_angle)
-    sin_d, cos_d = sincos(sky[_DECLINATION])
-    sin_p, cos_p = sincos(sky[_POLARIZATION])
+    sin_d, cos_d = sincos(sky[Sky.DECLINATION])
+    sin_p, cos_p = sincos(sky[Sky.POLARIZATION])
     x0 = -cos_p * sin_h - sin_p * cos_h * sin_d
     x1 = -cos_p * cos_h + sin_p * sin_h * sin_d
     x2 = sin_p * cos_d
@@ -55,8 +55,8 @@ def _geometry(sky: Floats, sidereal: Floats, responses: Floats, locations: Float
         plus = (x0 * u0 + x1 * u1 + x2 * u2) - (y0 * v0 + y1 * v1 + y2 * v2)
         cross = (x0 * v0 + x1 * v1 + x2 * v2) + (y0 * u0 + y1 * u1 + y2 * u2)
         place = locations[3 * d : 3 * d + 3]
-        factors[3 * d] = plus * sky[_PLUS] + cross * sky[_CROSS_REAL]
-        factors[3 * d + 1] = cross * sky[_CROSS_IMAGINARY]
+        factors[3 * d] = plus * sky[Sky.PLUS] + cross * sky[Sky.CROSS_REAL]
+        factors[3 * d + 1] = cross * sky[Sky.CROSS_IMAGINARY]
         factors[3 * d + 2] = -(n0 * place[0] + n1 * place[1] + sin_d * place[2]) / LIGHT_SPEED
 
 
@@ -168,95 +168,158 @@ def _knots(time: float, knots: Floats, rows: int, width: int, first: int) -> Any
     return (2 * width * (cell - 2) + first, 2 * width, width), spline
 
 
+@njit(inline="always")
+def _views(scratch: Floats, detectors: int) -> Any:
+    """Working memory, which ``_layout.scratch_size`` counts: of the detectors, and pairs of blocks of nodes for strain,
+    the same with calibration errors, its products with weights, and the errors."""
+    first = 3 * detectors
+    return (
+        floats_in(scratch, 0, first),
+        (floats_in(scratch, first, BLOCK), floats_in(scratch, first + BLOCK, BLOCK)),
+        (floats_in(scratch, first + 2 * BLOCK, BLOCK), floats_in(scratch, first + 3 * BLOCK, BLOCK)),
+        (floats_in(scratch, first + 4 * BLOCK, BLOCK), floats_in(scratch, first + 5 * BLOCK, BLOCK)),
+        (floats_in(scratch, first + 6 * BLOCK, BLOCK), floats_in(scratch, first + 7 * BLOCK, BLOCK)),
+    )
+
+
+@njit(inline="always")
+def _first_of(pair: Any, size: int) -> Any:
+    return floats_in(pair[0], 0, size), floats_in(pair[1], 0, size)
+
+
 @njit(**JIT_OPTIONS)
-def contract(
-    strain: Any, sky: Floats, detectors: Any, nodes: Any, weights: Any, calibration: Any, times: Any, outputs: Any,
-    scratch: Floats,
+def _gather(wave: Floats, places: Integers, filled: int, hr: Floats, hi: Floats) -> None:
+    """Strain at the ``filled`` nodes of a block, and zero beyond them."""
+    for j in range(filled):
+        hr[j] = wave[2 * places[j]]
+        hi[j] = wave[2 * places[j] + 1]
+    for j in range(filled, hr.shape[0]):
+        hr[j] = 0.0
+        hi[j] = 0.0
+
+
+@njit(inline="always")
+def _errors_of(arguments: Integers, kind: int, place: int) -> Floats:
+    """The errors at the calibration nodes, of one row in one detector."""
+    nodes = arguments[Argument.CALIBRATION_NODES]
+    return floats_at(arguments[kind] + 8 * nodes * place, nodes)
+
+
+@njit(inline="always")
+def _add_times(
+    arguments: Integers, f: Floats, arrival: float, delay: float, strain: Any, table: Floats, width: int, first: int,
+    factor: Any, product: Any, out: Floats,
 ) -> None:  # fmt: skip
-    """Inner products of every row; the arrays are laid out as ``_contraction.py`` says."""
-    h, points = strain
-    sidereal, responses, locations = detectors
-    f, linear_at, quadratic_at = nodes
-    linear, quadratic, knots = weights
-    amplitude, phase, linear_spline, quadratic_spline = calibration
-    n_times, step = times
-    data_products, norms, spectrum = outputs
-    n_detectors = responses.shape[0] // 9
-    width, q_width = f.shape[0], quadratic.shape[0] // n_detectors
-    n_linear, n_quadratic = linear_at.shape[0], quadratic_at.shape[0]
-    knot_rows = linear.shape[0] // (2 * width * n_detectors)
-    n_nodes = linear_spline.shape[0] // width if width > 0 else 0
-    factors = scratch[: 3 * n_detectors]
-    at = 3 * n_detectors
-    hr, hi = scratch[at : at + BLOCK], scratch[at + BLOCK : at + 2 * BLOCK]
-    kr, ki = scratch[at + 2 * BLOCK : at + 3 * BLOCK], scratch[at + 3 * BLOCK : at + 4 * BLOCK]
-    pr, pi = scratch[at + 4 * BLOCK : at + 5 * BLOCK], scratch[at + 5 * BLOCK : at + 6 * BLOCK]
-    da, dp = scratch[at + 6 * BLOCK : at + 7 * BLOCK], scratch[at + 7 * BLOCK : at + 8 * BLOCK]
-    for row in range(norms.shape[0]):
-        place = sky[_COLUMNS * row : _COLUMNS * (row + 1)]
+    """Add the sums over a block of nodes to the products at all times."""
+    knots, size = arguments[Argument.KNOTS], f.shape[0]
+    grid = floats_at(arguments[Argument.TIME_GRID], 2)
+    step = from_bits(arguments[Argument.STEP])
+    for k in range(arguments[Argument.TIMES]):
+        time = (arrival + k * step) + delay
+        if knots == 1:
+            wr, wi = floats_in(table, first, size), floats_in(table, width + first, size)
+            _fixed_products(f, time, strain[0], strain[1], wr, wi, product[0], product[1])
+        else:
+            rows, spline = _knots(time, grid, knots, width, first)
+            _products(f, time, strain[0], strain[1], table, rows, spline, product[0], product[1])
+        zr, zi = _lane_sum(product[0]), _lane_sum(product[1])
+        out[2 * k] += factor[0] * zr - factor[1] * zi
+        out[2 * k + 1] += factor[0] * zi + factor[1] * zr
+
+
+@njit(**JIT_OPTIONS)
+def _add_terms(pr: Floats, pi: Floats, cr: float, ci: float, line: Floats) -> None:
+    for j in range(line.shape[0] // 2):
+        line[2 * j] += cr * pr[j] - ci * pi[j]
+        line[2 * j + 1] += cr * pi[j] + ci * pr[j]
+
+
+@njit(**JIT_OPTIONS)
+def _contract_linear(row: int, arguments: Integers, arrival: float, wave: Floats, factors: Floats, views: Any) -> None:
+    """<d|h> of one row at all times, and its terms where they are wanted."""
+    _, plain, calibrated, products, errors = views
+    detectors, n_linear, times = arguments[Argument.DETECTORS], arguments[Argument.LINEAR], arguments[Argument.TIMES]
+    width, nodes = padded(n_linear), arguments[Argument.CALIBRATION_NODES]
+    f, places = floats_at(arguments[Argument.NODES], width), integers_at(arguments[Argument.LINEAR_AT], n_linear)
+    splines, table_size = (
+        floats_at(arguments[Argument.LINEAR_SPLINES], nodes * width),
+        2 * width * arguments[Argument.KNOTS],
+    )
+    out = floats_at(arguments[Argument.PRODUCTS] + 16 * times * row, 2 * times)
+    out[:] = 0.0
+    for first in range(0, width, BLOCK):
+        size = min(BLOCK, width - first)
+        filled = min(size, n_linear - first)
+        h, product = _first_of(plain, size), _first_of(products, size)
+        _gather(wave, places[first:], filled, h[0], h[1])
+        for d in range(detectors):
+            strain = h
+            if nodes > 0:
+                strain, error = _first_of(calibrated, size), _first_of(errors, size)
+                at = row * detectors + d
+                _errors_at(_errors_of(arguments, Argument.AMPLITUDE_ERRORS, at), splines, width, first, error[0])
+                _errors_at(_errors_of(arguments, Argument.PHASE_ERRORS, at), splines, width, first, error[1])
+                _calibrate(error[0], error[1], h[0], h[1], strain[0], strain[1])
+            table = floats_at(arguments[Argument.LINEAR_WEIGHTS] + 8 * table_size * d, table_size)
+            factor, delay = (factors[3 * d], factors[3 * d + 1]), factors[3 * d + 2]
+            block = floats_in(f, first, size)
+            _add_times(arguments, block, arrival, delay, strain, table, width, first, factor, product, out)
+            if arguments[Argument.SPECTRUM] != 0:
+                line = floats_at(arguments[Argument.SPECTRUM] + 16 * (row * n_linear + first), 2 * filled)
+                if d == 0:
+                    line[:] = 0.0
+                _add_terms(product[0], product[1], factor[0], factor[1], line)
+
+
+@njit(**JIT_OPTIONS)
+def _contract_quadratic(row: int, arguments: Integers, wave: Floats, factors: Floats, views: Any) -> float:
+    """<h|h> of one row."""
+    _, plain, _, products, errors = views
+    detectors, count = arguments[Argument.DETECTORS], arguments[Argument.QUADRATIC]
+    width, nodes = padded(count), arguments[Argument.CALIBRATION_NODES]
+    places = integers_at(arguments[Argument.QUADRATIC_AT], count)
+    splines = floats_at(arguments[Argument.QUADRATIC_SPLINES], nodes * width)
+    norm = 0.0
+    for first in range(0, width, BLOCK):
+        size = min(BLOCK, width - first)
+        (power, _), (product, _), (error, _) = (
+            _first_of(plain, size),
+            _first_of(products, size),
+            _first_of(errors, size),
+        )
+        filled = min(size, count - first)
+        for j in range(filled):
+            a, b = wave[2 * places[first + j]], wave[2 * places[first + j] + 1]
+            power[j] = a * a + b * b
+        power[filled:] = 0.0
+        for d in range(detectors):
+            q = floats_at(arguments[Argument.QUADRATIC_WEIGHTS] + 8 * (width * d + first), size)
+            if nodes > 0:
+                amplitudes = _errors_of(arguments, Argument.AMPLITUDE_ERRORS, row * detectors + d)
+                _errors_at(amplitudes, splines, width, first, error)
+                for j in range(size):
+                    product[j] = power[j] * q[j] * ((1.0 + error[j]) * (1.0 + error[j]))
+            else:
+                for j in range(size):
+                    product[j] = power[j] * q[j]
+            cr, ci = factors[3 * d], factors[3 * d + 1]
+            norm += (cr * cr + ci * ci) * _lane_sum(product)
+    return norm
+
+
+@njit(**JIT_OPTIONS)
+def contract(arguments: Integers) -> int:
+    """Inner products of every row: see :class:`Argument`; returns 0."""
+    detectors, points = arguments[Argument.DETECTORS], arguments[Argument.POINTS]
+    sidereal = floats_at(arguments[Argument.SIDEREAL], 2)
+    responses = floats_at(arguments[Argument.RESPONSES], 9 * detectors)
+    locations = floats_at(arguments[Argument.LOCATIONS], 3 * detectors)
+    views = _views(floats_at(arguments[Argument.SCRATCH], 3 * detectors + 8 * BLOCK), detectors)
+    factors, norms = views[0], floats_at(arguments[Argument.NORMS], arguments[Argument.ROWS])
+    for row in range(arguments[Argument.ROWS]):
+        place = floats_at(arguments[Argument.SKY] + 8 * _COLUMNS * row, _COLUMNS)
         _geometry(place, sidereal, responses, locations, factors)
-        out = data_products[2 * n_times * row : 2 * n_times * (row + 1)]
-        for k in range(2 * n_times):
-            out[k] = 0.0
-        wave = h[2 * points * row : 2 * points * (row + 1)]
-        for first in range(0, width, BLOCK):
-            size = min(BLOCK, width - first)
-            filled = min(size, n_linear - first)
-            for j in range(filled):
-                hr[j] = wave[2 * linear_at[first + j]]
-                hi[j] = wave[2 * linear_at[first + j] + 1]
-            for j in range(filled, size):
-                hr[j] = 0.0
-                hi[j] = 0.0
-            for d in range(n_detectors):
-                if n_nodes > 0:
-                    at_d = n_nodes * (row * n_detectors + d)
-                    _errors_at(amplitude[at_d : at_d + n_nodes], linear_spline, width, first, da[:size])
-                    _errors_at(phase[at_d : at_d + n_nodes], linear_spline, width, first, dp[:size])
-                    _calibrate(da[:size], dp[:size], hr[:size], hi[:size], kr[:size], ki[:size])
-                    sr, si = kr[:size], ki[:size]
-                else:
-                    sr, si = hr[:size], hi[:size]
-                table = linear[2 * width * knot_rows * d : 2 * width * knot_rows * (d + 1)]
-                cr, ci = factors[3 * d], factors[3 * d + 1]
-                for k in range(n_times):
-                    time = (place[_TIME] + k * step) + factors[3 * d + 2]
-                    if knot_rows == 1:
-                        wr, wi = table[first : first + size], table[width + first : width + first + size]
-                        _fixed_products(f[first : first + size], time, sr, si, wr, wi, pr[:size], pi[:size])
-                    else:
-                        rows, spline = _knots(time, knots, knot_rows, width, first)
-                        _products(f[first : first + size], time, sr, si, table, rows, spline, pr[:size], pi[:size])
-                    zr, zi = _lane_sum(pr[:size]), _lane_sum(pi[:size])
-                    out[2 * k] += cr * zr - ci * zi
-                    out[2 * k + 1] += cr * zi + ci * zr
-                if spectrum.shape[0] > 0:
-                    line = spectrum[2 * (row * n_linear + first) : 2 * (row * n_linear + first + filled)]
-                    if d == 0:
-                        for j in range(2 * filled):
-                            line[j] = 0.0
-                    for j in range(filled):
-                        line[2 * j] += cr * pr[j] - ci * pi[j]
-                        line[2 * j + 1] += cr * pi[j] + ci * pr[j]
-        norm = 0.0
-        for first in range(0, q_width, BLOCK):
-            size = min(BLOCK, q_width - first)
-            filled = min(size, n_quadratic - first)
-            for j in range(filled):
-                a, b = wave[2 * quadratic_at[first + j]], wave[2 * quadratic_at[first + j] + 1]
-                hr[j] = a * a + b * b
-            for j in range(filled, size):
-                hr[j] = 0.0
-            for d in range(n_detectors):
-                q = quadratic[q_width * d + first : q_width * d + first + size]
-                if n_nodes > 0:
-                    at_d = n_nodes * (row * n_detectors + d)
-                    _errors_at(amplitude[at_d : at_d + n_nodes], quadratic_spline, q_width, first, da[:size])
-                    for j in range(size):
-                        pr[j] = hr[j] * q[j] * ((1.0 + da[j]) * (1.0 + da[j]))
-                else:
-                    for j in range(size):
-                        pr[j] = hr[j] * q[j]
-                cr, ci = factors[3 * d], factors[3 * d + 1]
-                norm += (cr * cr + ci * ci) * _lane_sum(pr[:size])
-        norms[row] = norm
+        wave = floats_at(arguments[Argument.STRAIN] + 16 * points * row, 2 * points)
+        _contract_linear(row, arguments, place[Sky.TIME], wave, factors, views)
+        norms[row] = _contract_quadratic(row, arguments, wave, factors, views)
+    return 0

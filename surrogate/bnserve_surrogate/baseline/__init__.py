@@ -12,10 +12,17 @@ from bnserve_surrogate.baseline._amplitude import (
     freeze_amplitude,
     freezing_weight,
     mass_scale,
+    taylorf2_amplitude,
+    velocity,
 )
-from bnserve_surrogate.baseline._phase import PHASE_LOG_POWERS, PHASE_POWERS, phase_coefficients
-from bnserve_surrogate.baseline._taylorf2 import evaluate_phase, taylorf2_amplitude, taylorf2_phase, velocity
-from bnserve_surrogate.baseline._tides import spin_induced_quadrupole
+from bnserve_surrogate.baseline._phase import (
+    PHASE_LOG_POWERS,
+    PHASE_POWERS,
+    evaluate_phase,
+    phase_coefficients,
+    spin_induced_quadrupole,
+    taylorf2_phase,
+)
 
 __all__ = [
     "AMPLITUDE_POWERS",

@@ -24,6 +24,11 @@ FROZEN_AMPLITUDE = 20.0
 """That constant, the paper's C."""
 
 
+def velocity(mf: FloatArray) -> FloatArray:
+    """The PN parameter v = (pi M f)**(1/3), for M f in units of c**3 / G."""
+    return np.asarray(np.cbrt(np.pi * mf))
+
+
 @register_jitable(error_model="numpy")
 def mass_scale(mass_ratio: Scalars) -> Scalars:
     """The symmetric mass ratio nu: |h_+| of a face-on source is nu M**2 / D_L times A."""
@@ -93,3 +98,18 @@ def freeze_amplitude(mf: FloatArray, amplitude: FloatArray) -> FloatArray:
     """Replace a PN amplitude, shape (..., M) at M f of shape (M,), by the constant 20 at high frequency, smoothly."""
     weight = freezing_weight(mf)
     return (1.0 - weight) * amplitude + weight * FROZEN_AMPLITUDE
+
+
+def taylorf2_amplitude(
+    mf: FloatArray, mass_ratio: FloatArray, chi_1: FloatArray, chi_2: FloatArray, *, frozen: bool = True
+) -> FloatArray:
+    """A = |h_+(face-on)| D_L / (nu M**2), shape (N, M), from M f of shape (M,) and parameters of shape (N,).
+
+    Constant above M f = 0.02, as the baseline needs; without ``frozen`` the bare PN series, which may change sign.
+    """
+    v = velocity(mf)
+    coefficients = np.empty((AMPLITUDE_POWERS, np.size(mass_ratio)))
+    amplitude_coefficients(mass_ratio, chi_1, chi_2, coefficients)
+    series = coefficients.T @ v ** (np.arange(AMPLITUDE_POWERS)[:, np.newaxis] - 3.5)
+    amplitude = np.atleast_1d(amplitude_prefactor(mass_ratio))[:, np.newaxis] * series
+    return freeze_amplitude(mf, amplitude) if frozen else np.asarray(amplitude)

@@ -1,9 +1,9 @@
 """The compiled evaluation of a surrogate."""
 
-from bnserve_surrogate.kernel._arguments import OTHER_GRID, Output, Policy
 from bnserve_surrogate.kernel._evaluate import Outputs, evaluate
-from bnserve_surrogate.kernel._layout import ACTIVATIONS, MAX_DEGREE, MAX_WIDTH, KernelModel, build_kernel_model
-from bnserve_surrogate.kernel._loader import kernel_bytes, load_assembly, load_kernel
+from bnserve_surrogate.kernel._layout import ACTIVATIONS, MAX_DEGREE, MAX_WIDTH, OTHER_GRID, Output, Policy, padded
+from bnserve_surrogate.kernel._loader import Workspace, kernel_bytes, load_assembly, load_kernel
+from bnserve_surrogate.kernel._mode import KernelModel, build_kernel_model
 
 __all__ = [
     "ACTIVATIONS",
@@ -14,9 +14,11 @@ __all__ = [
     "Output",
     "Outputs",
     "Policy",
+    "Workspace",
     "build_kernel_model",
     "evaluate",
     "kernel_bytes",
     "load_assembly",
     "load_kernel",
+    "padded",
 ]

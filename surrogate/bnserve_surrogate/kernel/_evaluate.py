@@ -2,41 +2,18 @@
 
 from __future__ import annotations
 
-import ctypes
-import threading
 from typing import NamedTuple
 
-import numpy as np
-
-from bnserve_protocol.wire import address_of
 from bnserve_surrogate._prepared_grid import PreparedGrid
-from bnserve_surrogate.kernel._arguments import Argument
-from bnserve_surrogate.kernel._layout import KernelModel
-from bnserve_surrogate.kernel._loader import load_kernel
+from bnserve_surrogate.kernel._layout import Argument
+from bnserve_surrogate.kernel._loader import Workspace, load_kernel
+from bnserve_surrogate.kernel._mode import KernelModel
 
-
-class _Workspace(threading.local):
-    """What one thread needs for its calls, kept between them."""
-
-    def __init__(self) -> None:
-        self.scratch = np.empty(0)
-        self.scratch_at = 0
-        self.arguments = (ctypes.c_int64 * Argument.COUNT)()
-        self.slots = (ctypes.c_int64 * 2)()
-        slots = ctypes.addressof(self.slots)
-        self.addresses = (slots, slots + 8, ctypes.addressof(self.arguments))
-
-    def reserve(self, size: int) -> None:
-        if self.scratch.size < size:
-            self.scratch = np.empty(size)
-            self.scratch_at = address_of(self.scratch)
-
-
-_workspace = _Workspace()
+_workspace = Workspace(len(Argument))
 
 
 class Outputs(NamedTuple):
-    """Addresses of what a call writes, see :class:`~bnserve_surrogate.kernel._arguments.Argument`; 0 for nothing."""
+    """Addresses of what a call writes, see :class:`~bnserve_surrogate.kernel._layout.Argument`; 0 for nothing."""
 
     kind: int
     first: int
@@ -71,7 +48,8 @@ def evaluate(
     The number of rows that were not evaluated, or OTHER_GRID if the frequencies at ``given`` are not those of ``grid``.
     """
     workspace = _workspace
-    workspace.reserve(model.scratch_size)
+    if workspace.scratch.size < model.scratch_size:
+        workspace.reserve(model.scratch_size)
     points, grid_at, stride, bins, table_at = grid.block
     contents_at, exponents_at, weights_at = model.addresses
     workspace.arguments[:] = [

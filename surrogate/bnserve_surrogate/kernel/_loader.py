@@ -22,13 +22,15 @@ from typing import Any
 
 import llvmlite
 import llvmlite.binding as llvm
+import numpy as np
 
 from bnserve_protocol import __version__
+from bnserve_protocol.wire import address_of
 
 ASSEMBLY = Path(__file__).with_name("kernel.ll")
 DIGEST_PREFIX = "; sources: "
 ENTRY_POINT = "bnserve_evaluate"
-_POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
+_CALL = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p)
 _lock = threading.Lock()
 _engines: list[Any] = []
 """Engines own the machine code, so they live as long as the process."""
@@ -43,15 +45,44 @@ def kernel_bytes() -> bytes:
     return ASSEMBLY.read_bytes()
 
 
+class Workspace(threading.local):
+    """What one thread needs to call compiled code, kept between its calls.
+
+    Parameters
+    ----------
+    size:
+        How many integers the block of arguments has.
+
+    Attributes
+    ----------
+    arguments:
+        The block, to be filled before a call.
+    addresses:
+        What the code is called with.
+    slots:
+        After a call, its result is the first of them.
+    scratch, scratch_at:
+        The memory that was reserved, and its address.
+    """
+
+    def __init__(self, size: int) -> None:
+        self.scratch = np.empty(0)
+        self.scratch_at = 0
+        self.arguments = (ctypes.c_int64 * size)()
+        self.slots = (ctypes.c_int64 * 2)()
+        slots = ctypes.addressof(self.slots)
+        self.addresses = (slots, slots + 8, ctypes.addressof(self.arguments))
+
+    def reserve(self, size: int) -> None:
+        """Have memory for so many float64, where the ``scratch`` is smaller."""
+        self.scratch = np.empty(size)
+        self.scratch_at = address_of(self.scratch)
+
+
 @functools.cache
 def load_kernel() -> Callable[[int, int, int], int]:
-    """The compiled kernel as a C function; calling it releases the GIL.
-
-    Its arguments are addresses: where the result goes (int64), room for a pointer, and the block of
-    :class:`~bnserve_surrogate.kernel._arguments.Argument`. Compiled for the processor at hand on the first call; later
-    calls return the same function.
-    """
-    return load_assembly(ASSEMBLY, ENTRY_POINT, "ppp", vectorise=False)
+    """The compiled kernel, which is told what :class:`~bnserve_surrogate.kernel._layout.Argument` says."""
+    return load_assembly(ASSEMBLY, ENTRY_POINT, vectorise=False)
 
 
 def processor_at_hand() -> tuple[str, str]:
@@ -59,8 +90,12 @@ def processor_at_hand() -> tuple[str, str]:
     return llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten()
 
 
-def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise: bool = True) -> Callable[..., int]:
+def load_assembly(assembly: Path, entry_point: str, *, vectorise: bool = True) -> Callable[[int, int, int], int]:
     """A function of an assembly file, compiled for the processor at hand; calling it releases the GIL.
+
+    All compiled code is called in one way. Its arguments are three addresses: where the result goes (int64), room for a
+    pointer, and a block of 64-bit integers, most of them addresses, whose places an enumeration names (see
+    :class:`Workspace`). It returns 0, or the number of an error.
 
     Parameters
     ----------
@@ -68,8 +103,6 @@ def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise
         What :mod:`.build` wrote.
     entry_point:
         The function's name.
-    signature:
-        Its arguments: ``p`` for a pointer, ``i`` for an integer; blanks do not count.
     vectorise:
         Whether loops are still to be turned into vector instructions, which takes longer than making machine code.
     """
@@ -93,8 +126,7 @@ def load_assembly(assembly: Path, entry_point: str, signature: str, *, vectorise
         engine.add_object_file(llvm.ObjectFileRef.from_data(code))
         engine.finalize_object()
         _engines.append(engine)
-        types = [_POINTER if kind == "p" else _INTEGER for kind in signature.replace(" ", "")]
-        return ctypes.CFUNCTYPE(ctypes.c_int32, *types)(engine.get_function_address(entry_point))
+        return _CALL(engine.get_function_address(entry_point))
 
 
 def _compile(assembly: str, machine: Any, vectorise: bool) -> bytes:

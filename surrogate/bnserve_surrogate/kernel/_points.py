@@ -13,7 +13,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_surrogate.baseline import FREEZING_END, FREEZING_START
-from bnserve_surrogate.kernel._cells import LANES
+from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential, sincos
 from bnserve_surrogate.kernel._simd import at, fma, load, splat, store
 

@@ -6,26 +6,61 @@ bits do not depend on its neighbours.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_surrogate._coordinates import transform_physical
-from bnserve_surrogate.kernel._cells import LANES
-from bnserve_surrogate.kernel._layout import ACTIVATIONS, TILE, WIDE, Entry
+from bnserve_surrogate.kernel._layout import ACTIVATIONS, LANES, TILE, WIDE, Entry
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential
-from bnserve_surrogate.kernel._simd import at, bits_of, fma, from_bits, load, smaller, splat, store
+from bnserve_surrogate.kernel._simd import at, bits_of, floats_in, fma, from_bits, load, padded, smaller, splat, store
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 _TANH, _RELU = ACTIVATIONS["tanh"], ACTIVATIONS["relu"]
-_PHYSICAL, _TERMS, _DEGREE = int(Entry.PHYSICAL_COORDINATES), int(Entry.TERMS), int(Entry.DEGREE)
-_OUTPUTS, _LAYERS, _LAYER_SIZES = int(Entry.OUTPUTS), int(Entry.LAYERS), int(Entry.LAYER_SIZES)
-_ACTIVATION, _WIDEST = int(Entry.ACTIVATION), int(Entry.WIDEST)
-_COORDINATES_AT, _COEFFICIENTS_AT = int(Entry.COORDINATES_AT), int(Entry.COEFFICIENTS_AT)
-_NETWORK_AT = int(Entry.NETWORK_AT)
 _MAGNITUDE = 2**63 - 1
+
+
+@njit(inline="always")
+def _store_wide(out: Floats, place: int, v0: Any, v1: Any, v2: Any, v3: Any) -> None:
+    store(out, place, v0)
+    store(out, place + LANES, v1)
+    store(out, place + 2 * LANES, v2)
+    store(out, place + 3 * LANES, v3)
+
+
+@njit(inline="always")
+def _multiply_wide(
+    count: int, scalars: Floats, row: int, step: int, matrix: Floats, position: int, out: Floats, out_row: int
+) -> None:
+    """:func:`multiply` for a block of 32 columns that begins at ``position`` of the matrix."""
+    a00 = a01 = a02 = a03 = splat(0.0)
+    a10 = a11 = a12 = a13 = splat(0.0)
+    a20 = a21 = a22 = a23 = splat(0.0)
+    a30 = a31 = a32 = a33 = splat(0.0)
+    for k in range(count):
+        v0, v1 = load(matrix, position), load(matrix, position + LANES)
+        v2, v3 = load(matrix, position + 2 * LANES), load(matrix, position + 3 * LANES)
+        position += WIDE
+        s = at(scalars, k * step)
+        a00, a01 = fma(v0, s, a00), fma(v1, s, a01)
+        a02, a03 = fma(v2, s, a02), fma(v3, s, a03)
+        s = at(scalars, row + k * step)
+        a10, a11 = fma(v0, s, a10), fma(v1, s, a11)
+        a12, a13 = fma(v2, s, a12), fma(v3, s, a13)
+        s = at(scalars, 2 * row + k * step)
+        a20, a21 = fma(v0, s, a20), fma(v1, s, a21)
+        a22, a23 = fma(v2, s, a22), fma(v3, s, a23)
+        s = at(scalars, 3 * row + k * step)
+        a30, a31 = fma(v0, s, a30), fma(v1, s, a31)
+        a32, a33 = fma(v2, s, a32), fma(v3, s, a33)
+    _store_wide(out, 0, a00, a01, a02, a03)
+    _store_wide(out, out_row, a10, a11, a12, a13)
+    _store_wide(out, 2 * out_row, a20, a21, a22, a23)
+    _store_wide(out, 3 * out_row, a30, a31, a32, a33)
 
 
 @njit(**JIT_OPTIONS)
@@ -41,48 +76,14 @@ def multiply(
     scalars, row, step:
         ``scalars[i, k]`` stands at ``i * row + k * step``.
     matrix, columns:
-        As :func:`bnserve_surrogate.kernel._layout.by_columns` arranges it; ``columns`` are whole vectors.
+        As :func:`bnserve_surrogate.kernel._mode.by_columns` arranges it; ``columns`` are whole vectors.
     out, out_row:
         ``out[i, j]`` stands at ``i * out_row + j``.
     """
     position = 0
     for column in range(0, columns // WIDE * WIDE, WIDE):
-        a00 = a01 = a02 = a03 = splat(0.0)
-        a10 = a11 = a12 = a13 = splat(0.0)
-        a20 = a21 = a22 = a23 = splat(0.0)
-        a30 = a31 = a32 = a33 = splat(0.0)
-        for k in range(count):
-            v0, v1 = load(matrix, position), load(matrix, position + LANES)
-            v2, v3 = load(matrix, position + 2 * LANES), load(matrix, position + 3 * LANES)
-            position += WIDE
-            s = at(scalars, k * step)
-            a00, a01 = fma(v0, s, a00), fma(v1, s, a01)
-            a02, a03 = fma(v2, s, a02), fma(v3, s, a03)
-            s = at(scalars, row + k * step)
-            a10, a11 = fma(v0, s, a10), fma(v1, s, a11)
-            a12, a13 = fma(v2, s, a12), fma(v3, s, a13)
-            s = at(scalars, 2 * row + k * step)
-            a20, a21 = fma(v0, s, a20), fma(v1, s, a21)
-            a22, a23 = fma(v2, s, a22), fma(v3, s, a23)
-            s = at(scalars, 3 * row + k * step)
-            a30, a31 = fma(v0, s, a30), fma(v1, s, a31)
-            a32, a33 = fma(v2, s, a32), fma(v3, s, a33)
-        store(out, column, a00)
-        store(out, column + LANES, a01)
-        store(out, column + 2 * LANES, a02)
-        store(out, column + 3 * LANES, a03)
-        store(out, out_row + column, a10)
-        store(out, out_row + column + LANES, a11)
-        store(out, out_row + column + 2 * LANES, a12)
-        store(out, out_row + column + 3 * LANES, a13)
-        store(out, 2 * out_row + column, a20)
-        store(out, 2 * out_row + column + LANES, a21)
-        store(out, 2 * out_row + column + 2 * LANES, a22)
-        store(out, 2 * out_row + column + 3 * LANES, a23)
-        store(out, 3 * out_row + column, a30)
-        store(out, 3 * out_row + column + LANES, a31)
-        store(out, 3 * out_row + column + 2 * LANES, a32)
-        store(out, 3 * out_row + column + 3 * LANES, a33)
+        _multiply_wide(count, scalars, row, step, matrix, position, floats_in(out, column, WIDE), out_row)
+        position += count * WIDE
     for column in range(columns // WIDE * WIDE, columns, LANES):
         b0 = b1 = b2 = b3 = splat(0.0)
         for k in range(count):
@@ -119,23 +120,23 @@ def regress(
     -------
     ``(8, 8 + K)``, K in whole vectors: for every row seven places of no meaning, a one, and the outputs.
     """
-    outputs = (contents[_OUTPUTS] + LANES - 1) // LANES * LANES
+    outputs = padded(contents[Entry.OUTPUTS])
     width = LANES + outputs
     out, rest = scratch[: LANES * width], scratch[LANES * width :]
     coordinates, rest = rest[: 5 * LANES], rest[5 * LANES :]
-    _coordinates(parameters, contents, weights[contents[_COORDINATES_AT] :], rest, coordinates)
+    _coordinates(parameters, contents, weights[contents[Entry.COORDINATES_AT] :], rest, coordinates)
     for i in range(LANES * width):
         out[i] = 0.0
     for i in range(LANES):
         out[i * width + LANES - 1] = 1.0
-    if contents[_TERMS] > 0:
-        products = _products(coordinates, contents[_TERMS], contents[_DEGREE], exponents, rest)
-        coefficients = weights[contents[_COEFFICIENTS_AT] :]
+    if contents[Entry.TERMS] > 0:
+        products = _products(coordinates, contents[Entry.TERMS], contents[Entry.DEGREE], exponents, rest)
+        coefficients = weights[contents[Entry.COEFFICIENTS_AT] :]
         for first in range(0, rows, TILE):
             own = out[first * width + LANES :]
-            multiply(contents[_TERMS], products[first:], 1, LANES, coefficients, outputs, own, width)
-    if contents[_LAYERS] > 0:
-        _add_network(coordinates, rows, contents, weights[contents[_NETWORK_AT] :], rest, out[LANES:], width)
+            multiply(contents[Entry.TERMS], products[first:], 1, LANES, coefficients, outputs, own, width)
+    if contents[Entry.LAYERS] > 0:
+        _add_network(coordinates, rows, contents, weights[contents[Entry.NETWORK_AT] :], rest, out[LANES:], width)
     return out
 
 
@@ -145,7 +146,7 @@ def _coordinates(parameters: Floats, contents: Integers, scaling: Floats, scratc
     one = scratch[:5]
     for lane in range(LANES):
         row = parameters[5 * lane : 5 * lane + 5]
-        if contents[_PHYSICAL] != 0:
+        if contents[Entry.PHYSICAL_COORDINATES] != 0:
             transform_physical(row[0], row[1], row[2], row[3], row[4], one)
         else:
             for axis in range(5):
@@ -182,17 +183,17 @@ def _add_network(
     coordinates: Floats, rows: int, contents: Integers, layers: Floats, scratch: Floats, out: Floats, out_row: int
 ) -> None:
     """Add a network's outputs; its layers stand in memory as ``out`` does, each row after a leading one."""
-    row = LANES + (contents[_WIDEST] + LANES - 1) // LANES * LANES
+    row = LANES + padded(contents[Entry.WIDEST])
     current, following = scratch[: LANES * row], scratch[LANES * row : 2 * LANES * row]
     for i in range(LANES):
         current[i * row + LANES - 1] = following[i * row + LANES - 1] = 1.0
         for axis in range(5):
             current[i * row + LANES + axis] = coordinates[axis * LANES + i]
-    last = contents[_LAYERS] - 1
+    last = contents[Entry.LAYERS] - 1
     position = 0
     for layer in range(last + 1):
-        count = 1 + contents[_LAYER_SIZES + layer]
-        columns = (contents[_LAYER_SIZES + layer + 1] + LANES - 1) // LANES * LANES
+        count = 1 + contents[Entry.LAYER_SIZES + layer]
+        columns = padded(contents[Entry.LAYER_SIZES + layer + 1])
         for first in range(0, rows, TILE):
             inputs, sums = current[first * row + LANES - 1 :], following[first * row + LANES :]
             multiply(count, inputs, row, 1, layers[position:], columns, sums, row)
@@ -200,7 +201,7 @@ def _add_network(
         if layer < last:
             for i in range(rows):
                 for j in range(i * row + LANES, i * row + LANES + columns, LANES):
-                    store(following, j, _activate(load(following, j), contents[_ACTIVATION]))
+                    store(following, j, _activate(load(following, j), contents[Entry.ACTIVATION]))
         current, following = following, current
     for i in range(rows):
         for j in range(0, columns, LANES):

@@ -19,7 +19,7 @@ from bnserve_surrogate.baseline import (
     mass_scale,
     phase_coefficients,
 )
-from bnserve_surrogate.kernel import _codes as c
+from bnserve_surrogate.kernel._layout import Column
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._simd import floats_in
 
@@ -50,24 +50,25 @@ def _legendre(mf: float, series: Any) -> float:
 
 @njit(**JIT_OPTIONS)
 def fill_series(
-    row: Floats, unit: float, weights: Floats, band_at: int, gauge: Floats, alignment: int, room: Floats, out: Floats
+    row: Floats, unit: float, band: Floats, gauge: Floats, alignment: int, room: Floats, out: Floats
 ) -> float:
     """Coefficients of the baseline in powers of x^(1/3) and log x for one row; returns the frozen amplitude.
 
     x times ``unit`` is M f: with the total mass in seconds x is f in Hz, with one it is M f.
     ``out``: 8 of the amplitude, 16 and 10 of the phase (see :func:`amplitudes` and :func:`phases`).
     """
-    mass = row[c.TOTAL_MASS] * SOLAR_MASS_SECONDS
+    mass_ratio, chi_1, chi_2 = row[Column.MASS_RATIO], row[Column.CHI_1], row[Column.CHI_2]
+    total_mass = row[Column.TOTAL_MASS]
     work = floats_in(room, 0, (PHASE_LOG_POWERS, PHASE_POWERS))
     scale = (np.pi * unit) ** (1.0 / 3.0)
     log_scale = np.log(scale)
-    strain = _STRAIN * mass_scale(row[c.MASS_RATIO]) * (row[c.TOTAL_MASS] * row[c.TOTAL_MASS]) / row[c.DISTANCE]
-    amplitude_coefficients(row[c.MASS_RATIO], row[c.CHI_1], row[c.CHI_2], out)
-    power = strain * amplitude_prefactor(row[c.MASS_RATIO]) / (scale * scale * scale * np.sqrt(scale))
+    strain = _STRAIN * mass_scale(mass_ratio) * (total_mass * total_mass) / row[Column.DISTANCE]
+    amplitude_coefficients(mass_ratio, chi_1, chi_2, out)
+    power = strain * amplitude_prefactor(mass_ratio) / (scale * scale * scale * np.sqrt(scale))
     for k in range(AMPLITUDE_POWERS):
         out[k] *= power
         power *= scale
-    phase_coefficients(row[c.MASS_RATIO], row[c.CHI_1], row[c.CHI_2], row[c.LAMBDA_1], row[c.LAMBDA_2], work)
+    phase_coefficients(mass_ratio, chi_1, chi_2, row[Column.LAMBDA_1], row[Column.LAMBDA_2], work)
     plain, logarithmic = out[AMPLITUDE_POWERS:], out[AMPLITUDE_POWERS + PHASE_POWERS :]
     power = 1.0 / (scale * scale * scale * scale * scale)
     for k in range(PHASE_POWERS):
@@ -76,9 +77,11 @@ def fill_series(
             logarithmic[k - 5] = power * (work[1, k] + 2.0 * log_scale * work[2, k]) / 3.0
         power *= scale
     logarithmic[7] = np.pi * unit * work[2, 8] / 9.0
-    logarithmic[8] = row[c.REFERENCE_PHASE] - gauge[2 * alignment]
-    start_mf = weights[band_at + 2]
-    if alignment == 1 and start_mf > 0.0:
-        logarithmic[8] += _legendre(start_mf, work)
-    logarithmic[9] = 2.0 * np.pi * row[c.TIME_SHIFT] * (unit / mass) - gauge[2 * alignment + 1] * unit
+    logarithmic[8] = row[Column.REFERENCE_PHASE] - gauge[2 * alignment]
+    if alignment == 1 and band[2] > 0.0:
+        logarithmic[8] += _legendre(band[2], work)
+    logarithmic[9] = (
+        2.0 * np.pi * row[Column.TIME_SHIFT] * (unit / (total_mass * SOLAR_MASS_SECONDS))
+        - gauge[2 * alignment + 1] * unit
+    )
     return strain * FROZEN_AMPLITUDE

@@ -17,7 +17,9 @@ from numba import carray, float64, int64, njit, types
 from numba.core import cgutils
 from numba.extending import intrinsic, models, overload, register_model
 
-LANES = 8
+from bnserve_surrogate.kernel import _layout
+from bnserve_surrogate.kernel._layout import LANES
+
 _DOUBLES, _INTEGERS = ir.VectorType(ir.DoubleType(), LANES), ir.VectorType(ir.IntType(64), LANES)
 _UNALIGNED, _CACHE_LINE = 8, 64
 
@@ -298,3 +300,4 @@ floats_at, floats_in = _view(float64)
 integers_at, integers_in = _view(int64)
 singles_at, singles_in = _view(types.float32)
 bytes_at, _ = _view(types.uint8)
+padded = njit(inline="always")(_layout.padded)

@@ -11,15 +11,20 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from bnserve_protocol import SOLAR_MASS_SECONDS
-from bnserve_surrogate.kernel import _codes as c
-from bnserve_surrogate.kernel._arguments import OTHER_GRID
-from bnserve_surrogate.kernel._cells import LANES
-from bnserve_surrogate.kernel._layout import TILE
+from bnserve_protocol import SOLAR_MASS_SECONDS, RowStatus
+from bnserve_surrogate.kernel._layout import COLUMNS, LANES, OTHER_GRID, TILE, Argument, Column, Entry, Output, Policy
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._regression import multiply, regress
 from bnserve_surrogate.kernel._row import ANY, EDGE, evaluate_row
-from bnserve_surrogate.kernel._simd import bytes_at, finish_streams, floats_at, floats_in, integers_at, singles_at
+from bnserve_surrogate.kernel._simd import (
+    bytes_at,
+    finish_streams,
+    floats_at,
+    floats_in,
+    integers_at,
+    padded,
+    singles_at,
+)
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -33,31 +38,31 @@ LEAST_MF = 1e-9
 @njit(**JIT_OPTIONS)
 def evaluate(arguments: Integers) -> int:
     """Evaluate rows of parameters on a prepared grid: see :class:`Argument`. Returns OTHER_GRID or how many are bad."""
-    points, stride = arguments[c.POINTS], arguments[c.STRIDE]
-    grid = floats_at(arguments[c.GRID], 5 * stride)
-    if arguments[c.GIVEN] != 0:
-        given = floats_at(arguments[c.GIVEN], points)
+    points, stride = arguments[Argument.POINTS], arguments[Argument.STRIDE]
+    grid = floats_at(arguments[Argument.GRID], 5 * stride)
+    if arguments[Argument.GIVEN] != 0:
+        given = floats_at(arguments[Argument.GIVEN], points)
         for j in range(points):
             if given[j] != grid[j]:
                 return OTHER_GRID
-    contents = integers_at(arguments[c.CONTENTS], 1 << 16)
-    weights = floats_at(arguments[c.WEIGHTS], ANY)
-    rows = arguments[c.ROWS]
-    parameters = floats_at(arguments[c.PARAMETERS], rows * c.COLUMNS)
-    status = bytes_at(arguments[c.STATUS], rows)
-    plus, cross = floats_at(arguments[c.PLUS], rows), floats_at(arguments[c.CROSS], 2 * rows)
+    contents = integers_at(arguments[Argument.CONTENTS], 1 << 16)
+    weights = floats_at(arguments[Argument.WEIGHTS], ANY)
+    rows = arguments[Argument.ROWS]
+    parameters = floats_at(arguments[Argument.PARAMETERS], rows * COLUMNS)
+    status = bytes_at(arguments[Argument.STATUS], rows)
+    plus, cross = floats_at(arguments[Argument.PLUS], rows), floats_at(arguments[Argument.CROSS], 2 * rows)
     bad = 0
     for i in range(rows):
-        row = parameters[i * c.COLUMNS : (i + 1) * c.COLUMNS]
-        limits, band = weights[contents[c.LIMITS_AT] :], weights[contents[c.BAND_AT] :]
-        code = _status(row, grid[0], grid[points - 1], limits, band, arguments[c.POLICY])
+        row = parameters[i * COLUMNS : (i + 1) * COLUMNS]
+        limits, band = weights[contents[Entry.LIMITS_AT] :], weights[contents[Entry.BAND_AT] :]
+        code = _status(row, grid[0], grid[points - 1], limits, band, arguments[Argument.POLICY])
         status[i] = code
-        cosine = np.cos(row[c.INCLINATION]) if code == c.OK else np.nan
+        cosine = np.cos(row[Column.INCLINATION]) if code == RowStatus.OK else np.nan
         plus[i] = 0.5 * (1.0 + cosine * cosine)
         cross[2 * i] = 0.0
         cross[2 * i + 1] = -cosine
-        bad += code != c.OK
-    if bad > 0 and arguments[c.POLICY] & c.STOP != 0:
+        bad += code != RowStatus.OK
+    if bad > 0 and arguments[Argument.POLICY] & Policy.STOP_AT_BAD_ROWS != 0:
         return bad
     for start in range(0, rows, LANES):
         _tile(start, min(start + LANES, rows), arguments, contents, weights, parameters, status, plus, cross)
@@ -69,64 +74,61 @@ def evaluate(arguments: Integers) -> int:
 def _status(row: Floats, first: float, last: float, limits: Floats, band: Floats, policy: int) -> int:
     """The RowStatus of one row on frequencies from ``first`` to ``last``; as :func:`bnserve_surrogate._domain`."""
     inside = True
-    for i in range(c.COLUMNS):
+    for i in range(COLUMNS):
         if not np.isfinite(row[i]):
-            return c.NOT_FINITE
-        inside &= (row[i] >= limits[i]) & (row[i] <= limits[c.COLUMNS + i])
-    inside &= row[c.DISTANCE] > 0.0
-    inside &= abs(row[c.REFERENCE_PHASE]) + (2.0 * np.pi * last) * abs(row[c.TIME_SHIFT]) <= MOST_PHASE
+            return RowStatus.NOT_FINITE
+        inside &= (row[i] >= limits[i]) & (row[i] <= limits[COLUMNS + i])
+    inside &= row[Column.DISTANCE] > 0.0
+    inside &= abs(row[Column.REFERENCE_PHASE]) + (2.0 * np.pi * last) * abs(row[Column.TIME_SHIFT]) <= MOST_PHASE
     if not inside:
-        return c.OUT_OF_DOMAIN
-    mass = row[c.TOTAL_MASS] * SOLAR_MASS_SECONDS
+        return RowStatus.OUT_OF_DOMAIN
+    mass = row[Column.TOTAL_MASS] * SOLAR_MASS_SECONDS
     outside = first * mass < LEAST_MF
-    if policy & c.ABOVE != 0:
+    if policy & Policy.ABOVE_BAND_IS_ERROR != 0:
         outside |= last * mass > band[1] * (1.0 + EDGE)
-    if policy & c.BELOW != 0:
+    if policy & Policy.BELOW_BAND_IS_ERROR != 0:
         outside |= first * mass < band[0] * (1.0 - EDGE)
-    return c.OUT_OF_BAND if outside else c.OK
+    return RowStatus.OUT_OF_BAND if outside else RowStatus.OK
+
+
+@njit(inline="always")
+def _intrinsic(parameters: Floats, start: int, stop: int, out: Floats) -> None:
+    """The regressor's parameters of eight rows; the last is repeated where there are fewer."""
+    for lane in range(LANES):
+        row = floats_in(parameters, min(start + lane, stop - 1) * COLUMNS, COLUMNS)
+        out[5 * lane], out[5 * lane + 1] = row[Column.MASS_RATIO], row[Column.CHI_1]
+        out[5 * lane + 2], out[5 * lane + 3] = row[Column.CHI_2], row[Column.LAMBDA_1]
+        out[5 * lane + 4] = row[Column.LAMBDA_2]
 
 
 @njit(**JIT_OPTIONS)
 def _tile(
-    start: int,
-    stop: int,
-    arguments: Integers,
-    contents: Integers,
-    weights: Floats,
-    parameters: Floats,
-    status: NDArray[np.uint8],
-    plus: Floats,
-    cross: Floats,
-) -> None:
+    start: int, stop: int, arguments: Integers, contents: Integers, weights: Floats, parameters: Floats,
+    status: NDArray[np.uint8], plus: Floats, cross: Floats,
+) -> None:  # fmt: skip
     """Up to eight rows."""
-    scratch = floats_at(arguments[c.SCRATCH], ANY)
+    scratch = floats_at(arguments[Argument.SCRATCH], ANY)
     intrinsic = floats_in(scratch, 0, 5 * LANES)
-    for lane in range(LANES):
-        row = floats_in(parameters, min(start + lane, stop - 1) * c.COLUMNS, c.COLUMNS)
-        intrinsic[5 * lane], intrinsic[5 * lane + 1] = row[c.MASS_RATIO], row[c.CHI_1]
-        intrinsic[5 * lane + 2], intrinsic[5 * lane + 3] = row[c.CHI_2], row[c.LAMBDA_1]
-        intrinsic[5 * lane + 4] = row[c.LAMBDA_2]
-    n_a = (contents[c.AMPLITUDE_NODES] + LANES - 1) // LANES * LANES
-    n_p = (contents[c.PHASE_NODES] + LANES - 1) // LANES * LANES
-    width = 2 * (n_a + n_p) + LANES
+    _intrinsic(parameters, start, stop, intrinsic)
+    width = 2 * (padded(contents[Entry.AMPLITUDE_NODES]) + padded(contents[Entry.PHASE_NODES])) + LANES
     linear = floats_in(scratch, 5 * LANES, width * LANES)
     rest = floats_in(scratch, (5 + width) * LANES, ANY)
-    exponents = integers_at(arguments[c.EXPONENTS], ANY)
+    exponents = integers_at(arguments[Argument.EXPONENTS], ANY)
     outputs = regress(intrinsic, stop - start, contents, exponents, weights, rest)
-    per_row = LANES + (contents[c.OUTPUTS] + LANES - 1) // LANES * LANES
-    synthesis = floats_in(weights, contents[c.SYNTHESIS_AT], ANY)
+    per_row = LANES + padded(contents[Entry.OUTPUTS])
+    synthesis = floats_in(weights, contents[Entry.SYNTHESIS_AT], ANY)
     for first in range(0, stop - start, TILE):
         scalars = floats_in(outputs, first * per_row + LANES - 1, ANY)
         own = floats_in(linear, first * width, ANY)
-        multiply(1 + contents[c.OUTPUTS], scalars, per_row, 1, synthesis, width, own, width)
-    if arguments[c.ESTIMATES] != 0:
-        estimates = floats_at(arguments[c.ESTIMATES], stop)
+        multiply(1 + contents[Entry.OUTPUTS], scalars, per_row, 1, synthesis, width, own, width)
+    if arguments[Argument.ESTIMATES] != 0:
+        estimates = floats_at(arguments[Argument.ESTIMATES], stop)
         for i in range(start, stop):
-            estimates[i] = np.exp(outputs[(i - start) * per_row + LANES - 1 + contents[c.OUTPUTS]])
+            estimates[i] = np.exp(outputs[(i - start) * per_row + LANES - 1 + contents[Entry.OUTPUTS]])
     for i in range(start, stop):
-        if status[i] == c.OK:
+        if status[i] == RowStatus.OK:
             values = floats_in(linear, (i - start) * width, width)
-            row = floats_in(parameters, i * c.COLUMNS, c.COLUMNS)
+            row = floats_in(parameters, i * COLUMNS, COLUMNS)
             evaluate_row(i, row, values, arguments, contents, weights, rest, plus[i], cross[2 * i + 1])
         else:
             _refuse_row(i, arguments)
@@ -135,13 +137,13 @@ def _tile(
 @njit(**JIT_OPTIONS)
 def _refuse_row(i: int, arguments: Integers) -> None:
     """NaN for everything that a row which is not evaluated would have had."""
-    points, output = arguments[c.POINTS], arguments[c.OUTPUT]
-    if arguments[c.ESTIMATES] != 0:
-        floats_at(arguments[c.ESTIMATES], i + 1)[i] = np.nan
-    size = points if output == c.AMPLITUDE_PHASE else 2 * points
-    for address in (arguments[c.FIRST], arguments[c.SECOND]):
+    points, output = arguments[Argument.POINTS], arguments[Argument.OUTPUT]
+    if arguments[Argument.ESTIMATES] != 0:
+        floats_at(arguments[Argument.ESTIMATES], i + 1)[i] = np.nan
+    size = points if output == Output.AMPLITUDE_PHASE else 2 * points
+    for address in (arguments[Argument.FIRST], arguments[Argument.SECOND]):
         if address != 0:
-            if output in (c.STRAIN_SINGLE, c.POLARIZATIONS_SINGLE):
+            if output in (Output.STRAIN_SINGLE, Output.POLARIZATIONS_SINGLE):
                 singles_at(address + 4 * i * size, size)[:] = np.nan
             else:
                 floats_at(address + 8 * i * size, size)[:] = np.nan

@@ -8,9 +8,7 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from bnserve_surrogate.kernel import _codes as c
-from bnserve_surrogate.kernel._cells import LANES
-from bnserve_surrogate.kernel._layout import CACHE_LINE, STREAMED
+from bnserve_surrogate.kernel._layout import CACHE_LINE, LANES, STREAMED, Argument, Output
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
 from bnserve_surrogate.kernel._simd import (
     floats_at,
@@ -39,9 +37,9 @@ def write_block(
     tail: Floats,
 ) -> None:
     """One block of one row into the outputs: values up to ``inside``, zeros from there to ``stop``."""
-    output, first, second = arguments[c.OUTPUT], arguments[c.FIRST], arguments[c.SECOND]
-    place = i * arguments[c.POINTS] + start
-    if output == c.AMPLITUDE_PHASE:
+    output, first, second = arguments[Argument.OUTPUT], arguments[Argument.FIRST], arguments[Argument.SECOND]
+    place = i * arguments[Argument.POINTS] + start
+    if output == Output.AMPLITUDE_PHASE:
         a, p = floats_at(first + 8 * place, stop - start), floats_at(second + 8 * place, stop - start)
         for j in range(inside - start):
             a[j] = amplitude[j]
@@ -49,17 +47,17 @@ def write_block(
         for j in range(inside - start, stop - start):
             a[j] = 0.0
             p[j] = 0.0
-    elif output in (c.STRAIN_SINGLE, c.POLARIZATIONS_SINGLE):
+    elif output in (Output.STRAIN_SINGLE, Output.POLARIZATIONS_SINGLE):
         size = 2 * (stop - start)
         h = singles_at(first + 8 * place, size)
-        other = singles_at(second + 8 * place, size if output == c.POLARIZATIONS_SINGLE else 0)
+        other = singles_at(second + 8 * place, size if output == Output.POLARIZATIONS_SINGLE else 0)
         streamed = _streamed(arguments, first + 8 * place, second + 8 * place, other.shape[0] > 0, 8)
         to_complex(amplitude, phase, inside - start, factors, streamed, h, other, singles_in(tail, 0, 4 * LANES))
         _zeros(h, other, 2 * (inside - start))
     else:
         size = 2 * (stop - start)
         wide = floats_at(first + 16 * place, size)
-        other_wide = floats_at(second + 16 * place, size if output == c.POLARIZATIONS else 0)
+        other_wide = floats_at(second + 16 * place, size if output == Output.POLARIZATIONS else 0)
         streamed = _streamed(arguments, first + 16 * place, second + 16 * place, other_wide.shape[0] > 0, 16)
         to_complex(amplitude, phase, inside - start, factors, streamed, wide, other_wide, tail)
         _zeros(wide, other_wide, 2 * (inside - start))
@@ -114,7 +112,7 @@ def to_complex(
 @njit(**JIT_OPTIONS)
 def _streamed(arguments: Integers, first: int, second: int, two: bool, size: int) -> int:
     """How many values stand before the first cache line's beginning, or -1 if the caches hold the whole result."""
-    small = arguments[c.ROWS] * arguments[c.POINTS] * size * (2 if two else 1) < STREAMED
+    small = arguments[Argument.ROWS] * arguments[Argument.POINTS] * size * (2 if two else 1) < STREAMED
     apart = two and (first - second) % CACHE_LINE != 0
     if small or apart or first % size != 0:
         return -1

@@ -9,49 +9,75 @@ it again after every change of a source.
 from __future__ import annotations
 
 import argparse
+import hashlib
+import importlib
 import os
 import platform
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
 
-from bnserve_surrogate.kernel._digest import source_digest
+from bnserve_surrogate.kernel._layout import Argument
 from bnserve_surrogate.kernel._loader import ASSEMBLY, DIGEST_PREFIX, ENTRY_POINT
 
 TOOLCHAIN_PREFIX = "; built by: "
 
 
-def compile_kernel() -> str:
-    """The kernel as LLVM assembly, bound to no processor."""
-    configure_numba()
+_PACKAGE = Path(__file__).parents[1]
+_KERNEL = ("layout", "math", "places", "points", "regression", "row", "series", "simd", "source", "writing")
+
+
+def sources() -> list[Path]:
+    """Everything that the kernel is compiled from."""
+    files = [*(f"kernel/_{name}.py" for name in _KERNEL), "_coordinates.py", "_freezing.py"]
+    return [_PACKAGE / file for file in files] + sorted((_PACKAGE / "baseline").glob("*.py"))
+
+
+def source_digest(sources: Iterable[Path]) -> str:
+    """SHA-256 over files, by their names and contents."""
+    digest = hashlib.sha256()
+    for file in sources:
+        digest.update(file.name.encode() + b"\0" + file.read_bytes() + b"\0")
+    return digest.hexdigest()
+
+
+def compile_kernel(source: str, count: int, entry_point: str) -> str:
+    """A kernel as LLVM assembly, neither vectorised nor bound to a processor.
+
+    Parameters
+    ----------
+    source:
+        A module and a function in it, ``package.module:function``, which takes a block of 64-bit integers and returns
+        one.
+    count:
+        How many integers the block has.
+    entry_point:
+        Name of the function in the assembly; see :func:`~bnserve_surrogate.kernel._loader.load_assembly`.
+    """
+    # Leave what depends on the processor to the loader; numba reads this when it is imported.
+    os.environ.update(NUMBA_OPT="1", NUMBA_LOOP_VECTORIZE="0", NUMBA_SLP_VECTORIZE="0", NUMBA_CPU_NAME="generic")
     from numba import carray, cfunc, types
 
-    from bnserve_surrogate.kernel._arguments import Argument
     from bnserve_surrogate.kernel._math import JIT_OPTIONS
-    from bnserve_surrogate.kernel._source import evaluate
 
-    count = int(Argument.COUNT)
+    module, _, name = source.partition(":")
+    function = getattr(importlib.import_module(module), name)
 
     @cfunc(types.int64(types.CPointer(types.int64)), **{k: v for k, v in JIT_OPTIONS.items() if k != "nogil"})
     def entry(arguments):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
-        return evaluate(carray(arguments, count))
+        return function(carray(arguments, count))
 
-    return detach(entry, ENTRY_POINT)
-
-
-def configure_numba() -> None:
-    """Leave what depends on the processor to the loader; numba reads this when it is imported."""
-    os.environ.update(NUMBA_OPT="1", NUMBA_LOOP_VECTORIZE="0", NUMBA_SLP_VECTORIZE="0", NUMBA_CPU_NAME="generic")
+    return _detach(entry, entry_point)
 
 
-def detach(entry: Any, entry_point: str) -> str:
+def _detach(entry: Any, entry_point: str) -> str:
     """The assembly of a numba callback, named ``entry_point``, simplified, and free of Python and of the processor.
 
-    ``entry`` is the ``cfunc`` called ``entry`` of a function called ``compile_kernel``.
+    ``entry`` is the ``cfunc`` called ``entry`` of :func:`compile_kernel`.
     """
     assembly, wrapper = entry._library.get_llvm_str(), entry.native_name
     # The function behind the callback's wrapper: (return slot, exception slot, arguments) -> status.
@@ -106,16 +132,27 @@ def toolchain() -> str:
     return f"{TOOLCHAIN_PREFIX}{tools}, {platform.machine()}"
 
 
-def write_assembly(assembly: Path, digest: str, compile_kernel: Callable[[], str]) -> None:
-    """The command of a build: write ``assembly``, or the file that the command line names."""
+def write_assembly(assembly: Path, sources: Iterable[Path], compiled: Callable[[], str]) -> None:
+    """The command of a build: write ``assembly``, or the file that the command line names.
+
+    Parameters
+    ----------
+    assembly:
+        The file that is shipped.
+    sources:
+        What it is compiled from.
+    compiled:
+        Gives the assembly.
+    """
     parser = argparse.ArgumentParser(description=f"Compile the sources of {assembly.name}.")
     parser.add_argument("--output", type=Path, default=assembly, metavar="FILE.ll", help="the file (the one shipped)")
     output = parser.parse_args().output
     llvm.initialize_native_target()
-    text = f"{DIGEST_PREFIX}{digest}\n{toolchain()}\n{compile_kernel()}"
+    text = f"{DIGEST_PREFIX}{source_digest(sources)}\n{toolchain()}\n{compiled()}"
     output.write_text(text)
     print(f"Wrote {output.name}: {len(text) // 1024} KiB of LLVM assembly.")
 
 
 if __name__ == "__main__":
-    write_assembly(ASSEMBLY, source_digest(), compile_kernel)
+    kernel = "bnserve_surrogate.kernel._source:evaluate"
+    write_assembly(ASSEMBLY, sources(), lambda: compile_kernel(kernel, len(Argument), ENTRY_POINT))

@@ -1,4 +1,4 @@
-; sources: 98ad21e1ca036a9ea65734c2f18bd2286f4b57e51195d89fa01b05abb053e13b
+; sources: c13f5262e82f985aad4ac9255655a74dc9ff2cd5e914792bd778aa3dba890834
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -68,8 +68,8 @@ B284:                                             ; preds = %B284.if, %B190
   %exitcond.not = icmp eq i64 %..47, %.3731116
   br i1 %exitcond.not, label %B344, label %B284.if
 
-common.ret:                                       ; preds = %B1510.endif.if, %B1604, %B1460, %B324
-  %common.ret.op = phi i32 [ 0, %B324 ], [ 0, %B1460 ], [ 0, %B1604 ], [ %.2374, %B1510.endif.if ]
+common.ret:                                       ; preds = %B1480.endif.if, %B1574, %B1430, %B324
+  %common.ret.op = phi i32 [ 0, %B324 ], [ 0, %B1430 ], [ 0, %B1574 ], [ %.2374, %B1480.endif.if ]
   ret i32 %common.ret.op
 
 B324:                                             ; preds = %B284.if
@@ -81,17 +81,17 @@ B344:                                             ; preds = %B284, %entry
   %.733 = mul nsw i64 %.697, 10
   %.986 = shl nsw i64 %.697, 1
   %.11361120.not = icmp slt i64 %.697, 1
-  br i1 %.11361120.not, label %B1604, label %B840.if.lr.ph
+  br i1 %.11361120.not, label %B1574, label %B830.if.lr.ph
 
-B1172:                                            ; preds = %B844.else.endif.endif
+B1142:                                            ; preds = %B834.else.endif.endif
   %.1964 = getelementptr i8, ptr %.1321, i64 48
   %.1965 = load double, ptr %.1964, align 8
   %.1978.le = tail call contract double @llvm.cos.f64(double %.1965)
-  br label %B1266
+  br label %B1236
 
-B1266:                                            ; preds = %B844.else.endif.endif, %B1172
-  %"$phi1266.1.2.1" = phi double [ %.1978.le, %B1172 ], [ 0x7FF8000000000000, %B844.else.endif.endif ]
-  %.1998 = fmul contract double %"$phi1266.1.2.1", %"$phi1266.1.2.1"
+B1236:                                            ; preds = %B834.else.endif.endif, %B1142
+  %"$phi1236.1.2.1" = phi double [ %.1978.le, %B1142 ], [ 0x7FF8000000000000, %B834.else.endif.endif ]
+  %.1998 = fmul contract double %"$phi1236.1.2.1", %"$phi1236.1.2.1"
   %.1999 = fadd contract double %.1998, 1.000000e+00
   %.2000 = fmul contract double %.1999, 5.000000e-01
   %2 = shl i64 %.114211191121, 3
@@ -99,7 +99,7 @@ B1266:                                            ; preds = %B844.else.endif.end
   store double %.2000, ptr %scevgep132, align 8
   %scevgep131 = getelementptr i8, ptr %lsr.iv129, i64 -8
   store double 0.000000e+00, ptr %scevgep131, align 8
-  %.2064 = fneg contract double %"$phi1266.1.2.1"
+  %.2064 = fneg contract double %"$phi1236.1.2.1"
   store double %.2064, ptr %lsr.iv129, align 8
   %.2101 = icmp ne i64 %.1881, 0
   %.2106 = zext i1 %.2101 to i64
@@ -107,31 +107,31 @@ B1266:                                            ; preds = %B844.else.endif.end
   %scevgep130 = getelementptr i8, ptr %lsr.iv129, i64 16
   %lsr.iv.next134 = add i64 %lsr.iv133, 10
   %exitcond1140.not = icmp eq i64 %.697, %.1149
-  br i1 %exitcond1140.not, label %B1378, label %B840.if
+  br i1 %exitcond1140.not, label %B1348, label %B830.if
 
-B1378:                                            ; preds = %B1266
+B1348:                                            ; preds = %B1236
   %.2123.not = icmp eq i64 %.2107, 0
-  br i1 %.2123.not, label %B1464, label %B1390
+  br i1 %.2123.not, label %B1434, label %B1360
 
-B1390:                                            ; preds = %B1378
+B1360:                                            ; preds = %B1348
   %sunkaddr31.le = getelementptr i8, ptr %arg.arguments.4, i64 96
   %.2154 = load i64, ptr %sunkaddr31.le, align 8
   %.2155 = and i64 %.2154, 4
   %.2156.not = icmp eq i64 %.2155, 0
-  br i1 %.2156.not, label %B1464, label %B1460
+  br i1 %.2156.not, label %B1434, label %B1430
 
-B1460:                                            ; preds = %B1390
+B1430:                                            ; preds = %B1360
   store i64 %.2107, ptr %retptr, align 8
   br label %common.ret
 
-B1464:                                            ; preds = %B1390, %B1378
+B1434:                                            ; preds = %B1360, %B1348
   %3 = add nuw i64 %.697, 7
   %.2259 = lshr i64 %3, 3
   %4 = add nuw nsw i64 %.2259, 2
-  br label %B1508.if
+  br label %B1478.if
 
-B1604:                                            ; preds = %B1508.backedge, %B344
-  %bad.2.0.lcssa713 = phi i64 [ 0, %B344 ], [ %.2107, %B1508.backedge ]
+B1574:                                            ; preds = %B1478.backedge, %B344
+  %bad.2.0.lcssa713 = phi i64 [ 0, %B344 ], [ %.2107, %B1478.backedge ]
   fence seq_cst
   store i64 %bad.2.0.lcssa713, ptr %retptr, align 8
   br label %common.ret
@@ -146,7 +146,7 @@ B284.if:                                          ; preds = %B284
   %.465 = fcmp contract une double %.434, %.464
   br i1 %.465, label %B324, label %B284
 
-B840.if.lr.ph:                                    ; preds = %B344
+B830.if.lr.ph:                                    ; preds = %B344
   %.903 = getelementptr i8, ptr %arg.arguments.4, i64 136
   %.904 = load i64, ptr %.903, align 8
   %.817 = getelementptr i8, ptr %arg.arguments.4, i64 152
@@ -176,23 +176,23 @@ B840.if.lr.ph:                                    ; preds = %B344
   %sunkaddr31 = getelementptr i8, ptr %arg.arguments.4, i64 96
   %13 = inttoptr i64 %.818 to ptr
   %14 = inttoptr i64 %.904 to ptr
-  br label %B840.if
+  br label %B830.if
 
-B840.if:                                          ; preds = %B840.if.lr.ph, %B1266
-  %lsr.iv133 = phi i64 [ 10, %B840.if.lr.ph ], [ %lsr.iv.next134, %B1266 ]
-  %lsr.iv129 = phi ptr [ %scevgep, %B840.if.lr.ph ], [ %scevgep130, %B1266 ]
-  %bad.2.01123 = phi i64 [ 0, %B840.if.lr.ph ], [ %.2107, %B1266 ]
-  %.114211191121 = phi i64 [ 0, %B840.if.lr.ph ], [ %.1149, %B1266 ]
+B830.if:                                          ; preds = %B830.if.lr.ph, %B1236
+  %lsr.iv133 = phi i64 [ 10, %B830.if.lr.ph ], [ %lsr.iv.next134, %B1236 ]
+  %lsr.iv129 = phi ptr [ %scevgep, %B830.if.lr.ph ], [ %scevgep130, %B1236 ]
+  %bad.2.01123 = phi i64 [ 0, %B830.if.lr.ph ], [ %.2107, %B1236 ]
+  %.114211191121 = phi i64 [ 0, %B830.if.lr.ph ], [ %.1149, %B1236 ]
   %.1149 = add nuw nsw i64 %.114211191121, 1
   %15 = add i64 %lsr.iv133, -10
   %.1228.not = icmp slt i64 %.114211191121, %.697
-  br i1 %.1228.not, label %B844.else.endif.endif, label %B844.else.endif.if, !prof !1
+  br i1 %.1228.not, label %B834.else.endif.endif, label %B834.else.endif.if, !prof !1
 
-B844.else.endif.if:                               ; preds = %B840.if
-  br label %B844.else.endif.endif
+B834.else.endif.if:                               ; preds = %B830.if
+  br label %B834.else.endif.endif
 
-B844.else.endif.endif:                            ; preds = %B844.else.endif.if, %B840.if
-  %.1208.sroa.0.3 = phi i64 [ %.733, %B844.else.endif.if ], [ %15, %B840.if ]
+B834.else.endif.endif:                            ; preds = %B834.else.endif.if, %B830.if
+  %.1208.sroa.0.3 = phi i64 [ %.733, %B834.else.endif.if ], [ %15, %B830.if ]
   %.1321 = getelementptr double, ptr %12, i64 %.1208.sroa.0.3
   %.1388 = load i64, ptr %sunkaddr27, align 8
   %16 = lshr i64 %.1388, 33
@@ -218,24 +218,24 @@ B844.else.endif.endif:                            ; preds = %B844.else.endif.if,
   %.1931 = trunc i64 %.1881 to i8
   store i8 %.1931, ptr %20, align 1
   %.1934 = icmp eq i64 %.1881, 0
-  br i1 %.1934, label %B1172, label %B1266
+  br i1 %.1934, label %B1142, label %B1236
 
-B1508.if:                                         ; preds = %B1508.backedge, %B1464
-  %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B1508.backedge ], [ %4, %B1464 ]
-  %.228611291132 = phi i64 [ %21, %B1508.backedge ], [ 0, %B1464 ]
+B1478.if:                                         ; preds = %B1478.backedge, %B1434
+  %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B1478.backedge ], [ %4, %B1434 ]
+  %.228611291132 = phi i64 [ %21, %B1478.backedge ], [ 0, %B1434 ]
   %21 = add nuw i64 %.228611291132, 8
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.697, i64 %21)
   store ptr null, ptr %.2356, align 8
   %.2374 = call fastcc i32 @inner_2(ptr nonnull %.2356, ptr nonnull %excinfo.11, i64 %.228611291132, i64 %.13.i, ptr nonnull %arg.arguments.4, ptr %sunkaddr, ptr %11, ptr %12, ptr %13, i64 %.697, ptr %14, i64 %.697, ptr %6, i64 %.986)
   %cond = icmp eq i32 %.2374, 0
-  br i1 %cond, label %B1508.backedge, label %B1510.endif.if, !prof !0
+  br i1 %cond, label %B1478.backedge, label %B1480.endif.if, !prof !0
 
-B1508.backedge:                                   ; preds = %B1508.if
+B1478.backedge:                                   ; preds = %B1478.if
   %lsr.iv.next26 = add nsw i64 %lsr.iv25, -1
   %.2280 = icmp sgt i64 %lsr.iv25, 3
-  br i1 %.2280, label %B1508.if, label %B1604
+  br i1 %.2280, label %B1478.if, label %B1574
 
-B1510.endif.if:                                   ; preds = %B1508.if
+B1480.endif.if:                                   ; preds = %B1478.if
   %.2375 = load ptr, ptr %excinfo.11, align 8
   store ptr %.2375, ptr %excinfo, align 8
   br label %common.ret
@@ -253,77 +253,77 @@ entry:
   %.210 = load double, ptr %arg.row.4, align 8
   %.218.le = fsub contract double %.210, %.210
   %.219.le = fcmp contract ord double %.218.le, 0.000000e+00
-  br i1 %.219.le, label %B142, label %common.ret
+  br i1 %.219.le, label %B132, label %common.ret
 
-common.ret:                                       ; preds = %B250, %entry, %B142, %B142.1, %B142.2, %B142.3, %B142.4, %B142.5, %B142.6, %B142.7, %B142.8, %B788
-  %..sink = phi i64 [ %., %B788 ], [ 1, %entry ], [ 1, %B142.8 ], [ 1, %B142.7 ], [ 1, %B142.6 ], [ 1, %B142.5 ], [ 1, %B142.4 ], [ 1, %B142.3 ], [ 1, %B142.2 ], [ 1, %B142.1 ], [ 1, %B142 ], [ 2, %B250 ]
+common.ret:                                       ; preds = %B230, %entry, %B132, %B132.1, %B132.2, %B132.3, %B132.4, %B132.5, %B132.6, %B132.7, %B132.8, %B768
+  %..sink = phi i64 [ %., %B768 ], [ 1, %entry ], [ 1, %B132.8 ], [ 1, %B132.7 ], [ 1, %B132.6 ], [ 1, %B132.5 ], [ 1, %B132.4 ], [ 1, %B132.3 ], [ 1, %B132.2 ], [ 1, %B132.1 ], [ 1, %B132 ], [ 2, %B230 ]
   store i64 %..sink, ptr %retptr, align 8
   ret void
 
-B142:                                             ; preds = %entry
+B132:                                             ; preds = %entry
   %0 = getelementptr i8, ptr %arg.row.4, i64 8
   %.210.1 = load double, ptr %0, align 8
   %.218.le.1 = fsub contract double %.210.1, %.210.1
   %.219.le.1 = fcmp contract ord double %.218.le.1, 0.000000e+00
-  br i1 %.219.le.1, label %B142.1, label %common.ret
+  br i1 %.219.le.1, label %B132.1, label %common.ret
 
-B142.1:                                           ; preds = %B142
+B132.1:                                           ; preds = %B132
   %1 = getelementptr i8, ptr %arg.row.4, i64 16
   %.210.2 = load double, ptr %1, align 8
   %.218.le.2 = fsub contract double %.210.2, %.210.2
   %.219.le.2 = fcmp contract ord double %.218.le.2, 0.000000e+00
-  br i1 %.219.le.2, label %B142.2, label %common.ret
+  br i1 %.219.le.2, label %B132.2, label %common.ret
 
-B142.2:                                           ; preds = %B142.1
+B132.2:                                           ; preds = %B132.1
   %2 = getelementptr i8, ptr %arg.row.4, i64 24
   %.210.3 = load double, ptr %2, align 8
   %.218.le.3 = fsub contract double %.210.3, %.210.3
   %.219.le.3 = fcmp contract ord double %.218.le.3, 0.000000e+00
-  br i1 %.219.le.3, label %B142.3, label %common.ret
+  br i1 %.219.le.3, label %B132.3, label %common.ret
 
-B142.3:                                           ; preds = %B142.2
+B132.3:                                           ; preds = %B132.2
   %3 = getelementptr i8, ptr %arg.row.4, i64 32
   %.210.4 = load double, ptr %3, align 8
   %.218.le.4 = fsub contract double %.210.4, %.210.4
   %.219.le.4 = fcmp contract ord double %.218.le.4, 0.000000e+00
-  br i1 %.219.le.4, label %B142.4, label %common.ret
+  br i1 %.219.le.4, label %B132.4, label %common.ret
 
-B142.4:                                           ; preds = %B142.3
+B132.4:                                           ; preds = %B132.3
   %4 = getelementptr i8, ptr %arg.row.4, i64 40
   %.210.5 = load double, ptr %4, align 8
   %.218.le.5 = fsub contract double %.210.5, %.210.5
   %.219.le.5 = fcmp contract ord double %.218.le.5, 0.000000e+00
-  br i1 %.219.le.5, label %B142.5, label %common.ret
+  br i1 %.219.le.5, label %B132.5, label %common.ret
 
-B142.5:                                           ; preds = %B142.4
+B132.5:                                           ; preds = %B132.4
   %5 = getelementptr i8, ptr %arg.row.4, i64 48
   %.210.6 = load double, ptr %5, align 8
   %.218.le.6 = fsub contract double %.210.6, %.210.6
   %.219.le.6 = fcmp contract ord double %.218.le.6, 0.000000e+00
-  br i1 %.219.le.6, label %B142.6, label %common.ret
+  br i1 %.219.le.6, label %B132.6, label %common.ret
 
-B142.6:                                           ; preds = %B142.5
+B132.6:                                           ; preds = %B132.5
   %6 = getelementptr i8, ptr %arg.row.4, i64 56
   %.210.7 = load double, ptr %6, align 8
   %.218.le.7 = fsub contract double %.210.7, %.210.7
   %.219.le.7 = fcmp contract ord double %.218.le.7, 0.000000e+00
-  br i1 %.219.le.7, label %B142.7, label %common.ret
+  br i1 %.219.le.7, label %B132.7, label %common.ret
 
-B142.7:                                           ; preds = %B142.6
+B132.7:                                           ; preds = %B132.6
   %7 = getelementptr i8, ptr %arg.row.4, i64 64
   %.210.8 = load double, ptr %7, align 8
   %.218.le.8 = fsub contract double %.210.8, %.210.8
   %.219.le.8 = fcmp contract ord double %.218.le.8, 0.000000e+00
-  br i1 %.219.le.8, label %B142.8, label %common.ret
+  br i1 %.219.le.8, label %B132.8, label %common.ret
 
-B142.8:                                           ; preds = %B142.7
+B132.8:                                           ; preds = %B132.7
   %8 = getelementptr i8, ptr %arg.row.4, i64 72
   %.210.9 = load double, ptr %8, align 8
   %.218.le.9 = fsub contract double %.210.9, %.210.9
   %.219.le.9 = fcmp contract ord double %.218.le.9, 0.000000e+00
-  br i1 %.219.le.9, label %B250, label %common.ret
+  br i1 %.219.le.9, label %B230, label %common.ret
 
-B250:                                             ; preds = %B142.8
+B230:                                             ; preds = %B132.8
   %.324 = load double, ptr %arg.limits.4, align 8
   %.325 = fcmp contract oge double %.210, %.324
   %9 = getelementptr i8, ptr %arg.limits.4, i64 80
@@ -411,40 +411,40 @@ B250:                                             ; preds = %B142.8
   %.509 = fcmp contract ole double %.508, 1.000000e+14
   %28 = and i1 %.437, %.509
   %.510 = and i1 %28, %.394.9
-  br i1 %.510, label %B516, label %common.ret
+  br i1 %.510, label %B496, label %common.ret
 
-B516:                                             ; preds = %B250
+B496:                                             ; preds = %B230
   %.565 = fmul contract double %.210.7, 0x3ED4A8B4A9ED04E3
   %.571 = fmul contract double %arg.first, %.565
   %.572 = fcmp olt double %.571, 1.000000e-09
   %.581 = and i64 %arg.policy, 2
   %.582.not = icmp eq i64 %.581, 0
-  br i1 %.582.not, label %B692, label %B634
+  br i1 %.582.not, label %B672, label %B614
 
-B634:                                             ; preds = %B516
+B614:                                             ; preds = %B496
   %.586 = fmul contract double %arg.last, %.565
   %.617 = getelementptr i8, ptr %arg.band.4, i64 8
   %.618 = load double, ptr %.617, align 8
   %.620 = fmul contract double %.618, 0x3FF000000044B830
   %.621 = fcmp contract ogt double %.586, %.620
   %.623 = or i1 %.572, %.621
-  br label %B692
+  br label %B672
 
-B692:                                             ; preds = %B634, %B516
-  %outside.3.0 = phi i1 [ %.623, %B634 ], [ %.572, %B516 ]
+B672:                                             ; preds = %B614, %B496
+  %outside.3.0 = phi i1 [ %.623, %B614 ], [ %.572, %B496 ]
   %.638 = and i64 %arg.policy, 1
   %.641.not = icmp eq i64 %.638, 0
-  br i1 %.641.not, label %B788, label %B730
+  br i1 %.641.not, label %B768, label %B710
 
-B730:                                             ; preds = %B692
+B710:                                             ; preds = %B672
   %.679 = load double, ptr %arg.band.4, align 8
   %.686 = fmul contract double %.679, 0x3FEFFFFFFF768FA1
   %.687 = fcmp contract olt double %.571, %.686
   %.689 = or i1 %outside.3.0, %.687
-  br label %B788
+  br label %B768
 
-B788:                                             ; preds = %B730, %B692
-  %outside.4.0 = phi i1 [ %.689, %B730 ], [ %outside.3.0, %B692 ]
+B768:                                             ; preds = %B710, %B672
+  %outside.4.0 = phi i1 [ %.689, %B710 ], [ %outside.3.0, %B672 ]
   %. = select i1 %outside.4.0, i64 3, i64 0
   br label %common.ret
 }
@@ -455,654 +455,650 @@ declare i64 @llvm.smin.i64(i64, i64) #3
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc noundef range(i32 0, 2) i32 @inner_2(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr readonly captures(none) %arg.parameters.4, ptr readonly captures(none) %arg.status.4, i64 range(i64 1, -9223372036854775808) %arg.status.5.0, ptr readonly captures(none) %arg.plus.4, i64 range(i64 1, -9223372036854775808) %arg.plus.5.0, ptr readonly captures(none) %arg.cross.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.cross.5.0) unnamed_addr #5 {
 entry:
-  %.1174 = alloca { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1174, i8 0, i64 56, i1 false)
-  %.2463 = alloca ptr, align 8
-  store ptr null, ptr %.2463, align 8
+  %.1219 = alloca { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1219, i8 0, i64 56, i1 false)
+  %.2509 = alloca ptr, align 8
+  store ptr null, ptr %.2509, align 8
   %excinfo.16 = alloca ptr, align 8
   store ptr null, ptr %excinfo.16, align 8
-  %.2511 = alloca ptr, align 8
-  store ptr null, ptr %.2511, align 8
+  %.2557 = alloca ptr, align 8
+  store ptr null, ptr %.2557, align 8
   %.137 = getelementptr i8, ptr %arg.arguments.4, i64 104
   %.138 = load i64, ptr %.137, align 8
   %0 = inttoptr i64 %.138 to ptr
-  %.385 = add nsw i64 %arg.stop, -1
-  %.13.i = tail call i64 @llvm.smin.i64(i64 %.385, i64 %arg.start)
-  %.425.idx = mul nsw i64 %.13.i, 80
-  %.425 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx
-  %.504 = load double, ptr %.425, align 8
-  %.532 = getelementptr i8, ptr %.425, i64 24
-  %.533 = load double, ptr %.532, align 8
+  %.414 = add nsw i64 %arg.stop, -1
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.414, i64 %arg.start)
+  %.454.idx = mul nsw i64 %.13.i, 80
+  %.454 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx
+  %.533 = load double, ptr %.454, align 8
+  %.561 = getelementptr i8, ptr %.454, i64 24
+  %.562 = load double, ptr %.561, align 8
   %scevgep224 = getelementptr i8, ptr %0, i64 32
-  store double %.504, ptr %0, align 8
+  store double %.533, ptr %0, align 8
   %scevgep226 = getelementptr i8, ptr %0, i64 8
-  store double %.533, ptr %scevgep226, align 8
-  %.624 = getelementptr i8, ptr %.425, i64 32
-  %.625 = load double, ptr %.624, align 8
-  %.653 = getelementptr i8, ptr %.425, i64 8
+  store double %.562, ptr %scevgep226, align 8
+  %.653 = getelementptr i8, ptr %.454, i64 32
   %.654 = load double, ptr %.653, align 8
+  %.682 = getelementptr i8, ptr %.454, i64 8
+  %.683 = load double, ptr %.682, align 8
   %scevgep228 = getelementptr i8, ptr %0, i64 16
-  store double %.625, ptr %scevgep228, align 8
+  store double %.654, ptr %scevgep228, align 8
   %scevgep229 = getelementptr i8, ptr %0, i64 24
-  store double %.654, ptr %scevgep229, align 8
-  %.746 = getelementptr i8, ptr %.425, i64 16
-  %.747 = load double, ptr %.746, align 8
-  store double %.747, ptr %scevgep224, align 8
+  store double %.683, ptr %scevgep229, align 8
+  %.775 = getelementptr i8, ptr %.454, i64 16
+  %.776 = load double, ptr %.775, align 8
+  store double %.776, ptr %scevgep224, align 8
   %lsr.iv.next232 = add i64 %arg.start, 1
-  %.13.i.1 = tail call i64 @llvm.smin.i64(i64 %.385, i64 %lsr.iv.next232)
-  %.425.idx.1 = mul nsw i64 %.13.i.1, 80
-  %.425.1 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx.1
-  %.504.1 = load double, ptr %.425.1, align 8
-  %.532.1 = getelementptr i8, ptr %.425.1, i64 24
-  %.533.1 = load double, ptr %.532.1, align 8
+  %.13.i.1 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232)
+  %.454.idx.1 = mul nsw i64 %.13.i.1, 80
+  %.454.1 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.1
+  %.533.1 = load double, ptr %.454.1, align 8
+  %.561.1 = getelementptr i8, ptr %.454.1, i64 24
+  %.562.1 = load double, ptr %.561.1, align 8
   %scevgep224.1 = getelementptr i8, ptr %0, i64 72
   %scevgep225.1 = getelementptr i8, ptr %0, i64 40
-  store double %.504.1, ptr %scevgep225.1, align 8
+  store double %.533.1, ptr %scevgep225.1, align 8
   %scevgep226.1 = getelementptr i8, ptr %0, i64 48
-  store double %.533.1, ptr %scevgep226.1, align 8
-  %.624.1 = getelementptr i8, ptr %.425.1, i64 32
-  %.625.1 = load double, ptr %.624.1, align 8
-  %.653.1 = getelementptr i8, ptr %.425.1, i64 8
+  store double %.562.1, ptr %scevgep226.1, align 8
+  %.653.1 = getelementptr i8, ptr %.454.1, i64 32
   %.654.1 = load double, ptr %.653.1, align 8
+  %.682.1 = getelementptr i8, ptr %.454.1, i64 8
+  %.683.1 = load double, ptr %.682.1, align 8
   %scevgep228.1 = getelementptr i8, ptr %0, i64 56
-  store double %.625.1, ptr %scevgep228.1, align 8
+  store double %.654.1, ptr %scevgep228.1, align 8
   %scevgep229.1 = getelementptr i8, ptr %0, i64 64
-  store double %.654.1, ptr %scevgep229.1, align 8
-  %.746.1 = getelementptr i8, ptr %.425.1, i64 16
-  %.747.1 = load double, ptr %.746.1, align 8
-  store double %.747.1, ptr %scevgep224.1, align 8
+  store double %.683.1, ptr %scevgep229.1, align 8
+  %.775.1 = getelementptr i8, ptr %.454.1, i64 16
+  %.776.1 = load double, ptr %.775.1, align 8
+  store double %.776.1, ptr %scevgep224.1, align 8
   %lsr.iv.next232.1 = add i64 %arg.start, 2
-  %.13.i.2 = tail call i64 @llvm.smin.i64(i64 %.385, i64 %lsr.iv.next232.1)
-  %.425.idx.2 = mul nsw i64 %.13.i.2, 80
-  %.425.2 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx.2
-  %.504.2 = load double, ptr %.425.2, align 8
-  %.532.2 = getelementptr i8, ptr %.425.2, i64 24
-  %.533.2 = load double, ptr %.532.2, align 8
+  %.13.i.2 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.1)
+  %.454.idx.2 = mul nsw i64 %.13.i.2, 80
+  %.454.2 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.2
+  %.533.2 = load double, ptr %.454.2, align 8
+  %.561.2 = getelementptr i8, ptr %.454.2, i64 24
+  %.562.2 = load double, ptr %.561.2, align 8
   %scevgep224.2 = getelementptr i8, ptr %0, i64 112
   %scevgep225.2 = getelementptr i8, ptr %0, i64 80
-  store double %.504.2, ptr %scevgep225.2, align 8
+  store double %.533.2, ptr %scevgep225.2, align 8
   %scevgep226.2 = getelementptr i8, ptr %0, i64 88
-  store double %.533.2, ptr %scevgep226.2, align 8
-  %.624.2 = getelementptr i8, ptr %.425.2, i64 32
-  %.625.2 = load double, ptr %.624.2, align 8
-  %.653.2 = getelementptr i8, ptr %.425.2, i64 8
+  store double %.562.2, ptr %scevgep226.2, align 8
+  %.653.2 = getelementptr i8, ptr %.454.2, i64 32
   %.654.2 = load double, ptr %.653.2, align 8
+  %.682.2 = getelementptr i8, ptr %.454.2, i64 8
+  %.683.2 = load double, ptr %.682.2, align 8
   %scevgep228.2 = getelementptr i8, ptr %0, i64 96
-  store double %.625.2, ptr %scevgep228.2, align 8
+  store double %.654.2, ptr %scevgep228.2, align 8
   %scevgep229.2 = getelementptr i8, ptr %0, i64 104
-  store double %.654.2, ptr %scevgep229.2, align 8
-  %.746.2 = getelementptr i8, ptr %.425.2, i64 16
-  %.747.2 = load double, ptr %.746.2, align 8
-  store double %.747.2, ptr %scevgep224.2, align 8
+  store double %.683.2, ptr %scevgep229.2, align 8
+  %.775.2 = getelementptr i8, ptr %.454.2, i64 16
+  %.776.2 = load double, ptr %.775.2, align 8
+  store double %.776.2, ptr %scevgep224.2, align 8
   %lsr.iv.next232.2 = add i64 %arg.start, 3
-  %.13.i.3 = tail call i64 @llvm.smin.i64(i64 %.385, i64 %lsr.iv.next232.2)
-  %.425.idx.3 = mul nsw i64 %.13.i.3, 80
-  %.425.3 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx.3
-  %.504.3 = load double, ptr %.425.3, align 8
-  %.532.3 = getelementptr i8, ptr %.425.3, i64 24
-  %.533.3 = load double, ptr %.532.3, align 8
+  %.13.i.3 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.2)
+  %.454.idx.3 = mul nsw i64 %.13.i.3, 80
+  %.454.3 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.3
+  %.533.3 = load double, ptr %.454.3, align 8
+  %.561.3 = getelementptr i8, ptr %.454.3, i64 24
+  %.562.3 = load double, ptr %.561.3, align 8
   %scevgep224.3 = getelementptr i8, ptr %0, i64 152
   %scevgep225.3 = getelementptr i8, ptr %0, i64 120
-  store double %.504.3, ptr %scevgep225.3, align 8
+  store double %.533.3, ptr %scevgep225.3, align 8
   %scevgep226.3 = getelementptr i8, ptr %0, i64 128
-  store double %.533.3, ptr %scevgep226.3, align 8
-  %.624.3 = getelementptr i8, ptr %.425.3, i64 32
-  %.625.3 = load double, ptr %.624.3, align 8
-  %.653.3 = getelementptr i8, ptr %.425.3, i64 8
+  store double %.562.3, ptr %scevgep226.3, align 8
+  %.653.3 = getelementptr i8, ptr %.454.3, i64 32
   %.654.3 = load double, ptr %.653.3, align 8
+  %.682.3 = getelementptr i8, ptr %.454.3, i64 8
+  %.683.3 = load double, ptr %.682.3, align 8
   %scevgep228.3 = getelementptr i8, ptr %0, i64 136
-  store double %.625.3, ptr %scevgep228.3, align 8
+  store double %.654.3, ptr %scevgep228.3, align 8
   %scevgep229.3 = getelementptr i8, ptr %0, i64 144
-  store double %.654.3, ptr %scevgep229.3, align 8
-  %.746.3 = getelementptr i8, ptr %.425.3, i64 16
-  %.747.3 = load double, ptr %.746.3, align 8
-  store double %.747.3, ptr %scevgep224.3, align 8
+  store double %.683.3, ptr %scevgep229.3, align 8
+  %.775.3 = getelementptr i8, ptr %.454.3, i64 16
+  %.776.3 = load double, ptr %.775.3, align 8
+  store double %.776.3, ptr %scevgep224.3, align 8
   %lsr.iv.next232.3 = add i64 %arg.start, 4
-  %.13.i.4 = tail call i64 @llvm.smin.i64(i64 %.385, i64 %lsr.iv.next232.3)
-  %.425.idx.4 = mul nsw i64 %.13.i.4, 80
-  %.425.4 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx.4
-  %.504.4 = load double, ptr %.425.4, align 8
-  %.532.4 = getelementptr i8, ptr %.425.4, i64 24
-  %.533.4 = load double, ptr %.532.4, align 8
+  %.13.i.4 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.3)
+  %.454.idx.4 = mul nsw i64 %.13.i.4, 80
+  %.454.4 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.4
+  %.533.4 = load double, ptr %.454.4, align 8
+  %.561.4 = getelementptr i8, ptr %.454.4, i64 24
+  %.562.4 = load double, ptr %.561.4, align 8
   %scevgep224.4 = getelementptr i8, ptr %0, i64 192
   %scevgep225.4 = getelementptr i8, ptr %0, i64 160
-  store double %.504.4, ptr %scevgep225.4, align 8
+  store double %.533.4, ptr %scevgep225.4, align 8
   %scevgep226.4 = getelementptr i8, ptr %0, i64 168
-  store double %.533.4, ptr %scevgep226.4, align 8
-  %.624.4 = getelementptr i8, ptr %.425.4, i64 32
-  %.625.4 = load double, ptr %.624.4, align 8
-  %.653.4 = getelementptr i8, ptr %.425.4, i64 8
+  store double %.562.4, ptr %scevgep226.4, align 8
+  %.653.4 = getelementptr i8, ptr %.454.4, i64 32
   %.654.4 = load double, ptr %.653.4, align 8
+  %.682.4 = getelementptr i8, ptr %.454.4, i64 8
+  %.683.4 = load double, ptr %.682.4, align 8
   %scevgep228.4 = getelementptr i8, ptr %0, i64 176
-  store double %.625.4, ptr %scevgep228.4, align 8
+  store double %.654.4, ptr %scevgep228.4, align 8
   %scevgep229.4 = getelementptr i8, ptr %0, i64 184
-  store double %.654.4, ptr %scevgep229.4, align 8
-  %.746.4 = getelementptr i8, ptr %.425.4, i64 16
-  %.747.4 = load double, ptr %.746.4, align 8
-  store double %.747.4, ptr %scevgep224.4, align 8
+  store double %.683.4, ptr %scevgep229.4, align 8
+  %.775.4 = getelementptr i8, ptr %.454.4, i64 16
+  %.776.4 = load double, ptr %.775.4, align 8
+  store double %.776.4, ptr %scevgep224.4, align 8
   %lsr.iv.next232.4 = add i64 %arg.start, 5
-  %.13.i.5 = tail call i64 @llvm.smin.i64(i64 %.385, i64 %lsr.iv.next232.4)
-  %.425.idx.5 = mul nsw i64 %.13.i.5, 80
-  %.425.5 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx.5
-  %.504.5 = load double, ptr %.425.5, align 8
-  %.532.5 = getelementptr i8, ptr %.425.5, i64 24
-  %.533.5 = load double, ptr %.532.5, align 8
+  %.13.i.5 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.4)
+  %.454.idx.5 = mul nsw i64 %.13.i.5, 80
+  %.454.5 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.5
+  %.533.5 = load double, ptr %.454.5, align 8
+  %.561.5 = getelementptr i8, ptr %.454.5, i64 24
+  %.562.5 = load double, ptr %.561.5, align 8
   %scevgep224.5 = getelementptr i8, ptr %0, i64 232
   %scevgep225.5 = getelementptr i8, ptr %0, i64 200
-  store double %.504.5, ptr %scevgep225.5, align 8
+  store double %.533.5, ptr %scevgep225.5, align 8
   %scevgep226.5 = getelementptr i8, ptr %0, i64 208
-  store double %.533.5, ptr %scevgep226.5, align 8
-  %.624.5 = getelementptr i8, ptr %.425.5, i64 32
-  %.625.5 = load double, ptr %.624.5, align 8
-  %.653.5 = getelementptr i8, ptr %.425.5, i64 8
+  store double %.562.5, ptr %scevgep226.5, align 8
+  %.653.5 = getelementptr i8, ptr %.454.5, i64 32
   %.654.5 = load double, ptr %.653.5, align 8
+  %.682.5 = getelementptr i8, ptr %.454.5, i64 8
+  %.683.5 = load double, ptr %.682.5, align 8
   %scevgep228.5 = getelementptr i8, ptr %0, i64 216
-  store double %.625.5, ptr %scevgep228.5, align 8
+  store double %.654.5, ptr %scevgep228.5, align 8
   %scevgep229.5 = getelementptr i8, ptr %0, i64 224
-  store double %.654.5, ptr %scevgep229.5, align 8
-  %.746.5 = getelementptr i8, ptr %.425.5, i64 16
-  %.747.5 = load double, ptr %.746.5, align 8
-  store double %.747.5, ptr %scevgep224.5, align 8
+  store double %.683.5, ptr %scevgep229.5, align 8
+  %.775.5 = getelementptr i8, ptr %.454.5, i64 16
+  %.776.5 = load double, ptr %.775.5, align 8
+  store double %.776.5, ptr %scevgep224.5, align 8
   %lsr.iv.next232.5 = add i64 %arg.start, 6
-  %.13.i.6 = tail call i64 @llvm.smin.i64(i64 %.385, i64 %lsr.iv.next232.5)
-  %.425.idx.6 = mul nsw i64 %.13.i.6, 80
-  %.425.6 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx.6
-  %.504.6 = load double, ptr %.425.6, align 8
-  %.532.6 = getelementptr i8, ptr %.425.6, i64 24
-  %.533.6 = load double, ptr %.532.6, align 8
+  %.13.i.6 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.5)
+  %.454.idx.6 = mul nsw i64 %.13.i.6, 80
+  %.454.6 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.6
+  %.533.6 = load double, ptr %.454.6, align 8
+  %.561.6 = getelementptr i8, ptr %.454.6, i64 24
+  %.562.6 = load double, ptr %.561.6, align 8
   %scevgep224.6 = getelementptr i8, ptr %0, i64 272
   %scevgep225.6 = getelementptr i8, ptr %0, i64 240
-  store double %.504.6, ptr %scevgep225.6, align 8
+  store double %.533.6, ptr %scevgep225.6, align 8
   %scevgep226.6 = getelementptr i8, ptr %0, i64 248
-  store double %.533.6, ptr %scevgep226.6, align 8
-  %.624.6 = getelementptr i8, ptr %.425.6, i64 32
-  %.625.6 = load double, ptr %.624.6, align 8
-  %.653.6 = getelementptr i8, ptr %.425.6, i64 8
+  store double %.562.6, ptr %scevgep226.6, align 8
+  %.653.6 = getelementptr i8, ptr %.454.6, i64 32
   %.654.6 = load double, ptr %.653.6, align 8
+  %.682.6 = getelementptr i8, ptr %.454.6, i64 8
+  %.683.6 = load double, ptr %.682.6, align 8
   %scevgep228.6 = getelementptr i8, ptr %0, i64 256
-  store double %.625.6, ptr %scevgep228.6, align 8
+  store double %.654.6, ptr %scevgep228.6, align 8
   %scevgep229.6 = getelementptr i8, ptr %0, i64 264
-  store double %.654.6, ptr %scevgep229.6, align 8
-  %.746.6 = getelementptr i8, ptr %.425.6, i64 16
-  %.747.6 = load double, ptr %.746.6, align 8
-  store double %.747.6, ptr %scevgep224.6, align 8
+  store double %.683.6, ptr %scevgep229.6, align 8
+  %.775.6 = getelementptr i8, ptr %.454.6, i64 16
+  %.776.6 = load double, ptr %.775.6, align 8
+  store double %.776.6, ptr %scevgep224.6, align 8
   %lsr.iv.next232.6 = add i64 %arg.start, 7
-  %.13.i.7 = tail call i64 @llvm.smin.i64(i64 %.385, i64 %lsr.iv.next232.6)
-  %.425.idx.7 = mul nsw i64 %.13.i.7, 80
-  %.425.7 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.425.idx.7
-  %.504.7 = load double, ptr %.425.7, align 8
-  %.532.7 = getelementptr i8, ptr %.425.7, i64 24
-  %.533.7 = load double, ptr %.532.7, align 8
+  %.13.i.7 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.6)
+  %.454.idx.7 = mul nsw i64 %.13.i.7, 80
+  %.454.7 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.7
+  %.533.7 = load double, ptr %.454.7, align 8
+  %.561.7 = getelementptr i8, ptr %.454.7, i64 24
+  %.562.7 = load double, ptr %.561.7, align 8
   %scevgep224.7 = getelementptr i8, ptr %0, i64 312
   %scevgep225.7 = getelementptr i8, ptr %0, i64 280
-  store double %.504.7, ptr %scevgep225.7, align 8
+  store double %.533.7, ptr %scevgep225.7, align 8
   %scevgep226.7 = getelementptr i8, ptr %0, i64 288
-  store double %.533.7, ptr %scevgep226.7, align 8
-  %.624.7 = getelementptr i8, ptr %.425.7, i64 32
-  %.625.7 = load double, ptr %.624.7, align 8
-  %.653.7 = getelementptr i8, ptr %.425.7, i64 8
+  store double %.562.7, ptr %scevgep226.7, align 8
+  %.653.7 = getelementptr i8, ptr %.454.7, i64 32
   %.654.7 = load double, ptr %.653.7, align 8
+  %.682.7 = getelementptr i8, ptr %.454.7, i64 8
+  %.683.7 = load double, ptr %.682.7, align 8
   %scevgep228.7 = getelementptr i8, ptr %0, i64 296
-  store double %.625.7, ptr %scevgep228.7, align 8
+  store double %.654.7, ptr %scevgep228.7, align 8
   %scevgep229.7 = getelementptr i8, ptr %0, i64 304
-  store double %.654.7, ptr %scevgep229.7, align 8
-  %.746.7 = getelementptr i8, ptr %.425.7, i64 16
-  %.747.7 = load double, ptr %.746.7, align 8
-  store double %.747.7, ptr %scevgep224.7, align 8
-  %.fca.4.gep568 = getelementptr inbounds nuw i8, ptr %.1174, i64 32
-  %.816 = getelementptr i8, ptr %arg.contents.4, i64 56
-  %.817 = load i64, ptr %.816, align 8
-  %.819 = add i64 %.817, 7
-  %.860 = and i64 %.819, -8
-  %.889 = getelementptr i8, ptr %arg.contents.4, i64 64
-  %.890 = load i64, ptr %.889, align 8
-  %.892 = add i64 %.890, 7
-  %.933 = and i64 %.892, -8
-  %.934 = add nsw i64 %.933, %.860
-  %.935 = shl nsw i64 %.934, 1
-  %.936 = or disjoint i64 %.935, 8
-  %.954 = getelementptr i8, ptr %0, i64 320
-  %.idx = shl i64 %.934, 7
-  %1 = getelementptr i8, ptr %0, i64 %.idx
-  %.1030 = getelementptr i8, ptr %1, i64 832
-  %.1116 = getelementptr i8, ptr %arg.arguments.4, i64 72
-  %.1117 = load i64, ptr %.1116, align 8
-  %.1118 = inttoptr i64 %.1117 to ptr
-  %.1169 = sub i64 %arg.stop, %arg.start
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1174, i8 0, i64 56, i1 false)
-  call fastcc void @inner_3(ptr nonnull %.1174, ptr %0, i64 %.1169, ptr %arg.contents.4, ptr %.1118, ptr %arg.weights.4, ptr %.1030)
-  %.1198.fca.4.load = load ptr, ptr %.fca.4.gep568, align 8
-  %.fca.5.0.gep569 = getelementptr inbounds nuw i8, ptr %.1174, i64 40
-  %.1198.fca.5.0.load = load i64, ptr %.fca.5.0.gep569, align 8
-  %.1261 = getelementptr i8, ptr %arg.contents.4, i64 24
-  %.1262 = load i64, ptr %.1261, align 8
-  %.1264 = add i64 %.1262, 7
-  %.1305 = and i64 %.1264, -8
-  %.1306 = add i64 %.1305, 8
-  %.1339 = getelementptr i8, ptr %arg.contents.4, i64 104
-  %.1340 = load i64, ptr %.1339, align 8
-  %.1351 = getelementptr double, ptr %arg.weights.4, i64 %.1340
-  %2 = add nuw i64 %.1169, 3
-  %.1469 = lshr i64 %2, 2
-  %.1448.inv = icmp slt i64 %.1169, 1
-  %.14901404.not1442 = icmp eq i64 %.1469, 0
-  %.14901404.not = select i1 %.1448.inv, i1 true, i1 %.14901404.not1442
-  br i1 %.14901404.not, label %B1468, label %B1258.if.preheader
+  store double %.683.7, ptr %scevgep229.7, align 8
+  %.775.7 = getelementptr i8, ptr %.454.7, i64 16
+  %.776.7 = load double, ptr %.775.7, align 8
+  store double %.776.7, ptr %scevgep224.7, align 8
+  %.fca.4.gep568 = getelementptr inbounds nuw i8, ptr %.1219, i64 32
+  %.860 = getelementptr i8, ptr %arg.contents.4, i64 56
+  %.861 = load i64, ptr %.860, align 8
+  %.862 = sub i64 0, %.861
+  %.870.1 = and i64 %.862, 9223372036854775800
+  %.934 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.935 = load i64, ptr %.934, align 8
+  %.936 = sub i64 0, %.935
+  %.944.1 = and i64 %.936, 9223372036854775800
+  %1 = add nuw i64 %.944.1, %.870.1
+  %.neg = mul i64 %1, -2
+  %.981 = or disjoint i64 %.neg, 8
+  %.999 = getelementptr i8, ptr %0, i64 320
+  %.idx = mul i64 %1, -128
+  %2 = getelementptr i8, ptr %0, i64 %.idx
+  %.1075 = getelementptr i8, ptr %2, i64 832
+  %.1161 = getelementptr i8, ptr %arg.arguments.4, i64 72
+  %.1162 = load i64, ptr %.1161, align 8
+  %.1163 = inttoptr i64 %.1162 to ptr
+  %.1214 = sub i64 %arg.stop, %arg.start
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1219, i8 0, i64 56, i1 false)
+  call fastcc void @inner_3(ptr nonnull %.1219, ptr %0, i64 %.1214, ptr %arg.contents.4, ptr %.1163, ptr %arg.weights.4, ptr %.1075)
+  %.1243.fca.4.load = load ptr, ptr %.fca.4.gep568, align 8
+  %.fca.5.0.gep569 = getelementptr inbounds nuw i8, ptr %.1219, i64 40
+  %.1243.fca.5.0.load = load i64, ptr %.fca.5.0.gep569, align 8
+  %.1307 = getelementptr i8, ptr %arg.contents.4, i64 24
+  %.1308 = load i64, ptr %.1307, align 8
+  %.1309 = sub i64 0, %.1308
+  %.1317.1 = and i64 %.1309, -8
+  %.1385 = getelementptr i8, ptr %arg.contents.4, i64 104
+  %.1386 = load i64, ptr %.1385, align 8
+  %.1397 = getelementptr double, ptr %arg.weights.4, i64 %.1386
+  %3 = add nuw i64 %.1214, 3
+  %.1515 = lshr i64 %3, 2
+  %.1494.inv = icmp slt i64 %.1214, 1
+  %.15361452.not1490 = icmp eq i64 %.1515, 0
+  %.15361452.not = select i1 %.1494.inv, i1 true, i1 %.15361452.not1490
+  br i1 %.15361452.not, label %B1120, label %B1022.if.preheader
 
-B1468:                                            ; preds = %B1260.endif.endif.endif, %entry
-  %.1768 = getelementptr i8, ptr %arg.arguments.4, i64 160
-  %.1769 = load i64, ptr %.1768, align 8
-  %.1770.not = icmp eq i64 %.1769, 0
-  br i1 %.1770.not, label %B1744, label %B1512
+B1120:                                            ; preds = %B1118.endif.endif.endif, %entry
+  %.1814 = getelementptr i8, ptr %arg.arguments.4, i64 160
+  %.1815 = load i64, ptr %.1814, align 8
+  %.1816.not = icmp eq i64 %.1815, 0
+  br i1 %.1816.not, label %B1334, label %B1254
 
-B1512:                                            ; preds = %B1468
-  br i1 %.1448.inv, label %B2069, label %B1608.if.preheader
+B1254:                                            ; preds = %B1120
+  br i1 %.1494.inv, label %B2041, label %B1286.if.preheader
 
-B1608.if.preheader:                               ; preds = %B1512
-  %3 = add nuw i64 %.1169, 1
-  %4 = shl i64 %arg.stop, 3
-  %5 = inttoptr i64 %.1769 to ptr
-  br label %B1608.if
+B1286.if.preheader:                               ; preds = %B1254
+  %4 = add nuw i64 %.1214, 1
+  %5 = shl i64 %arg.stop, 3
+  %6 = inttoptr i64 %.1815 to ptr
+  br label %B1286.if
 
-B1744:                                            ; preds = %B1468
-  br i1 %.1448.inv, label %B2069, label %B1776.if.preheader
+B1334:                                            ; preds = %B1120
+  br i1 %.1494.inv, label %B2041, label %B1524.if.preheader
 
-B1776.if.preheader:                               ; preds = %B1608.if, %B1744
-  %6 = add i64 %.1169, 1
-  %7 = shl i64 %arg.start, 4
-  %8 = getelementptr i8, ptr %arg.cross.4, i64 %7
-  %scevgep = getelementptr i8, ptr %8, i64 8
-  %9 = mul i64 %arg.start, 80
-  %scevgep178 = getelementptr i8, ptr %arg.parameters.4, i64 %9
-  %10 = shl i64 %.892, 1
-  %11 = and i64 %10, 2305843009213693936
-  %12 = shl i64 %.819, 1
-  %13 = and i64 %12, 2305843009213693936
-  %14 = add nuw nsw i64 %11, %13
-  %15 = shl i64 %14, 3
-  %16 = shl i64 %arg.plus.5.0, 3
-  %17 = shl i64 %arg.cross.5.0, 3
-  br label %B1776.if
+B1524.if.preheader:                               ; preds = %B1286.if, %B1334
+  %7 = add i64 %.1214, 1
+  %8 = shl i64 %arg.start, 4
+  %9 = getelementptr i8, ptr %arg.cross.4, i64 %8
+  %scevgep = getelementptr i8, ptr %9, i64 8
+  %10 = mul i64 %arg.start, 80
+  %scevgep178 = getelementptr i8, ptr %arg.parameters.4, i64 %10
+  %11 = shl i64 %.936, 1
+  %12 = and i64 %11, 2305843009213693936
+  %13 = shl i64 %.862, 1
+  %14 = and i64 %13, 2305843009213693936
+  %15 = add nuw nsw i64 %12, %14
+  %16 = shl i64 %15, 3
+  %17 = sub i64 64, %16
+  %18 = shl i64 %arg.plus.5.0, 3
+  %19 = shl i64 %arg.cross.5.0, 3
+  br label %B1524.if
 
-B1824:                                            ; preds = %B1776.if
-  %18 = select i1 %.2241, i64 %16, i64 0
-  %scevgep176 = getelementptr i8, ptr %arg.plus.4, i64 %18
-  %19 = shl i64 %.219214211426, 3
-  %scevgep177 = getelementptr i8, ptr %scevgep176, i64 %19
-  %.2424 = load double, ptr %scevgep177, align 8
-  %20 = select i1 %.2241, i64 %17, i64 0
-  %scevgep175 = getelementptr i8, ptr %lsr.iv173, i64 %20
-  %.2457 = load double, ptr %scevgep175, align 8
-  store ptr null, ptr %.2463, align 8
-  %.2479 = call fastcc i32 @inner_4(ptr nonnull %.2463, ptr nonnull %excinfo.16, i64 %.219214211426, ptr %lsr.iv179, ptr nonnull %lsr.iv183, i64 %.936, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.1030, double %.2424, double %.2457)
-  %cond = icmp eq i32 %.2479, 0
-  br i1 %cond, label %B2068, label %B1824.endif.endif.if, !prof !0
+B1559:                                            ; preds = %B1524.if
+  %20 = select i1 %.2287, i64 %18, i64 0
+  %scevgep176 = getelementptr i8, ptr %arg.plus.4, i64 %20
+  %21 = shl i64 %.223814691474, 3
+  %scevgep177 = getelementptr i8, ptr %scevgep176, i64 %21
+  %.2470 = load double, ptr %scevgep177, align 8
+  %22 = select i1 %.2287, i64 %19, i64 0
+  %scevgep175 = getelementptr i8, ptr %lsr.iv173, i64 %22
+  %.2503 = load double, ptr %scevgep175, align 8
+  store ptr null, ptr %.2509, align 8
+  %.2525 = call fastcc i32 @inner_4(ptr nonnull %.2509, ptr nonnull %excinfo.16, i64 %.223814691474, ptr %lsr.iv179, ptr nonnull %lsr.iv183, i64 %.981, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.1075, double %.2470, double %.2503)
+  %cond = icmp eq i32 %.2525, 0
+  br i1 %cond, label %B1669, label %B1559.endif.endif.if, !prof !0
 
-B2034:                                            ; preds = %B1776.if
-  store ptr null, ptr %.2511, align 8
-  call fastcc void @inner_5(ptr nonnull %.2511, i64 %.219214211426, ptr %arg.arguments.4)
-  br label %B2068
+B1667:                                            ; preds = %B1524.if
+  store ptr null, ptr %.2557, align 8
+  call fastcc void @inner_5(ptr nonnull %.2557, i64 %.223814691474, ptr %arg.arguments.4)
+  br label %B1669
 
-B2068:                                            ; preds = %B1824, %B2034
+B1669:                                            ; preds = %B1559, %B1667
   %lsr.iv.next = add i64 %lsr.iv, -1
   %scevgep174 = getelementptr i8, ptr %lsr.iv173, i64 16
   %scevgep180 = getelementptr i8, ptr %lsr.iv179, i64 80
-  %21 = getelementptr i8, ptr %lsr.iv183, i64 %15
-  %scevgep184 = getelementptr i8, ptr %21, i64 64
-  %.2199 = add i64 %.219214211426, 1
-  %.2186 = icmp sgt i64 %lsr.iv.next, 1
-  br i1 %.2186, label %B1776.if, label %B2069
+  %scevgep184 = getelementptr i8, ptr %lsr.iv183, i64 %17
+  %.2245 = add i64 %.223814691474, 1
+  %.2232 = icmp sgt i64 %lsr.iv.next, 1
+  br i1 %.2232, label %B1524.if, label %B2041
 
-common.ret:                                       ; preds = %B1824.endif.endif.if, %B2069
-  %common.ret.op = phi i32 [ 0, %B2069 ], [ %.2479, %B1824.endif.endif.if ]
+common.ret:                                       ; preds = %B1559.endif.endif.if, %B2041
+  %common.ret.op = phi i32 [ 0, %B2041 ], [ %.2525, %B1559.endif.endif.if ]
   ret i32 %common.ret.op
 
-B2069:                                            ; preds = %B2068, %B1512, %B1744
+B2041:                                            ; preds = %B1669, %B1254, %B1334
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B1258.if.preheader:                               ; preds = %entry
-  %22 = tail call i64 @llvm.smax.i64(i64 %.936, i64 31)
-  %storemerge.i = lshr i64 %22, 5
-  %.951.i = and i64 %.935, -32
-  %.991.i = lshr exact i64 %.936, 3
-  %.1011678.i = and i64 %.991.i, 3
-  %.idx.i = shl i64 %.936, 4
-  %.idx681.i = mul i64 %.936, 24
-  %scevgep8.i = getelementptr i8, ptr %.1351, i64 192
-  %23 = lshr i64 %.1264, 3
-  %24 = mul i64 %23, 192
-  %25 = getelementptr i8, ptr %.1198.fca.4.load, i64 %24
-  %scevgep193 = getelementptr i8, ptr %25, i64 248
-  %26 = shl i64 %23, 8
-  %27 = add i64 %26, 256
-  %28 = shl i64 %23, 7
-  %29 = getelementptr i8, ptr %.1198.fca.4.load, i64 %28
-  %scevgep198 = getelementptr i8, ptr %29, i64 184
-  %30 = shl i64 %23, 6
-  %31 = getelementptr i8, ptr %.1198.fca.4.load, i64 %30
-  %scevgep203 = getelementptr i8, ptr %31, i64 120
-  %32 = icmp eq i64 %storemerge.i, 0
-  br label %B1258.if
+B1022.if.preheader:                               ; preds = %entry
+  %23 = tail call i64 @llvm.smax.i64(i64 %.981, i64 31)
+  %storemerge.i = lshr i64 %23, 5
+  %.1046.i = and i64 %.neg, -32
+  %.1086.i = lshr exact i64 %.981, 3
+  %.1106806.i = and i64 %.1086.i, 3
+  %.idx.i = shl i64 %.981, 4
+  %.idx809.i = mul i64 %.981, 24
+  %scevgep17.i = getelementptr i8, ptr %.1397, i64 192
+  %24 = and i64 %23, 9223372036854775776
+  %25 = lshr i64 %.1309, 3
+  %.neg1 = mul i64 %25, -192
+  %26 = getelementptr i8, ptr %.1243.fca.4.load, i64 %.neg1
+  %scevgep193 = getelementptr i8, ptr %26, i64 248
+  %27 = shl i64 %25, 8
+  %28 = sub i64 256, %27
+  %29 = shl i64 %25, 7
+  %30 = sub i64 184, %29
+  %scevgep198 = getelementptr i8, ptr %.1243.fca.4.load, i64 %30
+  %31 = shl i64 %25, 6
+  %32 = sub i64 120, %31
+  %scevgep203 = getelementptr i8, ptr %.1243.fca.4.load, i64 %32
+  %33 = icmp eq i64 %storemerge.i, 0
+  br label %B1022.if
 
-B1258.if:                                         ; preds = %B1260.endif.endif.endif, %B1258.if.preheader
-  %lsr.iv208 = phi ptr [ %.1198.fca.4.load, %B1258.if.preheader ], [ %scevgep209, %B1260.endif.endif.endif ]
-  %lsr.iv204 = phi ptr [ %scevgep203, %B1258.if.preheader ], [ %scevgep205, %B1260.endif.endif.endif ]
-  %lsr.iv199 = phi ptr [ %scevgep198, %B1258.if.preheader ], [ %scevgep200, %B1260.endif.endif.endif ]
-  %lsr.iv194 = phi ptr [ %scevgep193, %B1258.if.preheader ], [ %scevgep195, %B1260.endif.endif.endif ]
-  %.148913981406 = phi i64 [ %.1469, %B1258.if.preheader ], [ %.1499, %B1260.endif.endif.endif ]
-  %.149614011405 = phi i64 [ 0, %B1258.if.preheader ], [ %.1503, %B1260.endif.endif.endif ]
-  %.1499 = add nsw i64 %.148913981406, -1
-  %.1503 = add nuw i64 %.149614011405, 4
-  %.1596 = mul nsw i64 %.149614011405, %.936
-  %.1607 = getelementptr inbounds double, ptr %.954, i64 %.1596
-  %.1688 = load i64, ptr %.1261, align 8
-  %.1689 = add i64 %.1688, 1
-  br i1 %32, label %B2140.else.i, label %B86.if.lr.ph.i
+B1022.if:                                         ; preds = %B1118.endif.endif.endif, %B1022.if.preheader
+  %lsr.iv208 = phi ptr [ %.1243.fca.4.load, %B1022.if.preheader ], [ %scevgep209, %B1118.endif.endif.endif ]
+  %lsr.iv204 = phi ptr [ %scevgep203, %B1022.if.preheader ], [ %scevgep205, %B1118.endif.endif.endif ]
+  %lsr.iv199 = phi ptr [ %scevgep198, %B1022.if.preheader ], [ %scevgep200, %B1118.endif.endif.endif ]
+  %lsr.iv194 = phi ptr [ %scevgep193, %B1022.if.preheader ], [ %scevgep195, %B1118.endif.endif.endif ]
+  %.153514461454 = phi i64 [ %.1515, %B1022.if.preheader ], [ %.1545, %B1118.endif.endif.endif ]
+  %.154214491453 = phi i64 [ 0, %B1022.if.preheader ], [ %.1549, %B1118.endif.endif.endif ]
+  %.1545 = add nsw i64 %.153514461454, -1
+  %.1549 = add nuw i64 %.154214491453, 4
+  %.1642 = mul nsw i64 %.154214491453, %.981
+  %.1653 = getelementptr inbounds double, ptr %.999, i64 %.1642
+  %.1734 = load i64, ptr %.1307, align 8
+  %.1735 = add i64 %.1734, 1
+  br i1 %33, label %B354.else.i, label %B84.if.lr.ph.i
 
-B86.if.lr.ph.i:                                   ; preds = %B1258.if
-  %.arg.count.i = tail call i64 @llvm.smax.i64(i64 %.1689, i64 0)
-  %33 = shl i64 %.arg.count.i, 5
-  %34 = icmp slt i64 %.1688, 0
-  br label %B86.if.i
+B84.if.lr.ph.i:                                   ; preds = %B1022.if
+  %34 = shl i64 %.1735, 8
+  %35 = icmp slt i64 %.1734, 0
+  br label %B84.if.i
 
-B1232.loopexit.i:                                 ; preds = %B290.if.i
-  %35 = add i64 %position.4.0737.i, %33
-  br label %B1232.i
+B280.i:                                           ; preds = %B200.if.i, %B84.if.i
+  %_multiply_wide_v54_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v54_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v54_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v54_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v54_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v54_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v54_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v54_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v54_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v54_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v54_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v54_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v54_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v54_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v54_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v54_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v54_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !2
+  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !2
+  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !2
+  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !2
+  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.981
+  store <8 x double> %_multiply_wide_v54_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !2
+  %.827.i = getelementptr i8, ptr %.817.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !2
+  %.838.i = getelementptr i8, ptr %.817.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !2
+  %.849.i = getelementptr i8, ptr %.817.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !2
+  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx.i
+  store <8 x double> %_multiply_wide_v54_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !2
+  %.890.i = getelementptr i8, ptr %.880.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !2
+  %.901.i = getelementptr i8, ptr %.880.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !2
+  %.912.i = getelementptr i8, ptr %.880.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !2
+  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx809.i
+  store <8 x double> %_multiply_wide_v54_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !2
+  %.960.i = getelementptr i8, ptr %.950.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !2
+  %.971.i = getelementptr i8, ptr %.950.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !2
+  %.982.i = getelementptr i8, ptr %.950.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !2
+  %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %34
+  %.187.i = icmp sgt i64 %.186856868.i, 1
+  br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
 
-B1232.i:                                          ; preds = %B86.if.i, %B1232.loopexit.i
-  %position.3.1.lcssa.i = phi i64 [ %position.4.0737.i, %B86.if.i ], [ %35, %B1232.loopexit.i ]
-  %a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.477.i, %B1232.loopexit.i ]
-  %a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.481.i, %B1232.loopexit.i ]
-  %a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.489.i, %B1232.loopexit.i ]
-  %a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.493.i, %B1232.loopexit.i ]
-  %a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.514.i, %B1232.loopexit.i ]
-  %a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.518.i, %B1232.loopexit.i ]
-  %a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.526.i, %B1232.loopexit.i ]
-  %a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.530.i, %B1232.loopexit.i ]
-  %a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.552.i, %B1232.loopexit.i ]
-  %a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.556.i, %B1232.loopexit.i ]
-  %a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.564.i, %B1232.loopexit.i ]
-  %a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.568.i, %B1232.loopexit.i ]
-  %a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.590.i, %B1232.loopexit.i ]
-  %a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.594.i, %B1232.loopexit.i ]
-  %a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.602.i, %B1232.loopexit.i ]
-  %a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.606.i, %B1232.loopexit.i ]
-  %.630.i = getelementptr inbounds nuw double, ptr %.1607, i64 %.194729735.i
-  store <8 x double> %a00.2.1.lcssa.i, ptr %.630.i, align 8, !noalias !2
-  %.645.i = getelementptr i8, ptr %.630.i, i64 64
-  store <8 x double> %a01.2.1.lcssa.i, ptr %.645.i, align 8, !noalias !2
-  %.661.i = getelementptr i8, ptr %.630.i, i64 128
-  store <8 x double> %a02.2.1.lcssa.i, ptr %.661.i, align 8, !noalias !2
-  %.677.i = getelementptr i8, ptr %.630.i, i64 192
-  store <8 x double> %a03.2.1.lcssa.i, ptr %.677.i, align 8, !noalias !2
-  %.693.i = getelementptr double, ptr %.630.i, i64 %.936
-  store <8 x double> %a10.2.1.lcssa.i, ptr %.693.i, align 8, !noalias !2
-  %.710.i = getelementptr i8, ptr %.693.i, i64 64
-  store <8 x double> %a11.2.1.lcssa.i, ptr %.710.i, align 8, !noalias !2
-  %.728.i = getelementptr i8, ptr %.693.i, i64 128
-  store <8 x double> %a12.2.1.lcssa.i, ptr %.728.i, align 8, !noalias !2
-  %.746.i = getelementptr i8, ptr %.693.i, i64 192
-  store <8 x double> %a13.2.1.lcssa.i, ptr %.746.i, align 8, !noalias !2
-  %.763.i = getelementptr i8, ptr %.630.i, i64 %.idx.i
-  store <8 x double> %a20.2.1.lcssa.i, ptr %.763.i, align 8, !noalias !2
-  %.781.i = getelementptr i8, ptr %.763.i, i64 64
-  store <8 x double> %a21.2.1.lcssa.i, ptr %.781.i, align 8, !noalias !2
-  %.800.i = getelementptr i8, ptr %.763.i, i64 128
-  store <8 x double> %a22.2.1.lcssa.i, ptr %.800.i, align 8, !noalias !2
-  %.819.i = getelementptr i8, ptr %.763.i, i64 192
-  store <8 x double> %a23.2.1.lcssa.i, ptr %.819.i, align 8, !noalias !2
-  %.836.i = getelementptr i8, ptr %.630.i, i64 %.idx681.i
-  store <8 x double> %a30.2.1.lcssa.i, ptr %.836.i, align 8, !noalias !2
-  %.854.i = getelementptr i8, ptr %.836.i, i64 64
-  store <8 x double> %a31.2.1.lcssa.i, ptr %.854.i, align 8, !noalias !2
-  %.873.i = getelementptr i8, ptr %.836.i, i64 128
-  store <8 x double> %a32.2.1.lcssa.i, ptr %.873.i, align 8, !noalias !2
-  %.894.i = getelementptr i8, ptr %.836.i, i64 192
-  store <8 x double> %a33.2.1.lcssa.i, ptr %.894.i, align 8, !noalias !2
-  %.188.i = icmp sgt i64 %.187728736.i, 1
-  br i1 %.188.i, label %B86.if.i, label %B2140.else.i
+B3459.loopexit.i:                                 ; preds = %B884.if.i
+  %36 = add i64 %position.5.0901.i, %42
+  br label %B3459.i
 
-B2654.loopexit.i:                                 ; preds = %B2294.if.i
-  %36 = add i64 %position.6.0769.i, %42
-  br label %B2654.i
+B3459.i:                                          ; preds = %B356.if.i, %B3459.loopexit.i
+  %position.4.1.lcssa.i = phi i64 [ %position.5.0901.i, %B356.if.i ], [ %36, %B3459.loopexit.i ]
+  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B3459.loopexit.i ]
+  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B3459.loopexit.i ]
+  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B3459.loopexit.i ]
+  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B3459.loopexit.i ]
+  %.1418.i = getelementptr inbounds double, ptr %.1653, i64 %.1135893899.i
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !2
+  %.1434.i = getelementptr double, ptr %39, i64 %.1135893899.i
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !2
+  %.1451.i = getelementptr double, ptr %40, i64 %.1135893899.i
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !2
+  %.1470.i = getelementptr double, ptr %41, i64 %.1135893899.i
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !2
+  %.1129.i = icmp sgt i64 %.1128892900.i, 1
+  br i1 %.1129.i, label %B356.if.i, label %B1118.endif.endif.endif
 
-B2654.i:                                          ; preds = %B2218.if.i, %B2654.loopexit.i
-  %position.5.1.lcssa.i = phi i64 [ %position.6.0769.i, %B2218.if.i ], [ %36, %B2654.loopexit.i ]
-  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1243.i, %B2654.loopexit.i ]
-  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1262.i, %B2654.loopexit.i ]
-  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1282.i, %B2654.loopexit.i ]
-  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1302.i, %B2654.loopexit.i ]
-  %.1324.i = getelementptr inbounds double, ptr %.1607, i64 %.1041761767.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1324.i, align 8, !noalias !2
-  %.1340.i = getelementptr double, ptr %39, i64 %.1041761767.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1340.i, align 8, !noalias !2
-  %.1357.i = getelementptr double, ptr %40, i64 %.1041761767.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1357.i, align 8, !noalias !2
-  %.1376.i = getelementptr double, ptr %41, i64 %.1041761767.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1376.i, align 8, !noalias !2
-  %.1035.i = icmp sgt i64 %.1034760768.i, 1
-  br i1 %.1035.i, label %B2218.if.i, label %B1260.endif.endif.endif
+B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
+  %lsr.iv18.i = phi ptr [ %scevgep17.i, %B84.if.lr.ph.i ], [ %scevgep19.i, %B280.i ]
+  %.186856868.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
+  %.193857867.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
+  %.196.i = add nsw i64 %.186856868.i, -1
+  %.200.i = add nuw nsw i64 %.193857867.i, 32
+  %.237.i = getelementptr inbounds nuw double, ptr %.1653, i64 %.193857867.i
+  br i1 %35, label %B280.i, label %B200.if.i
 
-B86.if.i:                                         ; preds = %B1232.i, %B86.if.lr.ph.i
-  %position.4.0737.i = phi i64 [ 0, %B86.if.lr.ph.i ], [ %position.3.1.lcssa.i, %B1232.i ]
-  %.187728736.i = phi i64 [ %storemerge.i, %B86.if.lr.ph.i ], [ %.197.i, %B1232.i ]
-  %.194729735.i = phi i64 [ 0, %B86.if.lr.ph.i ], [ %.201.i, %B1232.i ]
-  %.197.i = add nsw i64 %.187728736.i, -1
-  %.201.i = add nuw nsw i64 %.194729735.i, 32
-  br i1 %34, label %B1232.i, label %B290.if.preheader.i
-
-B290.if.preheader.i:                              ; preds = %B86.if.i
-  %37 = shl i64 %position.4.0737.i, 3
-  %scevgep9.i = getelementptr i8, ptr %scevgep8.i, i64 %37
-  br label %B290.if.i
-
-B290.if.i:                                        ; preds = %B290.if.i, %B290.if.preheader.i
-  %lsr.iv191 = phi i64 [ %lsr.iv.next192, %B290.if.i ], [ -1, %B290.if.preheader.i ]
-  %lsr.iv10.i = phi ptr [ %scevgep11.i, %B290.if.i ], [ %scevgep9.i, %B290.if.preheader.i ]
-  %a33.2.1709.i = phi <8 x double> [ %.606.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a32.2.1708.i = phi <8 x double> [ %.602.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a31.2.1707.i = phi <8 x double> [ %.594.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a30.2.1706.i = phi <8 x double> [ %.590.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a23.2.1705.i = phi <8 x double> [ %.568.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a22.2.1704.i = phi <8 x double> [ %.564.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a21.2.1703.i = phi <8 x double> [ %.556.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a20.2.1702.i = phi <8 x double> [ %.552.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a13.2.1701.i = phi <8 x double> [ %.530.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a12.2.1700.i = phi <8 x double> [ %.526.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a11.2.1699.i = phi <8 x double> [ %.518.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a10.2.1698.i = phi <8 x double> [ %.514.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a03.2.1697.i = phi <8 x double> [ %.493.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a02.2.1696.i = phi <8 x double> [ %.489.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a01.2.1695.i = phi <8 x double> [ %.481.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a00.2.1694.i = phi <8 x double> [ %.477.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %scevgep14.i = getelementptr i8, ptr %lsr.iv10.i, i64 -192
-  %.420.i = load <8 x double>, ptr %scevgep14.i, align 8, !noalias !2
-  %scevgep13.i = getelementptr i8, ptr %lsr.iv10.i, i64 -128
-  %.432.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !2
-  %scevgep12.i = getelementptr i8, ptr %lsr.iv10.i, i64 -64
-  %.445.i = load <8 x double>, ptr %scevgep12.i, align 8, !noalias !2
-  %.458.i = load <8 x double>, ptr %lsr.iv10.i, align 8, !noalias !2
-  %38 = shl i64 %lsr.iv191, 3
-  %scevgep210 = getelementptr i8, ptr %lsr.iv208, i64 %38
+B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
+  %lsr.iv191 = phi i64 [ %lsr.iv.next192, %B200.if.i ], [ -1, %B84.if.i ]
+  %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
+  %_multiply_wide_v54_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
+  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !2
+  %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
+  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !2
+  %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
+  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !2
+  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !2
+  %37 = shl i64 %lsr.iv191, 3
+  %scevgep210 = getelementptr i8, ptr %lsr.iv208, i64 %37
   %scevgep211 = getelementptr i8, ptr %scevgep210, i64 64
-  %.473.i = load double, ptr %scevgep211, align 8, !noalias !2
-  %.475.i = insertelement <8 x double> poison, double %.473.i, i64 0
-  %.476.i = shufflevector <8 x double> %.475.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.477.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.476.i, <8 x double> %a00.2.1694.i)
-  %.481.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.476.i, <8 x double> %a01.2.1695.i)
-  %.489.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.476.i, <8 x double> %a02.2.1696.i)
-  %.493.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.476.i, <8 x double> %a03.2.1697.i)
-  %scevgep22 = getelementptr i8, ptr %lsr.iv204, i64 %38
-  %scevgep23 = getelementptr i8, ptr %scevgep22, i64 8
-  %.510.i = load double, ptr %scevgep23, align 8, !noalias !2
-  %.512.i = insertelement <8 x double> poison, double %.510.i, i64 0
-  %.513.i = shufflevector <8 x double> %.512.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.514.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.513.i, <8 x double> %a10.2.1698.i)
-  %.518.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.513.i, <8 x double> %a11.2.1699.i)
-  %.526.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.513.i, <8 x double> %a12.2.1700.i)
-  %.530.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.513.i, <8 x double> %a13.2.1701.i)
-  %scevgep19 = getelementptr i8, ptr %lsr.iv199, i64 %38
-  %scevgep21 = getelementptr i8, ptr %scevgep19, i64 8
-  %.548.i = load double, ptr %scevgep21, align 8, !noalias !2
-  %.550.i = insertelement <8 x double> poison, double %.548.i, i64 0
-  %.551.i = shufflevector <8 x double> %.550.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.552.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.551.i, <8 x double> %a20.2.1702.i)
-  %.556.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.551.i, <8 x double> %a21.2.1703.i)
-  %.564.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.551.i, <8 x double> %a22.2.1704.i)
-  %.568.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.551.i, <8 x double> %a23.2.1705.i)
-  %scevgep9 = getelementptr i8, ptr %lsr.iv194, i64 %38
-  %scevgep10 = getelementptr i8, ptr %scevgep9, i64 8
-  %.586.i = load double, ptr %scevgep10, align 8, !noalias !2
-  %.588.i = insertelement <8 x double> poison, double %.586.i, i64 0
-  %.589.i = shufflevector <8 x double> %.588.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.590.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.589.i, <8 x double> %a30.2.1706.i)
-  %.594.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.589.i, <8 x double> %a31.2.1707.i)
-  %.602.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.589.i, <8 x double> %a32.2.1708.i)
-  %.606.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.589.i, <8 x double> %a33.2.1709.i)
-  %scevgep11.i = getelementptr i8, ptr %lsr.iv10.i, i64 256
+  %.573.i = load double, ptr %scevgep211, align 8, !noalias !2
+  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
+  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a00.2.1823.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a01.2.1824.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a02.2.1825.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a03.2.1826.i)
+  %scevgep20 = getelementptr i8, ptr %lsr.iv204, i64 %37
+  %scevgep22 = getelementptr i8, ptr %scevgep20, i64 8
+  %.610.i = load double, ptr %scevgep22, align 8, !noalias !2
+  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
+  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a10.2.1827.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a11.2.1828.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a12.2.1829.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a13.2.1830.i)
+  %scevgep10 = getelementptr i8, ptr %lsr.iv199, i64 %37
+  %scevgep11 = getelementptr i8, ptr %scevgep10, i64 8
+  %.648.i = load double, ptr %scevgep11, align 8, !noalias !2
+  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
+  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a20.2.1831.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a21.2.1832.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a22.2.1833.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a23.2.1834.i)
+  %scevgep2 = getelementptr i8, ptr %lsr.iv194, i64 %37
+  %scevgep3 = getelementptr i8, ptr %scevgep2, i64 8
+  %.686.i = load double, ptr %scevgep3, align 8, !noalias !2
+  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
+  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a30.2.1835.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a31.2.1836.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a32.2.1837.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a33.2.1838.i)
+  %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
   %lsr.iv.next192 = add nsw i64 %lsr.iv191, 1
-  %exitcond.not.i = icmp eq i64 %.1688, %lsr.iv.next192
-  br i1 %exitcond.not.i, label %B1232.loopexit.i, label %B290.if.i
+  %exitcond.not.i = icmp eq i64 %.1734, %lsr.iv.next192
+  br i1 %exitcond.not.i, label %B280.i, label %B200.if.i
 
-B2140.else.i:                                     ; preds = %B1232.i, %B1258.if
-  %position.4.0.lcssa.i = phi i64 [ 0, %B1258.if ], [ %position.3.1.lcssa.i, %B1232.i ]
-  %.arg.count687.i = tail call i64 @llvm.smax.i64(i64 %.1689, i64 0)
-  %39 = getelementptr double, ptr %.1607, i64 %.936
-  %40 = getelementptr i8, ptr %.1607, i64 %.idx.i
-  %41 = getelementptr i8, ptr %.1607, i64 %.idx681.i
-  %42 = shl i64 %.arg.count687.i, 3
-  %43 = icmp slt i64 %.1688, 0
-  br label %B2218.if.i
+B354.else.loopexit.i:                             ; preds = %B280.i
+  %38 = mul i64 %.1735, %24
+  br label %B354.else.i
 
-B2218.if.i:                                       ; preds = %B2140.else.i, %B2654.i
-  %position.6.0769.i = phi i64 [ %position.4.0.lcssa.i, %B2140.else.i ], [ %position.5.1.lcssa.i, %B2654.i ]
-  %.1034760768.i = phi i64 [ %.1011678.i, %B2140.else.i ], [ %.1044.i, %B2654.i ]
-  %.1041761767.i = phi i64 [ %.951.i, %B2140.else.i ], [ %.1048.i, %B2654.i ]
-  %.1044.i = add nsw i64 %.1034760768.i, -1
-  %.1048.i = add nuw nsw i64 %.1041761767.i, 8
-  br i1 %43, label %B2654.i, label %B2294.if.preheader.i
+B354.else.i:                                      ; preds = %B354.else.loopexit.i, %B1022.if
+  %position.3.0.lcssa.i = phi i64 [ 0, %B1022.if ], [ %38, %B354.else.loopexit.i ]
+  %.arg.count815.i = tail call i64 @llvm.smax.i64(i64 %.1735, i64 0)
+  %39 = getelementptr double, ptr %.1653, i64 %.981
+  %40 = getelementptr i8, ptr %.1653, i64 %.idx.i
+  %41 = getelementptr i8, ptr %.1653, i64 %.idx809.i
+  %42 = shl i64 %.arg.count815.i, 3
+  %43 = icmp slt i64 %.1734, 0
+  br label %B356.if.i
 
-B2294.if.preheader.i:                             ; preds = %B2218.if.i
-  %44 = shl i64 %position.6.0769.i, 3
-  %scevgep.i = getelementptr i8, ptr %.1351, i64 %44
-  br label %B2294.if.i
+B356.if.i:                                        ; preds = %B354.else.i, %B3459.i
+  %position.5.0901.i = phi i64 [ %position.3.0.lcssa.i, %B354.else.i ], [ %position.4.1.lcssa.i, %B3459.i ]
+  %.1128892900.i = phi i64 [ %.1106806.i, %B354.else.i ], [ %.1138.i, %B3459.i ]
+  %.1135893899.i = phi i64 [ %.1046.i, %B354.else.i ], [ %.1142.i, %B3459.i ]
+  %.1138.i = add nsw i64 %.1128892900.i, -1
+  %.1142.i = add nuw nsw i64 %.1135893899.i, 8
+  br i1 %43, label %B3459.i, label %B884.if.preheader.i
 
-B2294.if.i:                                       ; preds = %B2294.if.i, %B2294.if.preheader.i
-  %lsr.iv27 = phi i64 [ %lsr.iv.next28, %B2294.if.i ], [ %.1689, %B2294.if.preheader.i ]
-  %lsr.iv24 = phi i64 [ %lsr.iv.next25, %B2294.if.i ], [ 0, %B2294.if.preheader.i ]
-  %b3.2.1752.i = phi <8 x double> [ %.1302.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %b2.2.1751.i = phi <8 x double> [ %.1282.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %b1.2.1750.i = phi <8 x double> [ %.1262.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %b0.2.1749.i = phi <8 x double> [ %.1243.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %45 = shl i64 %lsr.iv24, 3
-  %scevgep26 = getelementptr i8, ptr %scevgep.i, i64 %45
-  %.1224.i = load <8 x double>, ptr %scevgep26, align 8, !noalias !2
-  %scevgep32 = getelementptr i8, ptr %lsr.iv208, i64 %lsr.iv24
-  %scevgep33 = getelementptr i8, ptr %scevgep32, i64 56
-  %.1239.i = load double, ptr %scevgep33, align 8, !noalias !2
-  %.1241.i = insertelement <8 x double> poison, double %.1239.i, i64 0
-  %.1242.i = shufflevector <8 x double> %.1241.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1243.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1242.i, <8 x double> %b0.2.1749.i)
-  %scevgep31 = getelementptr i8, ptr %lsr.iv204, i64 %lsr.iv24
-  %.1258.i = load double, ptr %scevgep31, align 8, !noalias !2
-  %.1260.i = insertelement <8 x double> poison, double %.1258.i, i64 0
-  %.1261.i = shufflevector <8 x double> %.1260.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1262.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1261.i, <8 x double> %b1.2.1750.i)
-  %scevgep30 = getelementptr i8, ptr %lsr.iv199, i64 %lsr.iv24
-  %.1278.i = load double, ptr %scevgep30, align 8, !noalias !2
-  %.1280.i = insertelement <8 x double> poison, double %.1278.i, i64 0
-  %.1281.i = shufflevector <8 x double> %.1280.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1282.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1281.i, <8 x double> %b2.2.1751.i)
-  %scevgep29 = getelementptr i8, ptr %lsr.iv194, i64 %lsr.iv24
-  %.1298.i = load double, ptr %scevgep29, align 8, !noalias !2
-  %.1300.i = insertelement <8 x double> poison, double %.1298.i, i64 0
-  %.1301.i = shufflevector <8 x double> %.1300.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1301.i, <8 x double> %b3.2.1752.i)
-  %lsr.iv.next25 = add i64 %lsr.iv24, 8
-  %lsr.iv.next28 = add i64 %lsr.iv27, -1
-  %exitcond774.not.i = icmp eq i64 %lsr.iv.next28, 0
-  br i1 %exitcond774.not.i, label %B2654.loopexit.i, label %B2294.if.i
+B884.if.preheader.i:                              ; preds = %B356.if.i
+  %44 = shl i64 %position.5.0901.i, 3
+  %scevgep.i = getelementptr i8, ptr %.1397, i64 %44
+  br label %B884.if.i
 
-B1260.endif.endif.endif:                          ; preds = %B2654.i
-  %scevgep195 = getelementptr i8, ptr %lsr.iv194, i64 %27
-  %scevgep200 = getelementptr i8, ptr %lsr.iv199, i64 %27
-  %scevgep205 = getelementptr i8, ptr %lsr.iv204, i64 %27
-  %scevgep209 = getelementptr i8, ptr %lsr.iv208, i64 %27
-  %.1490 = icmp sgt i64 %.148913981406, 1
-  br i1 %.1490, label %B1258.if, label %B1468
+B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
+  %lsr.iv26 = phi i64 [ %lsr.iv.next27, %B884.if.i ], [ %.1735, %B884.if.preheader.i ]
+  %lsr.iv23 = phi i64 [ %lsr.iv.next24, %B884.if.i ], [ 0, %B884.if.preheader.i ]
+  %b3.2.1884.i = phi <8 x double> [ %.1396.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b2.2.1883.i = phi <8 x double> [ %.1376.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b1.2.1882.i = phi <8 x double> [ %.1356.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %45 = shl i64 %lsr.iv23, 3
+  %scevgep25 = getelementptr i8, ptr %scevgep.i, i64 %45
+  %.1318.i = load <8 x double>, ptr %scevgep25, align 8, !noalias !2
+  %scevgep31 = getelementptr i8, ptr %lsr.iv208, i64 %lsr.iv23
+  %scevgep32 = getelementptr i8, ptr %scevgep31, i64 56
+  %.1333.i = load double, ptr %scevgep32, align 8, !noalias !2
+  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
+  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
+  %scevgep30 = getelementptr i8, ptr %lsr.iv204, i64 %lsr.iv23
+  %.1352.i = load double, ptr %scevgep30, align 8, !noalias !2
+  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
+  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
+  %scevgep29 = getelementptr i8, ptr %lsr.iv199, i64 %lsr.iv23
+  %.1372.i = load double, ptr %scevgep29, align 8, !noalias !2
+  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
+  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
+  %scevgep28 = getelementptr i8, ptr %lsr.iv194, i64 %lsr.iv23
+  %.1392.i = load double, ptr %scevgep28, align 8, !noalias !2
+  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
+  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
+  %lsr.iv.next24 = add i64 %lsr.iv23, 8
+  %lsr.iv.next27 = add i64 %lsr.iv26, -1
+  %exitcond909.not.i = icmp eq i64 %lsr.iv.next27, 0
+  br i1 %exitcond909.not.i, label %B3459.loopexit.i, label %B884.if.i
 
-B1608.if:                                         ; preds = %B1608.if, %B1608.if.preheader
-  %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B1608.if ], [ 7, %B1608.if.preheader ]
-  %lsr.iv185 = phi i64 [ %lsr.iv.next186, %B1608.if ], [ %3, %B1608.if.preheader ]
-  %.194514111413 = phi i64 [ %.1952, %B1608.if ], [ %arg.start, %B1608.if.preheader ]
-  %.1952 = add i64 %.194514111413, 1
-  %.2012 = load i64, ptr %.1261, align 8
-  %46 = add i64 %.2012, %lsr.iv2
-  %.2027 = icmp slt i64 %46, 0
-  %.2028 = select i1 %.2027, i64 %.1198.fca.5.0.load, i64 0
-  %47 = getelementptr double, ptr %.1198.fca.4.load, i64 %46
-  %.2042 = getelementptr double, ptr %47, i64 %.2028
-  %.2043 = load double, ptr %.2042, align 8
-  %.2051.le = tail call contract double @llvm.exp.f64(double %.2043)
-  %.2069 = icmp slt i64 %.194514111413, 0
-  %48 = select i1 %.2069, i64 %4, i64 0
-  %scevgep187 = getelementptr i8, ptr %5, i64 %48
-  %49 = shl i64 %.194514111413, 3
+B1118.endif.endif.endif:                          ; preds = %B3459.i
+  %scevgep195 = getelementptr i8, ptr %lsr.iv194, i64 %28
+  %scevgep200 = getelementptr i8, ptr %lsr.iv199, i64 %28
+  %scevgep205 = getelementptr i8, ptr %lsr.iv204, i64 %28
+  %scevgep209 = getelementptr i8, ptr %lsr.iv208, i64 %28
+  %.1536 = icmp sgt i64 %.153514461454, 1
+  br i1 %.1536, label %B1022.if, label %B1120
+
+B1286.if:                                         ; preds = %B1286.if, %B1286.if.preheader
+  %lsr.iv189 = phi i64 [ 7, %B1286.if.preheader ], [ %lsr.iv.next190, %B1286.if ]
+  %lsr.iv185 = phi i64 [ %4, %B1286.if.preheader ], [ %lsr.iv.next186, %B1286.if ]
+  %.199114591461 = phi i64 [ %arg.start, %B1286.if.preheader ], [ %.1998, %B1286.if ]
+  %.1998 = add i64 %.199114591461, 1
+  %.2058 = load i64, ptr %.1307, align 8
+  %46 = add i64 %.2058, %lsr.iv189
+  %.2073 = icmp slt i64 %46, 0
+  %.2074 = select i1 %.2073, i64 %.1243.fca.5.0.load, i64 0
+  %47 = getelementptr double, ptr %.1243.fca.4.load, i64 %46
+  %.2088 = getelementptr double, ptr %47, i64 %.2074
+  %.2089 = load double, ptr %.2088, align 8
+  %.2097.le = tail call contract double @llvm.exp.f64(double %.2089)
+  %.2115 = icmp slt i64 %.199114591461, 0
+  %48 = select i1 %.2115, i64 %5, i64 0
+  %scevgep187 = getelementptr i8, ptr %6, i64 %48
+  %49 = shl i64 %.199114591461, 3
   %scevgep188 = getelementptr i8, ptr %scevgep187, i64 %49
-  store double %.2051.le, ptr %scevgep188, align 8
+  store double %.2097.le, ptr %scevgep188, align 8
   %lsr.iv.next186 = add i64 %lsr.iv185, -1
-  %lsr.iv.next3 = add i64 %.1306, %lsr.iv2
-  %.1939 = icmp sgt i64 %lsr.iv.next186, 1
-  br i1 %.1939, label %B1608.if, label %B1776.if.preheader
+  %reass.sub1 = sub i64 %lsr.iv189, %.1317.1
+  %lsr.iv.next190 = add i64 %reass.sub1, 8
+  %.1985 = icmp sgt i64 %lsr.iv.next186, 1
+  br i1 %.1985, label %B1286.if, label %B1524.if.preheader
 
-B1776.if:                                         ; preds = %B2068, %B1776.if.preheader
-  %lsr.iv183 = phi ptr [ %.954, %B1776.if.preheader ], [ %scevgep184, %B2068 ]
-  %lsr.iv179 = phi ptr [ %scevgep178, %B1776.if.preheader ], [ %scevgep180, %B2068 ]
-  %lsr.iv173 = phi ptr [ %scevgep, %B1776.if.preheader ], [ %scevgep174, %B2068 ]
-  %lsr.iv = phi i64 [ %6, %B1776.if.preheader ], [ %lsr.iv.next, %B2068 ]
-  %.219214211426 = phi i64 [ %arg.start, %B1776.if.preheader ], [ %.2199, %B2068 ]
-  %.2241 = icmp slt i64 %.219214211426, 0
-  %.2242 = select i1 %.2241, i64 %arg.status.5.0, i64 0
-  %scevgep181 = getelementptr i8, ptr %arg.status.4, i64 %.2242
-  %scevgep182 = getelementptr i8, ptr %scevgep181, i64 %.219214211426
-  %.2257 = load i8, ptr %scevgep182, align 1
-  %.2259 = icmp eq i8 %.2257, 0
-  br i1 %.2259, label %B1824, label %B2034
+B1524.if:                                         ; preds = %B1669, %B1524.if.preheader
+  %lsr.iv183 = phi ptr [ %.999, %B1524.if.preheader ], [ %scevgep184, %B1669 ]
+  %lsr.iv179 = phi ptr [ %scevgep178, %B1524.if.preheader ], [ %scevgep180, %B1669 ]
+  %lsr.iv173 = phi ptr [ %scevgep, %B1524.if.preheader ], [ %scevgep174, %B1669 ]
+  %lsr.iv = phi i64 [ %7, %B1524.if.preheader ], [ %lsr.iv.next, %B1669 ]
+  %.223814691474 = phi i64 [ %arg.start, %B1524.if.preheader ], [ %.2245, %B1669 ]
+  %.2287 = icmp slt i64 %.223814691474, 0
+  %.2288 = select i1 %.2287, i64 %arg.status.5.0, i64 0
+  %scevgep181 = getelementptr i8, ptr %arg.status.4, i64 %.2288
+  %scevgep182 = getelementptr i8, ptr %scevgep181, i64 %.223814691474
+  %.2303 = load i8, ptr %scevgep182, align 1
+  %.2305 = icmp eq i8 %.2303, 0
+  br i1 %.2305, label %B1559, label %B1667
 
-B1824.endif.endif.if:                             ; preds = %B1824
-  %.2480 = load ptr, ptr %excinfo.16, align 8
-  store ptr %.2480, ptr %excinfo, align 8
+B1559.endif.endif.if:                             ; preds = %B1559
+  %.2526 = load ptr, ptr %excinfo.16, align 8
+  store ptr %.2526, ptr %excinfo, align 8
   br label %common.ret
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc void @inner_3(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.parameters.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.exponents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4) unnamed_addr #5 {
 entry:
-  %.1081 = alloca ptr, align 8
-  store ptr null, ptr %.1081, align 8
-  %.2758 = alloca ptr, align 8
-  store ptr null, ptr %.2758, align 8
-  %.101 = getelementptr i8, ptr %arg.contents.4, i64 24
-  %.102 = load i64, ptr %.101, align 8
-  %.104 = add nsw i64 %.102, 7
-  %.145 = and i64 %.104, -8
-  %.150 = add nsw i64 %.145, 8
-  %.155 = shl nsw i64 %.150, 3
-  %.208 = icmp slt i64 %.102, -15
-  %.209 = select i1 %.208, i64 1073741824, i64 0
-  %.210 = add i64 %.155, %.209
-  %.213 = icmp slt i64 %.210, 0
-  br i1 %.213, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !5
+  %.1082 = alloca ptr, align 8
+  store ptr null, ptr %.1082, align 8
+  %.2759 = alloca ptr, align 8
+  store ptr null, ptr %.2759, align 8
+  %.102 = getelementptr i8, ptr %arg.contents.4, i64 24
+  %.103 = load i64, ptr %.102, align 8
+  %.104 = sub i64 0, %.103
+  %.112.1 = and i64 %.104, -8
+  %.146 = sub i64 0, %.112.1
+  %.151 = sub i64 8, %.112.1
+  %.156 = shl nsw i64 %.151, 3
+  %.209 = icmp slt i64 %.151, 0
+  %.210 = select i1 %.209, i64 1073741824, i64 0
+  %.211 = add i64 %.210, %.156
+  %.214 = icmp slt i64 %.211, 0
+  br i1 %.214, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !5
 
-B504:                                             ; preds = %B426.if
-  %.1524 = getelementptr i8, ptr %arg.contents.4, i64 16
-  %.1525 = load i64, ptr %.1524, align 8
-  %.53.i = add nsw i64 %.1525, 1
+B506:                                             ; preds = %B418.if
+  %.1525 = getelementptr i8, ptr %arg.contents.4, i64 16
+  %.1526 = load i64, ptr %.1525, align 8
+  %.53.i = add nsw i64 %.1526, 1
   %.54.i = shl nsw i64 %.53.i, 3
   %.59.i = mul nsw i64 %.53.i, 40
-  %.96.i = icmp slt i64 %.1525, -1
-  %.97.i = select i1 %.96.i, i64 %.807, i64 0
+  %.96.i = icmp slt i64 %.1526, -1
+  %.97.i = select i1 %.96.i, i64 %.808, i64 0
   %.98.i = add i64 %.97.i, %.59.i
   %.101.i = icmp slt i64 %.98.i, 0
   br i1 %.101.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !5
@@ -1112,43 +1108,43 @@ B414.i:                                           ; preds = %B282.if.i, %B88.els
   br i1 %exitcond473.not.i, label %B416.i, label %B86.if.i
 
 B416.i:                                           ; preds = %B414.i
-  %.199.i = getelementptr double, ptr %.823, i64 %.86.sroa.0.3.i
+  %.199.i = getelementptr double, ptr %.824, i64 %.86.sroa.0.3.i
   %.idx.i = shl i64 %.53.i, 7
-  %0 = getelementptr i8, ptr %.823, i64 %.idx.i
+  %0 = getelementptr i8, ptr %.824, i64 %.idx.i
   %.idx411.i = mul i64 %.53.i, 192
-  %1 = getelementptr i8, ptr %.823, i64 %.idx411.i
+  %1 = getelementptr i8, ptr %.824, i64 %.idx411.i
   %.idx412.i = shl i64 %.53.i, 8
-  %2 = getelementptr i8, ptr %.823, i64 %.idx412.i
+  %2 = getelementptr i8, ptr %.824, i64 %.idx412.i
   %scevgep.i = getelementptr i8, ptr %arg.exponents.4, i64 32
   br label %B448.if.i
 
-B0.else.if.i:                                     ; preds = %B504
+B0.else.if.i:                                     ; preds = %B506
   br label %B0.else.endif.i
 
-B0.else.endif.i:                                  ; preds = %B0.else.if.i, %B504
-  %.86.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.98.i, %B504 ]
-  %.106.not.i = icmp slt i64 %.98.i, %.807
+B0.else.endif.i:                                  ; preds = %B0.else.if.i, %B506
+  %.86.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.98.i, %B506 ]
+  %.106.not.i = icmp slt i64 %.98.i, %.808
   br i1 %.106.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !1
 
 B0.else.endif.if.i:                               ; preds = %B0.else.endif.i
   br label %B0.else.endif.endif.i
 
 B0.else.endif.endif.i:                            ; preds = %B0.else.endif.if.i, %B0.else.endif.i
-  %.86.sroa.0.3.i = phi i64 [ %.807, %B0.else.endif.if.i ], [ %.86.sroa.0.1.i, %B0.else.endif.i ]
-  %storemerge413.i = tail call i64 @llvm.smax.i64(i64 %.1525, i64 0)
-  %scevgep29.i = getelementptr i8, ptr %.823, i64 64
-  %3 = icmp slt i64 %.1525, 1
+  %.86.sroa.0.3.i = phi i64 [ %.808, %B0.else.endif.if.i ], [ %.86.sroa.0.1.i, %B0.else.endif.i ]
+  %storemerge413.i = tail call i64 @llvm.smax.i64(i64 %.1526, i64 0)
+  %scevgep29.i = getelementptr i8, ptr %.824, i64 64
+  %3 = icmp slt i64 %.1526, 1
   br label %B86.if.i
 
 B86.if.i:                                         ; preds = %B0.else.endif.endif.i, %B414.i
   %.324433441.i = phi i64 [ 0, %B0.else.endif.endif.i ], [ %.331.i, %B414.i ]
   %.331.i = add nuw nsw i64 %.324433441.i, 1
   %.364.idx.i = shl nsw i64 %.324433441.i, 6
-  %.364.i = getelementptr inbounds nuw i8, ptr %.652, i64 %.364.idx.i
+  %.364.i = getelementptr inbounds nuw i8, ptr %.653, i64 %.364.idx.i
   %.366.i = load <8 x double>, ptr %.364.i, align 8, !noalias !6
   %.371.i = mul nsw i64 %.324433441.i, %.54.i
   %.411.i = icmp slt i64 %.371.i, 0
-  %.412.i = select i1 %.411.i, i64 %.807, i64 0
+  %.412.i = select i1 %.411.i, i64 %.808, i64 0
   %.413.i = add i64 %.412.i, %.371.i
   %.416.i = icmp slt i64 %.413.i, 0
   br i1 %.416.i, label %B88.else.if.i, label %B88.else.endif.i, !prof !5
@@ -1158,15 +1154,15 @@ B88.else.if.i:                                    ; preds = %B86.if.i
 
 B88.else.endif.i:                                 ; preds = %B88.else.if.i, %B86.if.i
   %.401.sroa.0.1.i = phi i64 [ 0, %B88.else.if.i ], [ %.413.i, %B86.if.i ]
-  %.421.not.i = icmp slt i64 %.413.i, %.807
+  %.421.not.i = icmp slt i64 %.413.i, %.808
   br i1 %.421.not.i, label %B88.else.endif.endif.i, label %B88.else.endif.if.i, !prof !1
 
 B88.else.endif.if.i:                              ; preds = %B88.else.endif.i
   br label %B88.else.endif.endif.i
 
 B88.else.endif.endif.i:                           ; preds = %B88.else.endif.if.i, %B88.else.endif.i
-  %.401.sroa.0.3.i = phi i64 [ %.807, %B88.else.endif.if.i ], [ %.401.sroa.0.1.i, %B88.else.endif.i ]
-  %.514.i = getelementptr double, ptr %.823, i64 %.401.sroa.0.3.i
+  %.401.sroa.0.3.i = phi i64 [ %.808, %B88.else.endif.if.i ], [ %.401.sroa.0.1.i, %B88.else.endif.i ]
+  %.514.i = getelementptr double, ptr %.824, i64 %.401.sroa.0.3.i
   store <8 x double> splat (double 1.000000e+00), ptr %.514.i, align 8, !noalias !6
   br i1 %3, label %B414.i, label %B282.if.preheader.i
 
@@ -1190,19 +1186,19 @@ B282.if.i:                                        ; preds = %B282.if.i, %B282.if
   br i1 %exitcond.not.i, label %B414.i, label %B282.if.i
 
 B448.if.i:                                        ; preds = %B448.if.i, %B416.i
-  %lsr.iv26.i = phi i64 [ %.1462, %B416.i ], [ %lsr.iv.next.i, %B448.if.i ]
+  %lsr.iv26.i = phi i64 [ %.1463, %B416.i ], [ %lsr.iv.next.i, %B448.if.i ]
   %lsr.iv24.i = phi ptr [ %.199.i, %B416.i ], [ %scevgep25.i, %B448.if.i ]
   %lsr.iv.i = phi ptr [ %scevgep.i, %B416.i ], [ %scevgep19.i, %B448.if.i ]
   %scevgep20.i = getelementptr i8, ptr %lsr.iv.i, i64 -32
   %.920.i = load i64, ptr %scevgep20.i, align 8, !noalias !6
   %.929.idx.i = shl nsw i64 %.920.i, 6
-  %.929.i = getelementptr inbounds i8, ptr %.823, i64 %.929.idx.i
+  %.929.i = getelementptr inbounds i8, ptr %.824, i64 %.929.idx.i
   %.931.i = load <8 x double>, ptr %.929.i, align 8, !noalias !6
   %scevgep21.i = getelementptr i8, ptr %lsr.iv.i, i64 -24
   %.942.i = load i64, ptr %scevgep21.i, align 8, !noalias !6
   %.54410.i = add i64 %.942.i, %.53.i
   %.953.idx.i = shl i64 %.54410.i, 6
-  %.953.i = getelementptr inbounds i8, ptr %.823, i64 %.953.idx.i
+  %.953.i = getelementptr inbounds i8, ptr %.824, i64 %.953.idx.i
   %.955.i = load <8 x double>, ptr %.953.i, align 8, !noalias !6
   %scevgep22.i = getelementptr i8, ptr %lsr.iv.i, i64 -16
   %.968.i = load i64, ptr %scevgep22.i, align 8, !noalias !6
@@ -1227,44 +1223,44 @@ B448.if.i:                                        ; preds = %B448.if.i, %B416.i
   %scevgep25.i = getelementptr i8, ptr %lsr.iv24.i, i64 64
   %lsr.iv.next.i = add i64 %lsr.iv26.i, -1
   %exitcond474.not.i = icmp eq i64 %lsr.iv.next.i, 0
-  br i1 %exitcond474.not.i, label %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v33B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B448.if.i
+  br i1 %exitcond474.not.i, label %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B448.if.i
 
-_ZN17bnserve_surrogate6kernel11_regression9_productsB3v33B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B448.if.i
-  %.174.i = sub nsw i64 %.807, %.86.sroa.0.3.i
+_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B448.if.i
+  %.174.i = sub nsw i64 %.808, %.86.sroa.0.3.i
   %.183.i = tail call i64 @llvm.smax.i64(i64 %.174.i, i64 0)
-  %.1609 = getelementptr i8, ptr %arg.contents.4, i64 88
-  %.1610 = load i64, ptr %.1609, align 8
-  %5 = lshr i64 %.1610, 33
-  %.1648 = and i64 %5, 1073741824
-  %.1649 = add i64 %.1648, %.1610
-  %.1652 = icmp slt i64 %.1649, 0
-  br i1 %.1652, label %B504.endif.else.if, label %B504.endif.else.endif, !prof !5
+  %.1610 = getelementptr i8, ptr %arg.contents.4, i64 88
+  %.1611 = load i64, ptr %.1610, align 8
+  %5 = lshr i64 %.1611, 33
+  %.1649 = and i64 %5, 1073741824
+  %.1650 = add i64 %.1649, %.1611
+  %.1653 = icmp slt i64 %.1650, 0
+  br i1 %.1653, label %B506.endif.else.if, label %B506.endif.else.endif, !prof !5
 
-B812:                                             ; preds = %B674.endif.endif.endif, %B504.endif.else.endif.endif, %B426.if
-  %.2371 = getelementptr i8, ptr %arg.contents.4, i64 32
-  %.2372 = load i64, ptr %.2371, align 8
-  %.2373 = icmp sgt i64 %.2372, 0
-  br i1 %.2373, label %B846, label %B952
+B854:                                             ; preds = %B706.endif.endif.endif, %B506.endif.else.endif.endif, %B418.if
+  %.2372 = getelementptr i8, ptr %arg.contents.4, i64 32
+  %.2373 = load i64, ptr %.2372, align 8
+  %.2374 = icmp sgt i64 %.2373, 0
+  br i1 %.2374, label %B898, label %B1014
 
-B846:                                             ; preds = %B812
-  %.2404 = getelementptr i8, ptr %arg.contents.4, i64 96
-  %.2405 = load i64, ptr %.2404, align 8
-  %6 = lshr i64 %.2405, 33
-  %.2443 = and i64 %6, 1073741824
-  %.2444 = add i64 %.2443, %.2405
-  %.2447 = icmp slt i64 %.2444, 0
-  br i1 %.2447, label %B846.else.if, label %B846.else.endif, !prof !5
+B898:                                             ; preds = %B854
+  %.2405 = getelementptr i8, ptr %arg.contents.4, i64 96
+  %.2406 = load i64, ptr %.2405, align 8
+  %6 = lshr i64 %.2406, 33
+  %.2444 = and i64 %6, 1073741824
+  %.2445 = add i64 %.2444, %.2406
+  %.2448 = icmp slt i64 %.2445, 0
+  br i1 %.2448, label %B898.else.if, label %B898.else.endif, !prof !5
 
-B952:                                             ; preds = %B846.endif.else.endif.endif, %B812
+B1014:                                            ; preds = %B898.endif.else.endif.endif, %B854
   %retptr.repack1017 = getelementptr inbounds nuw i8, ptr %retptr, i64 16
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %retptr, i8 0, i64 16, i1 false)
-  store i64 %.181.sroa.13.2, ptr %retptr.repack1017, align 8
+  store i64 %.182.sroa.13.2, ptr %retptr.repack1017, align 8
   %retptr.repack1019 = getelementptr inbounds nuw i8, ptr %retptr, i64 24
   store i64 8, ptr %retptr.repack1019, align 8
   %retptr.repack1021 = getelementptr inbounds nuw i8, ptr %retptr, i64 32
   store ptr %arg.scratch.4, ptr %retptr.repack1021, align 8
   %retptr.repack1023 = getelementptr inbounds nuw i8, ptr %retptr, i64 40
-  store i64 %.181.sroa.13.2, ptr %retptr.repack1023, align 8
+  store i64 %.182.sroa.13.2, ptr %retptr.repack1023, align 8
   %retptr.repack1025 = getelementptr inbounds nuw i8, ptr %retptr, i64 48
   store i64 8, ptr %retptr.repack1025, align 8
   ret void
@@ -1273,746 +1269,753 @@ B0.endif.else.endif.endif.if:                     ; preds = %entry
   br label %B0.endif.else.endif.endif.endif
 
 B0.endif.else.endif.endif.endif:                  ; preds = %B0.endif.else.endif.endif.if, %entry
-  %.181.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.210, %entry ]
-  %.218.not = icmp slt i64 %.210, 1073741824
-  br i1 %.218.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !1
+  %.182.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.211, %entry ]
+  %.219.not = icmp slt i64 %.211, 1073741824
+  br i1 %.219.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !1
 
 B0.endif.else.endif.endif.endif.if:               ; preds = %B0.endif.else.endif.endif.endif
   br label %B0.endif.else.endif.endif.endif.endif
 
 B0.endif.else.endif.endif.endif.endif:            ; preds = %B0.endif.else.endif.endif.endif.if, %B0.endif.else.endif.endif.endif
-  %.181.sroa.13.2 = phi i64 [ 1073741824, %B0.endif.else.endif.endif.endif.if ], [ %.181.sroa.13.1, %B0.endif.else.endif.endif.endif ]
-  br i1 %.213, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
+  %.182.sroa.13.2 = phi i64 [ 1073741824, %B0.endif.else.endif.endif.endif.if ], [ %.182.sroa.13.1, %B0.endif.else.endif.endif.endif ]
+  br i1 %.214, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
 
 B0.endif.endif.else.if:                           ; preds = %B0.endif.else.endif.endif.endif.endif
   br label %B0.endif.endif.else.endif
 
 B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %B0.endif.else.endif.endif.endif.endif
-  %.353.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.210, %B0.endif.else.endif.endif.endif.endif ]
-  br i1 %.218.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
+  %.354.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.211, %B0.endif.else.endif.endif.endif.endif ]
+  br i1 %.219.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
 
 B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
   br label %B0.endif.endif.else.endif.endif
 
 B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
-  %.353.sroa.0.3 = phi i64 [ 1073741824, %B0.endif.endif.else.endif.if ], [ %.353.sroa.0.1, %B0.endif.endif.else.endif ]
-  %.441 = sub nsw i64 1073741824, %.353.sroa.0.3
-  %.448 = icmp sgt i64 %.353.sroa.0.3, 1073741823
-  %.450 = select i1 %.448, i64 0, i64 %.441
-  %.466 = getelementptr double, ptr %arg.scratch.4, i64 %.353.sroa.0.3
-  br i1 %.448, label %B0.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.else.endif.endif, !prof !5
+  %.354.sroa.0.3 = phi i64 [ 1073741824, %B0.endif.endif.else.endif.if ], [ %.354.sroa.0.1, %B0.endif.endif.else.endif ]
+  %.442 = sub nsw i64 1073741824, %.354.sroa.0.3
+  %.449 = icmp sgt i64 %.354.sroa.0.3, 1073741823
+  %.451 = select i1 %.449, i64 0, i64 %.442
+  %.467 = getelementptr double, ptr %arg.scratch.4, i64 %.354.sroa.0.3
+  br i1 %.449, label %B0.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.else.endif.endif, !prof !5
 
 B0.endif.endif.endif.else.endif.if:               ; preds = %B0.endif.endif.else.endif.endif
   br label %B0.endif.endif.endif.else.endif.endif
 
 B0.endif.endif.endif.else.endif.endif:            ; preds = %B0.endif.endif.endif.else.endif.if, %B0.endif.endif.else.endif.endif
-  %.539.sroa.0.3 = phi i64 [ %.450, %B0.endif.endif.endif.else.endif.if ], [ 0, %B0.endif.endif.else.endif.endif ]
-  %.576 = icmp slt i64 %.450, 41
-  %.652 = getelementptr double, ptr %.466, i64 %.539.sroa.0.3
-  br i1 %.576, label %B0.endif.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.endif.else.endif.endif, !prof !5
+  %.540.sroa.0.3 = phi i64 [ %.451, %B0.endif.endif.endif.else.endif.if ], [ 0, %B0.endif.endif.else.endif.endif ]
+  %.577 = icmp slt i64 %.451, 41
+  %.653 = getelementptr double, ptr %.467, i64 %.540.sroa.0.3
+  br i1 %.577, label %B0.endif.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.endif.else.endif.endif, !prof !5
 
 B0.endif.endif.endif.endif.else.endif.if:         ; preds = %B0.endif.endif.endif.else.endif.endif
   br label %B0.endif.endif.endif.endif.else.endif.endif
 
 B0.endif.endif.endif.endif.else.endif.endif:      ; preds = %B0.endif.endif.endif.endif.else.endif.if, %B0.endif.endif.endif.else.endif.endif
-  %.710.sroa.0.3 = phi i64 [ %.450, %B0.endif.endif.endif.endif.else.endif.if ], [ 40, %B0.endif.endif.endif.else.endif.endif ]
-  %.798 = sub nsw i64 %.450, %.710.sroa.0.3
-  %.807 = tail call i64 @llvm.smax.i64(i64 %.798, i64 0)
-  %.823 = getelementptr double, ptr %.466, i64 %.710.sroa.0.3
-  %.905 = getelementptr i8, ptr %arg.contents.4, i64 80
-  %.906 = load i64, ptr %.905, align 8
-  %7 = lshr i64 %.906, 33
-  %.944 = and i64 %7, 1073741824
-  %.945 = add i64 %.944, %.906
-  %.948 = icmp slt i64 %.945, 0
-  br i1 %.948, label %B0.endif.endif.endif.endif.endif.else.if, label %B0.endif.endif.endif.endif.endif.else.endif, !prof !5
+  %.711.sroa.0.3 = phi i64 [ %.451, %B0.endif.endif.endif.endif.else.endif.if ], [ 40, %B0.endif.endif.endif.else.endif.endif ]
+  %.799 = sub nsw i64 %.451, %.711.sroa.0.3
+  %.808 = tail call i64 @llvm.smax.i64(i64 %.799, i64 0)
+  %.824 = getelementptr double, ptr %.467, i64 %.711.sroa.0.3
+  %.906 = getelementptr i8, ptr %arg.contents.4, i64 80
+  %.907 = load i64, ptr %.906, align 8
+  %7 = lshr i64 %.907, 33
+  %.945 = and i64 %7, 1073741824
+  %.946 = add i64 %.945, %.907
+  %.949 = icmp slt i64 %.946, 0
+  br i1 %.949, label %B0.endif.endif.endif.endif.endif.else.if, label %B0.endif.endif.endif.endif.endif.else.endif, !prof !5
 
 B0.endif.endif.endif.endif.endif.else.if:         ; preds = %B0.endif.endif.endif.endif.else.endif.endif
   br label %B0.endif.endif.endif.endif.endif.else.endif
 
 B0.endif.endif.endif.endif.endif.else.endif:      ; preds = %B0.endif.endif.endif.endif.endif.else.if, %B0.endif.endif.endif.endif.else.endif.endif
-  %.933.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if ], [ %.945, %B0.endif.endif.endif.endif.else.endif.endif ]
-  %.953.not = icmp slt i64 %.945, 1073741824
-  br i1 %.953.not, label %B0.endif.endif.endif.endif.endif.else.endif.endif, label %B0.endif.endif.endif.endif.endif.else.endif.if, !prof !1
+  %.934.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if ], [ %.946, %B0.endif.endif.endif.endif.else.endif.endif ]
+  %.954.not = icmp slt i64 %.946, 1073741824
+  br i1 %.954.not, label %B0.endif.endif.endif.endif.endif.else.endif.endif, label %B0.endif.endif.endif.endif.endif.else.endif.if, !prof !1
 
 B0.endif.endif.endif.endif.endif.else.endif.if:   ; preds = %B0.endif.endif.endif.endif.endif.else.endif
   br label %B0.endif.endif.endif.endif.endif.else.endif.endif
 
 B0.endif.endif.endif.endif.endif.else.endif.endif: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.if, %B0.endif.endif.endif.endif.endif.else.endif
-  %.933.sroa.0.3 = phi i64 [ 1073741824, %B0.endif.endif.endif.endif.endif.else.endif.if ], [ %.933.sroa.0.1, %B0.endif.endif.endif.endif.endif.else.endif ]
-  %.1046 = getelementptr double, ptr %arg.weights.4, i64 %.933.sroa.0.3
-  store ptr null, ptr %.1081, align 8
-  call fastcc void @inner_6(ptr nonnull %.1081, ptr %arg.parameters.4, ptr %arg.contents.4, ptr %.1046, ptr %.823, ptr %.652)
-  %.1162 = icmp slt i64 %.102, -7
-  %..155 = select i1 %.1162, i64 0, i64 %.155
-  %.12041029 = icmp sgt i64 %..155, 0
-  br i1 %.12041029, label %B370.if.preheader, label %B426.if
+  %.934.sroa.0.3 = phi i64 [ 1073741824, %B0.endif.endif.endif.endif.endif.else.endif.if ], [ %.934.sroa.0.1, %B0.endif.endif.endif.endif.endif.else.endif ]
+  %.1047 = getelementptr double, ptr %arg.weights.4, i64 %.934.sroa.0.3
+  store ptr null, ptr %.1082, align 8
+  call fastcc void @inner_6(ptr nonnull %.1082, ptr %arg.parameters.4, ptr %arg.contents.4, ptr %.1047, ptr %.824, ptr %.653)
+  %.1163.inv = icmp sgt i64 %.151, 0
+  %..156 = select i1 %.1163.inv, i64 %.156, i64 0
+  %.12051029 = icmp sgt i64 %..156, 0
+  br i1 %.12051029, label %B362.if.preheader, label %B418.if
 
-B370.if.preheader:                                ; preds = %B0.endif.endif.endif.endif.endif.else.endif.endif
-  %8 = shl nuw i64 %..155, 3
+B362.if.preheader:                                ; preds = %B0.endif.endif.endif.endif.endif.else.endif.endif
+  %8 = shl nuw i64 %..156, 3
   tail call void @llvm.memset.p0.i64(ptr align 8 %arg.scratch.4, i8 0, i64 %8, i1 false)
-  br label %B426.if
+  br label %B418.if
 
-B426.if:                                          ; preds = %B370.if.preheader, %B0.endif.endif.endif.endif.endif.else.endif.endif
+B418.if:                                          ; preds = %B362.if.preheader, %B0.endif.endif.endif.endif.endif.else.endif.endif
   %9 = getelementptr i8, ptr %arg.scratch.4, i64 56
   store double 1.000000e+00, ptr %9, align 8
-  %.1412.1 = select i1 %.208, i64 %.181.sroa.13.2, i64 0
-  %10 = getelementptr double, ptr %arg.scratch.4, i64 %.150
+  %.1413.1 = select i1 %.209, i64 %.182.sroa.13.2, i64 0
+  %10 = getelementptr double, ptr %arg.scratch.4, i64 %.151
   %11 = getelementptr i8, ptr %10, i64 56
-  %.1426.1 = getelementptr double, ptr %11, i64 %.1412.1
-  store double 1.000000e+00, ptr %.1426.1, align 8
-  %.idx = shl i64 %.150, 4
+  %.1427.1 = getelementptr double, ptr %11, i64 %.1413.1
+  store double 1.000000e+00, ptr %.1427.1, align 8
+  %.idx = shl i64 %.151, 4
   %12 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx
   %13 = getelementptr i8, ptr %12, i64 56
-  %.1426.2 = getelementptr double, ptr %13, i64 %.1412.1
-  store double 1.000000e+00, ptr %.1426.2, align 8
-  %.idx1049 = mul i64 %.150, 24
+  %.1427.2 = getelementptr double, ptr %13, i64 %.1413.1
+  store double 1.000000e+00, ptr %.1427.2, align 8
+  %.idx1049 = mul i64 %.151, 24
   %14 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1049
   %15 = getelementptr i8, ptr %14, i64 56
-  %.1426.3 = getelementptr double, ptr %15, i64 %.1412.1
-  store double 1.000000e+00, ptr %.1426.3, align 8
-  %.idx1050 = shl i64 %.150, 5
+  %.1427.3 = getelementptr double, ptr %15, i64 %.1413.1
+  store double 1.000000e+00, ptr %.1427.3, align 8
+  %.idx1050 = shl i64 %.151, 5
   %16 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1050
   %17 = getelementptr i8, ptr %16, i64 56
-  %.1426.4 = getelementptr double, ptr %17, i64 %.1412.1
-  store double 1.000000e+00, ptr %.1426.4, align 8
-  %.idx1051 = mul i64 %.150, 40
+  %.1427.4 = getelementptr double, ptr %17, i64 %.1413.1
+  store double 1.000000e+00, ptr %.1427.4, align 8
+  %.idx1051 = mul i64 %.151, 40
   %18 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1051
   %19 = getelementptr i8, ptr %18, i64 56
-  %.1426.5 = getelementptr double, ptr %19, i64 %.1412.1
-  store double 1.000000e+00, ptr %.1426.5, align 8
-  %.idx1052 = mul i64 %.150, 48
+  %.1427.5 = getelementptr double, ptr %19, i64 %.1413.1
+  store double 1.000000e+00, ptr %.1427.5, align 8
+  %.idx1052 = mul i64 %.151, 48
   %20 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1052
   %21 = getelementptr i8, ptr %20, i64 56
-  %.1426.6 = getelementptr double, ptr %21, i64 %.1412.1
-  store double 1.000000e+00, ptr %.1426.6, align 8
-  %.idx1053 = mul i64 %.150, 56
+  %.1427.6 = getelementptr double, ptr %21, i64 %.1413.1
+  store double 1.000000e+00, ptr %.1427.6, align 8
+  %.idx1053 = mul i64 %.151, 56
   %22 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1053
   %23 = getelementptr i8, ptr %22, i64 56
-  %.1426.7 = getelementptr double, ptr %23, i64 %.1412.1
-  store double 1.000000e+00, ptr %.1426.7, align 8
-  %.1461 = getelementptr i8, ptr %arg.contents.4, i64 8
-  %.1462 = load i64, ptr %.1461, align 8
-  %.1463 = icmp sgt i64 %.1462, 0
-  br i1 %.1463, label %B504, label %B812
+  %.1427.7 = getelementptr double, ptr %23, i64 %.1413.1
+  store double 1.000000e+00, ptr %.1427.7, align 8
+  %.1462 = getelementptr i8, ptr %arg.contents.4, i64 8
+  %.1463 = load i64, ptr %.1462, align 8
+  %.1464 = icmp sgt i64 %.1463, 0
+  br i1 %.1464, label %B506, label %B854
 
-B504.endif.else.if:                               ; preds = %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v33B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  br label %B504.endif.else.endif
+B506.endif.else.if:                               ; preds = %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %B506.endif.else.endif
 
-B504.endif.else.endif:                            ; preds = %B504.endif.else.if, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v33B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %.1637.sroa.0.1 = phi i64 [ 0, %B504.endif.else.if ], [ %.1649, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v33B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
-  %.1657.not = icmp slt i64 %.1649, 1073741824
-  br i1 %.1657.not, label %B504.endif.else.endif.endif, label %B504.endif.else.endif.if, !prof !1
+B506.endif.else.endif:                            ; preds = %B506.endif.else.if, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.1638.sroa.0.1 = phi i64 [ 0, %B506.endif.else.if ], [ %.1650, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %.1658.not = icmp slt i64 %.1650, 1073741824
+  br i1 %.1658.not, label %B506.endif.else.endif.endif, label %B506.endif.else.endif.if, !prof !1
 
-B504.endif.else.endif.if:                         ; preds = %B504.endif.else.endif
-  br label %B504.endif.else.endif.endif
+B506.endif.else.endif.if:                         ; preds = %B506.endif.else.endif
+  br label %B506.endif.else.endif.endif
 
-B504.endif.else.endif.endif:                      ; preds = %B504.endif.else.endif.if, %B504.endif.else.endif
-  %.1637.sroa.0.3 = phi i64 [ 1073741824, %B504.endif.else.endif.if ], [ %.1637.sroa.0.1, %B504.endif.else.endif ]
-  %.1750 = getelementptr double, ptr %arg.weights.4, i64 %.1637.sroa.0.3
+B506.endif.else.endif.endif:                      ; preds = %B506.endif.else.endif.if, %B506.endif.else.endif
+  %.1638.sroa.0.3 = phi i64 [ 1073741824, %B506.endif.else.endif.if ], [ %.1638.sroa.0.1, %B506.endif.else.endif ]
+  %.1751 = getelementptr double, ptr %arg.weights.4, i64 %.1638.sroa.0.3
   %24 = add nuw i64 %arg.rows, 3
-  %.1847 = lshr i64 %24, 2
-  %.1826.inv = icmp slt i64 %arg.rows, 1
-  %.18681042.not1054 = icmp eq i64 %.1847, 0
-  %.18681042.not = select i1 %.1826.inv, i1 true, i1 %.18681042.not1054
-  br i1 %.18681042.not, label %B812, label %B672.if.preheader
+  %.1848 = lshr i64 %24, 2
+  %.1827.inv = icmp slt i64 %arg.rows, 1
+  %.18691042.not1054 = icmp eq i64 %.1848, 0
+  %.18691042.not = select i1 %.1827.inv, i1 true, i1 %.18691042.not1054
+  br i1 %.18691042.not, label %B854, label %B704.if.preheader
 
-B672.if.preheader:                                ; preds = %B504.endif.else.endif.endif
-  %25 = tail call i64 @llvm.smax.i64(i64 %.145, i64 31)
+B704.if.preheader:                                ; preds = %B506.endif.else.endif.endif
+  %25 = tail call i64 @llvm.smax.i64(i64 %.146, i64 31)
   %storemerge.i = lshr i64 %25, 5
-  %.991.i = and i64 %.104, 24
-  %scevgep14.i = getelementptr i8, ptr %.1750, i64 192
-  %.951.i = and i64 %.104, -32
-  %.1011678.i = lshr exact i64 %.991.i, 3
-  %26 = add i64 %.710.sroa.0.3, %.353.sroa.0.3
-  %27 = add i64 %26, %.86.sroa.0.3.i
-  %28 = shl i64 %27, 3
-  %29 = getelementptr i8, ptr %arg.scratch.4, i64 %28
-  %scevgep = getelementptr i8, ptr %29, i64 24
-  %30 = icmp eq i64 %storemerge.i, 0
-  %31 = icmp eq i64 %.991.i, 0
-  %sunkaddr13 = shl i64 %.145, 3
-  br label %B672.if
+  %.1086.i = and i64 %.146, 24
+  %scevgep23.i2 = getelementptr i8, ptr %.1751, i64 192
+  %26 = and i64 %25, 9223372036854775776
+  %.1046.i = and i64 %.146, -32
+  %.1106806.i = lshr exact i64 %.1086.i, 3
+  %27 = add i64 %.711.sroa.0.3, %.354.sroa.0.3
+  %28 = add i64 %27, %.86.sroa.0.3.i
+  %29 = shl i64 %28, 3
+  %30 = getelementptr i8, ptr %arg.scratch.4, i64 %29
+  %scevgep = getelementptr i8, ptr %30, i64 24
+  %31 = icmp eq i64 %storemerge.i, 0
+  %32 = icmp eq i64 %.1086.i, 0
+  br label %B704.if
 
-B672.if:                                          ; preds = %B674.endif.endif.endif, %B672.if.preheader
-  %.186710401044 = phi i64 [ %.1877, %B674.endif.endif.endif ], [ %.1847, %B672.if.preheader ]
-  %.187410411043 = phi i64 [ %.1881, %B674.endif.endif.endif ], [ 0, %B672.if.preheader ]
-  %.1877 = add nsw i64 %.186710401044, -1
-  %.1881 = add nuw i64 %.187410411043, 4
-  %.1907 = mul nsw i64 %.187410411043, %.150
-  %.1908 = or disjoint i64 %.1907, 8
-  %.1945 = icmp slt i64 %.1907, -8
-  %.1946 = select i1 %.1945, i64 %.181.sroa.13.2, i64 0
-  %.1947 = add i64 %.1946, %.1908
-  %.1950 = icmp slt i64 %.1947, 0
-  br i1 %.1950, label %B674.else.if, label %B674.else.endif, !prof !5
+B704.if:                                          ; preds = %B706.endif.endif.endif, %B704.if.preheader
+  %.186810401044 = phi i64 [ %.1878, %B706.endif.endif.endif ], [ %.1848, %B704.if.preheader ]
+  %.187510411043 = phi i64 [ %.1882, %B706.endif.endif.endif ], [ 0, %B704.if.preheader ]
+  %.1878 = add nsw i64 %.186810401044, -1
+  %.1882 = add nuw i64 %.187510411043, 4
+  %.1908 = mul nsw i64 %.187510411043, %.151
+  %.1909 = or disjoint i64 %.1908, 8
+  %.1946 = icmp slt i64 %.1908, -8
+  %.1947 = select i1 %.1946, i64 %.182.sroa.13.2, i64 0
+  %.1948 = add i64 %.1947, %.1909
+  %.1951 = icmp slt i64 %.1948, 0
+  br i1 %.1951, label %B706.else.if, label %B706.else.endif, !prof !5
 
-B674.else.if:                                     ; preds = %B672.if
-  br label %B674.else.endif
+B706.else.if:                                     ; preds = %B704.if
+  br label %B706.else.endif
 
-B674.else.endif:                                  ; preds = %B674.else.if, %B672.if
-  %.1935.sroa.0.1 = phi i64 [ 0, %B674.else.if ], [ %.1947, %B672.if ]
-  %.1955.not = icmp slt i64 %.1947, %.181.sroa.13.2
-  br i1 %.1955.not, label %B674.else.endif.endif, label %B674.else.endif.if, !prof !1
+B706.else.endif:                                  ; preds = %B706.else.if, %B704.if
+  %.1936.sroa.0.1 = phi i64 [ 0, %B706.else.if ], [ %.1948, %B704.if ]
+  %.1956.not = icmp slt i64 %.1948, %.182.sroa.13.2
+  br i1 %.1956.not, label %B706.else.endif.endif, label %B706.else.endif.if, !prof !1
 
-B674.else.endif.if:                               ; preds = %B674.else.endif
-  br label %B674.else.endif.endif
+B706.else.endif.if:                               ; preds = %B706.else.endif
+  br label %B706.else.endif.endif
 
-B674.else.endif.endif:                            ; preds = %B674.else.endif.if, %B674.else.endif
-  %.1935.sroa.0.3 = phi i64 [ %.181.sroa.13.2, %B674.else.endif.if ], [ %.1935.sroa.0.1, %B674.else.endif ]
-  %.2048 = getelementptr double, ptr %arg.scratch.4, i64 %.1935.sroa.0.3
-  %.2110 = load i64, ptr %.1461, align 8
-  %.2147 = icmp slt i64 %.187410411043, 0
-  %.2148 = select i1 %.2147, i64 %.183.i, i64 0
-  %.2149 = add i64 %.2148, %.187410411043
-  %.2152 = icmp slt i64 %.2149, 0
-  br i1 %.2152, label %B674.endif.else.if, label %B674.endif.else.endif, !prof !5
+B706.else.endif.endif:                            ; preds = %B706.else.endif.if, %B706.else.endif
+  %.1936.sroa.0.3 = phi i64 [ %.182.sroa.13.2, %B706.else.endif.if ], [ %.1936.sroa.0.1, %B706.else.endif ]
+  %.2049 = getelementptr double, ptr %arg.scratch.4, i64 %.1936.sroa.0.3
+  %.2111 = load i64, ptr %.1462, align 8
+  %.2148 = icmp slt i64 %.187510411043, 0
+  %.2149 = select i1 %.2148, i64 %.183.i, i64 0
+  %.2150 = add i64 %.2149, %.187510411043
+  %.2153 = icmp slt i64 %.2150, 0
+  br i1 %.2153, label %B706.endif.else.if, label %B706.endif.else.endif, !prof !5
 
-B674.endif.else.if:                               ; preds = %B674.else.endif.endif
-  br label %B674.endif.else.endif
+B706.endif.else.if:                               ; preds = %B706.else.endif.endif
+  br label %B706.endif.else.endif
 
-B674.endif.else.endif:                            ; preds = %B674.endif.else.if, %B674.else.endif.endif
-  %.2137.sroa.0.1 = phi i64 [ 0, %B674.endif.else.if ], [ %.2149, %B674.else.endif.endif ]
-  %.2157.not = icmp slt i64 %.2149, %.183.i
-  br i1 %.2157.not, label %B674.endif.else.endif.endif, label %B674.endif.else.endif.if, !prof !1
+B706.endif.else.endif:                            ; preds = %B706.endif.else.if, %B706.else.endif.endif
+  %.2138.sroa.0.1 = phi i64 [ 0, %B706.endif.else.if ], [ %.2150, %B706.else.endif.endif ]
+  %.2158.not = icmp slt i64 %.2150, %.183.i
+  br i1 %.2158.not, label %B706.endif.else.endif.endif, label %B706.endif.else.endif.if, !prof !1
 
-B674.endif.else.endif.if:                         ; preds = %B674.endif.else.endif
-  br label %B674.endif.else.endif.endif
+B706.endif.else.endif.if:                         ; preds = %B706.endif.else.endif
+  br label %B706.endif.else.endif.endif
 
-B674.endif.else.endif.endif:                      ; preds = %B674.endif.else.endif.if, %B674.endif.else.endif
-  %.2137.sroa.0.3 = phi i64 [ %.183.i, %B674.endif.else.endif.if ], [ %.2137.sroa.0.1, %B674.endif.else.endif ]
-  br i1 %30, label %B2140.else.i, label %B86.if.lr.ph.i
+B706.endif.else.endif.endif:                      ; preds = %B706.endif.else.endif.if, %B706.endif.else.endif
+  %.2138.sroa.0.3 = phi i64 [ %.183.i, %B706.endif.else.endif.if ], [ %.2138.sroa.0.1, %B706.endif.else.endif ]
+  br i1 %31, label %B354.else.i, label %B84.if.lr.ph.i
 
-B86.if.lr.ph.i:                                   ; preds = %B674.endif.else.endif.endif
-  %.arg.count.i = tail call i64 @llvm.smax.i64(i64 %.2110, i64 0)
-  %32 = shl i64 %.arg.count.i, 5
-  %33 = shl i64 %.2137.sroa.0.3, 3
-  %scevgep19 = getelementptr i8, ptr %scevgep, i64 %33
-  %34 = icmp slt i64 %.2110, 1
-  br label %B86.if.i2
+B84.if.lr.ph.i:                                   ; preds = %B706.endif.else.endif.endif
+  %33 = shl i64 %.2111, 8
+  %34 = shl i64 %.2138.sroa.0.3, 3
+  %scevgep20 = getelementptr i8, ptr %scevgep, i64 %34
+  %35 = icmp slt i64 %.2111, 1
+  br label %B84.if.i
 
-B1232.loopexit.i:                                 ; preds = %B290.if.i
-  %35 = add i64 %position.4.0733.i, %32
-  br label %B1232.i
+B280.i:                                           ; preds = %B200.if.i, %B84.if.i
+  %_multiply_wide_v44_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v44_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v44_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v44_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v44_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v44_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v44_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v44_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v44_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v44_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v44_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v44_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v44_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v44_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v44_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v44_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v44_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !9
+  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
+  store <8 x double> %_multiply_wide_v44_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !9
+  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
+  store <8 x double> %_multiply_wide_v44_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !9
+  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
+  store <8 x double> %_multiply_wide_v44_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !9
+  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.151
+  store <8 x double> %_multiply_wide_v44_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !9
+  %.827.i = getelementptr i8, ptr %.817.i, i64 64
+  store <8 x double> %_multiply_wide_v44_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !9
+  %.838.i = getelementptr i8, ptr %.817.i, i64 128
+  store <8 x double> %_multiply_wide_v44_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !9
+  %.849.i = getelementptr i8, ptr %.817.i, i64 192
+  store <8 x double> %_multiply_wide_v44_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !9
+  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx
+  store <8 x double> %_multiply_wide_v44_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !9
+  %.890.i = getelementptr i8, ptr %.880.i, i64 64
+  store <8 x double> %_multiply_wide_v44_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !9
+  %.901.i = getelementptr i8, ptr %.880.i, i64 128
+  store <8 x double> %_multiply_wide_v44_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !9
+  %.912.i = getelementptr i8, ptr %.880.i, i64 192
+  store <8 x double> %_multiply_wide_v44_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !9
+  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx1049
+  store <8 x double> %_multiply_wide_v44_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !9
+  %.960.i = getelementptr i8, ptr %.950.i, i64 64
+  store <8 x double> %_multiply_wide_v44_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !9
+  %.971.i = getelementptr i8, ptr %.950.i, i64 128
+  store <8 x double> %_multiply_wide_v44_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !9
+  %.982.i = getelementptr i8, ptr %.950.i, i64 192
+  store <8 x double> %_multiply_wide_v44_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !9
+  %scevgep25.i8 = getelementptr i8, ptr %lsr.iv24.i3, i64 %33
+  %.187.i = icmp sgt i64 %.186852864.i, 1
+  br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
 
-B1232.i:                                          ; preds = %B86.if.i2, %B1232.loopexit.i
-  %position.3.1.lcssa.i = phi i64 [ %position.4.0733.i, %B86.if.i2 ], [ %35, %B1232.loopexit.i ]
-  %a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.477.i, %B1232.loopexit.i ]
-  %a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.481.i, %B1232.loopexit.i ]
-  %a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.489.i, %B1232.loopexit.i ]
-  %a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.493.i, %B1232.loopexit.i ]
-  %a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.514.i6, %B1232.loopexit.i ]
-  %a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.518.i, %B1232.loopexit.i ]
-  %a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.526.i, %B1232.loopexit.i ]
-  %a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.530.i, %B1232.loopexit.i ]
-  %a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.552.i, %B1232.loopexit.i ]
-  %a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.556.i, %B1232.loopexit.i ]
-  %a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.564.i, %B1232.loopexit.i ]
-  %a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.568.i, %B1232.loopexit.i ]
-  %a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.590.i, %B1232.loopexit.i ]
-  %a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.594.i, %B1232.loopexit.i ]
-  %a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.602.i, %B1232.loopexit.i ]
-  %a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i2 ], [ %.606.i, %B1232.loopexit.i ]
-  %.630.i = getelementptr inbounds nuw double, ptr %.2048, i64 %.194725731.i
-  store <8 x double> %a00.2.1.lcssa.i, ptr %.630.i, align 8, !noalias !9
-  %.645.i = getelementptr i8, ptr %.630.i, i64 64
-  store <8 x double> %a01.2.1.lcssa.i, ptr %.645.i, align 8, !noalias !9
-  %.661.i = getelementptr i8, ptr %.630.i, i64 128
-  store <8 x double> %a02.2.1.lcssa.i, ptr %.661.i, align 8, !noalias !9
-  %.677.i = getelementptr i8, ptr %.630.i, i64 192
-  store <8 x double> %a03.2.1.lcssa.i, ptr %.677.i, align 8, !noalias !9
-  %sunkaddr14 = getelementptr i8, ptr %.630.i, i64 %sunkaddr13
-  %sunkaddr15 = getelementptr i8, ptr %sunkaddr14, i64 64
-  store <8 x double> %a10.2.1.lcssa.i, ptr %sunkaddr15, align 8, !noalias !9
-  %sunkaddr20 = getelementptr i8, ptr %sunkaddr14, i64 128
-  store <8 x double> %a11.2.1.lcssa.i, ptr %sunkaddr20, align 8, !noalias !9
-  %sunkaddr23 = getelementptr i8, ptr %sunkaddr14, i64 192
-  store <8 x double> %a12.2.1.lcssa.i, ptr %sunkaddr23, align 8, !noalias !9
-  %sunkaddr26 = getelementptr i8, ptr %sunkaddr14, i64 256
-  store <8 x double> %a13.2.1.lcssa.i, ptr %sunkaddr26, align 8, !noalias !9
-  %.763.i = getelementptr i8, ptr %.630.i, i64 %.idx
-  store <8 x double> %a20.2.1.lcssa.i, ptr %.763.i, align 8, !noalias !9
-  %.781.i = getelementptr i8, ptr %.763.i, i64 64
-  store <8 x double> %a21.2.1.lcssa.i, ptr %.781.i, align 8, !noalias !9
-  %.800.i = getelementptr i8, ptr %.763.i, i64 128
-  store <8 x double> %a22.2.1.lcssa.i, ptr %.800.i, align 8, !noalias !9
-  %.819.i = getelementptr i8, ptr %.763.i, i64 192
-  store <8 x double> %a23.2.1.lcssa.i, ptr %.819.i, align 8, !noalias !9
-  %.836.i = getelementptr i8, ptr %.630.i, i64 %.idx1049
-  store <8 x double> %a30.2.1.lcssa.i, ptr %.836.i, align 8, !noalias !9
-  %.854.i = getelementptr i8, ptr %.836.i, i64 64
-  store <8 x double> %a31.2.1.lcssa.i, ptr %.854.i, align 8, !noalias !9
-  %.873.i = getelementptr i8, ptr %.836.i, i64 128
-  store <8 x double> %a32.2.1.lcssa.i, ptr %.873.i, align 8, !noalias !9
-  %.894.i = getelementptr i8, ptr %.836.i, i64 192
-  store <8 x double> %a33.2.1.lcssa.i, ptr %.894.i, align 8, !noalias !9
-  %.188.i = icmp sgt i64 %.187724732.i, 1
-  br i1 %.188.i, label %B86.if.i2, label %B2140.else.i
+B2289.loopexit.i:                                 ; preds = %B884.if.i
+  %36 = add i64 %position.5.0897.i, %42
+  br label %B2289.i
 
-B2654.loopexit.i:                                 ; preds = %B2294.if.i
-  %36 = add i64 %position.6.0765.i, %42
-  br label %B2654.i
+B2289.i:                                          ; preds = %B356.if.i, %B2289.loopexit.i
+  %position.4.1.lcssa.i = phi i64 [ %position.5.0897.i, %B356.if.i ], [ %36, %B2289.loopexit.i ]
+  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B2289.loopexit.i ]
+  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B2289.loopexit.i ]
+  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B2289.loopexit.i ]
+  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B2289.loopexit.i ]
+  %.1418.i = getelementptr inbounds double, ptr %.2049, i64 %.1135889895.i
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !9
+  %.1434.i = getelementptr double, ptr %39, i64 %.1135889895.i
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !9
+  %.1451.i = getelementptr double, ptr %40, i64 %.1135889895.i
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !9
+  %.1470.i = getelementptr double, ptr %41, i64 %.1135889895.i
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !9
+  %.1129.i = icmp sgt i64 %.1128888896.i, 1
+  br i1 %.1129.i, label %B356.if.i, label %B706.endif.endif.endif
 
-B2654.i:                                          ; preds = %B2218.if.i, %B2654.loopexit.i
-  %position.5.1.lcssa.i = phi i64 [ %position.6.0765.i, %B2218.if.i ], [ %36, %B2654.loopexit.i ]
-  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1243.i, %B2654.loopexit.i ]
-  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1262.i, %B2654.loopexit.i ]
-  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1282.i, %B2654.loopexit.i ]
-  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1302.i, %B2654.loopexit.i ]
-  %.1324.i = getelementptr inbounds double, ptr %.2048, i64 %.1041757763.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1324.i, align 8, !noalias !9
-  %.1340.i = getelementptr double, ptr %39, i64 %.1041757763.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1340.i, align 8, !noalias !9
-  %.1357.i = getelementptr double, ptr %40, i64 %.1041757763.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1357.i, align 8, !noalias !9
-  %.1376.i = getelementptr double, ptr %41, i64 %.1041757763.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1376.i, align 8, !noalias !9
-  %.1035.i = icmp sgt i64 %.1034756764.i, 1
-  br i1 %.1035.i, label %B2218.if.i, label %B674.endif.endif.endif
+B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
+  %lsr.iv24.i3 = phi ptr [ %scevgep23.i2, %B84.if.lr.ph.i ], [ %scevgep25.i8, %B280.i ]
+  %.186852864.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
+  %.193853863.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
+  %.196.i = add nsw i64 %.186852864.i, -1
+  %.200.i = add nuw nsw i64 %.193853863.i, 32
+  %.237.i = getelementptr inbounds nuw double, ptr %.2049, i64 %.193853863.i
+  br i1 %35, label %B280.i, label %B200.if.i
 
-B86.if.i2:                                        ; preds = %B1232.i, %B86.if.lr.ph.i
-  %position.4.0733.i = phi i64 [ 0, %B86.if.lr.ph.i ], [ %position.3.1.lcssa.i, %B1232.i ]
-  %.187724732.i = phi i64 [ %storemerge.i, %B86.if.lr.ph.i ], [ %.197.i, %B1232.i ]
-  %.194725731.i = phi i64 [ 0, %B86.if.lr.ph.i ], [ %.201.i, %B1232.i ]
-  %.197.i = add nsw i64 %.187724732.i, -1
-  %.201.i = add nuw nsw i64 %.194725731.i, 32
-  br i1 %34, label %B1232.i, label %B290.if.preheader.i
+B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
+  %lsr.iv43.i = phi i64 [ %lsr.iv.next44.i, %B200.if.i ], [ %.2111, %B84.if.i ]
+  %lsr.iv26.i4 = phi i64 [ %lsr.iv.next27.i, %B200.if.i ], [ 0, %B84.if.i ]
+  %_multiply_wide_v44_a33.2.1834.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a32.2.1833.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a31.2.1832.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a30.2.1831.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a23.2.1830.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a22.2.1829.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a21.2.1828.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a20.2.1827.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a13.2.1826.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a12.2.1825.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a11.2.1824.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a10.2.1823.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a03.2.1822.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a02.2.1821.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a01.2.1820.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v44_a00.2.1819.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %37 = shl i64 %lsr.iv26.i4, 2
+  %scevgep33.i = getelementptr i8, ptr %lsr.iv24.i3, i64 %37
+  %scevgep34.i = getelementptr i8, ptr %scevgep33.i, i64 -192
+  %.520.i = load <8 x double>, ptr %scevgep34.i, align 8, !noalias !9
+  %scevgep32.i5 = getelementptr i8, ptr %scevgep33.i, i64 -128
+  %.532.i = load <8 x double>, ptr %scevgep32.i5, align 8, !noalias !9
+  %scevgep8 = getelementptr i8, ptr %scevgep33.i, i64 -64
+  %.545.i = load <8 x double>, ptr %scevgep8, align 8, !noalias !9
+  %.558.i = load <8 x double>, ptr %scevgep33.i, align 8, !noalias !9
+  %scevgep26 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv26.i4
+  %scevgep27 = getelementptr i8, ptr %scevgep26, i64 -24
+  %.573.i = load double, ptr %scevgep27, align 8, !noalias !9
+  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
+  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a00.2.1819.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a01.2.1820.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a02.2.1821.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a03.2.1822.i)
+  %scevgep5 = getelementptr i8, ptr %scevgep26, i64 -16
+  %.610.i = load double, ptr %scevgep5, align 8, !noalias !9
+  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
+  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a10.2.1823.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a11.2.1824.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a12.2.1825.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a13.2.1826.i)
+  %scevgep2 = getelementptr i8, ptr %scevgep26, i64 -8
+  %.648.i = load double, ptr %scevgep2, align 8, !noalias !9
+  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
+  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a20.2.1827.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a21.2.1828.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a22.2.1829.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a23.2.1830.i)
+  %.686.i = load double, ptr %scevgep26, align 8, !noalias !9
+  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
+  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a30.2.1831.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a31.2.1832.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a32.2.1833.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a33.2.1834.i)
+  %lsr.iv.next27.i = add nuw i64 %lsr.iv26.i4, 64
+  %lsr.iv.next44.i = add i64 %lsr.iv43.i, -1
+  %exitcond.not.i7 = icmp eq i64 %lsr.iv.next44.i, 0
+  br i1 %exitcond.not.i7, label %B280.i, label %B200.if.i
 
-B290.if.preheader.i:                              ; preds = %B86.if.i2
-  %37 = shl i64 %position.4.0733.i, 3
-  %scevgep15.i = getelementptr i8, ptr %scevgep14.i, i64 %37
-  br label %B290.if.i
+B354.else.loopexit.i:                             ; preds = %B280.i
+  %38 = mul i64 %.2111, %26
+  br label %B354.else.i
 
-B290.if.i:                                        ; preds = %B290.if.i, %B290.if.preheader.i
-  %lsr.iv33.i = phi i64 [ %.2110, %B290.if.preheader.i ], [ %lsr.iv.next34.i, %B290.if.i ]
-  %lsr.iv16.i = phi i64 [ 0, %B290.if.preheader.i ], [ %lsr.iv.next17.i, %B290.if.i ]
-  %a33.2.1705.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.606.i, %B290.if.i ]
-  %a32.2.1704.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.602.i, %B290.if.i ]
-  %a31.2.1703.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.594.i, %B290.if.i ]
-  %a30.2.1702.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.590.i, %B290.if.i ]
-  %a23.2.1701.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.568.i, %B290.if.i ]
-  %a22.2.1700.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.564.i, %B290.if.i ]
-  %a21.2.1699.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.556.i, %B290.if.i ]
-  %a20.2.1698.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.552.i, %B290.if.i ]
-  %a13.2.1697.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.530.i, %B290.if.i ]
-  %a12.2.1696.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.526.i, %B290.if.i ]
-  %a11.2.1695.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.518.i, %B290.if.i ]
-  %a10.2.1694.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.514.i6, %B290.if.i ]
-  %a03.2.1693.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.493.i, %B290.if.i ]
-  %a02.2.1692.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.489.i, %B290.if.i ]
-  %a01.2.1691.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.481.i, %B290.if.i ]
-  %a00.2.1690.i = phi <8 x double> [ zeroinitializer, %B290.if.preheader.i ], [ %.477.i, %B290.if.i ]
-  %38 = shl i64 %lsr.iv16.i, 2
-  %scevgep23.i3 = getelementptr i8, ptr %scevgep15.i, i64 %38
-  %scevgep24.i = getelementptr i8, ptr %scevgep23.i3, i64 -192
-  %.420.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !9
-  %scevgep22.i4 = getelementptr i8, ptr %scevgep23.i3, i64 -128
-  %.432.i = load <8 x double>, ptr %scevgep22.i4, align 8, !noalias !9
-  %scevgep8 = getelementptr i8, ptr %scevgep23.i3, i64 -64
-  %.445.i = load <8 x double>, ptr %scevgep8, align 8, !noalias !9
-  %.458.i = load <8 x double>, ptr %scevgep23.i3, align 8, !noalias !9
-  %scevgep25 = getelementptr i8, ptr %scevgep19, i64 %lsr.iv16.i
-  %scevgep26 = getelementptr i8, ptr %scevgep25, i64 -24
-  %.473.i = load double, ptr %scevgep26, align 8, !noalias !9
-  %.475.i = insertelement <8 x double> poison, double %.473.i, i64 0
-  %.476.i = shufflevector <8 x double> %.475.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.477.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.476.i, <8 x double> %a00.2.1690.i)
-  %.481.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.476.i, <8 x double> %a01.2.1691.i)
-  %.489.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.476.i, <8 x double> %a02.2.1692.i)
-  %.493.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.476.i, <8 x double> %a03.2.1693.i)
-  %scevgep5 = getelementptr i8, ptr %scevgep25, i64 -16
-  %.510.i = load double, ptr %scevgep5, align 8, !noalias !9
-  %.512.i = insertelement <8 x double> poison, double %.510.i, i64 0
-  %.513.i = shufflevector <8 x double> %.512.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.514.i6 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.513.i, <8 x double> %a10.2.1694.i)
-  %.518.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.513.i, <8 x double> %a11.2.1695.i)
-  %.526.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.513.i, <8 x double> %a12.2.1696.i)
-  %.530.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.513.i, <8 x double> %a13.2.1697.i)
-  %scevgep2 = getelementptr i8, ptr %scevgep25, i64 -8
-  %.548.i = load double, ptr %scevgep2, align 8, !noalias !9
-  %.550.i = insertelement <8 x double> poison, double %.548.i, i64 0
-  %.551.i = shufflevector <8 x double> %.550.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.552.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.551.i, <8 x double> %a20.2.1698.i)
-  %.556.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.551.i, <8 x double> %a21.2.1699.i)
-  %.564.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.551.i, <8 x double> %a22.2.1700.i)
-  %.568.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.551.i, <8 x double> %a23.2.1701.i)
-  %.586.i = load double, ptr %scevgep25, align 8, !noalias !9
-  %.588.i = insertelement <8 x double> poison, double %.586.i, i64 0
-  %.589.i = shufflevector <8 x double> %.588.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.590.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.589.i, <8 x double> %a30.2.1702.i)
-  %.594.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.589.i, <8 x double> %a31.2.1703.i)
-  %.602.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.589.i, <8 x double> %a32.2.1704.i)
-  %.606.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.589.i, <8 x double> %a33.2.1705.i)
-  %lsr.iv.next17.i = add nuw i64 %lsr.iv16.i, 64
-  %lsr.iv.next34.i = add i64 %lsr.iv33.i, -1
-  %exitcond.not.i7 = icmp eq i64 %lsr.iv.next34.i, 0
-  br i1 %exitcond.not.i7, label %B1232.loopexit.i, label %B290.if.i
+B354.else.i:                                      ; preds = %B354.else.loopexit.i, %B706.endif.else.endif.endif
+  %position.3.0.lcssa.i = phi i64 [ 0, %B706.endif.else.endif.endif ], [ %38, %B354.else.loopexit.i ]
+  br i1 %32, label %B706.endif.endif.endif, label %B354.endif.endif.endif.i
 
-B2140.else.i:                                     ; preds = %B1232.i, %B674.endif.else.endif.endif
-  %position.4.0.lcssa.i = phi i64 [ 0, %B674.endif.else.endif.endif ], [ %position.3.1.lcssa.i, %B1232.i ]
-  br i1 %31, label %B674.endif.endif.endif, label %B2140.endif.endif.endif.i
+B354.endif.endif.endif.i:                         ; preds = %B354.else.i
+  %.arg.count811.i = tail call i64 @llvm.smax.i64(i64 %.2111, i64 0)
+  %39 = getelementptr double, ptr %.2049, i64 %.151
+  %40 = getelementptr i8, ptr %.2049, i64 %.idx
+  %41 = getelementptr i8, ptr %.2049, i64 %.idx1049
+  %42 = shl i64 %.arg.count811.i, 3
+  %43 = shl i64 %.2138.sroa.0.3, 3
+  %scevgep31 = getelementptr i8, ptr %scevgep, i64 %43
+  %44 = icmp slt i64 %.2111, 1
+  br label %B356.if.i
 
-B2140.endif.endif.endif.i:                        ; preds = %B2140.else.i
-  %.arg.count683.i = tail call i64 @llvm.smax.i64(i64 %.2110, i64 0)
-  %39 = getelementptr double, ptr %.2048, i64 %.150
-  %40 = getelementptr i8, ptr %.2048, i64 %.idx
-  %41 = getelementptr i8, ptr %.2048, i64 %.idx1049
-  %42 = shl i64 %.arg.count683.i, 3
-  %43 = shl i64 %.2137.sroa.0.3, 3
-  %scevgep30 = getelementptr i8, ptr %scevgep, i64 %43
-  %44 = icmp slt i64 %.2110, 1
-  br label %B2218.if.i
+B356.if.i:                                        ; preds = %B354.endif.endif.endif.i, %B2289.i
+  %position.5.0897.i = phi i64 [ %position.3.0.lcssa.i, %B354.endif.endif.endif.i ], [ %position.4.1.lcssa.i, %B2289.i ]
+  %.1128888896.i = phi i64 [ %.1106806.i, %B354.endif.endif.endif.i ], [ %.1138.i, %B2289.i ]
+  %.1135889895.i = phi i64 [ %.1046.i, %B354.endif.endif.endif.i ], [ %.1142.i, %B2289.i ]
+  %.1138.i = add nsw i64 %.1128888896.i, -1
+  %.1142.i = add nuw nsw i64 %.1135889895.i, 8
+  br i1 %44, label %B2289.i, label %B884.if.preheader.i
 
-B2218.if.i:                                       ; preds = %B2140.endif.endif.endif.i, %B2654.i
-  %position.6.0765.i = phi i64 [ %position.4.0.lcssa.i, %B2140.endif.endif.endif.i ], [ %position.5.1.lcssa.i, %B2654.i ]
-  %.1034756764.i = phi i64 [ %.1011678.i, %B2140.endif.endif.endif.i ], [ %.1044.i, %B2654.i ]
-  %.1041757763.i = phi i64 [ %.951.i, %B2140.endif.endif.endif.i ], [ %.1048.i, %B2654.i ]
-  %.1044.i = add nsw i64 %.1034756764.i, -1
-  %.1048.i = add nuw nsw i64 %.1041757763.i, 8
-  br i1 %44, label %B2654.i, label %B2294.if.preheader.i
+B884.if.preheader.i:                              ; preds = %B356.if.i
+  %45 = shl i64 %position.5.0897.i, 3
+  %scevgep.i10 = getelementptr i8, ptr %.1751, i64 %45
+  br label %B884.if.i
 
-B2294.if.preheader.i:                             ; preds = %B2218.if.i
-  %45 = shl i64 %position.6.0765.i, 3
-  %scevgep.i9 = getelementptr i8, ptr %.1750, i64 %45
-  br label %B2294.if.i
+B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
+  %lsr.iv21.i = phi i64 [ %.2111, %B884.if.preheader.i ], [ %lsr.iv.next22.i, %B884.if.i ]
+  %lsr.iv.i11 = phi i64 [ 0, %B884.if.preheader.i ], [ %lsr.iv.next.i12, %B884.if.i ]
+  %b3.2.1880.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1396.i, %B884.if.i ]
+  %b2.2.1879.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1376.i, %B884.if.i ]
+  %b1.2.1878.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1356.i, %B884.if.i ]
+  %b0.2.1877.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1337.i, %B884.if.i ]
+  %scevgep12.i = getelementptr i8, ptr %scevgep.i10, i64 %lsr.iv.i11
+  %.1318.i = load <8 x double>, ptr %scevgep12.i, align 8, !noalias !9
+  %scevgep37 = getelementptr i8, ptr %scevgep31, i64 %lsr.iv.i11
+  %scevgep38 = getelementptr i8, ptr %scevgep37, i64 -24
+  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !9
+  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
+  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1877.i)
+  %scevgep12 = getelementptr i8, ptr %scevgep37, i64 -16
+  %.1352.i = load double, ptr %scevgep12, align 8, !noalias !9
+  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
+  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1878.i)
+  %scevgep10 = getelementptr i8, ptr %scevgep37, i64 -8
+  %.1372.i = load double, ptr %scevgep10, align 8, !noalias !9
+  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
+  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1879.i)
+  %.1392.i = load double, ptr %scevgep37, align 8, !noalias !9
+  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
+  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1880.i)
+  %lsr.iv.next.i12 = add nuw i64 %lsr.iv.i11, 64
+  %lsr.iv.next22.i = add i64 %lsr.iv21.i, -1
+  %exitcond905.not.i = icmp eq i64 %lsr.iv.next22.i, 0
+  br i1 %exitcond905.not.i, label %B2289.loopexit.i, label %B884.if.i
 
-B2294.if.i:                                       ; preds = %B2294.if.i, %B2294.if.preheader.i
-  %lsr.iv12.i = phi i64 [ %.2110, %B2294.if.preheader.i ], [ %lsr.iv.next13.i, %B2294.if.i ]
-  %lsr.iv.i10 = phi i64 [ 0, %B2294.if.preheader.i ], [ %lsr.iv.next.i11, %B2294.if.i ]
-  %b3.2.1748.i = phi <8 x double> [ zeroinitializer, %B2294.if.preheader.i ], [ %.1302.i, %B2294.if.i ]
-  %b2.2.1747.i = phi <8 x double> [ zeroinitializer, %B2294.if.preheader.i ], [ %.1282.i, %B2294.if.i ]
-  %b1.2.1746.i = phi <8 x double> [ zeroinitializer, %B2294.if.preheader.i ], [ %.1262.i, %B2294.if.i ]
-  %b0.2.1745.i = phi <8 x double> [ zeroinitializer, %B2294.if.preheader.i ], [ %.1243.i, %B2294.if.i ]
-  %scevgep3.i = getelementptr i8, ptr %scevgep.i9, i64 %lsr.iv.i10
-  %.1224.i = load <8 x double>, ptr %scevgep3.i, align 8, !noalias !9
-  %scevgep36 = getelementptr i8, ptr %scevgep30, i64 %lsr.iv.i10
-  %scevgep37 = getelementptr i8, ptr %scevgep36, i64 -24
-  %.1239.i = load double, ptr %scevgep37, align 8, !noalias !9
-  %.1241.i = insertelement <8 x double> poison, double %.1239.i, i64 0
-  %.1242.i = shufflevector <8 x double> %.1241.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1243.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1242.i, <8 x double> %b0.2.1745.i)
-  %scevgep12 = getelementptr i8, ptr %scevgep36, i64 -16
-  %.1258.i = load double, ptr %scevgep12, align 8, !noalias !9
-  %.1260.i = insertelement <8 x double> poison, double %.1258.i, i64 0
-  %.1261.i = shufflevector <8 x double> %.1260.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1262.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1261.i, <8 x double> %b1.2.1746.i)
-  %scevgep10 = getelementptr i8, ptr %scevgep36, i64 -8
-  %.1278.i = load double, ptr %scevgep10, align 8, !noalias !9
-  %.1280.i = insertelement <8 x double> poison, double %.1278.i, i64 0
-  %.1281.i = shufflevector <8 x double> %.1280.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1282.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1281.i, <8 x double> %b2.2.1747.i)
-  %.1298.i = load double, ptr %scevgep36, align 8, !noalias !9
-  %.1300.i = insertelement <8 x double> poison, double %.1298.i, i64 0
-  %.1301.i = shufflevector <8 x double> %.1300.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1301.i, <8 x double> %b3.2.1748.i)
-  %lsr.iv.next.i11 = add nuw i64 %lsr.iv.i10, 64
-  %lsr.iv.next13.i = add i64 %lsr.iv12.i, -1
-  %exitcond770.not.i = icmp eq i64 %lsr.iv.next13.i, 0
-  br i1 %exitcond770.not.i, label %B2654.loopexit.i, label %B2294.if.i
+B706.endif.endif.endif:                           ; preds = %B2289.i, %B354.else.i
+  %.1869 = icmp sgt i64 %.186810401044, 1
+  br i1 %.1869, label %B704.if, label %B854
 
-B674.endif.endif.endif:                           ; preds = %B2654.i, %B2140.else.i
-  %.1868 = icmp sgt i64 %.186710401044, 1
-  br i1 %.1868, label %B672.if, label %B812
+B898.else.if:                                     ; preds = %B898
+  br label %B898.else.endif
 
-B846.else.if:                                     ; preds = %B846
-  br label %B846.else.endif
+B898.else.endif:                                  ; preds = %B898.else.if, %B898
+  %.2433.sroa.0.1 = phi i64 [ 0, %B898.else.if ], [ %.2445, %B898 ]
+  %.2453.not = icmp slt i64 %.2445, 1073741824
+  br i1 %.2453.not, label %B898.else.endif.endif, label %B898.else.endif.if, !prof !1
 
-B846.else.endif:                                  ; preds = %B846.else.if, %B846
-  %.2432.sroa.0.1 = phi i64 [ 0, %B846.else.if ], [ %.2444, %B846 ]
-  %.2452.not = icmp slt i64 %.2444, 1073741824
-  br i1 %.2452.not, label %B846.else.endif.endif, label %B846.else.endif.if, !prof !1
+B898.else.endif.if:                               ; preds = %B898.else.endif
+  br label %B898.else.endif.endif
 
-B846.else.endif.if:                               ; preds = %B846.else.endif
-  br label %B846.else.endif.endif
+B898.else.endif.endif:                            ; preds = %B898.else.endif.if, %B898.else.endif
+  %.2433.sroa.0.3 = phi i64 [ 1073741824, %B898.else.endif.if ], [ %.2433.sroa.0.1, %B898.else.endif ]
+  %.2521 = sub nsw i64 1073741824, %.2433.sroa.0.3
+  %.2530 = tail call i64 @llvm.smax.i64(i64 %.2521, i64 0)
+  %.2546 = getelementptr double, ptr %arg.weights.4, i64 %.2433.sroa.0.3
+  %.2629 = icmp slt i64 %.182.sroa.13.2, 9
+  br i1 %.2629, label %B898.endif.else.endif.if, label %B898.endif.else.endif.endif, !prof !5
 
-B846.else.endif.endif:                            ; preds = %B846.else.endif.if, %B846.else.endif
-  %.2432.sroa.0.3 = phi i64 [ 1073741824, %B846.else.endif.if ], [ %.2432.sroa.0.1, %B846.else.endif ]
-  %.2520 = sub nsw i64 1073741824, %.2432.sroa.0.3
-  %.2529 = tail call i64 @llvm.smax.i64(i64 %.2520, i64 0)
-  %.2545 = getelementptr double, ptr %arg.weights.4, i64 %.2432.sroa.0.3
-  %.2628 = icmp slt i64 %.181.sroa.13.2, 9
-  br i1 %.2628, label %B846.endif.else.endif.if, label %B846.endif.else.endif.endif, !prof !5
+B898.endif.else.endif.if:                         ; preds = %B898.else.endif.endif
+  br label %B898.endif.else.endif.endif
 
-B846.endif.else.endif.if:                         ; preds = %B846.else.endif.endif
-  br label %B846.endif.else.endif.endif
-
-B846.endif.else.endif.endif:                      ; preds = %B846.endif.else.endif.if, %B846.else.endif.endif
-  %.2608.sroa.0.3 = phi i64 [ %.181.sroa.13.2, %B846.endif.else.endif.if ], [ 8, %B846.else.endif.endif ]
-  %.2721 = getelementptr double, ptr %arg.scratch.4, i64 %.2608.sroa.0.3
-  store ptr null, ptr %.2758, align 8
-  call fastcc void @inner_7(ptr nonnull %.2758, ptr %.652, i64 %arg.rows, ptr %arg.contents.4, ptr %.2545, i64 %.2529, ptr %.823, i64 %.807, ptr %.2721, i64 %.150)
-  br label %B952
+B898.endif.else.endif.endif:                      ; preds = %B898.endif.else.endif.if, %B898.else.endif.endif
+  %.2609.sroa.0.3 = phi i64 [ %.182.sroa.13.2, %B898.endif.else.endif.if ], [ 8, %B898.else.endif.endif ]
+  %.2722 = getelementptr double, ptr %arg.scratch.4, i64 %.2609.sroa.0.3
+  store ptr null, ptr %.2759, align 8
+  call fastcc void @inner_7(ptr nonnull %.2759, ptr %.653, i64 %arg.rows, ptr %arg.contents.4, ptr %.2546, i64 %.2530, ptr %.824, i64 %.808, ptr %.2722, i64 %.151)
+  br label %B1014
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc noundef range(i32 0, 2) i32 @inner_4(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 8, 0) %arg.linear.5.0, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4, double %arg.plus, double %arg.cross) unnamed_addr #5 {
 entry:
-  %.3408 = alloca i64, align 8
-  store i64 0, ptr %.3408, align 8
-  %.3536 = alloca i64, align 8
-  store i64 0, ptr %.3536, align 8
-  %.3662 = alloca i64, align 8
-  store i64 0, ptr %.3662, align 8
-  %.3817 = alloca i64, align 8
-  store i64 0, ptr %.3817, align 8
-  %.4367 = alloca ptr, align 8
-  store ptr null, ptr %.4367, align 8
-  %excinfo.33 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.33, align 8
-  %.4534 = alloca double, align 8
-  store double 0.000000e+00, ptr %.4534, align 8
-  %excinfo.35 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.35, align 8
-  %.6188 = alloca ptr, align 8
-  store ptr null, ptr %.6188, align 8
-  %.7151 = alloca ptr, align 8
-  store ptr null, ptr %.7151, align 8
+  %.3844 = alloca i64, align 8
+  store i64 0, ptr %.3844, align 8
+  %.3999 = alloca i64, align 8
+  store i64 0, ptr %.3999, align 8
+  %.4120 = alloca i64, align 8
+  store i64 0, ptr %.4120, align 8
+  %.4279 = alloca i64, align 8
+  store i64 0, ptr %.4279, align 8
+  %.4842 = alloca ptr, align 8
+  store ptr null, ptr %.4842, align 8
+  %excinfo.34 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.34, align 8
+  %.5070 = alloca double, align 8
+  store double 0.000000e+00, ptr %.5070, align 8
+  %excinfo.36 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.36, align 8
+  %.7353 = alloca ptr, align 8
+  store ptr null, ptr %.7353, align 8
+  %.8351 = alloca ptr, align 8
+  store ptr null, ptr %.8351, align 8
   %.125 = getelementptr i8, ptr %arg.arguments.4, i64 16
   %.126 = load i64, ptr %.125, align 8
   %.155 = getelementptr i8, ptr %arg.arguments.4, i64 32
   %.156 = load i64, ptr %.155, align 8
-  %.185 = getelementptr i8, ptr %arg.arguments.4, i64 40
+  %.185 = getelementptr i8, ptr %arg.arguments.4, i64 88
   %.186 = load i64, ptr %.185, align 8
-  %.225 = getelementptr i8, ptr %arg.arguments.4, i64 24
-  %.226 = load i64, ptr %.225, align 8
-  %.229 = inttoptr i64 %.226 to ptr
-  %.298 = getelementptr double, ptr %.229, i64 %.156
-  %.356 = icmp sgt i64 %.186, 0
-  br i1 %.356, label %B228, label %B308
+  %.295 = getelementptr i8, ptr %arg.arguments.4, i64 40
+  %.296 = load i64, ptr %.295, align 8
+  %.332 = getelementptr i8, ptr %arg.arguments.4, i64 24
+  %.333 = load i64, ptr %.332, align 8
+  %.335 = inttoptr i64 %.333 to ptr
+  %.402 = getelementptr double, ptr %.335, i64 %.156
+  %.460 = icmp sgt i64 %.296, 0
+  br i1 %.460, label %B900, label %B984
 
-B228:                                             ; preds = %entry
-  %0 = getelementptr double, ptr %.298, i64 %.126
-  %.367 = getelementptr i8, ptr %0, i64 -8
-  %.368 = load double, ptr %.367, align 8
-  %.377 = load double, ptr %.298, align 8
-  %.378 = fsub contract double %.368, %.377
-  %.380 = uitofp nneg i64 %.186 to double
-  %.384 = fdiv contract double %.380, %.378
-  br label %B308
+B900:                                             ; preds = %entry
+  %0 = getelementptr double, ptr %.402, i64 %.126
+  %.471 = getelementptr i8, ptr %0, i64 -8
+  %.472 = load double, ptr %.471, align 8
+  %.481 = load double, ptr %.402, align 8
+  %.482 = fsub contract double %.472, %.481
+  %.484 = uitofp nneg i64 %.296 to double
+  %.488 = fdiv contract double %.484, %.482
+  br label %B984
 
-B308:                                             ; preds = %B228, %entry
-  %"$phi308.0.2.0" = phi double [ %.384, %B228 ], [ 0.000000e+00, %entry ]
-  %.424 = getelementptr i8, ptr %arg.arguments.4, i64 48
-  %.425 = load i64, ptr %.424, align 8
-  %.532 = getelementptr i8, ptr %arg.contents.4, i64 56
-  %.533 = load i64, ptr %.532, align 8
-  %.563 = getelementptr i8, ptr %arg.contents.4, i64 64
-  %.564 = load i64, ptr %.563, align 8
-  %.573 = add i64 %.533, 7
-  %.614 = and i64 %.573, -8
-  %.619 = add i64 %.564, 7
-  %.660 = and i64 %.619, -8
-  %.667 = add nsw i64 %.660, %.614
-  %.679.idx = shl nsw i64 %.667, 4
-  %.679 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.679.idx
-  %.764 = getelementptr i8, ptr %arg.contents.4, i64 144
-  %.765 = load i64, ptr %.764, align 8
-  %.771 = add nsw i64 %.765, 7
-  %.812 = and i64 %.771, -8
-  %.830 = shl nsw i64 %.667, 2
-  %.831 = add nsw i64 %.830, 40
-  %.832 = add nsw i64 %.831, %.614
-  %.833 = add nsw i64 %.832, %.660
-  %.837 = add nsw i64 %.833, 4144
-  %.911 = getelementptr i8, ptr %arg.scratch.4, i64 320
-  %.idx2 = shl i64 %.614, 5
-  %1 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx2
-  %.975 = getelementptr i8, ptr %1, i64 320
-  %.1052 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.831
-  %.1115 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.832
-  %.1178 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.837
-  %.1264 = getelementptr double, ptr %arg.scratch.4, i64 %.833
-  %.1389 = getelementptr i8, ptr %.1264, i64 16512
-  %.1452 = getelementptr i8, ptr %.1264, i64 24768
-  %.1546 = getelementptr i8, ptr %.1264, i64 33024
-  %2 = getelementptr double, ptr %arg.scratch.4, i64 %.812
-  %.1608 = getelementptr double, ptr %2, i64 %.837
-  %.1672.idx = shl i64 %.812, 6
-  %.1672 = getelementptr i8, ptr %.1608, i64 %.1672.idx
-  %.1755.idx = shl i64 %.812, 7
-  %.1755 = getelementptr i8, ptr %.1608, i64 %.1755.idx
-  %.2714 = getelementptr i8, ptr %arg.contents.4, i64 112
-  %.2715 = load i64, ptr %.2714, align 8
-  %.2726 = getelementptr double, ptr %arg.weights.4, i64 %.2715
-  %.2812 = getelementptr i8, ptr %arg.contents.4, i64 120
-  %.2813 = load i64, ptr %.2812, align 8
-  %.2824 = getelementptr double, ptr %arg.weights.4, i64 %.2813
-  %.234.i = shl i64 %.614, 1
-  %3 = add i64 %.533, 6
-  %.486.i = lshr i64 %3, 3
-  %.463.inv.i = icmp slt i64 %.533, 2
+B984:                                             ; preds = %B900, %entry
+  %_prepared_v96__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
+  %.528 = getelementptr i8, ptr %arg.arguments.4, i64 48
+  %.529 = load i64, ptr %.528, align 8
+  %.770 = getelementptr i8, ptr %arg.contents.4, i64 56
+  %.771 = load i64, ptr %.770, align 8
+  %.772 = sub i64 0, %.771
+  %.780.1 = and i64 %.772, -8
+  %.814 = sub i64 0, %.780.1
+  %.844 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.845 = load i64, ptr %.844, align 8
+  %.846 = sub i64 0, %.845
+  %.854.1 = and i64 %.846, -8
+  %.888 = sub i64 0, %.854.1
+  %.929 = getelementptr i8, ptr %arg.contents.4, i64 144
+  %.930 = load i64, ptr %.929, align 8
+  %.931 = sub i64 0, %.930
+  %.939.1 = and i64 %.931, -8
+  %.973 = sub i64 0, %.939.1
+  %.1002 = getelementptr i8, ptr %arg.contents.4, i64 72
+  %.1003 = load i64, ptr %.1002, align 8
+  %1 = add i64 %.780.1, %.854.1
+  %.1019 = sub i64 0, %1
+  %.1031.idx = shl nsw i64 %.1019, 4
+  %.1031 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.1031.idx
+  %.1111 = load double, ptr %arg.linear.4, align 8
+  %.1113 = shl nsw i64 %.814, 1
+  %.1127 = icmp slt i64 %.814, 0
+  %.1128 = select i1 %.1127, i64 %arg.linear.5.0, i64 0
+  %2 = getelementptr double, ptr %arg.linear.4, i64 %.1113
+  %.1142 = getelementptr double, ptr %2, i64 %.1128
+  %.1143 = load double, ptr %.1142, align 8
+  %.1181 = shl nsw i64 %.1019, 2
+  %.1182 = add nsw i64 %.1181, 40
+  %.1183 = sub i64 %.1182, %.780.1
+  %.1184 = sub i64 %.1183, %.854.1
+  %.1188 = add nsw i64 %.1184, 4144
+  %.1189 = sub i64 %.1188, %.939.1
+  %.1262 = getelementptr i8, ptr %arg.scratch.4, i64 320
+  %.idx2 = shl i64 %.814, 5
+  %3 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx2
+  %.1326 = getelementptr i8, ptr %3, i64 320
+  %.1403 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.1182
+  %.1466 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.1183
+  %.1529 = getelementptr inbounds double, ptr %arg.scratch.4, i64 %.1188
+  %.1615 = getelementptr double, ptr %arg.scratch.4, i64 %.1184
+  %.1740 = getelementptr i8, ptr %.1615, i64 16512
+  %.1803 = getelementptr i8, ptr %.1615, i64 24768
+  %.1897 = getelementptr i8, ptr %.1615, i64 33024
+  %.1959 = getelementptr double, ptr %arg.scratch.4, i64 %.1189
+  %.2023.idx = shl i64 %.973, 6
+  %.2023 = getelementptr i8, ptr %.1959, i64 %.2023.idx
+  %.2106.idx = shl i64 %.973, 7
+  %.2106 = getelementptr i8, ptr %.1959, i64 %.2106.idx
+  %.2996 = getelementptr i8, ptr %arg.contents.4, i64 112
+  %.2997 = load i64, ptr %.2996, align 8
+  %.3007 = getelementptr double, ptr %arg.weights.4, i64 %.2997
+  %.3086 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.3087 = load i64, ptr %.3086, align 8
+  %.3100 = getelementptr double, ptr %arg.weights.4, i64 %.3087
+  %.99.i = select i1 %.1127, i64 1073741824, i64 0
+  %.100.i = sub i64 %.99.i, %.780.1
+  %4 = tail call i64 @llvm.smax.i64(i64 %.100.i, i64 0)
+  %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
+  %.201.i399 = getelementptr double, ptr %.3007, i64 %.88.sroa.0.3.i
+  %.272.i = add i64 %.99.i, %.1113
+  %5 = tail call i64 @llvm.smax.i64(i64 %.272.i, i64 0)
+  %.260.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %5, i64 1073741824)
+  %.373.i = getelementptr double, ptr %.3007, i64 %.260.sroa.0.3.i
+  %6 = add i64 %.771, 6
+  %.486.i = lshr i64 %6, 3
+  %.463.inv.i = icmp slt i64 %.771, 2
   %.507321.not325.i = icmp eq i64 %.486.i, 0
-  %.507321.not.i = select i1 %.463.inv.i, i1 true, i1 %.507321.not325.i
-  br i1 %.507321.not.i, label %B308.endif.endif.endif.en...endif.3.endif.endif, label %B94.if.lr.ph.i
+  %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
+  br i1 %.507321.not.i, label %B984.endif.endif.endif.en...endif.3.endif.endif, label %B94.if.lr.ph.i
 
-B1920:                                            ; preds = %B308.endif.endif.endif.en...endif.4.endif
-  %.4018 = getelementptr i8, ptr %arg.arguments.4, i64 112
-  %.4019 = load i64, ptr %.4018, align 8
-  %.4020.not = icmp eq i64 %.4019, 4
-  %.4059 = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.4060 = load i64, ptr %.4059, align 8
-  %.4071 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4060
-  br i1 %.4020.not, label %B2104, label %B2002
+B1206:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+  %.4496 = getelementptr i8, ptr %arg.arguments.4, i64 112
+  %.4497 = load i64, ptr %.4496, align 8
+  %.4498.not = icmp eq i64 %.4497, 4
+  %.4537 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.4538 = load i64, ptr %.4537, align 8
+  %.4549 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4538
+  br i1 %.4498.not, label %B1350, label %B1218
 
-B2002:                                            ; preds = %B1920
-  store ptr null, ptr %.4367, align 8
-  %.4393 = call fastcc i32 @inner_8(ptr nonnull %.4367, ptr nonnull %excinfo.33, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.3943, ptr nonnull %.911, ptr %.975, i64 %.614, ptr %arg.scratch.4, ptr %.1755, ptr %.1608, ptr %.1672)
-  %cond = icmp eq i32 %.4393, 0
-  br i1 %cond, label %B2002.endif, label %B2002.if, !prof !0
+B1218:                                            ; preds = %B1206
+  store ptr null, ptr %.4842, align 8
+  %.4868 = call fastcc i32 @inner_8(ptr nonnull %.4842, ptr nonnull %excinfo.34, ptr %arg.row.4, ptr nonnull %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.186, ptr nonnull %.1262, ptr %.1326, i64 %.814, ptr %arg.scratch.4, ptr %.2106, ptr %.1959, ptr %.2023)
+  %cond = icmp eq i32 %.4868, 0
+  br i1 %cond, label %B1218.endif, label %B1218.if, !prof !0
 
-B2084:                                            ; preds = %B386.i, %B2002.endif
-  %.586.inv.i = icmp sgt i64 %.765, 0
-  %.587.i = select i1 %.586.inv.i, i64 0, i64 %.812
-  %4 = getelementptr i64, ptr %.1178, i64 %.143.i
-  %.601.i = getelementptr i64, ptr %4, i64 %.587.i
-  store i64 %.3554, ptr %.601.i, align 8, !noalias !12
-  %.4521 = icmp slt i64 %.3426, 1
-  br i1 %.4521, label %B2292, label %B2104
+B1350:                                            ; preds = %B1206, %B1206.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1206.thread ], [ %.4549, %B1206 ]
+  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1206.thread ], [ false, %B1206 ]
+  store double 0.000000e+00, ptr %.5070, align 8
+  %.5084 = call fastcc i32 @inner_9(ptr nonnull %.5070, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
+  %.5094 = load double, ptr %.5070, align 8
+  %cond1 = icmp eq i32 %.5084, 0
+  br i1 %cond1, label %B1350.endif, label %B1350.if, !prof !0
 
-B2104:                                            ; preds = %B1920, %B1920.thread, %B2084
-  %"$phi1920.0.3.0716" = phi i1 [ true, %B2084 ], [ false, %B1920.thread ], [ false, %B1920 ]
-  %.4071814 = phi ptr [ %.4071, %B2084 ], [ %.40716, %B1920.thread ], [ %.4071, %B1920 ]
-  store double 0.000000e+00, ptr %.4534, align 8
-  %.4548 = call fastcc i32 @inner_9(ptr nonnull %.4534, ptr nonnull %excinfo.35, ptr %arg.row.4, double %.3197, ptr %arg.weights.4, i64 %.3246, ptr %.679, i64 %.3943, ptr %.1264, ptr %arg.scratch.4)
-  %.4558 = load double, ptr %.4534, align 8
-  %cond1 = icmp eq i32 %.4548, 0
-  br i1 %cond1, label %B2104.endif, label %B2104.if, !prof !0
+B1408:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  %.5506 = load i64, ptr %.770, align 8
+  %.135.i542 = load double, ptr %.402, align 8, !noalias !12
+  %.143.i543 = add nsw i64 %.5506, -2
+  %.181.i544 = icmp slt i64 %.5506, 3
+  %..143.i545 = select i1 %.181.i544, i64 0, i64 %.143.i543
+  %.225207.i546 = icmp sgt i64 %..143.i545, 0
+  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
 
-B2222:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575
-  %.135.i576 = load double, ptr %.298, align 8, !noalias !15
-  %.143.i577 = add nsw i64 %.533, -2
-  %.181.i578 = icmp slt i64 %.533, 3
-  %..143.i579 = select i1 %.181.i578, i64 0, i64 %.143.i577
-  %.225207.i580 = icmp sgt i64 %..143.i579, 0
-  br i1 %.225207.i580, label %B92.if.preheader.i584, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619
-
-B2292:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575, %B2084
-  %"$phi1920.0.3.0717" = phi i1 [ %"$phi1920.0.3.0716", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %"$phi1920.0.3.0716", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ true, %B2084 ]
-  %.4071815 = phi ptr [ %.4071814, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %.4071814, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ %.4071, %B2084 ]
-  %constant.2.1 = phi double [ %.4558, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575 ], [ %.4558, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619 ], [ 0.000000e+00, %B2084 ]
-  %5 = add nuw i64 %.126, 1023
-  %.4912 = lshr i64 %5, 10
-  %.4891.inv = icmp slt i64 %.126, 1
+B1596:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %7 = add nuw i64 %.126, 1023
+  %.5721 = lshr i64 %7, 10
+  %.5700.inv = icmp slt i64 %.126, 1
   %.idx = shl i64 %.156, 4
-  %6 = getelementptr i8, ptr %.229, i64 %.idx
-  %.idx3015 = mul i64 %.156, 24
-  %.idx3016 = shl i64 %.156, 5
-  %7 = getelementptr i8, ptr %.229, i64 %.idx3016
-  %.6592 = getelementptr inbounds double, ptr %.4071815, i64 %.812
-  %.6657.idx = shl nsw i64 %.812, 4
-  %.6657 = getelementptr inbounds i8, ptr %.4071815, i64 %.6657.idx
-  %.4933276.not285 = icmp eq i64 %.4912, 0
-  %.4933276.not = select i1 %.4891.inv, i1 true, i1 %.4933276.not285
-  br i1 %.4933276.not, label %B3804, label %B2352.lr.ph
+  %8 = getelementptr i8, ptr %.335, i64 %.idx
+  %.idx3736 = mul i64 %.156, 24
+  %.idx3737 = shl i64 %.156, 5
+  %9 = getelementptr i8, ptr %.335, i64 %.idx3737
+  %.7772 = getelementptr inbounds double, ptr %.454916, i64 %.973
+  %.7837.idx = shl nsw i64 %.973, 4
+  %.7837 = getelementptr inbounds i8, ptr %.454916, i64 %.7837.idx
+  %.5742238.not246 = icmp eq i64 %.5721, 0
+  %.5742238.not = select i1 %.5700.inv, i1 true, i1 %.5742238.not246
+  br i1 %.5742238.not, label %B5566, label %B1604.lr.ph
 
-B2352.lr.ph:                                      ; preds = %B2292
-  %8 = icmp slt i64 %.533, -7
-  %9 = tail call i64 @llvm.smax.i64(i64 %.4912, i64 1)
-  %.277.i = mul nsw i64 %.614, 3
-  %10 = getelementptr double, ptr %.911, i64 %.614
-  %11 = getelementptr i8, ptr %.911, i64 %.3000.idx
-  %.idx221.i = mul i64 %.614, 24
-  %12 = getelementptr i8, ptr %.911, i64 %.idx221.i
-  %13 = getelementptr double, ptr %.975, i64 %.660
-  %.idx.i641 = shl i64 %.660, 4
-  %14 = getelementptr i8, ptr %.975, i64 %.idx.i641
-  %.idx221.i642 = mul i64 %.660, 24
-  %15 = getelementptr i8, ptr %.975, i64 %.idx221.i642
-  %16 = lshr i64 %.573, 3
-  %17 = lshr i64 %.619, 3
-  %18 = add nuw nsw i64 %17, %16
-  %19 = mul i64 %18, 320
-  %20 = getelementptr i8, ptr %arg.scratch.4, i64 %19
-  %21 = mul i64 %16, 320
-  %22 = shl i64 %17, 8
-  %23 = shl i64 %18, 8
-  %24 = getelementptr i8, ptr %arg.scratch.4, i64 %23
-  %scevgep1171 = getelementptr i8, ptr %24, i64 328
-  %scevgep1173 = getelementptr i8, ptr %20, i64 320
-  %scevgep1185 = getelementptr i8, ptr %20, i64 25088
-  %25 = shl i64 %arg.linear.5.0, 3
-  %sunkaddr = select i1 %8, i64 %25, i64 0
-  %26 = getelementptr i8, ptr %arg.scratch.4, i64 %21
-  %27 = getelementptr i8, ptr %26, i64 %22
-  %scevgep19 = getelementptr i8, ptr %27, i64 328
-  %scevgep24 = getelementptr i8, ptr %20, i64 8576
-  %sunkaddr90 = getelementptr inbounds i8, ptr %.3000, i64 %sunkaddr
-  %sunkaddr91 = getelementptr i8, ptr %.679, i64 8
-  %28 = icmp eq i64 %.3912, 0
-  %sunkaddr105 = getelementptr i8, ptr %arg.scratch.4, i64 264
-  %sunkaddr106 = getelementptr i8, ptr %arg.scratch.4, i64 256
-  %sunkaddr107 = getelementptr i8, ptr %arg.scratch.4, i64 248
-  %sunkaddr108 = getelementptr i8, ptr %arg.scratch.4, i64 240
-  %sunkaddr109 = getelementptr i8, ptr %arg.scratch.4, i64 232
-  %sunkaddr110 = getelementptr i8, ptr %arg.scratch.4, i64 224
-  %sunkaddr111 = getelementptr i8, ptr %arg.scratch.4, i64 216
-  %sunkaddr112 = getelementptr i8, ptr %arg.scratch.4, i64 208
-  %sunkaddr113 = getelementptr i8, ptr %arg.scratch.4, i64 200
-  %sunkaddr114 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 192
-  %sunkaddr115 = getelementptr i8, ptr %arg.scratch.4, i64 184
-  %sunkaddr116 = getelementptr i8, ptr %arg.scratch.4, i64 176
-  %sunkaddr117 = getelementptr i8, ptr %arg.scratch.4, i64 168
-  %sunkaddr118 = getelementptr i8, ptr %arg.scratch.4, i64 160
-  %sunkaddr119 = getelementptr i8, ptr %arg.scratch.4, i64 152
-  %sunkaddr120 = getelementptr i8, ptr %arg.scratch.4, i64 144
-  %sunkaddr121 = getelementptr i8, ptr %arg.scratch.4, i64 136
-  %sunkaddr122 = getelementptr i8, ptr %arg.scratch.4, i64 128
-  %sunkaddr123 = getelementptr i8, ptr %arg.scratch.4, i64 120
-  %sunkaddr124 = getelementptr i8, ptr %arg.scratch.4, i64 112
-  %sunkaddr125 = getelementptr i8, ptr %arg.scratch.4, i64 104
-  %sunkaddr126 = getelementptr i8, ptr %arg.scratch.4, i64 96
-  %sunkaddr127 = getelementptr i8, ptr %arg.scratch.4, i64 88
-  %sunkaddr128 = getelementptr i8, ptr %arg.scratch.4, i64 80
-  %sunkaddr129 = getelementptr i8, ptr %arg.scratch.4, i64 72
-  %sunkaddr130 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 64
-  %sunkaddr131 = shl i64 %.156, 3
-  br label %B2352
+B1604.lr.ph:                                      ; preds = %B1596
+  %10 = tail call i64 @llvm.smax.i64(i64 %.5721, i64 1)
+  %.277.i = mul i64 %.780.1, -3
+  %11 = getelementptr double, ptr %.1262, i64 %.814
+  %.idx.i = shl i64 %.814, 4
+  %12 = getelementptr i8, ptr %.1262, i64 %.idx.i
+  %.idx221.i = mul i64 %.780.1, -24
+  %13 = getelementptr i8, ptr %.1262, i64 %.idx221.i
+  %14 = getelementptr double, ptr %.1326, i64 %.888
+  %.idx.i607 = shl i64 %.888, 4
+  %15 = getelementptr i8, ptr %.1326, i64 %.idx.i607
+  %.idx221.i608 = mul i64 %.854.1, -24
+  %16 = getelementptr i8, ptr %.1326, i64 %.idx221.i608
+  %17 = lshr i64 %.846, 3
+  %18 = lshr i64 %.772, 3
+  %19 = add nuw nsw i64 %17, %18
+  %.neg = mul i64 %19, -320
+  %20 = getelementptr i8, ptr %arg.scratch.4, i64 %.neg
+  %scevgep = getelementptr i8, ptr %20, i64 8576
+  %21 = shl i64 %17, 8
+  %.neg3 = mul i64 %18, -320
+  %reass.sub = sub i64 %.neg3, %21
+  %22 = getelementptr i8, ptr %arg.scratch.4, i64 %reass.sub
+  %scevgep1139 = getelementptr i8, ptr %22, i64 328
+  %23 = shl i64 %19, 8
+  %24 = sub i64 328, %23
+  %scevgep1146 = getelementptr i8, ptr %arg.scratch.4, i64 %24
+  %scevgep1148 = getelementptr i8, ptr %20, i64 320
+  %25 = mul i64 %19, 320
+  %26 = sub i64 25088, %25
+  %scevgep1160 = getelementptr i8, ptr %arg.scratch.4, i64 %26
+  %27 = sub i64 33480, %25
+  %scevgep1171 = getelementptr i8, ptr %arg.scratch.4, i64 %27
+  %sunkaddr38 = getelementptr i8, ptr %.1031, i64 8
+  %28 = icmp eq i64 %.1003, 0
+  %sunkaddr75 = getelementptr i8, ptr %arg.scratch.4, i64 264
+  %sunkaddr76 = getelementptr i8, ptr %arg.scratch.4, i64 256
+  %sunkaddr77 = getelementptr i8, ptr %arg.scratch.4, i64 248
+  %sunkaddr78 = getelementptr i8, ptr %arg.scratch.4, i64 240
+  %sunkaddr79 = getelementptr i8, ptr %arg.scratch.4, i64 232
+  %sunkaddr80 = getelementptr i8, ptr %arg.scratch.4, i64 224
+  %sunkaddr81 = getelementptr i8, ptr %arg.scratch.4, i64 216
+  %sunkaddr82 = getelementptr i8, ptr %arg.scratch.4, i64 208
+  %sunkaddr83 = getelementptr i8, ptr %arg.scratch.4, i64 200
+  %sunkaddr84 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 192
+  %sunkaddr85 = getelementptr i8, ptr %arg.scratch.4, i64 184
+  %sunkaddr86 = getelementptr i8, ptr %arg.scratch.4, i64 176
+  %sunkaddr87 = getelementptr i8, ptr %arg.scratch.4, i64 168
+  %sunkaddr88 = getelementptr i8, ptr %arg.scratch.4, i64 160
+  %sunkaddr89 = getelementptr i8, ptr %arg.scratch.4, i64 152
+  %sunkaddr90 = getelementptr i8, ptr %arg.scratch.4, i64 144
+  %sunkaddr91 = getelementptr i8, ptr %arg.scratch.4, i64 136
+  %sunkaddr92 = getelementptr i8, ptr %arg.scratch.4, i64 128
+  %sunkaddr93 = getelementptr i8, ptr %arg.scratch.4, i64 120
+  %sunkaddr94 = getelementptr i8, ptr %arg.scratch.4, i64 112
+  %sunkaddr95 = getelementptr i8, ptr %arg.scratch.4, i64 104
+  %sunkaddr96 = getelementptr i8, ptr %arg.scratch.4, i64 96
+  %sunkaddr97 = getelementptr i8, ptr %arg.scratch.4, i64 88
+  %sunkaddr98 = getelementptr i8, ptr %arg.scratch.4, i64 80
+  %sunkaddr99 = getelementptr i8, ptr %arg.scratch.4, i64 72
+  %sunkaddr100 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 64
+  %sunkaddr101 = shl i64 %.156, 3
+  br label %B1604
 
-B2352:                                            ; preds = %B3750, %B2352.lr.ph
-  %.4923.sroa.0.0284 = phi i64 [ 0, %B2352.lr.ph ], [ %.4923.sroa.0.0, %B3750 ]
-  %.4880.1283.in = phi i64 [ %9, %B2352.lr.ph ], [ %40, %B3750 ]
-  %.4877.1282 = phi i64 [ 1024, %B2352.lr.ph ], [ %.4877.1, %B3750 ]
-  %cell.2.0281 = phi i64 [ 0, %B2352.lr.ph ], [ %cell.3.1, %B3750 ]
-  %cell_p.3.0280 = phi i64 [ 0, %B2352.lr.ph ], [ %cell_p.4.1, %B3750 ]
-  %cell_a.2.0279 = phi i64 [ 0, %B2352.lr.ph ], [ %cell_a.3.1, %B3750 ]
-  %.4975 = add nsw i64 %.4923.sroa.0.0284, 1024
-  %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.4975)
-  %.13.i620 = tail call i64 @llvm.smax.i64(i64 %.4923.sroa.0.0284, i64 %.3554)
-  %.13.i621 = tail call i64 @llvm.smin.i64(i64 %.13.i, i64 %.13.i620)
-  %.13.i622 = tail call i64 @llvm.smax.i64(i64 %.4923.sroa.0.0284, i64 %.3426)
-  %.13.i623 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.13.i622)
-  %.5134 = icmp sgt i64 %.13.i623, %.4923.sroa.0.0284
-  br i1 %.5134, label %B2534, label %B2676
+B1604:                                            ; preds = %B5564, %B1604.lr.ph
+  %.5732.sroa.0.0245 = phi i64 [ 0, %B1604.lr.ph ], [ %.5732.sroa.0.0, %B5564 ]
+  %.5689.1244.in = phi i64 [ %10, %B1604.lr.ph ], [ %41, %B5564 ]
+  %.5686.1243 = phi i64 [ 1024, %B1604.lr.ph ], [ %.5686.1, %B5564 ]
+  %cells.3.sroa.0.0242 = phi i64 [ 0, %B1604.lr.ph ], [ %cells.4.sroa.0.1, %B5564 ]
+  %cells.3.sroa.13.0241 = phi i64 [ 0, %B1604.lr.ph ], [ %cells.4.sroa.8.1, %B5564 ]
+  %.5788 = add nsw i64 %.5732.sroa.0.0245, 1024
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.5788)
+  %.13.i586 = tail call i64 @llvm.smax.i64(i64 %.5732.sroa.0.0245, i64 %.4017)
+  %.13.i587 = tail call i64 @llvm.smin.i64(i64 %.13.i, i64 %.13.i586)
+  %.13.i588 = tail call i64 @llvm.smax.i64(i64 %.5732.sroa.0.0245, i64 %.3862)
+  %.13.i589 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.13.i588)
+  %.5970 = icmp sgt i64 %.13.i589, %.5732.sroa.0.0245
+  br i1 %.5970, label %B1606, label %B1626
 
-B2534:                                            ; preds = %B2352
-  %.5165 = load double, ptr %arg.linear.4, align 8
-  %.5197 = load double, ptr %sunkaddr90, align 8
-  %.5215 = getelementptr double, ptr %.229, i64 %.4923.sroa.0.0284
-  %.5268 = sub nsw i64 %.13.i623, %.4923.sroa.0.0284
-  %.5298 = load double, ptr %sunkaddr91, align 8
-  %.145103.not.i = icmp slt i64 %.5268, 1
-  br i1 %.145103.not.i, label %B2676, label %B34.if.i
+B1606:                                            ; preds = %B1604
+  %.5985 = getelementptr double, ptr %.335, i64 %.5732.sroa.0.0245
+  %.6038 = sub nsw i64 %.13.i589, %.5732.sroa.0.0245
+  %.6068 = load double, ptr %.3653, align 8
+  %.6098 = load double, ptr %sunkaddr38, align 8
+  %.145103.not.i = icmp slt i64 %.6038, 1
+  br i1 %.145103.not.i, label %B1626, label %B34.if.i
 
-B2676:                                            ; preds = %B144.i, %B2534, %B2352
-  br i1 %"$phi1920.0.3.0717", label %B2944, label %B2790
+B1626:                                            ; preds = %B144.i, %B1606, %B1604
+  br i1 %"$phi984.0.3.013", label %B4582, label %B1678
 
-B2790:                                            ; preds = %B2676
-  %29 = icmp slt i64 %.13.i622, %.13.i621
-  br i1 %28, label %B2848, label %B2794
+B1678:                                            ; preds = %B1626
+  %29 = icmp slt i64 %.13.i588, %.13.i587
+  br i1 %28, label %B1932, label %B1682
 
-B2794:                                            ; preds = %B2790
-  br i1 %29, label %B22.preheader.i, label %B2944
+B1682:                                            ; preds = %B1678
+  br i1 %29, label %B22.preheader.i, label %B4582
 
-B22.preheader.i:                                  ; preds = %B2794
-  %30 = mul i64 %.4923.sroa.0.0284, -8
-  %scevgep25 = getelementptr i8, ptr %scevgep24, i64 %30
+B22.preheader.i:                                  ; preds = %B1682
+  %30 = mul i64 %.5732.sroa.0.0245, -8
+  %scevgep1142 = getelementptr i8, ptr %scevgep, i64 %30
   br label %B22.i
 
 B22.i:                                            ; preds = %B926.i, %B22.preheader.i
-  %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %cell_p.3.0280, %B22.preheader.i ]
-  %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i623, %B22.preheader.i ]
-  %.149.i = getelementptr inbounds i64, ptr %.1115, i64 %cell.2.0.i
-  %.150.i = load i64, ptr %.149.i, align 8, !noalias !18
+  %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %cells.3.sroa.13.0241, %B22.preheader.i ]
+  %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i589, %B22.preheader.i ]
+  %.149.i = getelementptr inbounds i64, ptr %.1466, i64 %cell.2.0.i
+  %.150.i = load i64, ptr %.149.i, align 8, !noalias !15
   %.154.not.i = icmp sgt i64 %.150.i, %start.2.0.i
   br i1 %.154.not.i, label %B112.i, label %B62.i
 
@@ -2020,16 +2023,16 @@ B62.i:                                            ; preds = %B22.i, %B62.i
   %cell.4.1.i = phi i64 [ %.157.i, %B62.i ], [ %cell.2.0.i, %B22.i ]
   %.157.i = add i64 %cell.4.1.i, 1
   %sunkaddr.i = shl i64 %cell.4.1.i, 3
-  %scevgep20 = getelementptr i8, ptr %scevgep19, i64 %sunkaddr.i
-  %.170.i = load i64, ptr %scevgep20, align 8, !noalias !18
+  %scevgep1140 = getelementptr i8, ptr %scevgep1139, i64 %sunkaddr.i
+  %.170.i = load i64, ptr %scevgep1140, align 8, !noalias !15
   %.172.not.i = icmp sgt i64 %.170.i, %start.2.0.i
   br i1 %.172.not.i, label %B112.i, label %B62.i
 
 B112.i:                                           ; preds = %B62.i, %B22.i
   %cell.3.2.i = phi i64 [ %cell.2.0.i, %B22.i ], [ %.157.i, %B62.i ]
-  %.184.i = getelementptr inbounds i64, ptr %.1115, i64 %cell.3.2.i
-  %.185.i = load i64, ptr %.184.i, align 8, !noalias !18
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.185.i)
+  %.184.i = getelementptr inbounds i64, ptr %.1466, i64 %cell.3.2.i
+  %.185.i = load i64, ptr %.184.i, align 8, !noalias !15
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.185.i)
   %.395.i = sub i64 %.13.i.i, %start.2.0.i
   %31 = add i64 %.395.i, 7
   %.417.i = lshr i64 %31, 3
@@ -2039,32 +2042,32 @@ B112.i:                                           ; preds = %B62.i, %B22.i
   br i1 %.438305.not.i, label %B926.i, label %B570.if.lr.ph.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
-  %.602.i = icmp slt i64 %.185.i, %.13.i621
-  br i1 %.602.i, label %B22.i, label %B2944
+  %.602.i = icmp slt i64 %.185.i, %.13.i587
+  br i1 %.602.i, label %B22.i, label %B4582
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
-  %.228.i = getelementptr inbounds double, ptr %.2824, i64 %cell.3.2.i
-  %.229.i = load double, ptr %.228.i, align 8, !noalias !18
-  %.231.i = fsub contract double %.3209.le, %.229.i
+  %.228.i = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i
+  %.229.i = load double, ptr %.228.i, align 8, !noalias !15
+  %.231.i = fsub contract double %.3607.le, %.229.i
   %.279.i = add nsw i64 %cell.3.2.i, %.277.i
-  %.347.i = getelementptr inbounds double, ptr %.975, i64 %.279.i
-  %.348.i = load double, ptr %.347.i, align 8, !noalias !18
-  %.266.i = add nsw i64 %cell.3.2.i, %.234.i
-  %.334.i = getelementptr inbounds double, ptr %.975, i64 %.266.i
-  %.335.i = load double, ptr %.334.i, align 8, !noalias !18
-  %.247.i = add nsw i64 %cell.3.2.i, %.614
-  %.315.i = getelementptr inbounds double, ptr %.975, i64 %.247.i
-  %.316.i = load double, ptr %.315.i, align 8, !noalias !18
-  %.303.i = getelementptr inbounds double, ptr %.975, i64 %cell.3.2.i
-  %.304.i = load double, ptr %.303.i, align 8, !noalias !18
-  %.287.i = getelementptr inbounds double, ptr %.911, i64 %.279.i
-  %.288.i = load double, ptr %.287.i, align 8, !noalias !18
-  %.274.i = getelementptr inbounds double, ptr %.911, i64 %.266.i
-  %.275.i = load double, ptr %.274.i, align 8, !noalias !18
-  %.255.i = getelementptr inbounds double, ptr %.911, i64 %.247.i
-  %.256.i = load double, ptr %.255.i, align 8, !noalias !18
-  %.243.i = getelementptr inbounds double, ptr %.911, i64 %cell.3.2.i
-  %.244.i = load double, ptr %.243.i, align 8, !noalias !18
+  %.347.i = getelementptr inbounds double, ptr %.1326, i64 %.279.i
+  %.348.i = load double, ptr %.347.i, align 8, !noalias !15
+  %.266.i = add nsw i64 %cell.3.2.i, %.1113
+  %.334.i = getelementptr inbounds double, ptr %.1326, i64 %.266.i
+  %.335.i = load double, ptr %.334.i, align 8, !noalias !15
+  %.247.i = sub i64 %cell.3.2.i, %.780.1
+  %.315.i = getelementptr inbounds double, ptr %.1326, i64 %.247.i
+  %.316.i = load double, ptr %.315.i, align 8, !noalias !15
+  %.303.i = getelementptr inbounds double, ptr %.1326, i64 %cell.3.2.i
+  %.304.i = load double, ptr %.303.i, align 8, !noalias !15
+  %.287.i = getelementptr inbounds double, ptr %.1262, i64 %.279.i
+  %.288.i = load double, ptr %.287.i, align 8, !noalias !15
+  %.274.i = getelementptr inbounds double, ptr %.1262, i64 %.266.i
+  %.275.i = load double, ptr %.274.i, align 8, !noalias !15
+  %.255.i = getelementptr inbounds double, ptr %.1262, i64 %.247.i
+  %.256.i = load double, ptr %.255.i, align 8, !noalias !15
+  %.243.i = getelementptr inbounds double, ptr %.1262, i64 %cell.3.2.i
+  %.244.i = load double, ptr %.243.i, align 8, !noalias !15
   %.514.i = insertelement <8 x double> poison, double %.288.i, i64 0
   %.515.i = shufflevector <8 x double> %.514.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i = insertelement <8 x double> poison, double %.275.i, i64 0
@@ -2088,57 +2091,57 @@ B570.if.lr.ph.i:                                  ; preds = %B112.i
   br label %B570.if.i
 
 B570.if.i:                                        ; preds = %B570.if.i, %B570.if.lr.ph.i
-  %lsr.iv21 = phi i64 [ %lsr.iv.next22, %B570.if.i ], [ %33, %B570.if.lr.ph.i ]
+  %lsr.iv22 = phi i64 [ %lsr.iv.next23, %B570.if.i ], [ %33, %B570.if.lr.ph.i ]
   %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %32, %B570.if.lr.ph.i ]
-  %scevgep13.i = getelementptr i8, ptr %.298, i64 %lsr.iv8.i
-  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !18
+  %scevgep13.i = getelementptr i8, ptr %.402, i64 %lsr.iv8.i
+  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !15
   %.8.i.i = fadd contract <8 x double> %.7.i.i, %.485.i
   %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.515.i, <8 x double> %.518.i)
   %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.519.i, <8 x double> %.522.i)
   %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.523.i, <8 x double> %.526.i)
-  %scevgep27 = getelementptr i8, ptr %scevgep25, i64 %lsr.iv8.i
-  %scevgep30 = getelementptr i8, ptr %scevgep27, i64 -8256
-  store <8 x double> %.527.i, ptr %scevgep30, align 8, !noalias !18
+  %scevgep1144 = getelementptr i8, ptr %scevgep1142, i64 %lsr.iv8.i
+  %scevgep1145 = getelementptr i8, ptr %scevgep1144, i64 -8256
+  store <8 x double> %.527.i, ptr %scevgep1145, align 8, !noalias !15
   %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.542.i, <8 x double> %.545.i)
   %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.546.i, <8 x double> %.549.i)
   %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.550.i, <8 x double> %.553.i)
-  store <8 x double> %.554.i, ptr %scevgep27, align 8, !noalias !18
+  store <8 x double> %.554.i, ptr %scevgep1144, align 8, !noalias !15
   %lsr.iv.next9.i = add i64 %lsr.iv8.i, 64
-  %lsr.iv.next22 = add nsw i64 %lsr.iv21, -1
-  %.438.i = icmp sgt i64 %lsr.iv21, 6
+  %lsr.iv.next23 = add nsw i64 %lsr.iv22, -1
+  %.438.i = icmp sgt i64 %lsr.iv22, 6
   br i1 %.438.i, label %B570.if.i, label %B926.i
 
-B2848:                                            ; preds = %B2790
-  br i1 %29, label %B22.preheader.i312, label %B2848.endif
+B1932:                                            ; preds = %B1678
+  br i1 %29, label %B22.preheader.i273, label %B1932.endif
 
-B22.preheader.i312:                               ; preds = %B2848
-  %34 = mul i64 %.4923.sroa.0.0284, -8
-  %scevgep1174 = getelementptr i8, ptr %scevgep1173, i64 %34
-  br label %B22.i314
+B22.preheader.i273:                               ; preds = %B1932
+  %34 = mul i64 %.5732.sroa.0.0245, -8
+  %scevgep1149 = getelementptr i8, ptr %scevgep1148, i64 %34
+  br label %B22.i275
 
-B22.i314:                                         ; preds = %B612.i, %B22.preheader.i312
-  %cell.2.0.i315 = phi i64 [ %cell.3.2.i321, %B612.i ], [ %cell_a.2.0279, %B22.preheader.i312 ]
-  %start.2.0.i316 = phi i64 [ %.13.i.i323, %B612.i ], [ %.13.i623, %B22.preheader.i312 ]
-  %.121.i = getelementptr inbounds i64, ptr %.1052, i64 %cell.2.0.i315
-  %.122.i = load i64, ptr %.121.i, align 8, !noalias !21
-  %.126.not.i = icmp sgt i64 %.122.i, %start.2.0.i316
-  br i1 %.126.not.i, label %B112.i320, label %B62.i317
+B22.i275:                                         ; preds = %B612.i, %B22.preheader.i273
+  %cell.2.0.i276 = phi i64 [ %cell.3.2.i282, %B612.i ], [ %cells.3.sroa.0.0242, %B22.preheader.i273 ]
+  %start.2.0.i277 = phi i64 [ %.13.i.i284, %B612.i ], [ %.13.i589, %B22.preheader.i273 ]
+  %.121.i = getelementptr inbounds i64, ptr %.1403, i64 %cell.2.0.i276
+  %.122.i = load i64, ptr %.121.i, align 8, !noalias !18
+  %.126.not.i = icmp sgt i64 %.122.i, %start.2.0.i277
+  br i1 %.126.not.i, label %B112.i281, label %B62.i278
 
-B62.i317:                                         ; preds = %B22.i314, %B62.i317
-  %cell.4.1.i318 = phi i64 [ %.129.i, %B62.i317 ], [ %cell.2.0.i315, %B22.i314 ]
-  %.129.i = add i64 %cell.4.1.i318, 1
-  %sunkaddr.i319 = shl i64 %cell.4.1.i318, 3
-  %scevgep1172 = getelementptr i8, ptr %scevgep1171, i64 %sunkaddr.i319
-  %.142.i = load i64, ptr %scevgep1172, align 8, !noalias !21
-  %.144.not.i = icmp sgt i64 %.142.i, %start.2.0.i316
-  br i1 %.144.not.i, label %B112.i320, label %B62.i317
+B62.i278:                                         ; preds = %B22.i275, %B62.i278
+  %cell.4.1.i279 = phi i64 [ %.129.i, %B62.i278 ], [ %cell.2.0.i276, %B22.i275 ]
+  %.129.i = add i64 %cell.4.1.i279, 1
+  %sunkaddr.i280 = shl i64 %cell.4.1.i279, 3
+  %scevgep1147 = getelementptr i8, ptr %scevgep1146, i64 %sunkaddr.i280
+  %.142.i = load i64, ptr %scevgep1147, align 8, !noalias !18
+  %.144.not.i = icmp sgt i64 %.142.i, %start.2.0.i277
+  br i1 %.144.not.i, label %B112.i281, label %B62.i278
 
-B112.i320:                                        ; preds = %B62.i317, %B22.i314
-  %cell.3.2.i321 = phi i64 [ %cell.2.0.i315, %B22.i314 ], [ %.129.i, %B62.i317 ]
-  %.156.i = getelementptr inbounds i64, ptr %.1052, i64 %cell.3.2.i321
-  %.157.i322 = load i64, ptr %.156.i, align 8, !noalias !21
-  %.13.i.i323 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.157.i322)
-  %.307.i = sub i64 %.13.i.i323, %start.2.0.i316
+B112.i281:                                        ; preds = %B62.i278, %B22.i275
+  %cell.3.2.i282 = phi i64 [ %cell.2.0.i276, %B22.i275 ], [ %.129.i, %B62.i278 ]
+  %.156.i = getelementptr inbounds i64, ptr %.1403, i64 %cell.3.2.i282
+  %.157.i283 = load i64, ptr %.156.i, align 8, !noalias !18
+  %.13.i.i284 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.157.i283)
+  %.307.i = sub i64 %.13.i.i284, %start.2.0.i277
   %35 = add i64 %.307.i, 7
   %.329.i = lshr i64 %35, 3
   %.308.inv.i = icmp slt i64 %.307.i, 1
@@ -2146,695 +2149,100 @@ B112.i320:                                        ; preds = %B62.i317, %B22.i314
   %.350229.not.i = or i1 %.308.inv.i, %.350229.not250.i
   br i1 %.350229.not.i, label %B612.i, label %B412.if.lr.ph.i
 
-B612.i:                                           ; preds = %B412.if.i, %B112.i320
-  %.479.i = icmp slt i64 %.157.i322, %.13.i621
-  br i1 %.479.i, label %B22.i314, label %B2848.endif
+B612.i:                                           ; preds = %B412.if.i, %B112.i281
+  %.479.i = icmp slt i64 %.157.i283, %.13.i587
+  br i1 %.479.i, label %B22.i275, label %B1932.endif
 
-B412.if.lr.ph.i:                                  ; preds = %B112.i320
-  %.200.i = getelementptr inbounds double, ptr %.2726, i64 %cell.3.2.i321
-  %.201.i = load double, ptr %.200.i, align 8, !noalias !21
-  %.203.i = fsub contract double %.3209.le, %.201.i
-  %.259.i = getelementptr double, ptr %12, i64 %cell.3.2.i321
-  %.260.i = load double, ptr %.259.i, align 8, !noalias !21
-  %.246.i = getelementptr double, ptr %11, i64 %cell.3.2.i321
-  %.247.i324 = load double, ptr %.246.i, align 8, !noalias !21
-  %.227.i = getelementptr double, ptr %10, i64 %cell.3.2.i321
-  %.228.i325 = load double, ptr %.227.i, align 8, !noalias !21
-  %.215.i = getelementptr inbounds double, ptr %.911, i64 %cell.3.2.i321
-  %.216.i = load double, ptr %.215.i, align 8, !noalias !21
+B412.if.lr.ph.i:                                  ; preds = %B112.i281
+  %.200.i = getelementptr inbounds double, ptr %.3007, i64 %cell.3.2.i282
+  %.201.i = load double, ptr %.200.i, align 8, !noalias !18
+  %.203.i = fsub contract double %.3607.le, %.201.i
+  %.259.i = getelementptr double, ptr %13, i64 %cell.3.2.i282
+  %.260.i = load double, ptr %.259.i, align 8, !noalias !18
+  %.246.i = getelementptr double, ptr %12, i64 %cell.3.2.i282
+  %.247.i285 = load double, ptr %.246.i, align 8, !noalias !18
+  %.227.i = getelementptr double, ptr %11, i64 %cell.3.2.i282
+  %.228.i286 = load double, ptr %.227.i, align 8, !noalias !18
+  %.215.i = getelementptr inbounds double, ptr %.1262, i64 %cell.3.2.i282
+  %.216.i = load double, ptr %.215.i, align 8, !noalias !18
   %.426.i = insertelement <8 x double> poison, double %.260.i, i64 0
   %.427.i = shufflevector <8 x double> %.426.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.429.i = insertelement <8 x double> poison, double %.247.i324, i64 0
+  %.429.i = insertelement <8 x double> poison, double %.247.i285, i64 0
   %.430.i = shufflevector <8 x double> %.429.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.433.i = insertelement <8 x double> poison, double %.228.i325, i64 0
+  %.433.i = insertelement <8 x double> poison, double %.228.i286, i64 0
   %.434.i = shufflevector <8 x double> %.433.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.437.i = insertelement <8 x double> poison, double %.216.i, i64 0
-  %.438.i326 = shufflevector <8 x double> %.437.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i.i327 = insertelement <8 x double> poison, double %.203.i, i64 0
-  %.7.i.i328 = shufflevector <8 x double> %.6.i.i327, <8 x double> poison, <8 x i32> zeroinitializer
-  %36 = shl i64 %start.2.0.i316, 3
+  %.438.i287 = shufflevector <8 x double> %.437.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i.i288 = insertelement <8 x double> poison, double %.203.i, i64 0
+  %.7.i.i289 = shufflevector <8 x double> %.6.i.i288, <8 x double> poison, <8 x i32> zeroinitializer
+  %36 = shl i64 %start.2.0.i277, 3
   %37 = add nuw nsw i64 %.329.i, 5
   br label %B412.if.i
 
 B412.if.i:                                        ; preds = %B412.if.i, %B412.if.lr.ph.i
-  %lsr.iv31 = phi i64 [ %lsr.iv.next32, %B412.if.i ], [ %37, %B412.if.lr.ph.i ]
-  %lsr.iv8.i329 = phi i64 [ %lsr.iv.next9.i335, %B412.if.i ], [ %36, %B412.if.lr.ph.i ]
-  %scevgep11.i331 = getelementptr i8, ptr %.298, i64 %lsr.iv8.i329
-  %.397.i = load <8 x double>, ptr %scevgep11.i331, align 8, !noalias !21
-  %.8.i.i332 = fadd contract <8 x double> %.7.i.i328, %.397.i
-  %.431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i332, <8 x double> %.427.i, <8 x double> %.430.i)
-  %.435.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i332, <8 x double> %.431.i, <8 x double> %.434.i)
-  %.439.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i332, <8 x double> %.435.i, <8 x double> %.438.i326)
-  %scevgep1175 = getelementptr i8, ptr %scevgep1174, i64 %lsr.iv8.i329
-  store <8 x double> %.439.i, ptr %scevgep1175, align 8, !noalias !21
-  %lsr.iv.next9.i335 = add i64 %lsr.iv8.i329, 64
-  %lsr.iv.next32 = add nsw i64 %lsr.iv31, -1
-  %.350.i = icmp sgt i64 %lsr.iv31, 6
+  %lsr.iv24 = phi i64 [ %lsr.iv.next25, %B412.if.i ], [ %37, %B412.if.lr.ph.i ]
+  %lsr.iv8.i290 = phi i64 [ %lsr.iv.next9.i296, %B412.if.i ], [ %36, %B412.if.lr.ph.i ]
+  %scevgep11.i292 = getelementptr i8, ptr %.402, i64 %lsr.iv8.i290
+  %.397.i = load <8 x double>, ptr %scevgep11.i292, align 8, !noalias !18
+  %.8.i.i293 = fadd contract <8 x double> %.7.i.i289, %.397.i
+  %.431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i293, <8 x double> %.427.i, <8 x double> %.430.i)
+  %.435.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i293, <8 x double> %.431.i, <8 x double> %.434.i)
+  %.439.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i293, <8 x double> %.435.i, <8 x double> %.438.i287)
+  %scevgep1150 = getelementptr i8, ptr %scevgep1149, i64 %lsr.iv8.i290
+  store <8 x double> %.439.i, ptr %scevgep1150, align 8, !noalias !18
+  %lsr.iv.next9.i296 = add i64 %lsr.iv8.i290, 64
+  %lsr.iv.next25 = add nsw i64 %lsr.iv24, -1
+  %.350.i = icmp sgt i64 %lsr.iv24, 6
   br i1 %.350.i, label %B412.if.i, label %B612.i
 
-B2944:                                            ; preds = %B926.i, %B612.i703, %B2848.endif, %B2794, %B2676
-  %cell_a.3.1 = phi i64 [ %cell.5.1.i311, %B612.i703 ], [ %cell.5.1.i311, %B2848.endif ], [ %cell_a.2.0279, %B2676 ], [ %cell_a.2.0279, %B2794 ], [ %cell_a.2.0279, %B926.i ]
-  %cell_p.4.1 = phi i64 [ %cell.3.2.i659, %B612.i703 ], [ %cell_p.3.0280, %B2848.endif ], [ %cell_p.3.0280, %B2676 ], [ %cell_p.3.0280, %B2794 ], [ %cell.3.2.i, %B926.i ]
-  %direct.2.1 = phi i64 [ %.13.i621, %B612.i703 ], [ %.13.i621, %B2848.endif ], [ %.13.i623, %B2676 ], [ %.13.i621, %B2794 ], [ %.13.i621, %B926.i ]
-  %.5719 = icmp sgt i64 %direct.2.1, %.4923.sroa.0.0284
-  br i1 %.5719, label %B2958, label %B3524
+B4582:                                            ; preds = %B926.i, %B612.i669, %B1932.endif, %B1682, %B1626
+  %.5919..5863 = phi i64 [ %.13.i589, %B1626 ], [ %.13.i587, %B612.i669 ], [ %.13.i587, %B1682 ], [ %.13.i587, %B1932.endif ], [ %.13.i587, %B926.i ]
+  %cells.5.sroa.13.1 = phi i64 [ %cells.3.sroa.13.0241, %B1626 ], [ %cell.3.2.i625, %B612.i669 ], [ %cells.3.sroa.13.0241, %B1682 ], [ %cells.3.sroa.13.0241, %B1932.endif ], [ %cell.3.2.i, %B926.i ]
+  %cells.5.sroa.0.1 = phi i64 [ %cells.3.sroa.0.0242, %B1626 ], [ %cell.5.1.i272, %B612.i669 ], [ %cells.3.sroa.0.0242, %B1682 ], [ %cell.5.1.i272, %B1932.endif ], [ %cells.3.sroa.0.0242, %B926.i ]
+  %.6863 = sub nsw i64 %.5919..5863, %.5732.sroa.0.0245
+  %.6870 = icmp sgt i64 %.6863, 0
+  br i1 %.6870, label %B5243, label %B5244
 
-B2958:                                            ; preds = %B2944
-  %.5723 = sub nsw i64 %direct.2.1, %.4923.sroa.0.0284
-  %.5728 = sub nsw i64 %.13.i519, %.4923.sroa.0.0284
-  %.13.i336 = tail call i64 @llvm.smax.i64(i64 %.5728, i64 0)
-  %.13.i706 = tail call i64 @llvm.smin.i64(i64 %.5723, i64 %.13.i336)
-  %.5787 = sub nsw i64 %.13.i520, %.4923.sroa.0.0284
-  %.13.i707 = tail call i64 @llvm.smax.i64(i64 %.5787, i64 0)
-  %.13.i708 = tail call i64 @llvm.smin.i64(i64 %.5723, i64 %.13.i707)
-  %.5862 = getelementptr double, ptr %.229, i64 %.4923.sroa.0.0284
-  %.5999 = getelementptr double, ptr %6, i64 %.4923.sroa.0.0284
-  %.6131 = getelementptr double, ptr %7, i64 %.4923.sroa.0.0284
-  store ptr null, ptr %.6188, align 8
-  call fastcc void @inner_10(ptr nonnull %.6188, ptr %.5862, ptr %.5999, ptr %.6131, i64 %.13.i706, i64 %.13.i708, i64 %.5723, double %.3197, ptr %arg.scratch.4, double %constant.2.1, ptr %.1264, ptr %.1389)
-  %38 = add nuw i64 %.5723, 7
+B5243:                                            ; preds = %B4582
+  %.6908 = sub nsw i64 %.13.i485, %.5732.sroa.0.0245
+  %.13.i297 = tail call i64 @llvm.smax.i64(i64 %.6908, i64 0)
+  %.13.i672 = tail call i64 @llvm.smin.i64(i64 %.6863, i64 %.13.i297)
+  %.6968 = sub nsw i64 %.13.i486, %.5732.sroa.0.0245
+  %.13.i673 = tail call i64 @llvm.smax.i64(i64 %.6968, i64 0)
+  %.13.i674 = tail call i64 @llvm.smin.i64(i64 %.6863, i64 %.13.i673)
+  %.7041 = getelementptr double, ptr %.335, i64 %.5732.sroa.0.0245
+  %.7172 = getelementptr double, ptr %8, i64 %.5732.sroa.0.0245
+  %.7301 = getelementptr double, ptr %9, i64 %.5732.sroa.0.0245
+  store ptr null, ptr %.7353, align 8
+  call fastcc void @inner_10(ptr nonnull %.7353, ptr %.7041, ptr %.7172, ptr %.7301, i64 %.13.i672, i64 %.13.i674, i64 %.6863, double %.3595, ptr %arg.scratch.4, double %constant.2.1, ptr %.1615, ptr %.1740)
+  %38 = add nuw i64 %.6863, 7
   %.1167.i = lshr i64 %38, 3
-  %.1144.inv.i = icmp slt i64 %.5723, 1
-  %.1189570.not574.i = icmp eq i64 %.1167.i, 0
-  %.1189570.not.i = or i1 %.1144.inv.i, %.1189570.not574.i
-  br i1 %.1189570.not.i, label %B3524, label %B484.if.lr.ph.i
-
-B3524:                                            ; preds = %B484.if.i, %B2958, %B2944
-  %.137.i = icmp slt i64 %.13.i622, %.13.i621
-  %or.cond26 = and i1 %"$phi1920.0.3.0717", %.137.i
-  br i1 %or.cond26, label %B22.preheader.i770, label %B3750
-
-B3750:                                            ; preds = %B1344.i, %B3524
-  %cell.3.1 = phi i64 [ %cell.2.0281, %B3524 ], [ %cell.3.2.i780, %B1344.i ]
-  store ptr null, ptr %.7151, align 8
-  call fastcc void @inner_11(ptr nonnull %.7151, i64 %arg.i, i64 %.4923.sroa.0.0284, i64 %.13.i621, i64 %.13.i, ptr %arg.arguments.4, ptr %.1389, ptr %.1452, double %arg.plus, double %arg.cross, ptr %.1546)
-  %.4933 = icmp samesign ugt i64 %.4880.1283.in, 1
-  %.4946 = add i64 %.4877.1282, 1024
-  %.4877.1 = select i1 %.4933, i64 %.4946, i64 %.4877.1282
-  %39 = tail call i64 @llvm.smax.i64(i64 %.4880.1283.in, i64 2)
-  %40 = add nsw i64 %39, -1
-  %.4923.sroa.0.0 = select i1 %.4933, i64 %.4877.1282, i64 0
-  br i1 %.4933, label %B2352, label %B3804
-
-common.ret:                                       ; preds = %B2104.if, %B2002.if, %B3804
-  %common.ret.op = phi i32 [ 0, %B3804 ], [ 1, %B2104.if ], [ 1, %B2002.if ]
-  ret i32 %common.ret.op
-
-B3804:                                            ; preds = %B3750, %B2292
-  store ptr null, ptr %retptr, align 8
-  br label %common.ret
-
-B94.if.lr.ph.i:                                   ; preds = %B308
-  %41 = tail call i64 @llvm.smax.i64(i64 %.234.i, i64 0)
-  %.260.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %41, i64 1073741824)
-  %42 = tail call i64 @llvm.smax.i64(i64 %.614, i64 0)
-  %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %42, i64 1073741824)
-  %43 = getelementptr double, ptr %.911, i64 %.614
-  %44 = getelementptr double, ptr %.911, i64 %.234.i
-  %.idx.i440 = mul i64 %.614, 24
-  %45 = getelementptr i8, ptr %.911, i64 %.idx.i440
-  %46 = shl i64 %.573, 3
-  %47 = and i64 %46, -64
-  %48 = getelementptr i8, ptr %arg.linear.4, i64 %47
-  %scevgep1223 = getelementptr i8, ptr %48, i64 8
-  %49 = add i64 %.260.sroa.0.3.i, %.2715
-  %50 = shl i64 %49, 3
-  %scevgep76 = getelementptr i8, ptr %arg.weights.4, i64 %50
-  %51 = add i64 %.88.sroa.0.3.i, %.2715
-  %52 = shl i64 %51, 3
-  %scevgep78 = getelementptr i8, ptr %arg.weights.4, i64 %52
-  %53 = add nuw nsw i64 %.486.i, 5
-  br label %B94.if.i
-
-B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
-  %lsr.iv58 = phi i64 [ %lsr.iv.next59, %B94.if.i ], [ %53, %B94.if.lr.ph.i ]
-  %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
-  %sunkaddr92 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
-  %.554.i443 = load <8 x double>, ptr %sunkaddr92, align 8, !noalias !24
-  %sunkaddr94 = getelementptr i8, ptr %sunkaddr92, i64 8
-  %.565.i = load <8 x double>, ptr %sunkaddr94, align 8, !noalias !24
-  %scevgep1225 = getelementptr i8, ptr %scevgep1223, i64 %lsr.iv53.i
-  %scevgep1226 = getelementptr i8, ptr %scevgep1225, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep1226, align 8, !noalias !24
-  %.586.i = load <8 x double>, ptr %scevgep1225, align 8, !noalias !24
-  %scevgep79 = getelementptr i8, ptr %scevgep78, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep79, align 8, !noalias !24
-  %scevgep77 = getelementptr i8, ptr %scevgep76, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep77, align 8, !noalias !24
-  %.6.i.i444 = fsub contract <8 x double> %.565.i, %.554.i443
-  %.6.i46.i = fmul contract <8 x double> %.6.i.i444, %.606.i
-  %scevgep65.i = getelementptr i8, ptr %.911, i64 %lsr.iv53.i
-  store <8 x double> %.554.i443, ptr %scevgep65.i, align 8, !noalias !24
-  %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
-  %.8.i.i445 = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
-  %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i445
-  %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
-  %scevgep64.i = getelementptr i8, ptr %43, i64 %lsr.iv53.i
-  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !24
-  %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
-  %scevgep63.i = getelementptr i8, ptr %44, i64 %lsr.iv53.i
-  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !24
-  %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
-  %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
-  %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
-  %scevgep62.i = getelementptr i8, ptr %45, i64 %lsr.iv53.i
-  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !24
-  %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
-  %lsr.iv.next59 = add nsw i64 %lsr.iv58, -1
-  %.507.i = icmp sgt i64 %lsr.iv58, 6
-  br i1 %.507.i, label %B94.if.i, label %B308.endif.endif.endif.en...endif.3.endif.endif
-
-B308.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B308
-  %.3000.idx = shl i64 %.614, 4
-  %.3000 = getelementptr i8, ptr %arg.linear.4, i64 %.3000.idx
-  %54 = add i64 %.564, 6
-  %.486.i478 = lshr i64 %54, 3
-  %.463.inv.i479 = icmp slt i64 %.564, 2
-  %.507321.not325.i480 = icmp eq i64 %.486.i478, 0
-  %.507321.not.i481 = select i1 %.463.inv.i479, i1 true, i1 %.507321.not325.i480
-  br i1 %.507321.not.i481, label %B308.endif.endif.endif.en...endif.4.endif, label %B94.if.lr.ph.i482
-
-B94.if.lr.ph.i482:                                ; preds = %B308.endif.endif.endif.en...endif.3.endif.endif
-  %.234.i468 = shl i64 %.660, 1
-  %55 = tail call i64 @llvm.smax.i64(i64 %.234.i468, i64 0)
-  %.260.sroa.0.3.i476 = tail call i64 @llvm.smin.i64(i64 %55, i64 1073741824)
-  %56 = tail call i64 @llvm.smax.i64(i64 %.660, i64 0)
-  %.88.sroa.0.3.i466 = tail call i64 @llvm.smin.i64(i64 %56, i64 1073741824)
-  %57 = getelementptr double, ptr %.975, i64 %.660
-  %.idx.i483 = mul i64 %.660, 24
-  %58 = shl i64 %.573, 5
-  %59 = and i64 %58, -256
-  %60 = shl i64 %.619, 3
-  %61 = and i64 %60, -64
-  %62 = getelementptr i8, ptr %.3000, i64 %61
-  %scevgep1213 = getelementptr i8, ptr %62, i64 8
-  %63 = shl i64 %.619, 4
-  %64 = and i64 %63, -128
-  %65 = add i64 %.260.sroa.0.3.i476, %.2813
-  %66 = shl i64 %65, 3
-  %scevgep70 = getelementptr i8, ptr %arg.weights.4, i64 %66
-  %67 = add i64 %.88.sroa.0.3.i466, %.2813
-  %68 = shl i64 %67, 3
-  %scevgep72 = getelementptr i8, ptr %arg.weights.4, i64 %68
-  %69 = getelementptr i8, ptr %arg.scratch.4, i64 %59
-  %70 = getelementptr i8, ptr %69, i64 %64
-  %scevgep44 = getelementptr i8, ptr %70, i64 320
-  %71 = add nuw nsw i64 %.486.i478, 5
-  %72 = getelementptr i8, ptr %69, i64 %.idx.i483
-  %scevgep56 = getelementptr i8, ptr %72, i64 320
-  br label %B94.if.i484
-
-B94.if.i484:                                      ; preds = %B94.if.i484, %B94.if.lr.ph.i482
-  %lsr.iv54 = phi i64 [ %lsr.iv.next55, %B94.if.i484 ], [ %71, %B94.if.lr.ph.i482 ]
-  %lsr.iv53.i485 = phi i64 [ %lsr.iv.next54.i514, %B94.if.i484 ], [ 0, %B94.if.lr.ph.i482 ]
-  %sunkaddr95 = getelementptr i8, ptr %.3000, i64 %lsr.iv53.i485
-  %.554.i488 = load <8 x double>, ptr %sunkaddr95, align 8, !noalias !27
-  %sunkaddr97 = getelementptr i8, ptr %sunkaddr95, i64 8
-  %.565.i490 = load <8 x double>, ptr %sunkaddr97, align 8, !noalias !27
-  %scevgep1215 = getelementptr i8, ptr %scevgep1213, i64 %lsr.iv53.i485
-  %scevgep1216 = getelementptr i8, ptr %scevgep1215, i64 -8
-  %.575.i492 = load <8 x double>, ptr %scevgep1216, align 8, !noalias !27
-  %.586.i494 = load <8 x double>, ptr %scevgep1215, align 8, !noalias !27
-  %scevgep73 = getelementptr i8, ptr %scevgep72, i64 %lsr.iv53.i485
-  %.596.i496 = load <8 x double>, ptr %scevgep73, align 8, !noalias !27
-  %scevgep71 = getelementptr i8, ptr %scevgep70, i64 %lsr.iv53.i485
-  %.606.i498 = load <8 x double>, ptr %scevgep71, align 8, !noalias !27
-  %.6.i.i499 = fsub contract <8 x double> %.565.i490, %.554.i488
-  %.6.i46.i500 = fmul contract <8 x double> %.6.i.i499, %.606.i498
-  %scevgep65.i501 = getelementptr i8, ptr %.975, i64 %lsr.iv53.i485
-  store <8 x double> %.554.i488, ptr %scevgep65.i501, align 8, !noalias !27
-  %.669.i502 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i492, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i494)
-  %.8.i.i503 = fmul contract <8 x double> %.669.i502, splat (double 0x3FC5555555555555)
-  %.6.i47.i504 = fmul contract <8 x double> %.596.i496, %.8.i.i503
-  %.6.i48.i505 = fsub contract <8 x double> %.6.i46.i500, %.6.i47.i504
-  %scevgep64.i506 = getelementptr i8, ptr %57, i64 %lsr.iv53.i485
-  store <8 x double> %.6.i48.i505, ptr %scevgep64.i506, align 8, !noalias !27
-  %.8.i49.i507 = fmul contract <8 x double> %.575.i492, splat (double 5.000000e-01)
-  %scevgep45 = getelementptr i8, ptr %scevgep44, i64 %lsr.iv53.i485
-  store <8 x double> %.8.i49.i507, ptr %scevgep45, align 8, !noalias !27
-  %.6.i50.i509 = fsub contract <8 x double> %.586.i494, %.575.i492
-  %.6.i51.i510 = fmul contract <8 x double> %.6.i50.i509, %.606.i498
-  %.8.i52.i511 = fmul contract <8 x double> %.6.i51.i510, splat (double 0x3FC5555555555555)
-  %scevgep57 = getelementptr i8, ptr %scevgep56, i64 %lsr.iv53.i485
-  store <8 x double> %.8.i52.i511, ptr %scevgep57, align 8, !noalias !27
-  %lsr.iv.next54.i514 = add i64 %lsr.iv53.i485, 64
-  %lsr.iv.next55 = add nsw i64 %lsr.iv54, -1
-  %.507.i515 = icmp sgt i64 %lsr.iv54, 6
-  br i1 %.507.i515, label %B94.if.i484, label %B308.endif.endif.endif.en...endif.4.endif
-
-B308.endif.endif.endif.en...endif.4.endif:        ; preds = %B94.if.i484, %B308.endif.endif.endif.en...endif.3.endif.endif
-  %73 = inttoptr i64 %.425 to ptr
-  %.3195 = getelementptr i8, ptr %arg.row.4, i64 56
-  %.3196 = load double, ptr %.3195, align 8
-  %.3197 = fmul contract double %.3196, 0x3ED4A8B4A9ED04E3
-  %.3209.le = tail call contract double @llvm.log.f64(double %.3197)
-  %.3245 = getelementptr i8, ptr %arg.contents.4, i64 128
-  %.3246 = load i64, ptr %.3245, align 8
-  %74 = lshr i64 %.3246, 33
-  %.3265 = and i64 %74, 1073741824
-  %75 = getelementptr double, ptr %arg.weights.4, i64 %.3246
-  %.3279 = getelementptr double, ptr %75, i64 %.3265
-  %.3280 = load double, ptr %.3279, align 8
-  %.3296 = icmp slt i64 %.3246, -1
-  %.3297 = select i1 %.3296, i64 1073741824, i64 0
-  %76 = getelementptr i8, ptr %75, i64 8
-  %.3311 = getelementptr double, ptr %76, i64 %.3297
-  %.3312 = load double, ptr %.3311, align 8
-  %.3348 = fmul contract double %.3280, 0x3FEFFFFFFF768FA1
-  %.3356.le = tail call contract double @llvm.log.f64(double %.3348)
-  %.3362 = fsub contract double %.3356.le, %.3209.le
-  store i64 0, ptr %.3408, align 8
-  call fastcc void @inner_12(ptr nonnull %.3408, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3362)
-  %.3426 = load i64, ptr %.3408, align 8
-  %.3476 = fmul contract double %.3312, 0x3FF000000044B830
-  %.3484.le = tail call contract double @llvm.log.f64(double %.3476)
-  %.3490 = fsub contract double %.3484.le, %.3209.le
-  store i64 0, ptr %.3536, align 8
-  call fastcc void @inner_12(ptr nonnull %.3536, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3490)
-  %.3554 = load i64, ptr %.3536, align 8
-  %.3616 = fsub contract double 0xC0126BB1BBB55515, %.3209.le
-  store i64 0, ptr %.3662, align 8
-  call fastcc void @inner_12(ptr nonnull %.3662, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3616)
-  %.3680 = load i64, ptr %.3662, align 8
-  %.13.i519 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %.3680)
-  %.3771 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3209.le
-  store i64 0, ptr %.3817, align 8
-  call fastcc void @inner_12(ptr nonnull %.3817, ptr %.298, i64 %.126, ptr %73, i64 %.186, double %"$phi308.0.2.0", double %.3771)
-  %.3835 = load i64, ptr %.3817, align 8
-  %.13.i520 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %.3835)
-  %.3911 = getelementptr i8, ptr %arg.contents.4, i64 72
-  %.3912 = load i64, ptr %.3911, align 8
-  %.3942 = getelementptr i8, ptr %arg.arguments.4, i64 88
-  %.3943 = load i64, ptr %.3942, align 8
-  %.3979 = load i64, ptr %.764, align 8
-  %.3980 = icmp sgt i64 %.3979, 0
-  %.3986 = icmp sgt i64 %.126, 2047
-  %or.cond = select i1 %.3980, i1 %.3986, i1 false
-  br i1 %or.cond, label %B1920, label %B1920.thread
-
-B1920.thread:                                     ; preds = %B308.endif.endif.endif.en...endif.4.endif
-  %.40594 = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.40605 = load i64, ptr %.40594, align 8
-  %.40716 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.40605
-  br label %B2104
-
-B2002.if:                                         ; preds = %B2002
-  %.4394 = load ptr, ptr %excinfo.33, align 8
-  store ptr %.4394, ptr %excinfo, align 8
-  br label %common.ret
-
-B2002.endif:                                      ; preds = %B2002
-  %.135.i = load double, ptr %.298, align 8, !noalias !12
-  %.143.i = add nsw i64 %.765, -1
-  %.181.i = icmp slt i64 %.765, 2
-  %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
-  %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %B2084
-
-B92.if.preheader.i:                               ; preds = %B2002.endif
-  %77 = add i64 %.3554, -1
-  %78 = shl i64 %.156, 3
-  %79 = getelementptr i8, ptr %.229, i64 %78
-  %scevgep1209 = getelementptr i8, ptr %79, i64 8
-  br label %B92.if.i
-
-B146.i:                                           ; preds = %B92.if.i
-  %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %"$phi308.0.2.0", %.291.i
-  %.5.i.i = fptosi double %.293.i to i64
-  %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.186, i64 %.5.i.i)
-  %.354.i = getelementptr inbounds i64, ptr %73, i64 %.13.i5.i
-  %.355.i = load i64, ptr %.354.i, align 8, !noalias !12
-  %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
-  %.395.i523 = icmp slt i64 %.13.i6.i, %.3554
-  br i1 %.395.i523, label %B284.i, label %B386.i
-
-B284.i:                                           ; preds = %B146.i
-  %.412.i = getelementptr inbounds nuw double, ptr %.298, i64 %.13.i6.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !12
-  %.417.i525 = fcmp contract ugt double %.413.i, %.281.i
-  br i1 %.417.i525, label %B386.i, label %B324.i
-
-B324.i:                                           ; preds = %B284.i, %B346.i
-  %end.5.2.i = phi i64 [ %.423.i, %B346.i ], [ %.13.i6.i, %B284.i ]
-  %exitcond.not.i = icmp eq i64 %77, %end.5.2.i
-  br i1 %exitcond.not.i, label %B386.i, label %B346.i
-
-B346.i:                                           ; preds = %B324.i
-  %.423.i = add i64 %end.5.2.i, 1
-  %80 = shl i64 %end.5.2.i, 3
-  %scevgep1210 = getelementptr i8, ptr %scevgep1209, i64 %80
-  %.451.i = load double, ptr %scevgep1210, align 8, !noalias !12
-  %.455.i = fcmp contract ugt double %.451.i, %.281.i
-  br i1 %.455.i, label %B386.i, label %B324.i
-
-B386.i:                                           ; preds = %B346.i, %B324.i, %B92.if.i, %B284.i, %B146.i
-  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.3554, %B324.i ], [ %.423.i, %B346.i ]
-  %.13.i.i524 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %end.4.1.i)
-  %81 = getelementptr i64, ptr %.1178, i64 %.231203208.i
-  store i64 %.13.i.i524, ptr %81, align 8, !noalias !12
-  %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %B2084, label %B92.if.i
-
-B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
-  %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
-  %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
-  %.238.i = add nuw nsw i64 %.231203208.i, 1
-  %.278.i = getelementptr inbounds nuw double, ptr %.4071, i64 %.231203208.i
-  %.279.i521 = load double, ptr %.278.i, align 8, !noalias !12
-  %.281.i = fsub contract double %.279.i521, %.3209.le
-  %.287.i522 = fcmp contract ult double %.281.i, %.135.i
-  br i1 %.287.i522, label %B386.i, label %B146.i
-
-B2104.if:                                         ; preds = %B2104
-  %.4549 = load ptr, ptr %excinfo.35, align 8
-  store ptr %.4549, ptr %excinfo, align 8
-  br label %common.ret
-
-B2104.endif:                                      ; preds = %B2104
-  %.135.i532 = load double, ptr %.298, align 8, !noalias !30
-  %.143.i533 = add nsw i64 %.564, -2
-  %.181.i534 = icmp slt i64 %.564, 3
-  %..143.i535 = select i1 %.181.i534, i64 0, i64 %.143.i533
-  %.225207.i536 = icmp sgt i64 %..143.i535, 0
-  br i1 %.225207.i536, label %B92.if.preheader.i540, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575
-
-B92.if.preheader.i540:                            ; preds = %B2104.endif
-  %82 = add i64 %.3554, -1
-  %83 = shl i64 %.156, 3
-  %84 = getelementptr i8, ptr %.229, i64 %83
-  %scevgep1207 = getelementptr i8, ptr %84, i64 8
-  br label %B92.if.i541
-
-B146.i549:                                        ; preds = %B92.if.i541
-  %.291.i550 = fsub contract double %.281.i547, %.135.i532
-  %.293.i551 = fmul contract double %"$phi308.0.2.0", %.291.i550
-  %.5.i.i552 = fptosi double %.293.i551 to i64
-  %.13.i5.i553 = tail call i64 @llvm.smin.i64(i64 %.186, i64 %.5.i.i552)
-  %.354.i554 = getelementptr inbounds i64, ptr %73, i64 %.13.i5.i553
-  %.355.i555 = load i64, ptr %.354.i554, align 8, !noalias !30
-  %.13.i6.i556 = tail call i64 @llvm.smax.i64(i64 %.355.i555, i64 %end.3.0210.i542)
-  %.395.i557 = icmp slt i64 %.13.i6.i556, %.3554
-  br i1 %.395.i557, label %B284.i562, label %B386.i558
-
-B284.i562:                                        ; preds = %B146.i549
-  %.412.i563 = getelementptr inbounds nuw double, ptr %.298, i64 %.13.i6.i556
-  %.413.i564 = load double, ptr %.412.i563, align 8, !noalias !30
-  %.417.i565 = fcmp contract ugt double %.413.i564, %.281.i547
-  br i1 %.417.i565, label %B386.i558, label %B324.i566
-
-B324.i566:                                        ; preds = %B284.i562, %B346.i569
-  %end.5.2.i567 = phi i64 [ %.423.i570, %B346.i569 ], [ %.13.i6.i556, %B284.i562 ]
-  %exitcond.not.i568 = icmp eq i64 %82, %end.5.2.i567
-  br i1 %exitcond.not.i568, label %B386.i558, label %B346.i569
-
-B346.i569:                                        ; preds = %B324.i566
-  %.423.i570 = add i64 %end.5.2.i567, 1
-  %85 = shl i64 %end.5.2.i567, 3
-  %scevgep1208 = getelementptr i8, ptr %scevgep1207, i64 %85
-  %.451.i573 = load double, ptr %scevgep1208, align 8, !noalias !30
-  %.455.i574 = fcmp contract ugt double %.451.i573, %.281.i547
-  br i1 %.455.i574, label %B386.i558, label %B324.i566
-
-B386.i558:                                        ; preds = %B346.i569, %B324.i566, %B92.if.i541, %B284.i562, %B146.i549
-  %end.4.1.i559 = phi i64 [ %.13.i6.i556, %B146.i549 ], [ %end.3.0210.i542, %B92.if.i541 ], [ %.13.i6.i556, %B284.i562 ], [ %.3554, %B324.i566 ], [ %.423.i570, %B346.i569 ]
-  %.13.i.i560 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %end.4.1.i559)
-  %86 = getelementptr i64, ptr %.1115, i64 %.231203208.i543
-  store i64 %.13.i.i560, ptr %86, align 8, !noalias !30
-  %exitcond216.not.i561 = icmp eq i64 %.238.i544, %..143.i535
-  br i1 %exitcond216.not.i561, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575, label %B92.if.i541
-
-B92.if.i541:                                      ; preds = %B386.i558, %B92.if.preheader.i540
-  %end.3.0210.i542 = phi i64 [ %end.4.1.i559, %B386.i558 ], [ 0, %B92.if.preheader.i540 ]
-  %.231203208.i543 = phi i64 [ %.238.i544, %B386.i558 ], [ 0, %B92.if.preheader.i540 ]
-  %.238.i544 = add nuw nsw i64 %.231203208.i543, 1
-  %sunkaddr1239 = shl i64 %.231203208.i543, 3
-  %sunkaddr1240 = getelementptr inbounds i8, ptr %.2824, i64 %sunkaddr1239
-  %sunkaddr1241 = getelementptr inbounds nuw i8, ptr %sunkaddr1240, i64 8
-  %.279.i546 = load double, ptr %sunkaddr1241, align 8, !noalias !30
-  %.281.i547 = fsub contract double %.279.i546, %.3209.le
-  %.287.i548 = fcmp contract ult double %.281.i547, %.135.i532
-  br i1 %.287.i548, label %B386.i558, label %B146.i549
-
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit575: ; preds = %B386.i558, %B2104.endif
-  %87 = icmp eq i64 %.3912, 0
-  %.586.inv.i537 = icmp sgt i64 %.564, 1
-  %.587.i538 = select i1 %.586.inv.i537, i64 0, i64 %.660
-  %88 = getelementptr i64, ptr %.1115, i64 %.143.i533
-  %.601.i539 = getelementptr i64, ptr %88, i64 %.587.i538
-  store i64 %.3554, ptr %.601.i539, align 8, !noalias !30
-  br i1 %87, label %B2222, label %B2292
-
-B92.if.preheader.i584:                            ; preds = %B2222
-  %89 = add i64 %.3554, -1
-  %90 = shl i64 %.156, 3
-  %91 = getelementptr i8, ptr %.229, i64 %90
-  %scevgep1205 = getelementptr i8, ptr %91, i64 8
-  br label %B92.if.i585
-
-B146.i593:                                        ; preds = %B92.if.i585
-  %.291.i594 = fsub contract double %.281.i591, %.135.i576
-  %.293.i595 = fmul contract double %"$phi308.0.2.0", %.291.i594
-  %.5.i.i596 = fptosi double %.293.i595 to i64
-  %.13.i5.i597 = tail call i64 @llvm.smin.i64(i64 %.186, i64 %.5.i.i596)
-  %.354.i598 = getelementptr inbounds i64, ptr %73, i64 %.13.i5.i597
-  %.355.i599 = load i64, ptr %.354.i598, align 8, !noalias !15
-  %.13.i6.i600 = tail call i64 @llvm.smax.i64(i64 %.355.i599, i64 %end.3.0210.i586)
-  %.395.i601 = icmp slt i64 %.13.i6.i600, %.3554
-  br i1 %.395.i601, label %B284.i606, label %B386.i602
-
-B284.i606:                                        ; preds = %B146.i593
-  %.412.i607 = getelementptr inbounds nuw double, ptr %.298, i64 %.13.i6.i600
-  %.413.i608 = load double, ptr %.412.i607, align 8, !noalias !15
-  %.417.i609 = fcmp contract ugt double %.413.i608, %.281.i591
-  br i1 %.417.i609, label %B386.i602, label %B324.i610
-
-B324.i610:                                        ; preds = %B284.i606, %B346.i613
-  %end.5.2.i611 = phi i64 [ %.423.i614, %B346.i613 ], [ %.13.i6.i600, %B284.i606 ]
-  %exitcond.not.i612 = icmp eq i64 %89, %end.5.2.i611
-  br i1 %exitcond.not.i612, label %B386.i602, label %B346.i613
-
-B346.i613:                                        ; preds = %B324.i610
-  %.423.i614 = add i64 %end.5.2.i611, 1
-  %92 = shl i64 %end.5.2.i611, 3
-  %scevgep1206 = getelementptr i8, ptr %scevgep1205, i64 %92
-  %.451.i617 = load double, ptr %scevgep1206, align 8, !noalias !15
-  %.455.i618 = fcmp contract ugt double %.451.i617, %.281.i591
-  br i1 %.455.i618, label %B386.i602, label %B324.i610
-
-B386.i602:                                        ; preds = %B346.i613, %B324.i610, %B92.if.i585, %B284.i606, %B146.i593
-  %end.4.1.i603 = phi i64 [ %.13.i6.i600, %B146.i593 ], [ %end.3.0210.i586, %B92.if.i585 ], [ %.13.i6.i600, %B284.i606 ], [ %.3554, %B324.i610 ], [ %.423.i614, %B346.i613 ]
-  %.13.i.i604 = tail call i64 @llvm.smin.i64(i64 %.3554, i64 %end.4.1.i603)
-  %93 = getelementptr i64, ptr %.1052, i64 %.231203208.i587
-  store i64 %.13.i.i604, ptr %93, align 8, !noalias !15
-  %exitcond216.not.i605 = icmp eq i64 %.238.i588, %..143.i579
-  br i1 %exitcond216.not.i605, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619, label %B92.if.i585
-
-B92.if.i585:                                      ; preds = %B386.i602, %B92.if.preheader.i584
-  %end.3.0210.i586 = phi i64 [ %end.4.1.i603, %B386.i602 ], [ 0, %B92.if.preheader.i584 ]
-  %.231203208.i587 = phi i64 [ %.238.i588, %B386.i602 ], [ 0, %B92.if.preheader.i584 ]
-  %.238.i588 = add nuw nsw i64 %.231203208.i587, 1
-  %sunkaddr1242 = shl i64 %.231203208.i587, 3
-  %sunkaddr1243 = getelementptr inbounds i8, ptr %.2726, i64 %sunkaddr1242
-  %sunkaddr1244 = getelementptr inbounds nuw i8, ptr %sunkaddr1243, i64 8
-  %.279.i590 = load double, ptr %sunkaddr1244, align 8, !noalias !15
-  %.281.i591 = fsub contract double %.279.i590, %.3209.le
-  %.287.i592 = fcmp contract ult double %.281.i591, %.135.i576
-  br i1 %.287.i592, label %B386.i602, label %B146.i593
-
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit619: ; preds = %B386.i602, %B2222
-  %.586.inv.i581 = icmp sgt i64 %.533, 1
-  %.587.i582 = select i1 %.586.inv.i581, i64 0, i64 %.614
-  %94 = getelementptr i64, ptr %.1052, i64 %.143.i577
-  %.601.i583 = getelementptr i64, ptr %94, i64 %.587.i582
-  store i64 %.3554, ptr %.601.i583, align 8, !noalias !15
-  br label %B2292
-
-B94.i:                                            ; preds = %B34.if.i
-  %.6.i.i629 = fmul contract double %.229.i626, 0x400921FB54442D18
-  %.7.i.i630 = tail call contract double @llvm.fma.f64(double %.6.i.i629, double 0x3FE45F306DC9C883, double 0x4338000000000000)
-  %.8.i.i631 = fadd contract double %.7.i.i630, 0xC338000000000000
-  %.23.i.i = tail call contract double @llvm.fma.f64(double %.8.i.i631, double 0xBFF921FB54442D18, double %.6.i.i629)
-  %.38.i.i = tail call contract double @llvm.fma.f64(double %.8.i.i631, double 0xBC91A62633145C07, double %.23.i.i)
-  %.39.i.i = fmul contract double %.38.i.i, %.38.i.i
-  %.56.i.i = bitcast double %.7.i.i630 to i64
-  %.60.i.i = and i64 %.56.i.i, 1
-  %95 = icmp eq i64 %.60.i.i, 0
-  br i1 %95, label %select.true.sink.i.i, label %select.false.sink.i.i
-
-select.true.sink.i.i:                             ; preds = %B94.i
-  %.48.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
-  %.49.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.48.i.i, double 0x3E21EED8EFF8D898)
-  %.50.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.49.i.i, double 0xBE927E4FB7789F5C)
-  %.51.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.50.i.i, double 0x3EFA01A01A01A01A)
-  %.52.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.51.i.i, double 0xBF56C16C16C16C17)
-  %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
-  %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
-  %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-
-select.false.sink.i.i:                            ; preds = %B94.i
-  %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
-  %.40.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
-  %.41.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.40.i.i, double 0xBE5AE64567F544E4)
-  %.42.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.41.i.i, double 0x3EC71DE3A556C734)
-  %.43.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.42.i.i, double 0xBF2A01A01A01A01A)
-  %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
-  %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
-  %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-
-_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
-  %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
-  %.65.i.i = shl i64 %.56.i.i, 62
-  %.66.i.i = add i64 %.65.i.i, 4611686018427387904
-  %.67.i.i = and i64 %.66.i.i, -9223372036854775808
-  %.71.i.i = bitcast double %.71.v.i.i to i64
-  %.72.i.i = xor i64 %.67.i.i, %.71.i.i
-  %.73.i.i = bitcast i64 %.72.i.i to double
-  %.89.i.i = tail call contract double @llvm.fma.f64(double %.73.i.i, double -5.000000e-01, double 5.000000e-01)
-  %.266.i632 = fmul contract double %.5165, %.89.i.i
-  br label %B144.i
-
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i632, %_ZN17bnserve_surrogate6kernel7_points4stepB4v144B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
-  %sunkaddr100 = getelementptr i8, ptr %20, i64 %97
-  %sunkaddr101 = getelementptr i8, ptr %sunkaddr100, i64 320
-  store double %"$phi144.1.2.1.i", ptr %sunkaddr101, align 8, !noalias !33
-  %.314.i = fsub contract double %.218.i, %.3280
-  %96 = fmul contract double %.5298, %.314.i
-  %.319.i = fsub contract double %.5197, %96
-  %sunkaddr104 = getelementptr i8, ptr %sunkaddr100, i64 8576
-  store double %.319.i, ptr %sunkaddr104, align 8, !noalias !33
-  %exitcond.not.i628 = icmp eq i64 %.5268, %.158.i
-  br i1 %exitcond.not.i628, label %B2676, label %B34.if.i
-
-B34.if.i:                                         ; preds = %B2534, %B144.i
-  %.151102104.i = phi i64 [ %.158.i, %B144.i ], [ 0, %B2534 ]
-  %.158.i = add nuw nsw i64 %.151102104.i, 1
-  %97 = shl i64 %.151102104.i, 3
-  %scevgep2.i = getelementptr i8, ptr %.5215, i64 %97
-  %.216.i624 = load double, ptr %scevgep2.i, align 8, !noalias !33
-  %.218.i = fmul contract double %.3197, %.216.i624
-  %.223.i = fmul contract double %.218.i, 2.000000e+00
-  %.228.i625 = fdiv contract double %.223.i, %.3280
-  %.228.fr.i = freeze double %.228.i625
-  %.229.i626 = fadd contract double %.228.fr.i, -1.000000e+00
-  %.234.i627 = fcmp contract ogt double %.229.i626, 0.000000e+00
-  br i1 %.234.i627, label %B94.i, label %B144.i
-
-B2848.endif:                                      ; preds = %B612.i, %B2848
-  %cell.5.1.i311 = phi i64 [ %cell_a.2.0279, %B2848 ], [ %cell.3.2.i321, %B612.i ]
-  br i1 %29, label %B22.preheader.i640, label %B2944
-
-B22.preheader.i640:                               ; preds = %B2848.endif
-  %98 = mul i64 %.4923.sroa.0.0284, -8
-  %scevgep41 = getelementptr i8, ptr %scevgep24, i64 %98
-  br label %B22.i644
-
-B22.i644:                                         ; preds = %B612.i703, %B22.preheader.i640
-  %cell.2.0.i645 = phi i64 [ %cell.3.2.i659, %B612.i703 ], [ %cell_p.3.0280, %B22.preheader.i640 ]
-  %start.2.0.i646 = phi i64 [ %.13.i.i662, %B612.i703 ], [ %.13.i623, %B22.preheader.i640 ]
-  %.121.i647 = getelementptr inbounds i64, ptr %.1115, i64 %cell.2.0.i645
-  %.122.i648 = load i64, ptr %.121.i647, align 8, !noalias !36
-  %.126.not.i649 = icmp sgt i64 %.122.i648, %start.2.0.i646
-  br i1 %.126.not.i649, label %B112.i658, label %B62.i650
-
-B62.i650:                                         ; preds = %B22.i644, %B62.i650
-  %cell.4.1.i651 = phi i64 [ %.129.i652, %B62.i650 ], [ %cell.2.0.i645, %B22.i644 ]
-  %.129.i652 = add i64 %cell.4.1.i651, 1
-  %sunkaddr.i653 = shl i64 %cell.4.1.i651, 3
-  %scevgep34 = getelementptr i8, ptr %scevgep19, i64 %sunkaddr.i653
-  %.142.i656 = load i64, ptr %scevgep34, align 8, !noalias !36
-  %.144.not.i657 = icmp sgt i64 %.142.i656, %start.2.0.i646
-  br i1 %.144.not.i657, label %B112.i658, label %B62.i650
-
-B112.i658:                                        ; preds = %B62.i650, %B22.i644
-  %cell.3.2.i659 = phi i64 [ %cell.2.0.i645, %B22.i644 ], [ %.129.i652, %B62.i650 ]
-  %.156.i660 = getelementptr inbounds i64, ptr %.1115, i64 %cell.3.2.i659
-  %.157.i661 = load i64, ptr %.156.i660, align 8, !noalias !36
-  %.13.i.i662 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.157.i661)
-  %.307.i663 = sub i64 %.13.i.i662, %start.2.0.i646
-  %99 = add i64 %.307.i663, 7
-  %.329.i664 = lshr i64 %99, 3
-  %.308.inv.i665 = icmp slt i64 %.307.i663, 1
-  %.350229.not250.i666 = icmp eq i64 %.329.i664, 0
-  %.350229.not.i667 = or i1 %.308.inv.i665, %.350229.not250.i666
-  br i1 %.350229.not.i667, label %B612.i703, label %B412.if.lr.ph.i668
-
-B612.i703:                                        ; preds = %B412.if.i690, %B112.i658
-  %.479.i704 = icmp slt i64 %.157.i661, %.13.i621
-  br i1 %.479.i704, label %B22.i644, label %B2944
-
-B412.if.lr.ph.i668:                               ; preds = %B112.i658
-  %.200.i669 = getelementptr inbounds double, ptr %.2824, i64 %cell.3.2.i659
-  %.201.i670 = load double, ptr %.200.i669, align 8, !noalias !36
-  %.203.i671 = fsub contract double %.3209.le, %.201.i670
-  %.259.i672 = getelementptr double, ptr %15, i64 %cell.3.2.i659
-  %.260.i673 = load double, ptr %.259.i672, align 8, !noalias !36
-  %.246.i674 = getelementptr double, ptr %14, i64 %cell.3.2.i659
-  %.247.i675 = load double, ptr %.246.i674, align 8, !noalias !36
-  %.227.i676 = getelementptr double, ptr %13, i64 %cell.3.2.i659
-  %.228.i677 = load double, ptr %.227.i676, align 8, !noalias !36
-  %.215.i678 = getelementptr inbounds double, ptr %.975, i64 %cell.3.2.i659
-  %.216.i679 = load double, ptr %.215.i678, align 8, !noalias !36
-  %.426.i680 = insertelement <8 x double> poison, double %.260.i673, i64 0
-  %.427.i681 = shufflevector <8 x double> %.426.i680, <8 x double> poison, <8 x i32> zeroinitializer
-  %.429.i682 = insertelement <8 x double> poison, double %.247.i675, i64 0
-  %.430.i683 = shufflevector <8 x double> %.429.i682, <8 x double> poison, <8 x i32> zeroinitializer
-  %.433.i684 = insertelement <8 x double> poison, double %.228.i677, i64 0
-  %.434.i685 = shufflevector <8 x double> %.433.i684, <8 x double> poison, <8 x i32> zeroinitializer
-  %.437.i686 = insertelement <8 x double> poison, double %.216.i679, i64 0
-  %.438.i687 = shufflevector <8 x double> %.437.i686, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i.i688 = insertelement <8 x double> poison, double %.203.i671, i64 0
-  %.7.i.i689 = shufflevector <8 x double> %.6.i.i688, <8 x double> poison, <8 x i32> zeroinitializer
-  %100 = shl i64 %start.2.0.i646, 3
-  %101 = add nuw nsw i64 %.329.i664, 5
-  br label %B412.if.i690
-
-B412.if.i690:                                     ; preds = %B412.if.i690, %B412.if.lr.ph.i668
-  %lsr.iv35 = phi i64 [ %lsr.iv.next36, %B412.if.i690 ], [ %101, %B412.if.lr.ph.i668 ]
-  %lsr.iv8.i691 = phi i64 [ %lsr.iv.next9.i701, %B412.if.i690 ], [ %100, %B412.if.lr.ph.i668 ]
-  %scevgep11.i693 = getelementptr i8, ptr %.298, i64 %lsr.iv8.i691
-  %.397.i694 = load <8 x double>, ptr %scevgep11.i693, align 8, !noalias !36
-  %.8.i.i695 = fadd contract <8 x double> %.7.i.i689, %.397.i694
-  %.431.i696 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i695, <8 x double> %.427.i681, <8 x double> %.430.i683)
-  %.435.i697 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i695, <8 x double> %.431.i696, <8 x double> %.434.i685)
-  %.439.i698 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i695, <8 x double> %.435.i697, <8 x double> %.438.i687)
-  %scevgep47 = getelementptr i8, ptr %scevgep41, i64 %lsr.iv8.i691
-  store <8 x double> %.439.i698, ptr %scevgep47, align 8, !noalias !36
-  %lsr.iv.next9.i701 = add i64 %lsr.iv8.i691, 64
-  %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
-  %.350.i702 = icmp sgt i64 %lsr.iv35, 6
-  br i1 %.350.i702, label %B412.if.i690, label %B612.i703
-
-B484.if.lr.ph.i:                                  ; preds = %B2958
-  %.1013.i = load double, ptr %sunkaddr105, align 8, !noalias !39
-  %.984.i = load double, ptr %sunkaddr106, align 8, !noalias !39
-  %.955.i = load double, ptr %sunkaddr107, align 8, !noalias !39
-  %.926.i = load double, ptr %sunkaddr108, align 8, !noalias !39
-  %.897.i = load double, ptr %sunkaddr109, align 8, !noalias !39
-  %.868.i = load double, ptr %sunkaddr110, align 8, !noalias !39
-  %.839.i = load double, ptr %sunkaddr111, align 8, !noalias !39
-  %.810.i = load double, ptr %sunkaddr112, align 8, !noalias !39
-  %.781.i = load double, ptr %sunkaddr113, align 8, !noalias !39
-  %.752.i = load double, ptr %sunkaddr114, align 8, !noalias !39
-  %.648.i = load double, ptr %sunkaddr115, align 8, !noalias !39
-  %.619.i = load double, ptr %sunkaddr116, align 8, !noalias !39
-  %.590.i = load double, ptr %sunkaddr117, align 8, !noalias !39
-  %.561.i = load double, ptr %sunkaddr118, align 8, !noalias !39
-  %.532.i = load double, ptr %sunkaddr119, align 8, !noalias !39
-  %.503.i = load double, ptr %sunkaddr120, align 8, !noalias !39
-  %.474.i = load double, ptr %sunkaddr121, align 8, !noalias !39
-  %.445.i = load double, ptr %sunkaddr122, align 8, !noalias !39
-  %.344.i = load double, ptr %sunkaddr123, align 8, !noalias !39
-  %.315.i745 = load double, ptr %sunkaddr124, align 8, !noalias !39
-  %.286.i = load double, ptr %sunkaddr125, align 8, !noalias !39
-  %.257.i = load double, ptr %sunkaddr126, align 8, !noalias !39
-  %.228.i748 = load double, ptr %sunkaddr127, align 8, !noalias !39
-  %.199.i = load double, ptr %sunkaddr128, align 8, !noalias !39
-  %.170.i749 = load double, ptr %sunkaddr129, align 8, !noalias !39
-  %.141.i = load double, ptr %sunkaddr130, align 8, !noalias !39
+  %.1013.i = load double, ptr %sunkaddr75, align 8, !noalias !21
+  %.984.i = load double, ptr %sunkaddr76, align 8, !noalias !21
+  %.955.i = load double, ptr %sunkaddr77, align 8, !noalias !21
+  %.926.i = load double, ptr %sunkaddr78, align 8, !noalias !21
+  %.897.i = load double, ptr %sunkaddr79, align 8, !noalias !21
+  %.868.i = load double, ptr %sunkaddr80, align 8, !noalias !21
+  %.839.i = load double, ptr %sunkaddr81, align 8, !noalias !21
+  %.810.i = load double, ptr %sunkaddr82, align 8, !noalias !21
+  %.781.i = load double, ptr %sunkaddr83, align 8, !noalias !21
+  %.752.i = load double, ptr %sunkaddr84, align 8, !noalias !21
+  %.648.i = load double, ptr %sunkaddr85, align 8, !noalias !21
+  %.619.i = load double, ptr %sunkaddr86, align 8, !noalias !21
+  %.590.i = load double, ptr %sunkaddr87, align 8, !noalias !21
+  %.561.i = load double, ptr %sunkaddr88, align 8, !noalias !21
+  %.532.i = load double, ptr %sunkaddr89, align 8, !noalias !21
+  %.503.i = load double, ptr %sunkaddr90, align 8, !noalias !21
+  %.474.i = load double, ptr %sunkaddr91, align 8, !noalias !21
+  %.445.i = load double, ptr %sunkaddr92, align 8, !noalias !21
+  %.344.i = load double, ptr %sunkaddr93, align 8, !noalias !21
+  %.315.i711 = load double, ptr %sunkaddr94, align 8, !noalias !21
+  %.286.i = load double, ptr %sunkaddr95, align 8, !noalias !21
+  %.257.i = load double, ptr %sunkaddr96, align 8, !noalias !21
+  %.228.i714 = load double, ptr %sunkaddr97, align 8, !noalias !21
+  %.199.i = load double, ptr %sunkaddr98, align 8, !noalias !21
+  %.170.i715 = load double, ptr %sunkaddr99, align 8, !noalias !21
+  %.141.i = load double, ptr %sunkaddr100, align 8, !noalias !21
   %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
   %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
@@ -2851,7 +2259,7 @@ B484.if.lr.ph.i:                                  ; preds = %B2958
   %.1305.i = shufflevector <8 x double> %.1304.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1308.i = insertelement <8 x double> poison, double %.474.i, i64 0
   %.1309.i = shufflevector <8 x double> %.1308.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1312.i = insertelement <8 x double> poison, double %.315.i745, i64 0
+  %.1312.i = insertelement <8 x double> poison, double %.315.i711, i64 0
   %.1313.i = shufflevector <8 x double> %.1312.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1315.i = insertelement <8 x double> poison, double %.257.i, i64 0
   %.1316.i = shufflevector <8 x double> %.1315.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -2863,9 +2271,9 @@ B484.if.lr.ph.i:                                  ; preds = %B2958
   %.1328.i = shufflevector <8 x double> %.1327.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1330.i = insertelement <8 x double> poison, double %.286.i, i64 0
   %.1331.i = shufflevector <8 x double> %.1330.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1334.i = insertelement <8 x double> poison, double %.228.i748, i64 0
+  %.1334.i = insertelement <8 x double> poison, double %.228.i714, i64 0
   %.1335.i = shufflevector <8 x double> %.1334.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1338.i = insertelement <8 x double> poison, double %.170.i749, i64 0
+  %.1338.i = insertelement <8 x double> poison, double %.170.i715, i64 0
   %.1339.i = shufflevector <8 x double> %.1338.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1342.i = insertelement <8 x double> poison, double %.926.i, i64 0
   %.1343.i = shufflevector <8 x double> %.1342.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -2887,137 +2295,720 @@ B484.if.lr.ph.i:                                  ; preds = %B2958
   %.1447.i = shufflevector <8 x double> %.1446.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1448.i = insertelement <8 x double> poison, double %.984.i, i64 0
   %.1449.i = shufflevector <8 x double> %.1448.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %102 = add nuw nsw i64 %.1167.i, 5
+  %39 = add nuw nsw i64 %.1167.i, 5
   br label %B484.if.i
 
-B484.if.i:                                        ; preds = %B484.if.i, %B484.if.lr.ph.i
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %102, %B484.if.lr.ph.i ]
-  %lsr.iv1189 = phi ptr [ %scevgep1190, %B484.if.i ], [ %.5862, %B484.if.lr.ph.i ]
-  %lsr.iv1186 = phi ptr [ %scevgep1187, %B484.if.i ], [ %scevgep1185, %B484.if.lr.ph.i ]
-  %scevgep1193 = getelementptr i8, ptr %lsr.iv1189, i64 %.idx
-  %.1236.i = load <8 x double>, ptr %scevgep1193, align 8, !noalias !39
-  %.1246.i = load <8 x double>, ptr %lsr.iv1189, align 8, !noalias !39
-  %sunkaddr132 = getelementptr i8, ptr %lsr.iv1189, i64 %sunkaddr131
-  %.1256.i = load <8 x double>, ptr %sunkaddr132, align 8, !noalias !39
-  %.6.i.i751 = fmul contract <8 x double> %.1236.i, %.1236.i
-  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1283.i, <8 x double> %.1286.i)
-  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1287.i, <8 x double> %.1290.i)
-  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1291.i, <8 x double> %.1294.i)
-  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1298.i, <8 x double> %.1301.i)
-  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1302.i, <8 x double> %.1305.i)
-  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1306.i, <8 x double> %.1309.i)
-  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1313.i, <8 x double> %.1316.i)
-  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1317.i, <8 x double> %.1320.i)
-  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1321.i, <8 x double> %.1324.i)
-  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1328.i, <8 x double> %.1331.i)
-  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1332.i, <8 x double> %.1335.i)
-  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1336.i, <8 x double> %.1339.i)
-  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1343.i, <8 x double> %.1346.i)
-  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1347.i, <8 x double> %.1350.i)
-  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1351.i, <8 x double> %.1354.i)
-  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1358.i, <8 x double> %.1361.i)
-  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i751, <8 x double> %.1362.i, <8 x double> %.1365.i)
+B5244:                                            ; preds = %B484.if.i, %B4582
+  br i1 %"$phi984.0.3.013", label %B5486, label %B5564
+
+B5486:                                            ; preds = %B5244
+  %.137.i = icmp slt i64 %.13.i588, %.13.i587
+  br i1 %.137.i, label %B22.preheader.i736, label %B5564
+
+B5564:                                            ; preds = %B1344.i, %B5486, %B5244
+  %cells.4.sroa.8.1 = phi i64 [ %cells.5.sroa.13.1, %B5244 ], [ %cells.5.sroa.13.1, %B5486 ], [ %cell.3.2.i746, %B1344.i ]
+  %cells.4.sroa.0.1 = phi i64 [ %cells.5.sroa.0.1, %B5244 ], [ 0, %B5486 ], [ 0, %B1344.i ]
+  store ptr null, ptr %.8351, align 8
+  call fastcc void @inner_11(ptr nonnull %.8351, i64 %arg.i, i64 %.5732.sroa.0.0245, i64 %.13.i587, i64 %.13.i, ptr %arg.arguments.4, ptr %.1740, ptr %.1803, double %arg.plus, double %arg.cross, ptr %.1897)
+  %.5742 = icmp samesign ugt i64 %.5689.1244.in, 1
+  %.5755 = add i64 %.5686.1243, 1024
+  %.5686.1 = select i1 %.5742, i64 %.5755, i64 %.5686.1243
+  %40 = tail call i64 @llvm.smax.i64(i64 %.5689.1244.in, i64 2)
+  %41 = add nsw i64 %40, -1
+  %.5732.sroa.0.0 = select i1 %.5742, i64 %.5686.1243, i64 0
+  br i1 %.5742, label %B1604, label %B5566
+
+common.ret:                                       ; preds = %B1350.if, %B1218.if, %B5566
+  %common.ret.op = phi i32 [ 0, %B5566 ], [ 1, %B1350.if ], [ 1, %B1218.if ]
+  ret i32 %common.ret.op
+
+B5566:                                            ; preds = %B5564, %B1596
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B94.if.lr.ph.i:                                   ; preds = %B984
+  %42 = getelementptr double, ptr %.1262, i64 %.814
+  %43 = getelementptr double, ptr %.1262, i64 %.1113
+  %.idx.i401 = mul i64 %.780.1, -24
+  %44 = getelementptr i8, ptr %.1262, i64 %.idx.i401
+  %45 = shl i64 %.772, 3
+  %46 = and i64 %45, -64
+  %47 = sub i64 8, %46
+  %scevgep1196 = getelementptr i8, ptr %arg.linear.4, i64 %47
+  %48 = add nuw nsw i64 %.486.i, 5
+  br label %B94.if.i
+
+B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
+  %lsr.iv32 = phi i64 [ %lsr.iv.next33, %B94.if.i ], [ %48, %B94.if.lr.ph.i ]
+  %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
+  %sunkaddr39 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
+  %.554.i404 = load <8 x double>, ptr %sunkaddr39, align 8, !noalias !24
+  %sunkaddr41 = getelementptr i8, ptr %sunkaddr39, i64 8
+  %.565.i = load <8 x double>, ptr %sunkaddr41, align 8, !noalias !24
+  %scevgep1198 = getelementptr i8, ptr %scevgep1196, i64 %lsr.iv53.i
+  %scevgep1199 = getelementptr i8, ptr %scevgep1198, i64 -8
+  %.575.i = load <8 x double>, ptr %scevgep1199, align 8, !noalias !24
+  %.586.i = load <8 x double>, ptr %scevgep1198, align 8, !noalias !24
+  %scevgep67.i = getelementptr i8, ptr %.201.i399, i64 %lsr.iv53.i
+  %.596.i = load <8 x double>, ptr %scevgep67.i, align 8, !noalias !24
+  %scevgep66.i = getelementptr i8, ptr %.373.i, i64 %lsr.iv53.i
+  %.606.i = load <8 x double>, ptr %scevgep66.i, align 8, !noalias !24
+  %.6.i.i405 = fsub contract <8 x double> %.565.i, %.554.i404
+  %.6.i46.i = fmul contract <8 x double> %.6.i.i405, %.606.i
+  %scevgep65.i = getelementptr i8, ptr %.1262, i64 %lsr.iv53.i
+  store <8 x double> %.554.i404, ptr %scevgep65.i, align 8, !noalias !24
+  %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
+  %.8.i.i406 = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
+  %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i406
+  %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
+  %scevgep64.i = getelementptr i8, ptr %42, i64 %lsr.iv53.i
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !24
+  %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
+  %scevgep63.i = getelementptr i8, ptr %43, i64 %lsr.iv53.i
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !24
+  %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
+  %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
+  %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
+  %scevgep62.i = getelementptr i8, ptr %44, i64 %lsr.iv53.i
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !24
+  %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
+  %lsr.iv.next33 = add nsw i64 %lsr.iv32, -1
+  %.507.i = icmp sgt i64 %lsr.iv32, 6
+  br i1 %.507.i, label %B94.if.i, label %B984.endif.endif.endif.en...endif.3.endif.endif
+
+B984.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B984
+  %.3448 = load i64, ptr %.844, align 8
+  %49 = add i64 %.3448, 6
+  %.486.i439 = lshr i64 %49, 3
+  %.463.inv.i440 = icmp slt i64 %.3448, 2
+  %.507321.not325.i441 = icmp eq i64 %.486.i439, 0
+  %.507321.not.i442 = or i1 %.463.inv.i440, %.507321.not325.i441
+  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
+
+B94.if.lr.ph.i443:                                ; preds = %B984.endif.endif.endif.en...endif.3.endif.endif
+  %50 = lshr i64 %.888, 33
+  %.99.i419 = and i64 %50, 1073741824
+  %.234.i429 = shl i64 %.888, 1
+  %.272.i430 = add i64 %.99.i419, %.234.i429
+  %51 = tail call i64 @llvm.smax.i64(i64 %.272.i430, i64 0)
+  %.100.i420 = sub i64 %.99.i419, %.854.1
+  %52 = tail call i64 @llvm.smax.i64(i64 %.100.i420, i64 0)
+  %.88.sroa.0.3.i427 = tail call i64 @llvm.smin.i64(i64 %52, i64 1073741824)
+  %53 = getelementptr double, ptr %.1326, i64 %.888
+  %54 = getelementptr double, ptr %.1326, i64 %.234.i429
+  %.idx.i444 = mul i64 %.854.1, -24
+  %55 = getelementptr i8, ptr %.1326, i64 %.idx.i444
+  %56 = shl i64 %.846, 3
+  %57 = and i64 %56, -64
+  %58 = shl i64 %.772, 4
+  %59 = and i64 %58, -128
+  %60 = add i64 %59, %57
+  %61 = sub i64 8, %60
+  %scevgep1186 = getelementptr i8, ptr %arg.linear.4, i64 %61
+  %62 = sub i64 8, %59
+  %scevgep1190 = getelementptr i8, ptr %arg.linear.4, i64 %62
+  %smin = tail call i64 @llvm.smin.i64(i64 %51, i64 1073741824)
+  %63 = add i64 %.3087, %smin
+  %64 = shl i64 %63, 3
+  %scevgep55 = getelementptr i8, ptr %arg.weights.4, i64 %64
+  %65 = add i64 %.3087, %.88.sroa.0.3.i427
+  %66 = shl i64 %65, 3
+  %scevgep57 = getelementptr i8, ptr %arg.weights.4, i64 %66
+  %67 = add nuw nsw i64 %.486.i439, 5
+  br label %B94.if.i445
+
+B94.if.i445:                                      ; preds = %B94.if.i445, %B94.if.lr.ph.i443
+  %lsr.iv30 = phi i64 [ %lsr.iv.next31, %B94.if.i445 ], [ %67, %B94.if.lr.ph.i443 ]
+  %lsr.iv53.i446 = phi i64 [ %lsr.iv.next54.i475, %B94.if.i445 ], [ 0, %B94.if.lr.ph.i443 ]
+  %scevgep1192 = getelementptr i8, ptr %scevgep1190, i64 %lsr.iv53.i446
+  %scevgep1193 = getelementptr i8, ptr %scevgep1192, i64 -8
+  %.554.i449 = load <8 x double>, ptr %scevgep1193, align 8, !noalias !27
+  %.565.i451 = load <8 x double>, ptr %scevgep1192, align 8, !noalias !27
+  %scevgep1188 = getelementptr i8, ptr %scevgep1186, i64 %lsr.iv53.i446
+  %scevgep1189 = getelementptr i8, ptr %scevgep1188, i64 -8
+  %.575.i453 = load <8 x double>, ptr %scevgep1189, align 8, !noalias !27
+  %.586.i455 = load <8 x double>, ptr %scevgep1188, align 8, !noalias !27
+  %scevgep58 = getelementptr i8, ptr %scevgep57, i64 %lsr.iv53.i446
+  %.596.i457 = load <8 x double>, ptr %scevgep58, align 8, !noalias !27
+  %scevgep56 = getelementptr i8, ptr %scevgep55, i64 %lsr.iv53.i446
+  %.606.i459 = load <8 x double>, ptr %scevgep56, align 8, !noalias !27
+  %.6.i.i460 = fsub contract <8 x double> %.565.i451, %.554.i449
+  %.6.i46.i461 = fmul contract <8 x double> %.6.i.i460, %.606.i459
+  %scevgep65.i462 = getelementptr i8, ptr %.1326, i64 %lsr.iv53.i446
+  store <8 x double> %.554.i449, ptr %scevgep65.i462, align 8, !noalias !27
+  %.669.i463 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i453, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i455)
+  %.8.i.i464 = fmul contract <8 x double> %.669.i463, splat (double 0x3FC5555555555555)
+  %.6.i47.i465 = fmul contract <8 x double> %.596.i457, %.8.i.i464
+  %.6.i48.i466 = fsub contract <8 x double> %.6.i46.i461, %.6.i47.i465
+  %scevgep64.i467 = getelementptr i8, ptr %53, i64 %lsr.iv53.i446
+  store <8 x double> %.6.i48.i466, ptr %scevgep64.i467, align 8, !noalias !27
+  %.8.i49.i468 = fmul contract <8 x double> %.575.i453, splat (double 5.000000e-01)
+  %scevgep63.i469 = getelementptr i8, ptr %54, i64 %lsr.iv53.i446
+  store <8 x double> %.8.i49.i468, ptr %scevgep63.i469, align 8, !noalias !27
+  %.6.i50.i470 = fsub contract <8 x double> %.586.i455, %.575.i453
+  %.6.i51.i471 = fmul contract <8 x double> %.6.i50.i470, %.606.i459
+  %.8.i52.i472 = fmul contract <8 x double> %.6.i51.i471, splat (double 0x3FC5555555555555)
+  %scevgep62.i473 = getelementptr i8, ptr %55, i64 %lsr.iv53.i446
+  store <8 x double> %.8.i52.i472, ptr %scevgep62.i473, align 8, !noalias !27
+  %lsr.iv.next54.i475 = add i64 %lsr.iv53.i446, 64
+  %lsr.iv.next31 = add nsw i64 %lsr.iv30, -1
+  %.507.i476 = icmp sgt i64 %lsr.iv30, 6
+  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
+  %68 = inttoptr i64 %.529 to ptr
+  %.3593 = getelementptr i8, ptr %arg.row.4, i64 56
+  %.3594 = load double, ptr %.3593, align 8
+  %.3595 = fmul contract double %.3594, 0x3ED4A8B4A9ED04E3
+  %.3607.le = tail call contract double @llvm.log.f64(double %.3595)
+  %.3641 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.3642 = load i64, ptr %.3641, align 8
+  %.3653 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.3642
+  %.3783 = load double, ptr %.3653, align 8
+  %.3785 = fmul contract double %.3783, 0x3FEFFFFFFF768FA1
+  %.3793.le = tail call contract double @llvm.log.f64(double %.3785)
+  %.3798 = fsub contract double %.3793.le, %.3607.le
+  store i64 0, ptr %.3844, align 8
+  call fastcc void @inner_12(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.3798)
+  %.3862 = load i64, ptr %.3844, align 8
+  %.3934 = getelementptr i8, ptr %.3653, i64 8
+  %.3935 = load double, ptr %.3934, align 8
+  %.3940 = fmul contract double %.3935, 0x3FF000000044B830
+  %.3948.le = tail call contract double @llvm.log.f64(double %.3940)
+  %.3953 = fsub contract double %.3948.le, %.3607.le
+  store i64 0, ptr %.3999, align 8
+  call fastcc void @inner_12(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.3953)
+  %.4017 = load i64, ptr %.3999, align 8
+  %.4074 = fsub contract double 0xC0126BB1BBB55515, %.3607.le
+  store i64 0, ptr %.4120, align 8
+  call fastcc void @inner_12(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.4074)
+  %.4138 = load i64, ptr %.4120, align 8
+  %.13.i485 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4138)
+  %.4233 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3607.le
+  store i64 0, ptr %.4279, align 8
+  call fastcc void @inner_12(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.4233)
+  %.4297 = load i64, ptr %.4279, align 8
+  %.13.i486 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4297)
+  %.4457 = load i64, ptr %.929, align 8
+  %.4458 = icmp sgt i64 %.4457, 0
+  %.4464 = icmp sgt i64 %.126, 2047
+  %or.cond = select i1 %.4458, i1 %.4464, i1 false
+  br i1 %or.cond, label %B1206, label %B1206.thread
+
+B1206.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+  %.453710 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.453811 = load i64, ptr %.453710, align 8
+  %.454912 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.453811
+  br label %B1350
+
+B1218.if:                                         ; preds = %B1218
+  %.4869 = load ptr, ptr %excinfo.34, align 8
+  store ptr %.4869, ptr %excinfo, align 8
+  br label %common.ret
+
+B1218.endif:                                      ; preds = %B1218
+  %.4950 = load i64, ptr %.929, align 8
+  %.135.i = load double, ptr %.402, align 8, !noalias !30
+  %.143.i = add nsw i64 %.4950, -1
+  %.181.i = icmp slt i64 %.4950, 2
+  %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
+  %.225207.i = icmp sgt i64 %..143.i, 0
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+
+B92.if.preheader.i:                               ; preds = %B1218.endif
+  %69 = add i64 %.4017, -1
+  %70 = shl i64 %.156, 3
+  %71 = getelementptr i8, ptr %.335, i64 %70
+  %scevgep1184 = getelementptr i8, ptr %71, i64 8
+  br label %B92.if.i
+
+B146.i:                                           ; preds = %B92.if.i
+  %.291.i = fsub contract double %.281.i, %.135.i
+  %.293.i = fmul contract double %_prepared_v96__vphi308_0.2.0, %.291.i
+  %.5.i.i = fptosi double %.293.i to i64
+  %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i)
+  %.354.i = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i
+  %.355.i = load i64, ptr %.354.i, align 8, !noalias !30
+  %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
+  %.395.i489 = icmp slt i64 %.13.i6.i, %.4017
+  br i1 %.395.i489, label %B284.i, label %B386.i
+
+B284.i:                                           ; preds = %B146.i
+  %.412.i = getelementptr inbounds nuw double, ptr %.402, i64 %.13.i6.i
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !30
+  %.417.i491 = fcmp contract ugt double %.413.i, %.281.i
+  br i1 %.417.i491, label %B386.i, label %B324.i
+
+B324.i:                                           ; preds = %B284.i, %B346.i
+  %end.5.2.i = phi i64 [ %.423.i, %B346.i ], [ %.13.i6.i, %B284.i ]
+  %exitcond.not.i = icmp eq i64 %69, %end.5.2.i
+  br i1 %exitcond.not.i, label %B386.i, label %B346.i
+
+B346.i:                                           ; preds = %B324.i
+  %.423.i = add i64 %end.5.2.i, 1
+  %72 = shl i64 %end.5.2.i, 3
+  %scevgep1185 = getelementptr i8, ptr %scevgep1184, i64 %72
+  %.451.i = load double, ptr %scevgep1185, align 8, !noalias !30
+  %.455.i = fcmp contract ugt double %.451.i, %.281.i
+  br i1 %.455.i, label %B386.i, label %B324.i
+
+B386.i:                                           ; preds = %B346.i, %B324.i, %B92.if.i, %B284.i, %B146.i
+  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.4017, %B324.i ], [ %.423.i, %B346.i ]
+  %.13.i.i490 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %end.4.1.i)
+  %73 = getelementptr i64, ptr %.1529, i64 %.231203208.i
+  store i64 %.13.i.i490, ptr %73, align 8, !noalias !30
+  %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+
+B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
+  %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
+  %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
+  %.238.i = add nuw nsw i64 %.231203208.i, 1
+  %.278.i = getelementptr inbounds nuw double, ptr %.4549, i64 %.231203208.i
+  %.279.i487 = load double, ptr %.278.i, align 8, !noalias !30
+  %.281.i = fsub contract double %.279.i487, %.3607.le
+  %.287.i488 = fcmp contract ult double %.281.i, %.135.i
+  br i1 %.287.i488, label %B386.i, label %B146.i
+
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1218.endif
+  %.586.inv.i = icmp sgt i64 %.4950, 0
+  %.587.i = select i1 %.586.inv.i, i64 0, i64 %.973
+  %74 = getelementptr i64, ptr %.1529, i64 %.143.i
+  %.601.i = getelementptr i64, ptr %74, i64 %.587.i
+  store i64 %.4017, ptr %.601.i, align 8, !noalias !30
+  %.5056 = icmp sgt i64 %.3862, 0
+  br i1 %.5056, label %B1350, label %B1596
+
+B1350.if:                                         ; preds = %B1350
+  %.5085 = load ptr, ptr %excinfo.36, align 8
+  store ptr %.5085, ptr %excinfo, align 8
+  br label %common.ret
+
+B1350.endif:                                      ; preds = %B1350
+  %.5311 = load i64, ptr %.844, align 8
+  %.135.i498 = load double, ptr %.402, align 8, !noalias !33
+  %.143.i499 = add nsw i64 %.5311, -2
+  %.181.i500 = icmp slt i64 %.5311, 3
+  %..143.i501 = select i1 %.181.i500, i64 0, i64 %.143.i499
+  %.225207.i502 = icmp sgt i64 %..143.i501, 0
+  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+
+B92.if.preheader.i506:                            ; preds = %B1350.endif
+  %75 = add i64 %.4017, -1
+  %76 = shl i64 %.156, 3
+  %77 = getelementptr i8, ptr %.335, i64 %76
+  %scevgep1182 = getelementptr i8, ptr %77, i64 8
+  br label %B92.if.i507
+
+B146.i515:                                        ; preds = %B92.if.i507
+  %.291.i516 = fsub contract double %.281.i513, %.135.i498
+  %.293.i517 = fmul contract double %_prepared_v96__vphi308_0.2.0, %.291.i516
+  %.5.i.i518 = fptosi double %.293.i517 to i64
+  %.13.i5.i519 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i518)
+  %.354.i520 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i519
+  %.355.i521 = load i64, ptr %.354.i520, align 8, !noalias !33
+  %.13.i6.i522 = tail call i64 @llvm.smax.i64(i64 %.355.i521, i64 %end.3.0210.i508)
+  %.395.i523 = icmp slt i64 %.13.i6.i522, %.4017
+  br i1 %.395.i523, label %B284.i528, label %B386.i524
+
+B284.i528:                                        ; preds = %B146.i515
+  %.412.i529 = getelementptr inbounds nuw double, ptr %.402, i64 %.13.i6.i522
+  %.413.i530 = load double, ptr %.412.i529, align 8, !noalias !33
+  %.417.i531 = fcmp contract ugt double %.413.i530, %.281.i513
+  br i1 %.417.i531, label %B386.i524, label %B324.i532
+
+B324.i532:                                        ; preds = %B284.i528, %B346.i535
+  %end.5.2.i533 = phi i64 [ %.423.i536, %B346.i535 ], [ %.13.i6.i522, %B284.i528 ]
+  %exitcond.not.i534 = icmp eq i64 %75, %end.5.2.i533
+  br i1 %exitcond.not.i534, label %B386.i524, label %B346.i535
+
+B346.i535:                                        ; preds = %B324.i532
+  %.423.i536 = add i64 %end.5.2.i533, 1
+  %78 = shl i64 %end.5.2.i533, 3
+  %scevgep1183 = getelementptr i8, ptr %scevgep1182, i64 %78
+  %.451.i539 = load double, ptr %scevgep1183, align 8, !noalias !33
+  %.455.i540 = fcmp contract ugt double %.451.i539, %.281.i513
+  br i1 %.455.i540, label %B386.i524, label %B324.i532
+
+B386.i524:                                        ; preds = %B346.i535, %B324.i532, %B92.if.i507, %B284.i528, %B146.i515
+  %end.4.1.i525 = phi i64 [ %.13.i6.i522, %B146.i515 ], [ %end.3.0210.i508, %B92.if.i507 ], [ %.13.i6.i522, %B284.i528 ], [ %.4017, %B324.i532 ], [ %.423.i536, %B346.i535 ]
+  %.13.i.i526 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %end.4.1.i525)
+  %79 = getelementptr i64, ptr %.1466, i64 %.231203208.i509
+  store i64 %.13.i.i526, ptr %79, align 8, !noalias !33
+  %exitcond216.not.i527 = icmp eq i64 %.238.i510, %..143.i501
+  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
+
+B92.if.i507:                                      ; preds = %B386.i524, %B92.if.preheader.i506
+  %end.3.0210.i508 = phi i64 [ %end.4.1.i525, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
+  %.231203208.i509 = phi i64 [ %.238.i510, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
+  %.238.i510 = add nuw nsw i64 %.231203208.i509, 1
+  %sunkaddr1214 = shl i64 %.231203208.i509, 3
+  %sunkaddr1215 = getelementptr inbounds i8, ptr %.3100, i64 %sunkaddr1214
+  %sunkaddr1216 = getelementptr inbounds nuw i8, ptr %sunkaddr1215, i64 8
+  %.279.i512 = load double, ptr %sunkaddr1216, align 8, !noalias !33
+  %.281.i513 = fsub contract double %.279.i512, %.3607.le
+  %.287.i514 = fcmp contract ult double %.281.i513, %.135.i498
+  br i1 %.287.i514, label %B386.i524, label %B146.i515
+
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1350.endif
+  %.586.inv.i503 = icmp sgt i64 %.5311, 1
+  %.587.i504 = select i1 %.586.inv.i503, i64 0, i64 %.888
+  %80 = getelementptr i64, ptr %.1466, i64 %.143.i499
+  %.601.i505 = getelementptr i64, ptr %80, i64 %.587.i504
+  store i64 %.4017, ptr %.601.i505, align 8, !noalias !33
+  %.5388 = load i64, ptr %.1002, align 8
+  %.5389 = icmp eq i64 %.5388, 0
+  br i1 %.5389, label %B1408, label %B1596
+
+B92.if.preheader.i550:                            ; preds = %B1408
+  %81 = add i64 %.4017, -1
+  %82 = shl i64 %.156, 3
+  %83 = getelementptr i8, ptr %.335, i64 %82
+  %scevgep1180 = getelementptr i8, ptr %83, i64 8
+  br label %B92.if.i551
+
+B146.i559:                                        ; preds = %B92.if.i551
+  %.291.i560 = fsub contract double %.281.i557, %.135.i542
+  %.293.i561 = fmul contract double %_prepared_v96__vphi308_0.2.0, %.291.i560
+  %.5.i.i562 = fptosi double %.293.i561 to i64
+  %.13.i5.i563 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i562)
+  %.354.i564 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i563
+  %.355.i565 = load i64, ptr %.354.i564, align 8, !noalias !12
+  %.13.i6.i566 = tail call i64 @llvm.smax.i64(i64 %.355.i565, i64 %end.3.0210.i552)
+  %.395.i567 = icmp slt i64 %.13.i6.i566, %.4017
+  br i1 %.395.i567, label %B284.i572, label %B386.i568
+
+B284.i572:                                        ; preds = %B146.i559
+  %.412.i573 = getelementptr inbounds nuw double, ptr %.402, i64 %.13.i6.i566
+  %.413.i574 = load double, ptr %.412.i573, align 8, !noalias !12
+  %.417.i575 = fcmp contract ugt double %.413.i574, %.281.i557
+  br i1 %.417.i575, label %B386.i568, label %B324.i576
+
+B324.i576:                                        ; preds = %B284.i572, %B346.i579
+  %end.5.2.i577 = phi i64 [ %.423.i580, %B346.i579 ], [ %.13.i6.i566, %B284.i572 ]
+  %exitcond.not.i578 = icmp eq i64 %81, %end.5.2.i577
+  br i1 %exitcond.not.i578, label %B386.i568, label %B346.i579
+
+B346.i579:                                        ; preds = %B324.i576
+  %.423.i580 = add i64 %end.5.2.i577, 1
+  %84 = shl i64 %end.5.2.i577, 3
+  %scevgep1181 = getelementptr i8, ptr %scevgep1180, i64 %84
+  %.451.i583 = load double, ptr %scevgep1181, align 8, !noalias !12
+  %.455.i584 = fcmp contract ugt double %.451.i583, %.281.i557
+  br i1 %.455.i584, label %B386.i568, label %B324.i576
+
+B386.i568:                                        ; preds = %B346.i579, %B324.i576, %B92.if.i551, %B284.i572, %B146.i559
+  %end.4.1.i569 = phi i64 [ %.13.i6.i566, %B146.i559 ], [ %end.3.0210.i552, %B92.if.i551 ], [ %.13.i6.i566, %B284.i572 ], [ %.4017, %B324.i576 ], [ %.423.i580, %B346.i579 ]
+  %.13.i.i570 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %end.4.1.i569)
+  %85 = getelementptr i64, ptr %.1403, i64 %.231203208.i553
+  store i64 %.13.i.i570, ptr %85, align 8, !noalias !12
+  %exitcond216.not.i571 = icmp eq i64 %.238.i554, %..143.i545
+  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
+
+B92.if.i551:                                      ; preds = %B386.i568, %B92.if.preheader.i550
+  %end.3.0210.i552 = phi i64 [ %end.4.1.i569, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
+  %.231203208.i553 = phi i64 [ %.238.i554, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
+  %.238.i554 = add nuw nsw i64 %.231203208.i553, 1
+  %sunkaddr1218 = shl i64 %.231203208.i553, 3
+  %sunkaddr1219 = getelementptr inbounds i8, ptr %.3007, i64 %sunkaddr1218
+  %sunkaddr1220 = getelementptr inbounds nuw i8, ptr %sunkaddr1219, i64 8
+  %.279.i556 = load double, ptr %sunkaddr1220, align 8, !noalias !12
+  %.281.i557 = fsub contract double %.279.i556, %.3607.le
+  %.287.i558 = fcmp contract ult double %.281.i557, %.135.i542
+  br i1 %.287.i558, label %B386.i568, label %B146.i559
+
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1408
+  %.586.inv.i547 = icmp sgt i64 %.5506, 1
+  %.587.i548 = select i1 %.586.inv.i547, i64 0, i64 %.814
+  %86 = getelementptr i64, ptr %.1403, i64 %.143.i543
+  %.601.i549 = getelementptr i64, ptr %86, i64 %.587.i548
+  store i64 %.4017, ptr %.601.i549, align 8, !noalias !12
+  br label %B1596
+
+B94.i:                                            ; preds = %B34.if.i
+  %.6.i.i595 = fmul contract double %.229.i592, 0x400921FB54442D18
+  %.7.i.i596 = tail call contract double @llvm.fma.f64(double %.6.i.i595, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.8.i.i597 = fadd contract double %.7.i.i596, 0xC338000000000000
+  %.23.i.i = tail call contract double @llvm.fma.f64(double %.8.i.i597, double 0xBFF921FB54442D18, double %.6.i.i595)
+  %.38.i.i = tail call contract double @llvm.fma.f64(double %.8.i.i597, double 0xBC91A62633145C07, double %.23.i.i)
+  %.39.i.i = fmul contract double %.38.i.i, %.38.i.i
+  %.56.i.i = bitcast double %.7.i.i596 to i64
+  %.60.i.i = and i64 %.56.i.i, 1
+  %87 = icmp eq i64 %.60.i.i, 0
+  br i1 %87, label %select.true.sink.i.i, label %select.false.sink.i.i
+
+select.true.sink.i.i:                             ; preds = %B94.i
+  %.48.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.49.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.48.i.i, double 0x3E21EED8EFF8D898)
+  %.50.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.49.i.i, double 0xBE927E4FB7789F5C)
+  %.51.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.50.i.i, double 0x3EFA01A01A01A01A)
+  %.52.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.51.i.i, double 0xBF56C16C16C16C17)
+  %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
+  %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
+  %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+
+select.false.sink.i.i:                            ; preds = %B94.i
+  %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
+  %.40.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.41.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.40.i.i, double 0xBE5AE64567F544E4)
+  %.42.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.41.i.i, double 0x3EC71DE3A556C734)
+  %.43.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.42.i.i, double 0xBF2A01A01A01A01A)
+  %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
+  %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
+  %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+
+_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+  %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
+  %.65.i.i = shl i64 %.56.i.i, 62
+  %.66.i.i = add i64 %.65.i.i, 4611686018427387904
+  %.67.i.i = and i64 %.66.i.i, -9223372036854775808
+  %.71.i.i = bitcast double %.71.v.i.i to i64
+  %.72.i.i = xor i64 %.67.i.i, %.71.i.i
+  %.73.i.i = bitcast i64 %.72.i.i to double
+  %.89.i.i = tail call contract double @llvm.fma.f64(double %.73.i.i, double -5.000000e-01, double 5.000000e-01)
+  %.266.i598 = fmul contract double %.1111, %.89.i.i
+  br label %B144.i
+
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+  %scevgep19 = getelementptr i8, ptr %scevgep, i64 %89
+  %scevgep20 = getelementptr i8, ptr %scevgep19, i64 -8256
+  store double %"$phi144.1.2.1.i", ptr %scevgep20, align 8, !noalias !36
+  %.314.i = fsub contract double %.218.i, %.6068
+  %88 = fmul contract double %.6098, %.314.i
+  %.319.i = fsub contract double %.1143, %88
+  store double %.319.i, ptr %scevgep19, align 8, !noalias !36
+  %exitcond.not.i594 = icmp eq i64 %.6038, %.158.i
+  br i1 %exitcond.not.i594, label %B1626, label %B34.if.i
+
+B34.if.i:                                         ; preds = %B1606, %B144.i
+  %.151102104.i = phi i64 [ %.158.i, %B144.i ], [ 0, %B1606 ]
+  %.158.i = add nuw nsw i64 %.151102104.i, 1
+  %89 = shl i64 %.151102104.i, 3
+  %scevgep2.i = getelementptr i8, ptr %.5985, i64 %89
+  %.216.i590 = load double, ptr %scevgep2.i, align 8, !noalias !36
+  %.218.i = fmul contract double %.3595, %.216.i590
+  %.223.i = fmul contract double %.218.i, 2.000000e+00
+  %.228.i591 = fdiv contract double %.223.i, %.6068
+  %.228.fr.i = freeze double %.228.i591
+  %.229.i592 = fadd contract double %.228.fr.i, -1.000000e+00
+  %.234.i593 = fcmp contract ogt double %.229.i592, 0.000000e+00
+  br i1 %.234.i593, label %B94.i, label %B144.i
+
+B1932.endif:                                      ; preds = %B612.i, %B1932
+  %cell.5.1.i272 = phi i64 [ %cells.3.sroa.0.0242, %B1932 ], [ %cell.3.2.i282, %B612.i ]
+  br i1 %29, label %B22.preheader.i606, label %B4582
+
+B22.preheader.i606:                               ; preds = %B1932.endif
+  %90 = mul i64 %.5732.sroa.0.0245, -8
+  %scevgep1156 = getelementptr i8, ptr %scevgep, i64 %90
+  br label %B22.i610
+
+B22.i610:                                         ; preds = %B612.i669, %B22.preheader.i606
+  %cell.2.0.i611 = phi i64 [ %cell.3.2.i625, %B612.i669 ], [ %cells.3.sroa.13.0241, %B22.preheader.i606 ]
+  %start.2.0.i612 = phi i64 [ %.13.i.i628, %B612.i669 ], [ %.13.i589, %B22.preheader.i606 ]
+  %.121.i613 = getelementptr inbounds i64, ptr %.1466, i64 %cell.2.0.i611
+  %.122.i614 = load i64, ptr %.121.i613, align 8, !noalias !39
+  %.126.not.i615 = icmp sgt i64 %.122.i614, %start.2.0.i612
+  br i1 %.126.not.i615, label %B112.i624, label %B62.i616
+
+B62.i616:                                         ; preds = %B22.i610, %B62.i616
+  %cell.4.1.i617 = phi i64 [ %.129.i618, %B62.i616 ], [ %cell.2.0.i611, %B22.i610 ]
+  %.129.i618 = add i64 %cell.4.1.i617, 1
+  %sunkaddr.i619 = shl i64 %cell.4.1.i617, 3
+  %scevgep1154 = getelementptr i8, ptr %scevgep1139, i64 %sunkaddr.i619
+  %.142.i622 = load i64, ptr %scevgep1154, align 8, !noalias !39
+  %.144.not.i623 = icmp sgt i64 %.142.i622, %start.2.0.i612
+  br i1 %.144.not.i623, label %B112.i624, label %B62.i616
+
+B112.i624:                                        ; preds = %B62.i616, %B22.i610
+  %cell.3.2.i625 = phi i64 [ %cell.2.0.i611, %B22.i610 ], [ %.129.i618, %B62.i616 ]
+  %.156.i626 = getelementptr inbounds i64, ptr %.1466, i64 %cell.3.2.i625
+  %.157.i627 = load i64, ptr %.156.i626, align 8, !noalias !39
+  %.13.i.i628 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.157.i627)
+  %.307.i629 = sub i64 %.13.i.i628, %start.2.0.i612
+  %91 = add i64 %.307.i629, 7
+  %.329.i630 = lshr i64 %91, 3
+  %.308.inv.i631 = icmp slt i64 %.307.i629, 1
+  %.350229.not250.i632 = icmp eq i64 %.329.i630, 0
+  %.350229.not.i633 = or i1 %.308.inv.i631, %.350229.not250.i632
+  br i1 %.350229.not.i633, label %B612.i669, label %B412.if.lr.ph.i634
+
+B612.i669:                                        ; preds = %B412.if.i656, %B112.i624
+  %.479.i670 = icmp slt i64 %.157.i627, %.13.i587
+  br i1 %.479.i670, label %B22.i610, label %B4582
+
+B412.if.lr.ph.i634:                               ; preds = %B112.i624
+  %.200.i635 = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i625
+  %.201.i636 = load double, ptr %.200.i635, align 8, !noalias !39
+  %.203.i637 = fsub contract double %.3607.le, %.201.i636
+  %.259.i638 = getelementptr double, ptr %16, i64 %cell.3.2.i625
+  %.260.i639 = load double, ptr %.259.i638, align 8, !noalias !39
+  %.246.i640 = getelementptr double, ptr %15, i64 %cell.3.2.i625
+  %.247.i641 = load double, ptr %.246.i640, align 8, !noalias !39
+  %.227.i642 = getelementptr double, ptr %14, i64 %cell.3.2.i625
+  %.228.i643 = load double, ptr %.227.i642, align 8, !noalias !39
+  %.215.i644 = getelementptr inbounds double, ptr %.1326, i64 %cell.3.2.i625
+  %.216.i645 = load double, ptr %.215.i644, align 8, !noalias !39
+  %.426.i646 = insertelement <8 x double> poison, double %.260.i639, i64 0
+  %.427.i647 = shufflevector <8 x double> %.426.i646, <8 x double> poison, <8 x i32> zeroinitializer
+  %.429.i648 = insertelement <8 x double> poison, double %.247.i641, i64 0
+  %.430.i649 = shufflevector <8 x double> %.429.i648, <8 x double> poison, <8 x i32> zeroinitializer
+  %.433.i650 = insertelement <8 x double> poison, double %.228.i643, i64 0
+  %.434.i651 = shufflevector <8 x double> %.433.i650, <8 x double> poison, <8 x i32> zeroinitializer
+  %.437.i652 = insertelement <8 x double> poison, double %.216.i645, i64 0
+  %.438.i653 = shufflevector <8 x double> %.437.i652, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i.i654 = insertelement <8 x double> poison, double %.203.i637, i64 0
+  %.7.i.i655 = shufflevector <8 x double> %.6.i.i654, <8 x double> poison, <8 x i32> zeroinitializer
+  %92 = shl i64 %start.2.0.i612, 3
+  %93 = add nuw nsw i64 %.329.i630, 5
+  br label %B412.if.i656
+
+B412.if.i656:                                     ; preds = %B412.if.i656, %B412.if.lr.ph.i634
+  %lsr.iv26 = phi i64 [ %lsr.iv.next27, %B412.if.i656 ], [ %93, %B412.if.lr.ph.i634 ]
+  %lsr.iv8.i657 = phi i64 [ %lsr.iv.next9.i667, %B412.if.i656 ], [ %92, %B412.if.lr.ph.i634 ]
+  %scevgep11.i659 = getelementptr i8, ptr %.402, i64 %lsr.iv8.i657
+  %.397.i660 = load <8 x double>, ptr %scevgep11.i659, align 8, !noalias !39
+  %.8.i.i661 = fadd contract <8 x double> %.7.i.i655, %.397.i660
+  %.431.i662 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i661, <8 x double> %.427.i647, <8 x double> %.430.i649)
+  %.435.i663 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i661, <8 x double> %.431.i662, <8 x double> %.434.i651)
+  %.439.i664 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i661, <8 x double> %.435.i663, <8 x double> %.438.i653)
+  %scevgep1157 = getelementptr i8, ptr %scevgep1156, i64 %lsr.iv8.i657
+  store <8 x double> %.439.i664, ptr %scevgep1157, align 8, !noalias !39
+  %lsr.iv.next9.i667 = add i64 %lsr.iv8.i657, 64
+  %lsr.iv.next27 = add nsw i64 %lsr.iv26, -1
+  %.350.i668 = icmp sgt i64 %lsr.iv26, 6
+  br i1 %.350.i668, label %B412.if.i656, label %B612.i669
+
+B484.if.i:                                        ; preds = %B484.if.i, %B5243
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %39, %B5243 ]
+  %lsr.iv1164 = phi ptr [ %scevgep1165, %B484.if.i ], [ %.7041, %B5243 ]
+  %lsr.iv1161 = phi ptr [ %scevgep1162, %B484.if.i ], [ %scevgep1160, %B5243 ]
+  %scevgep1168 = getelementptr i8, ptr %lsr.iv1164, i64 %.idx
+  %.1236.i = load <8 x double>, ptr %scevgep1168, align 8, !noalias !21
+  %.1246.i = load <8 x double>, ptr %lsr.iv1164, align 8, !noalias !21
+  %sunkaddr102 = getelementptr i8, ptr %lsr.iv1164, i64 %sunkaddr101
+  %.1256.i = load <8 x double>, ptr %sunkaddr102, align 8, !noalias !21
+  %.6.i.i717 = fmul contract <8 x double> %.1236.i, %.1236.i
+  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1283.i, <8 x double> %.1286.i)
+  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1287.i, <8 x double> %.1290.i)
+  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1291.i, <8 x double> %.1294.i)
+  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1298.i, <8 x double> %.1301.i)
+  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1302.i, <8 x double> %.1305.i)
+  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1306.i, <8 x double> %.1309.i)
+  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1313.i, <8 x double> %.1316.i)
+  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1317.i, <8 x double> %.1320.i)
+  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1321.i, <8 x double> %.1324.i)
+  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1328.i, <8 x double> %.1331.i)
+  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1332.i, <8 x double> %.1335.i)
+  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1336.i, <8 x double> %.1339.i)
+  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1343.i, <8 x double> %.1346.i)
+  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1347.i, <8 x double> %.1350.i)
+  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1351.i, <8 x double> %.1354.i)
+  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1358.i, <8 x double> %.1361.i)
+  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
-  %scevgep1191 = getelementptr i8, ptr %lsr.iv1189, i64 %.idx3015
-  %.1377.i = load <8 x double>, ptr %scevgep1191, align 8, !noalias !39
+  %scevgep1166 = getelementptr i8, ptr %lsr.iv1164, i64 %.idx3736
+  %.1377.i = load <8 x double>, ptr %scevgep1166, align 8, !noalias !21
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
   %.1426.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1366.i, <8 x double> %.1355.i)
   %.1430.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i17.i, <8 x double> %.1429.i, <8 x double> %.1426.i)
   %.1431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1310.i, <8 x double> %.1295.i)
-  %scevgep1188 = getelementptr i8, ptr %lsr.iv1186, i64 -16512
-  %.1441.i = load <8 x double>, ptr %scevgep1188, align 8, !noalias !39
+  %scevgep1163 = getelementptr i8, ptr %lsr.iv1161, i64 -16512
+  %.1441.i = load <8 x double>, ptr %scevgep1163, align 8, !noalias !21
   %.1442.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1431.i, <8 x double> %.1441.i)
   %.1443.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1256.i, <8 x double> %.1430.i, <8 x double> %.1442.i)
   %.6.i18.i = fadd contract <8 x double> %.6.i16.i, %.1443.i
   %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
   %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
-  store <8 x double> %.6.i19.i, ptr %lsr.iv1186, align 8, !noalias !39
-  %scevgep1187 = getelementptr i8, ptr %lsr.iv1186, i64 64
-  %scevgep1190 = getelementptr i8, ptr %lsr.iv1189, i64 64
+  store <8 x double> %.6.i19.i, ptr %lsr.iv1161, align 8, !noalias !21
+  %scevgep1162 = getelementptr i8, ptr %lsr.iv1161, i64 64
+  %scevgep1165 = getelementptr i8, ptr %lsr.iv1164, i64 64
   %lsr.iv.next = add nsw i64 %lsr.iv, -1
   %.1189.i = icmp sgt i64 %lsr.iv, 6
-  br i1 %.1189.i, label %B484.if.i, label %B3524
+  br i1 %.1189.i, label %B484.if.i, label %B5244
 
-B22.preheader.i770:                               ; preds = %B3524
-  %103 = mul i64 %.4923.sroa.0.0284, -8
-  %scevgep51 = getelementptr i8, ptr %scevgep1185, i64 %103
-  br label %B22.i771
+B22.preheader.i736:                               ; preds = %B5486
+  %94 = mul i64 %.5732.sroa.0.0245, -8
+  %scevgep1174 = getelementptr i8, ptr %scevgep1160, i64 %94
+  br label %B22.i737
 
-B22.i771:                                         ; preds = %B1344.i, %B22.preheader.i770
-  %cell.2.0.i772 = phi i64 [ %cell.3.2.i780, %B1344.i ], [ %cell.2.0281, %B22.preheader.i770 ]
-  %start.2.0.i773 = phi i64 [ %.13.i.i781, %B1344.i ], [ %.13.i623, %B22.preheader.i770 ]
-  %.160.i = getelementptr inbounds i64, ptr %.1178, i64 %cell.2.0.i772
+B22.i737:                                         ; preds = %B1344.i, %B22.preheader.i736
+  %cell.2.0.i738 = phi i64 [ %cell.3.2.i746, %B1344.i ], [ %cells.5.sroa.13.1, %B22.preheader.i736 ]
+  %start.2.0.i739 = phi i64 [ %.13.i.i747, %B1344.i ], [ %.13.i589, %B22.preheader.i736 ]
+  %.160.i = getelementptr inbounds i64, ptr %.1529, i64 %cell.2.0.i738
   %.161.i = load i64, ptr %.160.i, align 8, !noalias !42
-  %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i773
-  br i1 %.165.not.i, label %B112.i779, label %B62.i774
+  %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i739
+  br i1 %.165.not.i, label %B112.i745, label %B62.i740
 
-B62.i774:                                         ; preds = %B22.i771, %B62.i774
-  %cell.4.1.i775 = phi i64 [ %.168.i, %B62.i774 ], [ %cell.2.0.i772, %B22.i771 ]
-  %.168.i = add i64 %cell.4.1.i775, 1
-  %sunkaddr133 = shl i64 %.168.i, 3
-  %sunkaddr134 = getelementptr i8, ptr %20, i64 %sunkaddr133
-  %sunkaddr135 = getelementptr i8, ptr %sunkaddr134, i64 33472
-  %.181.i778 = load i64, ptr %sunkaddr135, align 8, !noalias !42
-  %.183.not.i = icmp sgt i64 %.181.i778, %start.2.0.i773
-  br i1 %.183.not.i, label %B112.i779, label %B62.i774
+B62.i740:                                         ; preds = %B22.i737, %B62.i740
+  %cell.4.1.i741 = phi i64 [ %.168.i, %B62.i740 ], [ %cell.2.0.i738, %B22.i737 ]
+  %.168.i = add i64 %cell.4.1.i741, 1
+  %sunkaddr.i742 = shl i64 %cell.4.1.i741, 3
+  %scevgep1172 = getelementptr i8, ptr %scevgep1171, i64 %sunkaddr.i742
+  %.181.i744 = load i64, ptr %scevgep1172, align 8, !noalias !42
+  %.183.not.i = icmp sgt i64 %.181.i744, %start.2.0.i739
+  br i1 %.183.not.i, label %B112.i745, label %B62.i740
 
-B112.i779:                                        ; preds = %B62.i774, %B22.i771
-  %cell.3.2.i780 = phi i64 [ %cell.2.0.i772, %B22.i771 ], [ %.168.i, %B62.i774 ]
-  %.195.i = getelementptr inbounds i64, ptr %.1178, i64 %cell.3.2.i780
+B112.i745:                                        ; preds = %B62.i740, %B22.i737
+  %cell.3.2.i746 = phi i64 [ %cell.2.0.i738, %B22.i737 ], [ %.168.i, %B62.i740 ]
+  %.195.i = getelementptr inbounds i64, ptr %.1529, i64 %cell.3.2.i746
   %.196.i = load i64, ptr %.195.i, align 8, !noalias !42
-  %.13.i.i781 = tail call i64 @llvm.smin.i64(i64 %.13.i621, i64 %.196.i)
-  %.529.i = sub i64 %.13.i.i781, %start.2.0.i773
-  %104 = add i64 %.529.i, 7
-  %.551.i = lshr i64 %104, 3
+  %.13.i.i747 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.196.i)
+  %.529.i = sub i64 %.13.i.i747, %start.2.0.i739
+  %95 = add i64 %.529.i, 7
+  %.551.i = lshr i64 %95, 3
   %.530.inv.i = icmp slt i64 %.529.i, 1
   %.573363.not375.i = icmp eq i64 %.551.i, 0
   %.573363.not.i = or i1 %.530.inv.i, %.573363.not375.i
   br i1 %.573363.not.i, label %B1344.i, label %B808.if.lr.ph.i
 
-B1344.i:                                          ; preds = %B808.if.i, %B112.i779
-  %.751.i = icmp slt i64 %.196.i, %.13.i621
-  br i1 %.751.i, label %B22.i771, label %B3750
+B1344.i:                                          ; preds = %B808.if.i, %B112.i745
+  %.751.i = icmp slt i64 %.196.i, %.13.i587
+  br i1 %.751.i, label %B22.i737, label %B5564
 
-B808.if.lr.ph.i:                                  ; preds = %B112.i779
-  %.261.i = shl nsw i64 %cell.3.2.i780, 3
-  %105 = getelementptr double, ptr %.1672, i64 %.261.i
-  %.478.i = getelementptr i8, ptr %105, i64 48
-  %.479.i782 = load double, ptr %.478.i, align 8, !noalias !42
+B808.if.lr.ph.i:                                  ; preds = %B112.i745
+  %.261.i = shl nsw i64 %cell.3.2.i746, 3
+  %96 = getelementptr double, ptr %.2023, i64 %.261.i
+  %.478.i = getelementptr i8, ptr %96, i64 48
+  %.479.i748 = load double, ptr %.478.i, align 8, !noalias !42
   %.311.i = or disjoint i64 %.261.i, 5
-  %.468.i = getelementptr inbounds double, ptr %.1672, i64 %.311.i
+  %.468.i = getelementptr inbounds double, ptr %.2023, i64 %.311.i
   %.469.i = load double, ptr %.468.i, align 8, !noalias !42
   %.301.i = or disjoint i64 %.261.i, 4
-  %.458.i = getelementptr inbounds double, ptr %.1672, i64 %.301.i
+  %.458.i = getelementptr inbounds double, ptr %.2023, i64 %.301.i
   %.459.i = load double, ptr %.458.i, align 8, !noalias !42
-  %.291.i783 = or disjoint i64 %.261.i, 3
-  %.412.i784 = getelementptr inbounds double, ptr %.1672, i64 %.291.i783
-  %.413.i785 = load double, ptr %.412.i784, align 8, !noalias !42
-  %.281.i786 = or disjoint i64 %.261.i, 2
-  %.402.i = getelementptr inbounds double, ptr %.1672, i64 %.281.i786
+  %.291.i749 = or disjoint i64 %.261.i, 3
+  %.412.i750 = getelementptr inbounds double, ptr %.2023, i64 %.291.i749
+  %.413.i751 = load double, ptr %.412.i750, align 8, !noalias !42
+  %.281.i752 = or disjoint i64 %.261.i, 2
+  %.402.i = getelementptr inbounds double, ptr %.2023, i64 %.281.i752
   %.403.i = load double, ptr %.402.i, align 8, !noalias !42
   %.271.i = or disjoint i64 %.261.i, 1
-  %.392.i = getelementptr inbounds double, ptr %.1672, i64 %.271.i
+  %.392.i = getelementptr inbounds double, ptr %.2023, i64 %.271.i
   %.393.i = load double, ptr %.392.i, align 8, !noalias !42
-  %.383.i = load double, ptr %105, align 8, !noalias !42
-  %.319.i787 = getelementptr inbounds double, ptr %.1608, i64 %.311.i
-  %.320.i = load double, ptr %.319.i787, align 8, !noalias !42
-  %.309.i = getelementptr inbounds double, ptr %.1608, i64 %.301.i
+  %.383.i = load double, ptr %96, align 8, !noalias !42
+  %.319.i753 = getelementptr inbounds double, ptr %.1959, i64 %.311.i
+  %.320.i = load double, ptr %.319.i753, align 8, !noalias !42
+  %.309.i = getelementptr inbounds double, ptr %.1959, i64 %.301.i
   %.310.i = load double, ptr %.309.i, align 8, !noalias !42
-  %.299.i = getelementptr inbounds double, ptr %.1608, i64 %.291.i783
+  %.299.i = getelementptr inbounds double, ptr %.1959, i64 %.291.i749
   %.300.i = load double, ptr %.299.i, align 8, !noalias !42
-  %.289.i = getelementptr inbounds double, ptr %.1608, i64 %.281.i786
+  %.289.i = getelementptr inbounds double, ptr %.1959, i64 %.281.i752
   %.290.i = load double, ptr %.289.i, align 8, !noalias !42
-  %.279.i788 = getelementptr inbounds double, ptr %.1608, i64 %.271.i
-  %.280.i = load double, ptr %.279.i788, align 8, !noalias !42
-  %.269.i = getelementptr inbounds double, ptr %.1608, i64 %.261.i
+  %.279.i754 = getelementptr inbounds double, ptr %.1959, i64 %.271.i
+  %.280.i = load double, ptr %.279.i754, align 8, !noalias !42
+  %.269.i = getelementptr inbounds double, ptr %.1959, i64 %.261.i
   %.270.i = load double, ptr %.269.i, align 8, !noalias !42
-  %.251.i = getelementptr inbounds double, ptr %.6657, i64 %cell.3.2.i780
+  %.251.i = getelementptr inbounds double, ptr %.7837, i64 %cell.3.2.i746
   %.252.i = load double, ptr %.251.i, align 8, !noalias !42
   %.253.i = fsub contract double 0.000000e+00, %.252.i
-  %.239.i = getelementptr inbounds double, ptr %.6592, i64 %cell.3.2.i780
+  %.239.i = getelementptr inbounds double, ptr %.7772, i64 %cell.3.2.i746
   %.240.i = load double, ptr %.239.i, align 8, !noalias !42
-  %.242.i = fmul contract double %.3197, %.240.i
+  %.242.i = fmul contract double %.3595, %.240.i
   %.623.i = insertelement <8 x double> poison, double %.242.i, i64 0
   %.624.i = shufflevector <8 x double> %.623.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.625.i = insertelement <8 x double> poison, double %.253.i, i64 0
@@ -3031,16 +3022,16 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i779
   %.642.i = insertelement <8 x double> poison, double %.290.i, i64 0
   %.643.i = shufflevector <8 x double> %.642.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.646.i = insertelement <8 x double> poison, double %.280.i, i64 0
-  %.647.i789 = shufflevector <8 x double> %.646.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.647.i755 = shufflevector <8 x double> %.646.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.650.i = insertelement <8 x double> poison, double %.270.i, i64 0
   %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.664.i = insertelement <8 x double> poison, double %.479.i782, i64 0
+  %.664.i = insertelement <8 x double> poison, double %.479.i748, i64 0
   %.665.i = shufflevector <8 x double> %.664.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.667.i = insertelement <8 x double> poison, double %.469.i, i64 0
   %.668.i = shufflevector <8 x double> %.667.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.671.i = insertelement <8 x double> poison, double %.459.i, i64 0
   %.672.i = shufflevector <8 x double> %.671.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.675.i = insertelement <8 x double> poison, double %.413.i785, i64 0
+  %.675.i = insertelement <8 x double> poison, double %.413.i751, i64 0
   %.676.i = shufflevector <8 x double> %.675.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.681.i = insertelement <8 x double> poison, double %.403.i, i64 0
   %.682.i = shufflevector <8 x double> %.681.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -3048,34 +3039,34 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i779
   %.686.i = shufflevector <8 x double> %.685.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.689.i = insertelement <8 x double> poison, double %.383.i, i64 0
   %.690.i = shufflevector <8 x double> %.689.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %106 = shl i64 %start.2.0.i773, 3
-  %107 = add nuw nsw i64 %.551.i, 5
+  %97 = shl i64 %start.2.0.i739, 3
+  %98 = add nuw nsw i64 %.551.i, 5
   br label %B808.if.i
 
 B808.if.i:                                        ; preds = %B808.if.i, %B808.if.lr.ph.i
-  %lsr.iv48 = phi i64 [ %lsr.iv.next49, %B808.if.i ], [ %107, %B808.if.lr.ph.i ]
-  %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %106, %B808.if.lr.ph.i ]
-  %scevgep10.i791 = getelementptr i8, ptr %.229, i64 %lsr.iv5.i
-  %.620.i = load <8 x double>, ptr %scevgep10.i791, align 8, !noalias !42
+  %lsr.iv28 = phi i64 [ %lsr.iv.next29, %B808.if.i ], [ %98, %B808.if.lr.ph.i ]
+  %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %97, %B808.if.lr.ph.i ]
+  %scevgep10.i757 = getelementptr i8, ptr %.335, i64 %lsr.iv5.i
+  %.620.i = load <8 x double>, ptr %scevgep10.i757, align 8, !noalias !42
   %.627.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.620.i, <8 x double> %.624.i, <8 x double> %.626.i)
   %.636.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.632.i, <8 x double> %.635.i)
   %.640.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.636.i, <8 x double> %.639.i)
   %.644.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.640.i, <8 x double> %.643.i)
-  %.648.i792 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.644.i, <8 x double> %.647.i789)
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i792, <8 x double> %.651.i)
-  %scevgep52 = getelementptr i8, ptr %scevgep51, i64 %lsr.iv5.i
-  %scevgep53 = getelementptr i8, ptr %scevgep52, i64 -8256
-  store <8 x double> %.652.i, ptr %scevgep53, align 8, !noalias !42
-  %.669.i793 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.665.i, <8 x double> %.668.i)
-  %.673.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.669.i793, <8 x double> %.672.i)
+  %.648.i758 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.644.i, <8 x double> %.647.i755)
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i758, <8 x double> %.651.i)
+  %scevgep1176 = getelementptr i8, ptr %scevgep1174, i64 %lsr.iv5.i
+  %scevgep1177 = getelementptr i8, ptr %scevgep1176, i64 -8256
+  store <8 x double> %.652.i, ptr %scevgep1177, align 8, !noalias !42
+  %.669.i759 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.665.i, <8 x double> %.668.i)
+  %.673.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.669.i759, <8 x double> %.672.i)
   %.677.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.673.i, <8 x double> %.676.i)
   %.683.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.677.i, <8 x double> %.682.i)
   %.687.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.683.i, <8 x double> %.686.i)
   %.691.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.687.i, <8 x double> %.690.i)
-  store <8 x double> %.691.i, ptr %scevgep52, align 8, !noalias !42
+  store <8 x double> %.691.i, ptr %scevgep1176, align 8, !noalias !42
   %lsr.iv.next6.i = add i64 %lsr.iv5.i, 64
-  %lsr.iv.next49 = add nsw i64 %lsr.iv48, -1
-  %.573.i = icmp sgt i64 %lsr.iv48, 6
+  %lsr.iv.next29 = add nsw i64 %lsr.iv28, -1
+  %.573.i = icmp sgt i64 %lsr.iv28, 6
   br i1 %.573.i, label %B808.if.i, label %B1344.i
 }
 
@@ -3589,107 +3580,108 @@ declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #
 declare double @llvm.exp.f64(double) #3
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc noundef range(i32 0, 2) i32 @inner_8(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 %arg.alignment, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, i64 range(i64 0, -7) %arg.stride, ptr captures(none) initializes((0, 64)) %arg.series.4, ptr initializes((0, 384)) %arg.work.4, ptr writeonly captures(none) %arg.polynomials_a.4, ptr writeonly captures(none) %arg.polynomials_p.4) unnamed_addr #5 {
+define internal fastcc noundef range(i32 0, 2) i32 @inner_8(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 %arg.alignment, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, i64 range(i64 8, 1) %arg.stride, ptr captures(none) initializes((0, 64)) %arg.series.4, ptr initializes((0, 384)) %arg.work.4, ptr writeonly captures(none) %arg.polynomials_a.4, ptr writeonly captures(none) %arg.polynomials_p.4) unnamed_addr #5 {
 entry:
-  %.1075 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1075, align 8
-  %excinfo.10 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.10, align 8
-  %.1286 = alloca ptr, align 8
-  store ptr null, ptr %.1286, align 8
+  %.1140 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1140, align 8
+  %excinfo.11 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.11, align 8
+  %.1351 = alloca ptr, align 8
+  store ptr null, ptr %.1351, align 8
   %.157 = getelementptr i8, ptr %arg.contents.4, i64 144
   %.158 = load i64, ptr %.157, align 8
-  %.160 = add i64 %.158, 7
-  %.201 = and i64 %.160, -8
-  %.202 = shl i64 %.158, 3
-  %.231 = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.232 = load i64, ptr %.231, align 8
-  %.242 = getelementptr double, ptr %arg.weights.4, i64 %.232
-  %.322 = getelementptr i8, ptr %arg.contents.4, i64 160
-  %.323 = load i64, ptr %.322, align 8
-  %0 = lshr i64 %.323, 47
-  %.360 = and i64 %0, 65536
-  %.361 = add i64 %.360, %.323
-  %.364 = icmp slt i64 %.361, 0
-  br i1 %.364, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
+  %.160 = sub i64 0, %.158
+  %.168.1 = and i64 %.160, -8
+  %.203 = shl i64 %.158, 3
+  %.232 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.233 = load i64, ptr %.232, align 8
+  %.243 = getelementptr double, ptr %arg.weights.4, i64 %.233
+  %.323 = getelementptr i8, ptr %arg.contents.4, i64 160
+  %.324 = load i64, ptr %.323, align 8
+  %0 = lshr i64 %.324, 47
+  %.361 = and i64 %0, 65536
+  %.362 = add i64 %.361, %.324
+  %.365 = icmp slt i64 %.362, 0
+  br i1 %.365, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
 
-common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.endif, %B0.endif.endif.endif.endi...endif.1.endif.if
-  %common.ret.op = phi i32 [ 1, %B0.endif.endif.endif.endi...endif.1.endif.if ], [ 0, %B0.endif.endif.endif.endi...endif.4.endif.endif.endif ]
+common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.5, %B0.endif.endif.endif.endi...endif.1.endif.endif.if
+  %common.ret.op = phi i32 [ 1, %B0.endif.endif.endif.endi...endif.1.endif.endif.if ], [ 0, %B0.endif.endif.endif.endi...endif.5 ]
   ret i32 %common.ret.op
 
 B0.endif.endif.else.if:                           ; preds = %entry
   br label %B0.endif.endif.else.endif
 
 B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %entry
-  %.349.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.361, %entry ]
-  %.369.not = icmp slt i64 %.361, 65536
-  br i1 %.369.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
+  %.350.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.362, %entry ]
+  %.370.not = icmp slt i64 %.362, 65536
+  br i1 %.370.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
 
 B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
   br label %B0.endif.endif.else.endif.endif
 
 B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
-  %.349.sroa.0.3 = phi i64 [ 65536, %B0.endif.endif.else.endif.if ], [ %.349.sroa.0.1, %B0.endif.endif.else.endif ]
-  %.462 = getelementptr i64, ptr %arg.contents.4, i64 %.349.sroa.0.3
-  %.507.idx = mul i64 %.201, 24
-  %.507 = getelementptr i8, ptr %.242, i64 %.507.idx
-  %.576 = getelementptr i8, ptr %.507, i64 1024
-  %.637 = getelementptr double, ptr %.576, i64 %.202
-  %.699.idx = shl i64 %.158, 7
-  %.699 = getelementptr i8, ptr %.576, i64 %.699.idx
-  %.830.idx = shl i64 %.201, 6
-  %.830 = getelementptr i8, ptr %arg.work.4, i64 %.830.idx
-  %.915 = getelementptr i8, ptr %arg.contents.4, i64 120
-  %.916 = load i64, ptr %.915, align 8
-  %.926 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.916
-  %.991.idx = shl nsw i64 %arg.stride, 5
-  %.991 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.991.idx
-  %.1070 = getelementptr i8, ptr %arg.contents.4, i64 128
-  %.1071 = load i64, ptr %.1070, align 8
-  store double 0.000000e+00, ptr %.1075, align 8
-  %.1089 = call fastcc i32 @inner_9(ptr nonnull %.1075, ptr nonnull %excinfo.10, ptr %arg.row.4, double 1.000000e+00, ptr %arg.weights.4, i64 %.1071, ptr %.991, i64 %arg.alignment, ptr %arg.work.4, ptr %arg.series.4)
-  %.1099 = load double, ptr %.1075, align 8
-  %cond = icmp eq i32 %.1089, 0
-  br i1 %cond, label %B0.endif.endif.endif.endi...endif.1.endif.endif, label %B0.endif.endif.endif.endi...endif.1.endif.if, !prof !0
+  %.350.sroa.0.3 = phi i64 [ 65536, %B0.endif.endif.else.endif.if ], [ %.350.sroa.0.1, %B0.endif.endif.else.endif ]
+  %.463 = getelementptr i64, ptr %arg.contents.4, i64 %.350.sroa.0.3
+  %.508.idx = mul i64 %.168.1, -24
+  %.508 = getelementptr i8, ptr %.243, i64 %.508.idx
+  %.577 = getelementptr i8, ptr %.508, i64 1024
+  %.638 = getelementptr double, ptr %.577, i64 %.203
+  %.700.idx = shl i64 %.158, 7
+  %.700 = getelementptr i8, ptr %.577, i64 %.700.idx
+  %.831.idx = mul i64 %.168.1, -64
+  %.831 = getelementptr i8, ptr %arg.work.4, i64 %.831.idx
+  %.916 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.917 = load i64, ptr %.916, align 8
+  %.927 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.917
+  %.992.idx = shl nsw i64 %arg.stride, 5
+  %.992 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.992.idx
+  %.1071 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.1072 = load i64, ptr %.1071, align 8
+  %.1088 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1072
+  store double 0.000000e+00, ptr %.1140, align 8
+  %.1154 = call fastcc i32 @inner_9(ptr nonnull %.1140, ptr nonnull %excinfo.11, ptr %arg.row.4, double 1.000000e+00, ptr %.1088, ptr %.992, i64 %arg.alignment, ptr %arg.work.4, ptr %arg.series.4)
+  %.1164 = load double, ptr %.1140, align 8
+  %cond = icmp eq i32 %.1154, 0
+  br i1 %cond, label %B0.endif.endif.endif.endi...endif.1.endif.endif.endif, label %B0.endif.endif.endif.endi...endif.1.endif.endif.if, !prof !0
 
-B0.endif.endif.endif.endi...endif.1.endif.if:     ; preds = %B0.endif.endif.else.endif.endif
-  %.1090 = load ptr, ptr %excinfo.10, align 8
-  store ptr %.1090, ptr %excinfo, align 8
+B0.endif.endif.endif.endi...endif.1.endif.endif.if: ; preds = %B0.endif.endif.else.endif.endif
+  %.1155 = load ptr, ptr %excinfo.11, align 8
+  store ptr %.1155, ptr %excinfo, align 8
   br label %common.ret
 
-B0.endif.endif.endif.endi...endif.1.endif.endif:  ; preds = %B0.endif.endif.else.endif.endif
+B0.endif.endif.endif.endi...endif.1.endif.endif.endif: ; preds = %B0.endif.endif.else.endif.endif
   %.31.i = icmp sgt i64 %.158, 0
-  br i1 %.31.i, label %B24.i, label %B0.endif.endif.endif.endi...endif.2.endif
+  br i1 %.31.i, label %B24.i, label %B0.endif.endif.endif.endi...endif.2.endif.endif
 
-B24.i:                                            ; preds = %B0.endif.endif.endif.endi...endif.1.endif.endif, %B24.i
-  %high.2.0.i = phi i64 [ %high.3.1.i, %B24.i ], [ %.202, %B0.endif.endif.endif.endi...endif.1.endif.endif ]
-  %low.2.0.i = phi i64 [ %low.3.1.i, %B24.i ], [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif ]
+B24.i:                                            ; preds = %B0.endif.endif.endif.endi...endif.1.endif.endif.endif, %B24.i
+  %high.2.0.i = phi i64 [ %high.3.1.i, %B24.i ], [ %.203, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ]
+  %low.2.0.i = phi i64 [ %low.3.1.i, %B24.i ], [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ]
   %.40.i = add nuw nsw i64 %low.2.0.i, %high.2.0.i
   %.41.i = lshr i64 %.40.i, 1
-  %.53.i = getelementptr inbounds nuw double, ptr %.576, i64 %.41.i
+  %.53.i = getelementptr inbounds nuw double, ptr %.577, i64 %.41.i
   %.54.i = load double, ptr %.53.i, align 8, !noalias !62
   %.56.i = fcmp contract olt double %.54.i, 1.000000e-02
   %.67.i = add nuw nsw i64 %.41.i, 1
   %high.3.1.i = select i1 %.56.i, i64 %high.2.0.i, i64 %.41.i
   %low.3.1.i = select i1 %.56.i, i64 %.67.i, i64 %low.2.0.i
   %.98.i = icmp slt i64 %low.3.1.i, %high.3.1.i
-  br i1 %.98.i, label %B24.i, label %B24.i43
+  br i1 %.98.i, label %B24.i, label %B24.i48
 
-B24.i43:                                          ; preds = %B24.i, %B24.i43
-  %high.2.0.i44 = phi i64 [ %high.3.1.i52, %B24.i43 ], [ %.202, %B24.i ]
-  %low.2.0.i45 = phi i64 [ %low.3.1.i53, %B24.i43 ], [ 0, %B24.i ]
-  %.40.i46 = add nuw nsw i64 %low.2.0.i45, %high.2.0.i44
-  %.41.i47 = lshr i64 %.40.i46, 1
-  %.53.i48 = getelementptr inbounds nuw double, ptr %.576, i64 %.41.i47
-  %.54.i49 = load double, ptr %.53.i48, align 8, !noalias !65
-  %.56.i50 = fcmp contract olt double %.54.i49, 2.000000e-02
-  %.67.i51 = add nuw nsw i64 %.41.i47, 1
-  %high.3.1.i52 = select i1 %.56.i50, i64 %high.2.0.i44, i64 %.41.i47
-  %low.3.1.i53 = select i1 %.56.i50, i64 %.67.i51, i64 %low.2.0.i45
-  %.98.i54 = icmp slt i64 %low.3.1.i53, %high.3.1.i52
-  br i1 %.98.i54, label %B24.i43, label %B34.if.lr.ph.i
+B24.i48:                                          ; preds = %B24.i, %B24.i48
+  %high.2.0.i49 = phi i64 [ %high.3.1.i57, %B24.i48 ], [ %.203, %B24.i ]
+  %low.2.0.i50 = phi i64 [ %low.3.1.i58, %B24.i48 ], [ 0, %B24.i ]
+  %.40.i51 = add nuw nsw i64 %low.2.0.i50, %high.2.0.i49
+  %.41.i52 = lshr i64 %.40.i51, 1
+  %.53.i53 = getelementptr inbounds nuw double, ptr %.577, i64 %.41.i52
+  %.54.i54 = load double, ptr %.53.i53, align 8, !noalias !65
+  %.56.i55 = fcmp contract olt double %.54.i54, 2.000000e-02
+  %.67.i56 = add nuw nsw i64 %.41.i52, 1
+  %high.3.1.i57 = select i1 %.56.i55, i64 %high.2.0.i49, i64 %.41.i52
+  %low.3.1.i58 = select i1 %.56.i55, i64 %.67.i56, i64 %low.2.0.i50
+  %.98.i59 = icmp slt i64 %low.3.1.i58, %high.3.1.i57
+  br i1 %.98.i59, label %B24.i48, label %B34.if.lr.ph.i
 
-B34.if.lr.ph.i:                                   ; preds = %B24.i43
+B34.if.lr.ph.i:                                   ; preds = %B24.i48
   %1 = getelementptr double, ptr %arg.cubics.0.4, i64 %arg.stride
   %.idx.i = shl i64 %arg.stride, 4
   %2 = getelementptr i8, ptr %arg.cubics.0.4, i64 %.idx.i
@@ -3700,12 +3692,12 @@ B34.if.lr.ph.i:                                   ; preds = %B24.i43
 B34.if.i:                                         ; preds = %B34.if.i, %B34.if.lr.ph.i
   %lsr.iv4.i = phi i64 [ %.158, %B34.if.lr.ph.i ], [ %lsr.iv.next5.i, %B34.if.i ]
   %lsr.iv.i = phi i64 [ 0, %B34.if.lr.ph.i ], [ %lsr.iv.next.i, %B34.if.i ]
-  %scevgep3.i = getelementptr i8, ptr %.462, i64 %lsr.iv.i
+  %scevgep3.i = getelementptr i8, ptr %.463, i64 %lsr.iv.i
   %.205.i = load i64, ptr %scevgep3.i, align 8, !noalias !68
   %4 = shl i64 %lsr.iv.i, 3
-  %scevgep.i = getelementptr i8, ptr %.637, i64 %4
+  %scevgep.i = getelementptr i8, ptr %.638, i64 %4
   %.216.i = load <8 x double>, ptr %scevgep.i, align 8, !noalias !68
-  %.224.i = getelementptr inbounds double, ptr %.926, i64 %.205.i
+  %.224.i = getelementptr inbounds double, ptr %.927, i64 %.205.i
   %.225.i = load double, ptr %.224.i, align 8, !noalias !68
   %.6.i.i = insertelement <8 x double> poison, double %.225.i, i64 0
   %.7.i.i = shufflevector <8 x double> %.6.i.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -3734,124 +3726,126 @@ B34.if.i:                                         ; preds = %B34.if.i, %B34.if.l
   %lsr.iv.next.i = add nuw i64 %lsr.iv.i, 8
   %lsr.iv.next5.i = add i64 %lsr.iv4.i, -1
   %exitcond.not.i = icmp eq i64 %lsr.iv.next5.i, 0
-  br i1 %exitcond.not.i, label %B0.endif.endif.endif.endi...endif.2.endif, label %B34.if.i
+  br i1 %exitcond.not.i, label %B0.endif.endif.endif.endi...endif.2.endif.endif, label %B34.if.i
 
-B0.endif.endif.endif.endi...endif.2.endif:        ; preds = %B34.if.i, %B0.endif.endif.endif.endi...endif.1.endif.endif
-  %low.4.1.i428 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif ], [ %low.3.1.i53, %B34.if.i ]
-  %low.4.1.i27 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif ], [ %low.3.1.i, %B34.if.i ]
-  %.1235.idx = shl nsw i64 %.158, 8
-  %.1235 = getelementptr inbounds i8, ptr %.576, i64 %.1235.idx
-  store ptr null, ptr %.1286, align 8
-  call fastcc void @inner_10(ptr nonnull %.1286, ptr %.576, ptr %.699, ptr %.1235, i64 %low.4.1.i27, i64 %low.4.1.i428, i64 %.202, double 1.000000e+00, ptr %arg.series.4, double %.1099, ptr %arg.work.4, ptr %.830)
+B0.endif.endif.endif.endi...endif.2.endif.endif:  ; preds = %B34.if.i, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif
+  %low.4.1.i479 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ], [ %low.3.1.i58, %B34.if.i ]
+  %low.4.1.i38 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ], [ %low.3.1.i, %B34.if.i ]
+  %.1300.idx = shl nsw i64 %.158, 8
+  %.1300 = getelementptr inbounds i8, ptr %.577, i64 %.1300.idx
+  store ptr null, ptr %.1351, align 8
+  call fastcc void @inner_10(ptr nonnull %.1351, ptr %.577, ptr %.700, ptr %.1300, i64 %low.4.1.i38, i64 %low.4.1.i479, i64 %.203, double 1.000000e+00, ptr %arg.series.4, double %.1164, ptr %arg.work.4, ptr %.831)
   %5 = icmp slt i64 %.158, 1
-  br i1 %5, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109, label %B64.if.i.preheader
+  br i1 %5, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B64.if.i.preheader
 
-B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif
-  %6 = shl i64 %.232, 3
-  %7 = getelementptr i8, ptr %arg.weights.4, i64 %.507.idx
-  %8 = getelementptr i8, ptr %7, i64 %6
-  %scevgep299 = getelementptr i8, ptr %8, i64 576
+B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif.endif
+  %6 = shl i64 %.233, 3
+  %7 = lshr i64 %.160, 3
+  %.neg1 = mul i64 %7, -192
+  %8 = getelementptr i8, ptr %arg.weights.4, i64 %.neg1
+  %9 = getelementptr i8, ptr %8, i64 %6
+  %scevgep313 = getelementptr i8, ptr %9, i64 576
   br label %B64.if.i
 
 B424.i:                                           ; preds = %B172.if.i
   %.138.i = add nsw i64 %.128167175.i, -1
   %.142.i = add i64 %.135168174.i, 8
-  %.6.i.i68 = fadd contract <8 x double> %.322.i, %.352.i
+  %.6.i.i73 = fadd contract <8 x double> %.322.i, %.352.i
   %.398.i = getelementptr inbounds double, ptr %arg.polynomials_a.4, i64 %.135168174.i
-  store <8 x double> %.6.i.i68, ptr %.398.i, align 8, !noalias !71
-  %scevgep.i69 = getelementptr i8, ptr %lsr.iv2.i, i64 64
+  store <8 x double> %.6.i.i73, ptr %.398.i, align 8, !noalias !71
+  %scevgep.i74 = getelementptr i8, ptr %lsr.iv2.i, i64 64
   %.129.i = icmp sgt i64 %.128167175.i, 1
-  br i1 %.129.i, label %B64.if.i, label %B34.if.lr.ph.i71
+  br i1 %.129.i, label %B64.if.i, label %B34.if.lr.ph.i76
 
 B64.if.i:                                         ; preds = %B424.i, %B64.if.i.preheader
-  %lsr.iv2.i = phi ptr [ %scevgep.i69, %B424.i ], [ %.830, %B64.if.i.preheader ]
+  %lsr.iv2.i = phi ptr [ %scevgep.i74, %B424.i ], [ %.831, %B64.if.i.preheader ]
   %.128167175.i = phi i64 [ %.138.i, %B424.i ], [ %.158, %B64.if.i.preheader ]
   %.135168174.i = phi i64 [ %.142.i, %B424.i ], [ 0, %B64.if.i.preheader ]
   br label %B172.if.i
 
 B172.if.i:                                        ; preds = %B172.if.i, %B64.if.i
   %lsr.iv6 = phi i64 [ %lsr.iv.next7, %B172.if.i ], [ 10, %B64.if.i ]
-  %lsr.iv295 = phi i64 [ %lsr.iv.next296, %B172.if.i ], [ 0, %B64.if.i ]
+  %lsr.iv309 = phi i64 [ %lsr.iv.next310, %B172.if.i ], [ 0, %B64.if.i ]
   %even.2.1163.i = phi <8 x double> [ %.322.i, %B172.if.i ], [ zeroinitializer, %B64.if.i ]
   %odd.2.1162.i = phi <8 x double> [ %.352.i, %B172.if.i ], [ zeroinitializer, %B64.if.i ]
-  %9 = shl nuw nsw i64 %lsr.iv295, 3
-  %scevgep10 = getelementptr i8, ptr %scevgep299, i64 %9
+  %10 = shl nuw nsw i64 %lsr.iv309, 3
+  %scevgep10 = getelementptr i8, ptr %scevgep313, i64 %10
   %scevgep9 = getelementptr i8, ptr %scevgep10, i64 -64
   %.307.i = load <8 x double>, ptr %scevgep9, align 8, !noalias !71
-  %scevgep297 = getelementptr i8, ptr %lsr.iv2.i, i64 %lsr.iv295
-  %scevgep298 = getelementptr i8, ptr %scevgep297, i64 8
-  %.318.i = load double, ptr %scevgep297, align 8, !noalias !71
+  %scevgep311 = getelementptr i8, ptr %lsr.iv2.i, i64 %lsr.iv309
+  %scevgep312 = getelementptr i8, ptr %scevgep311, i64 8
+  %.318.i = load double, ptr %scevgep311, align 8, !noalias !71
   %.320.i = insertelement <8 x double> poison, double %.318.i, i64 0
   %.321.i = shufflevector <8 x double> %.320.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.322.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.307.i, <8 x double> %.321.i, <8 x double> %even.2.1163.i)
   %.336.i = load <8 x double>, ptr %scevgep10, align 8, !noalias !71
-  %.348.i = load double, ptr %scevgep298, align 8, !noalias !71
+  %.348.i = load double, ptr %scevgep312, align 8, !noalias !71
   %.350.i = insertelement <8 x double> poison, double %.348.i, i64 0
   %.351.i = shufflevector <8 x double> %.350.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.352.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.336.i, <8 x double> %.351.i, <8 x double> %odd.2.1162.i)
-  %lsr.iv.next296 = add nuw nsw i64 %lsr.iv295, 16
+  %lsr.iv.next310 = add nuw nsw i64 %lsr.iv309, 16
   %lsr.iv.next7 = add nsw i64 %lsr.iv6, -1
   %.259.i = icmp samesign ugt i64 %lsr.iv6, 7
   br i1 %.259.i, label %B172.if.i, label %B424.i
 
-B34.if.lr.ph.i71:                                 ; preds = %B424.i
-  %10 = getelementptr double, ptr %arg.cubics.1.4, i64 %arg.stride
-  %.idx.i72 = shl i64 %arg.stride, 4
-  %11 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx.i72
-  %.idx161.i73 = mul i64 %arg.stride, 24
-  %12 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx161.i73
-  br label %B34.if.i74
+B34.if.lr.ph.i76:                                 ; preds = %B424.i
+  %11 = getelementptr double, ptr %arg.cubics.1.4, i64 %arg.stride
+  %.idx.i77 = shl i64 %arg.stride, 4
+  %12 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx.i77
+  %.idx161.i78 = mul i64 %arg.stride, 24
+  %13 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx161.i78
+  br label %B34.if.i79
 
-B34.if.i74:                                       ; preds = %B34.if.i74, %B34.if.lr.ph.i71
-  %lsr.iv4.i75 = phi i64 [ %.158, %B34.if.lr.ph.i71 ], [ %lsr.iv.next5.i107, %B34.if.i74 ]
-  %lsr.iv.i76 = phi i64 [ 0, %B34.if.lr.ph.i71 ], [ %lsr.iv.next.i106, %B34.if.i74 ]
-  %scevgep3.i77 = getelementptr i8, ptr %.462, i64 %lsr.iv.i76
-  %.205.i78 = load i64, ptr %scevgep3.i77, align 8, !noalias !74
-  %13 = shl i64 %lsr.iv.i76, 3
-  %scevgep.i79 = getelementptr i8, ptr %.637, i64 %13
-  %.216.i80 = load <8 x double>, ptr %scevgep.i79, align 8, !noalias !74
-  %.224.i81 = getelementptr inbounds double, ptr %.926, i64 %.205.i78
-  %.225.i82 = load double, ptr %.224.i81, align 8, !noalias !74
-  %.6.i.i83 = insertelement <8 x double> poison, double %.225.i82, i64 0
-  %.7.i.i84 = shufflevector <8 x double> %.6.i.i83, <8 x double> poison, <8 x i32> zeroinitializer
-  %.8.i.i85 = fsub contract <8 x double> %.216.i80, %.7.i.i84
-  %.257.i86 = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.205.i78
-  %.258.i87 = load double, ptr %.257.i86, align 8, !noalias !74
-  %.268.i88 = getelementptr double, ptr %10, i64 %.205.i78
-  %.269.i89 = load double, ptr %.268.i88, align 8, !noalias !74
-  %.280.i90 = getelementptr double, ptr %11, i64 %.205.i78
-  %.281.i91 = load double, ptr %.280.i90, align 8, !noalias !74
-  %.292.i92 = getelementptr double, ptr %12, i64 %.205.i78
-  %.293.i93 = load double, ptr %.292.i92, align 8, !noalias !74
-  %.295.i94 = insertelement <8 x double> poison, double %.293.i93, i64 0
-  %.296.i95 = shufflevector <8 x double> %.295.i94, <8 x double> poison, <8 x i32> zeroinitializer
-  %.297.i96 = insertelement <8 x double> poison, double %.281.i91, i64 0
-  %.298.i97 = shufflevector <8 x double> %.297.i96, <8 x double> poison, <8 x i32> zeroinitializer
-  %.299.i98 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i85, <8 x double> %.296.i95, <8 x double> %.298.i97)
-  %.300.i99 = insertelement <8 x double> poison, double %.269.i89, i64 0
-  %.301.i100 = shufflevector <8 x double> %.300.i99, <8 x double> poison, <8 x i32> zeroinitializer
-  %.302.i101 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i85, <8 x double> %.299.i98, <8 x double> %.301.i100)
-  %.303.i102 = insertelement <8 x double> poison, double %.258.i87, i64 0
-  %.304.i103 = shufflevector <8 x double> %.303.i102, <8 x double> poison, <8 x i32> zeroinitializer
-  %.305.i104 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i85, <8 x double> %.302.i101, <8 x double> %.304.i103)
-  %scevgep5 = getelementptr i8, ptr %arg.work.4, i64 %13
-  store <8 x double> %.305.i104, ptr %scevgep5, align 8, !noalias !74
-  %lsr.iv.next.i106 = add nuw i64 %lsr.iv.i76, 8
-  %lsr.iv.next5.i107 = add i64 %lsr.iv4.i75, -1
-  %exitcond.not.i108 = icmp eq i64 %lsr.iv.next5.i107, 0
-  br i1 %exitcond.not.i108, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109, label %B34.if.i74
+B34.if.i79:                                       ; preds = %B34.if.i79, %B34.if.lr.ph.i76
+  %lsr.iv4.i80 = phi i64 [ %.158, %B34.if.lr.ph.i76 ], [ %lsr.iv.next5.i112, %B34.if.i79 ]
+  %lsr.iv.i81 = phi i64 [ 0, %B34.if.lr.ph.i76 ], [ %lsr.iv.next.i111, %B34.if.i79 ]
+  %scevgep3.i82 = getelementptr i8, ptr %.463, i64 %lsr.iv.i81
+  %.205.i83 = load i64, ptr %scevgep3.i82, align 8, !noalias !74
+  %14 = shl i64 %lsr.iv.i81, 3
+  %scevgep.i84 = getelementptr i8, ptr %.638, i64 %14
+  %.216.i85 = load <8 x double>, ptr %scevgep.i84, align 8, !noalias !74
+  %.224.i86 = getelementptr inbounds double, ptr %.927, i64 %.205.i83
+  %.225.i87 = load double, ptr %.224.i86, align 8, !noalias !74
+  %.6.i.i88 = insertelement <8 x double> poison, double %.225.i87, i64 0
+  %.7.i.i89 = shufflevector <8 x double> %.6.i.i88, <8 x double> poison, <8 x i32> zeroinitializer
+  %.8.i.i90 = fsub contract <8 x double> %.216.i85, %.7.i.i89
+  %.257.i91 = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.205.i83
+  %.258.i92 = load double, ptr %.257.i91, align 8, !noalias !74
+  %.268.i93 = getelementptr double, ptr %11, i64 %.205.i83
+  %.269.i94 = load double, ptr %.268.i93, align 8, !noalias !74
+  %.280.i95 = getelementptr double, ptr %12, i64 %.205.i83
+  %.281.i96 = load double, ptr %.280.i95, align 8, !noalias !74
+  %.292.i97 = getelementptr double, ptr %13, i64 %.205.i83
+  %.293.i98 = load double, ptr %.292.i97, align 8, !noalias !74
+  %.295.i99 = insertelement <8 x double> poison, double %.293.i98, i64 0
+  %.296.i100 = shufflevector <8 x double> %.295.i99, <8 x double> poison, <8 x i32> zeroinitializer
+  %.297.i101 = insertelement <8 x double> poison, double %.281.i96, i64 0
+  %.298.i102 = shufflevector <8 x double> %.297.i101, <8 x double> poison, <8 x i32> zeroinitializer
+  %.299.i103 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i90, <8 x double> %.296.i100, <8 x double> %.298.i102)
+  %.300.i104 = insertelement <8 x double> poison, double %.269.i94, i64 0
+  %.301.i105 = shufflevector <8 x double> %.300.i104, <8 x double> poison, <8 x i32> zeroinitializer
+  %.302.i106 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i90, <8 x double> %.299.i103, <8 x double> %.301.i105)
+  %.303.i107 = insertelement <8 x double> poison, double %.258.i92, i64 0
+  %.304.i108 = shufflevector <8 x double> %.303.i107, <8 x double> poison, <8 x i32> zeroinitializer
+  %.305.i109 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i90, <8 x double> %.302.i106, <8 x double> %.304.i108)
+  %scevgep5 = getelementptr i8, ptr %arg.work.4, i64 %14
+  store <8 x double> %.305.i109, ptr %scevgep5, align 8, !noalias !74
+  %lsr.iv.next.i111 = add nuw i64 %lsr.iv.i81, 8
+  %lsr.iv.next5.i112 = add i64 %lsr.iv4.i80, -1
+  %exitcond.not.i113 = icmp eq i64 %lsr.iv.next5.i112, 0
+  br i1 %exitcond.not.i113, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B34.if.i79
 
-_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109: ; preds = %B34.if.i74, %B0.endif.endif.endif.endi...endif.2.endif
-  %.1630.idx = mul i64 %.158, 192
-  %.1630 = getelementptr i8, ptr %.576, i64 %.1630.idx
+_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114: ; preds = %B34.if.i79, %B0.endif.endif.endif.endi...endif.2.endif.endif
+  %.1695.idx = mul i64 %.158, 192
+  %.1695 = getelementptr i8, ptr %.577, i64 %.1695.idx
   %.1167.i = and i64 %.158, 2305843009213693951
   %.1189570.not574.i = icmp eq i64 %.1167.i, 0
   %.1189570.not.i = or i1 %5, %.1189570.not574.i
-  br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif, label %B484.if.lr.ph.i
+  br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif, label %B484.if.lr.ph.i
 
-B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109
-  %.1561 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
-  %.1497 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
+B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
+  %.1626 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
+  %.1562 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
   %.1012.i = getelementptr i8, ptr %arg.series.4, i64 264
   %.1013.i = load double, ptr %.1012.i, align 8, !noalias !77
   %.983.i = getelementptr i8, ptr %arg.series.4, i64 256
@@ -3870,7 +3864,7 @@ B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrog
   %.810.i = load double, ptr %.809.i, align 8, !noalias !77
   %.780.i = getelementptr i8, ptr %arg.series.4, i64 200
   %.781.i = load double, ptr %.780.i, align 8, !noalias !77
-  %.752.i = load double, ptr %.1561, align 8, !noalias !77
+  %.752.i = load double, ptr %.1626, align 8, !noalias !77
   %.647.i = getelementptr i8, ptr %arg.series.4, i64 184
   %.648.i = load double, ptr %.647.i, align 8, !noalias !77
   %.618.i = getelementptr i8, ptr %arg.series.4, i64 176
@@ -3894,14 +3888,14 @@ B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrog
   %.285.i = getelementptr i8, ptr %arg.series.4, i64 104
   %.286.i = load double, ptr %.285.i, align 8, !noalias !77
   %.256.i = getelementptr i8, ptr %arg.series.4, i64 96
-  %.257.i125 = load double, ptr %.256.i, align 8, !noalias !77
+  %.257.i130 = load double, ptr %.256.i, align 8, !noalias !77
   %.227.i = getelementptr i8, ptr %arg.series.4, i64 88
   %.228.i = load double, ptr %.227.i, align 8, !noalias !77
   %.198.i = getelementptr i8, ptr %arg.series.4, i64 80
   %.199.i = load double, ptr %.198.i, align 8, !noalias !77
   %.169.i = getelementptr i8, ptr %arg.series.4, i64 72
   %.170.i = load double, ptr %.169.i, align 8, !noalias !77
-  %.141.i = load double, ptr %.1497, align 8, !noalias !77
+  %.141.i = load double, ptr %.1562, align 8, !noalias !77
   %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
   %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
@@ -3920,7 +3914,7 @@ B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrog
   %.1309.i = shufflevector <8 x double> %.1308.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1312.i = insertelement <8 x double> poison, double %.315.i, i64 0
   %.1313.i = shufflevector <8 x double> %.1312.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1315.i = insertelement <8 x double> poison, double %.257.i125, i64 0
+  %.1315.i = insertelement <8 x double> poison, double %.257.i130, i64 0
   %.1316.i = shufflevector <8 x double> %.1315.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1319.i = insertelement <8 x double> poison, double %.199.i, i64 0
   %.1320.i = shufflevector <8 x double> %.1319.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -3954,38 +3948,38 @@ B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrog
   %.1447.i = shufflevector <8 x double> %.1446.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1448.i = insertelement <8 x double> poison, double %.984.i, i64 0
   %.1449.i = shufflevector <8 x double> %.1448.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %14 = add nuw nsw i64 %.1167.i, 6
+  %15 = add nuw nsw i64 %.1167.i, 6
   br label %B484.if.i
 
 B484.if.i:                                        ; preds = %B484.if.i, %B484.if.lr.ph.i
-  %lsr.iv3 = phi i64 [ %lsr.iv.next4, %B484.if.i ], [ %14, %B484.if.lr.ph.i ]
+  %lsr.iv3 = phi i64 [ %lsr.iv.next4, %B484.if.i ], [ %15, %B484.if.lr.ph.i ]
   %lsr.iv20.i = phi i64 [ %lsr.iv.next21.i, %B484.if.i ], [ 0, %B484.if.lr.ph.i ]
-  %scevgep26.i = getelementptr i8, ptr %.699, i64 %lsr.iv20.i
+  %scevgep26.i = getelementptr i8, ptr %.700, i64 %lsr.iv20.i
   %.1236.i = load <8 x double>, ptr %scevgep26.i, align 8, !noalias !77
-  %scevgep25.i = getelementptr i8, ptr %.576, i64 %lsr.iv20.i
+  %scevgep25.i = getelementptr i8, ptr %.577, i64 %lsr.iv20.i
   %.1246.i = load <8 x double>, ptr %scevgep25.i, align 8, !noalias !77
-  %scevgep24.i = getelementptr i8, ptr %.637, i64 %lsr.iv20.i
+  %scevgep24.i = getelementptr i8, ptr %.638, i64 %lsr.iv20.i
   %.1256.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !77
-  %.6.i.i127 = fmul contract <8 x double> %.1236.i, %.1236.i
-  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1283.i, <8 x double> %.1286.i)
-  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1287.i, <8 x double> %.1290.i)
-  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1291.i, <8 x double> %.1294.i)
-  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1298.i, <8 x double> %.1301.i)
-  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1302.i, <8 x double> %.1305.i)
-  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1306.i, <8 x double> %.1309.i)
-  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1313.i, <8 x double> %.1316.i)
-  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1317.i, <8 x double> %.1320.i)
-  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1321.i, <8 x double> %.1324.i)
-  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1328.i, <8 x double> %.1331.i)
-  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1332.i, <8 x double> %.1335.i)
-  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1336.i, <8 x double> %.1339.i)
-  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1343.i, <8 x double> %.1346.i)
-  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1347.i, <8 x double> %.1350.i)
-  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1351.i, <8 x double> %.1354.i)
-  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1358.i, <8 x double> %.1361.i)
-  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i127, <8 x double> %.1362.i, <8 x double> %.1365.i)
+  %.6.i.i132 = fmul contract <8 x double> %.1236.i, %.1236.i
+  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1283.i, <8 x double> %.1286.i)
+  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1287.i, <8 x double> %.1290.i)
+  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1291.i, <8 x double> %.1294.i)
+  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1298.i, <8 x double> %.1301.i)
+  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1302.i, <8 x double> %.1305.i)
+  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1306.i, <8 x double> %.1309.i)
+  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1313.i, <8 x double> %.1316.i)
+  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1317.i, <8 x double> %.1320.i)
+  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1321.i, <8 x double> %.1324.i)
+  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1328.i, <8 x double> %.1331.i)
+  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1332.i, <8 x double> %.1335.i)
+  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1336.i, <8 x double> %.1339.i)
+  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1343.i, <8 x double> %.1346.i)
+  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1347.i, <8 x double> %.1350.i)
+  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1351.i, <8 x double> %.1354.i)
+  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1358.i, <8 x double> %.1361.i)
+  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
-  %scevgep23.i = getelementptr i8, ptr %.1630, i64 %lsr.iv20.i
+  %scevgep23.i = getelementptr i8, ptr %.1695, i64 %lsr.iv20.i
   %.1377.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !77
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
@@ -3999,92 +3993,92 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %.6.i18.i = fadd contract <8 x double> %.6.i16.i, %.1443.i
   %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
   %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
-  %scevgep.i128 = getelementptr i8, ptr %.830, i64 %lsr.iv20.i
-  store <8 x double> %.6.i19.i, ptr %scevgep.i128, align 8, !noalias !77
+  %scevgep.i133 = getelementptr i8, ptr %.831, i64 %lsr.iv20.i
+  store <8 x double> %.6.i19.i, ptr %scevgep.i133, align 8, !noalias !77
   %lsr.iv.next21.i = add i64 %lsr.iv20.i, 64
   %lsr.iv.next4 = add nsw i64 %lsr.iv3, -1
   %.1189.i = icmp sgt i64 %lsr.iv3, 7
-  br i1 %.1189.i, label %B484.if.i, label %B64.if.i131.preheader
+  br i1 %.1189.i, label %B484.if.i, label %B64.if.i136.preheader
 
-B0.endif.endif.endif.endi...endif.4.endif.endif:  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit109
-  br i1 %5, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif, label %B64.if.i131.preheader
+B0.endif.endif.endif.endi...endif.4.endif.endif.endif: ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
+  br i1 %5, label %B0.endif.endif.endif.endi...endif.5, label %B64.if.i136.preheader
 
-B64.if.i131.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.4.endif.endif
-  br label %B64.if.i131
+B64.if.i136.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.4.endif.endif.endif
+  br label %B64.if.i136
 
-B424.i157:                                        ; preds = %B172.if.i135
-  %.138.i158 = add nsw i64 %.128167175.i133, -1
-  %.142.i159 = add i64 %.135168174.i134, 8
-  %.6.i.i160 = fadd contract <8 x double> %.322.i148, %.352.i153
-  %.398.i161 = getelementptr inbounds double, ptr %arg.polynomials_p.4, i64 %.135168174.i134
-  store <8 x double> %.6.i.i160, ptr %.398.i161, align 8, !noalias !80
-  %scevgep.i162 = getelementptr i8, ptr %lsr.iv2.i132, i64 64
-  %.129.i163 = icmp sgt i64 %.128167175.i133, 1
-  br i1 %.129.i163, label %B64.if.i131, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif
+B424.i162:                                        ; preds = %B172.if.i140
+  %.138.i163 = add nsw i64 %.128167175.i138, -1
+  %.142.i164 = add i64 %.135168174.i139, 8
+  %.6.i.i165 = fadd contract <8 x double> %.322.i153, %.352.i158
+  %.398.i166 = getelementptr inbounds double, ptr %arg.polynomials_p.4, i64 %.135168174.i139
+  store <8 x double> %.6.i.i165, ptr %.398.i166, align 8, !noalias !80
+  %scevgep.i167 = getelementptr i8, ptr %lsr.iv2.i137, i64 64
+  %.129.i168 = icmp sgt i64 %.128167175.i138, 1
+  br i1 %.129.i168, label %B64.if.i136, label %B0.endif.endif.endif.endi...endif.5
 
-B64.if.i131:                                      ; preds = %B64.if.i131.preheader, %B424.i157
-  %lsr.iv2.i132 = phi ptr [ %scevgep.i162, %B424.i157 ], [ %.830, %B64.if.i131.preheader ]
-  %.128167175.i133 = phi i64 [ %.138.i158, %B424.i157 ], [ %.158, %B64.if.i131.preheader ]
-  %.135168174.i134 = phi i64 [ %.142.i159, %B424.i157 ], [ 0, %B64.if.i131.preheader ]
-  br label %B172.if.i135
+B64.if.i136:                                      ; preds = %B64.if.i136.preheader, %B424.i162
+  %lsr.iv2.i137 = phi ptr [ %scevgep.i167, %B424.i162 ], [ %.831, %B64.if.i136.preheader ]
+  %.128167175.i138 = phi i64 [ %.138.i163, %B424.i162 ], [ %.158, %B64.if.i136.preheader ]
+  %.135168174.i139 = phi i64 [ %.142.i164, %B424.i162 ], [ 0, %B64.if.i136.preheader ]
+  br label %B172.if.i140
 
-B172.if.i135:                                     ; preds = %B172.if.i135, %B64.if.i131
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B172.if.i135 ], [ 10, %B64.if.i131 ]
-  %lsr.iv3.i136 = phi i64 [ %lsr.iv.next4.i155, %B172.if.i135 ], [ 8, %B64.if.i131 ]
-  %even.2.1163.i138 = phi <8 x double> [ %.322.i148, %B172.if.i135 ], [ zeroinitializer, %B64.if.i131 ]
-  %odd.2.1162.i139 = phi <8 x double> [ %.352.i153, %B172.if.i135 ], [ zeroinitializer, %B64.if.i131 ]
-  %15 = shl nuw nsw i64 %lsr.iv3.i136, 3
-  %scevgep2 = getelementptr i8, ptr %.507, i64 %15
+B172.if.i140:                                     ; preds = %B172.if.i140, %B64.if.i136
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B172.if.i140 ], [ 10, %B64.if.i136 ]
+  %lsr.iv3.i141 = phi i64 [ %lsr.iv.next4.i160, %B172.if.i140 ], [ 8, %B64.if.i136 ]
+  %even.2.1163.i143 = phi <8 x double> [ %.322.i153, %B172.if.i140 ], [ zeroinitializer, %B64.if.i136 ]
+  %odd.2.1162.i144 = phi <8 x double> [ %.352.i158, %B172.if.i140 ], [ zeroinitializer, %B64.if.i136 ]
+  %16 = shl nuw nsw i64 %lsr.iv3.i141, 3
+  %scevgep2 = getelementptr i8, ptr %.508, i64 %16
   %scevgep1 = getelementptr i8, ptr %scevgep2, i64 -64
-  %.307.i142 = load <8 x double>, ptr %scevgep1, align 8, !noalias !80
-  %scevgep6.i143 = getelementptr i8, ptr %lsr.iv2.i132, i64 %lsr.iv3.i136
-  %scevgep7.i144 = getelementptr i8, ptr %scevgep6.i143, i64 -8
-  %.318.i145 = load double, ptr %scevgep7.i144, align 8, !noalias !80
-  %.320.i146 = insertelement <8 x double> poison, double %.318.i145, i64 0
-  %.321.i147 = shufflevector <8 x double> %.320.i146, <8 x double> poison, <8 x i32> zeroinitializer
-  %.322.i148 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.307.i142, <8 x double> %.321.i147, <8 x double> %even.2.1163.i138)
-  %.336.i149 = load <8 x double>, ptr %scevgep2, align 8, !noalias !80
-  %.348.i150 = load double, ptr %scevgep6.i143, align 8, !noalias !80
-  %.350.i151 = insertelement <8 x double> poison, double %.348.i150, i64 0
-  %.351.i152 = shufflevector <8 x double> %.350.i151, <8 x double> poison, <8 x i32> zeroinitializer
-  %.352.i153 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.336.i149, <8 x double> %.351.i152, <8 x double> %odd.2.1162.i139)
-  %lsr.iv.next4.i155 = add nuw nsw i64 %lsr.iv3.i136, 16
+  %.307.i147 = load <8 x double>, ptr %scevgep1, align 8, !noalias !80
+  %scevgep6.i148 = getelementptr i8, ptr %lsr.iv2.i137, i64 %lsr.iv3.i141
+  %scevgep7.i149 = getelementptr i8, ptr %scevgep6.i148, i64 -8
+  %.318.i150 = load double, ptr %scevgep7.i149, align 8, !noalias !80
+  %.320.i151 = insertelement <8 x double> poison, double %.318.i150, i64 0
+  %.321.i152 = shufflevector <8 x double> %.320.i151, <8 x double> poison, <8 x i32> zeroinitializer
+  %.322.i153 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.307.i147, <8 x double> %.321.i152, <8 x double> %even.2.1163.i143)
+  %.336.i154 = load <8 x double>, ptr %scevgep2, align 8, !noalias !80
+  %.348.i155 = load double, ptr %scevgep6.i148, align 8, !noalias !80
+  %.350.i156 = insertelement <8 x double> poison, double %.348.i155, i64 0
+  %.351.i157 = shufflevector <8 x double> %.350.i156, <8 x double> poison, <8 x i32> zeroinitializer
+  %.352.i158 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.336.i154, <8 x double> %.351.i157, <8 x double> %odd.2.1162.i144)
+  %lsr.iv.next4.i160 = add nuw nsw i64 %lsr.iv3.i141, 16
   %lsr.iv.next = add nsw i64 %lsr.iv, -1
-  %.259.i156 = icmp samesign ugt i64 %lsr.iv, 7
-  br i1 %.259.i156, label %B172.if.i135, label %B424.i157
+  %.259.i161 = icmp samesign ugt i64 %lsr.iv, 7
+  br i1 %.259.i161, label %B172.if.i140, label %B424.i162
 
-B0.endif.endif.endif.endi...endif.4.endif.endif.endif: ; preds = %B424.i157, %B0.endif.endif.endif.endi...endif.4.endif.endif
+B0.endif.endif.endif.endi...endif.5:              ; preds = %B424.i162, %B0.endif.endif.endif.endi...endif.4.endif.endif.endif
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc noundef range(i32 0, 2) i32 @inner_9(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, double %arg.unit, ptr readonly captures(none) %arg.weights.4, i64 %arg.band_at, ptr readonly captures(none) %arg.gauge.4, i64 %arg.alignment, ptr initializes((0, 384)) %arg.room.4, ptr writeonly captures(none) initializes((0, 64)) %arg.out.4) unnamed_addr #7 {
+define internal fastcc noundef range(i32 0, 2) i32 @inner_9(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, double %arg.unit, ptr readonly captures(none) %arg.band.4, ptr readonly captures(none) %arg.gauge.4, i64 %arg.alignment, ptr initializes((0, 384)) %arg.room.4, ptr writeonly captures(none) initializes((0, 64)) %arg.out.4) unnamed_addr #7 {
 entry:
-  %.109 = getelementptr i8, ptr %arg.row.4, i64 56
-  %.110 = load double, ptr %.109, align 8
-  %.210 = fmul contract double %arg.unit, 0x400921FB54442D18
-  %.211 = tail call contract double @llvm.pow.f64(double %.210, double 0x3FD5555555555555)
-  %.223.le = tail call contract double @llvm.log.f64(double %.211)
-  %.260 = load double, ptr %arg.row.4, align 8
-  %.5.i = fadd contract double %.260, 1.000000e+00
+  %.107 = load double, ptr %arg.row.4, align 8
+  %.136 = getelementptr i8, ptr %arg.row.4, i64 24
+  %.137 = load double, ptr %.136, align 8
+  %.166 = getelementptr i8, ptr %arg.row.4, i64 32
+  %.167 = load double, ptr %.166, align 8
+  %.205 = getelementptr i8, ptr %arg.row.4, i64 56
+  %.206 = load double, ptr %.205, align 8
+  %.305 = fmul contract double %arg.unit, 0x400921FB54442D18
+  %.306 = tail call contract double @llvm.pow.f64(double %.305, double 0x3FD5555555555555)
+  %.318.le = tail call contract double @llvm.log.f64(double %.306)
+  %.5.i = fadd contract double %.107, 1.000000e+00
   %.147.i.i9 = fmul contract double %.5.i, %.5.i
-  %.35.i = fdiv contract double %.260, %.147.i.i9
-  %.285 = fmul contract double %.35.i, 0x3AD23C9F83511538
-  %.346 = fmul contract double %.110, %.110
-  %.347 = fmul contract double %.346, %.285
-  %.376 = getelementptr i8, ptr %arg.row.4, i64 40
-  %.377 = load double, ptr %.376, align 8
-  %.381 = fdiv contract double %.347, %.377
-  %.443 = getelementptr i8, ptr %arg.row.4, i64 24
-  %.444 = load double, ptr %.443, align 8
-  %.473 = getelementptr i8, ptr %arg.row.4, i64 32
-  %.474 = load double, ptr %.473, align 8
-  %.54.i = fsub contract double %.444, %.474
+  %.35.i = fdiv contract double %.107, %.147.i.i9
+  %.351 = fmul contract double %.35.i, 0x3AD23C9F83511538
+  %.354 = fmul contract double %.206, %.206
+  %.355 = fmul contract double %.354, %.351
+  %.384 = getelementptr i8, ptr %arg.row.4, i64 40
+  %.385 = load double, ptr %.384, align 8
+  %.389 = fdiv contract double %.355, %.385
+  %.54.i = fsub contract double %.137, %.167
   %.147.i.i1 = fmul contract double %.54.i, %.54.i
-  %.45.i = fadd contract double %.260, -1.000000e+00
+  %.45.i = fadd contract double %.107, -1.000000e+00
   %.50.i = fdiv contract double %.45.i, %.5.i
-  %.51.i = fadd contract double %.444, %.474
+  %.51.i = fadd contract double %.137, %.167
   %.52.i = fmul contract double %.51.i, 5.000000e-01
   %.53.i = fmul contract double %.50.i, 5.000000e-01
   %.55.i = fmul contract double %.53.i, %.54.i
@@ -4119,8 +4113,8 @@ entry:
   %.335.i = fmul contract double %.35.i, 1.250000e-01
   %.336.i = fadd contract double %.335.i, -1.531250e+00
   %.361.i = fmul contract double %.336.i, %.147.i15.i
-  %.362.i5 = fadd contract double %.361.i, %.273.i
-  store double %.362.i5, ptr %.236.i, align 8, !noalias !83
+  %.362.i2 = fadd contract double %.361.i, %.273.i
+  store double %.362.i2, ptr %.236.i, align 8, !noalias !83
   %.393.i = fmul contract double %.35.i, 4.000000e+00
   %.394.i = fsub contract double 1.000000e+00, %.393.i
   %.395.i = fmul contract double %.394.i, 0x4010B090E5F545F2
@@ -4176,84 +4170,74 @@ entry:
   %.920.i = fmul contract double %.919.i, 0x400921FB54442D18
   %.948.i = getelementptr i8, ptr %arg.out.4, i64 56
   store double %.920.i, ptr %.948.i, align 8, !noalias !83
-  %.531 = load double, ptr %arg.row.4, align 8
-  %.5.i.i = fadd contract double %.531, 1.000000e+00
-  %.147.i.i.i = fmul contract double %.5.i.i, %.5.i.i
-  %.35.i.i = fdiv contract double %.531, %.147.i.i.i
-  %.39.i = fdiv contract double 0x3FE4F1A6C638D03F, %.35.i.i
+  %.39.i = fdiv contract double 0x3FE4F1A6C638D03F, %.35.i
   %.47.i = tail call contract double @sqrt(double %.39.i)
-  %.557 = fmul contract double %.381, %.47.i
-  %.560 = fmul contract double %.211, %.211
-  %.562 = fmul contract double %.211, %.560
-  %.571 = tail call contract double @sqrt(double %.211)
-  %.576 = fmul contract double %.562, %.571
-  %.580 = fdiv contract double %.557, %.576
-  store double %.580, ptr %arg.out.4, align 8
-  %.765 = fmul contract double %.211, %.580
-  %.732.1 = fmul contract double %.765, 0.000000e+00
-  store double %.732.1, ptr %.138.i, align 8
-  %.765.1 = fmul contract double %.211, %.765
-  %.732.2 = fmul contract double %.141.i, %.765.1
-  store double %.732.2, ptr %.169.i, align 8
-  %.765.2 = fmul contract double %.211, %.765.1
-  %.732.3 = fmul contract double %.175.i, %.765.2
-  store double %.732.3, ptr %.203.i, align 8
-  %.765.3 = fmul contract double %.211, %.765.2
-  %.732.4 = fmul contract double %.362.i5, %.765.3
-  store double %.732.4, ptr %.236.i, align 8
-  %.765.4 = fmul contract double %.211, %.765.3
-  %.732.5 = fmul contract double %.463.i, %.765.4
-  store double %.732.5, ptr %.427.i, align 8
-  %.765.5 = fmul contract double %.211, %.765.4
-  %.732.6 = fmul contract double %.886.i, %.765.5
-  store double %.732.6, ptr %.548.i, align 8
-  %.765.6 = fmul contract double %.211, %.765.5
-  %.732.7 = fmul contract double %.920.i, %.765.6
-  store double %.732.7, ptr %.948.i, align 8
-  %.804 = load double, ptr %arg.row.4, align 8
-  %.834 = load double, ptr %.443, align 8
-  %.864 = load double, ptr %.473, align 8
-  %.893 = getelementptr i8, ptr %arg.row.4, i64 8
-  %.894 = load double, ptr %.893, align 8
-  %.923 = getelementptr i8, ptr %arg.row.4, i64 16
-  %.924 = load double, ptr %.923, align 8
+  %.449 = fmul contract double %.389, %.47.i
+  %.452 = fmul contract double %.306, %.306
+  %.454 = fmul contract double %.306, %.452
+  %.463 = tail call contract double @sqrt(double %.306)
+  %.468 = fmul contract double %.454, %.463
+  %.472 = fdiv contract double %.449, %.468
+  store double %.472, ptr %arg.out.4, align 8
+  %.657 = fmul contract double %.306, %.472
+  %.624.1 = fmul contract double %.657, 0.000000e+00
+  store double %.624.1, ptr %.138.i, align 8
+  %.657.1 = fmul contract double %.306, %.657
+  %.624.2 = fmul contract double %.141.i, %.657.1
+  store double %.624.2, ptr %.169.i, align 8
+  %.657.2 = fmul contract double %.306, %.657.1
+  %.624.3 = fmul contract double %.175.i, %.657.2
+  store double %.624.3, ptr %.203.i, align 8
+  %.657.3 = fmul contract double %.306, %.657.2
+  %.624.4 = fmul contract double %.362.i2, %.657.3
+  store double %.624.4, ptr %.236.i, align 8
+  %.657.4 = fmul contract double %.306, %.657.3
+  %.624.5 = fmul contract double %.463.i, %.657.4
+  store double %.624.5, ptr %.427.i, align 8
+  %.657.5 = fmul contract double %.306, %.657.4
+  %.624.6 = fmul contract double %.886.i, %.657.5
+  store double %.624.6, ptr %.548.i, align 8
+  %.657.6 = fmul contract double %.306, %.657.5
+  %.624.7 = fmul contract double %.920.i, %.657.6
+  store double %.624.7, ptr %.948.i, align 8
+  %.695 = getelementptr i8, ptr %arg.row.4, i64 8
+  %.696 = load double, ptr %.695, align 8
+  %.725 = getelementptr i8, ptr %arg.row.4, i64 16
+  %.726 = load double, ptr %.725, align 8
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(384) %arg.room.4, i8 0, i64 384, i1 false), !noalias !86
-  %.29.i = fadd contract double %.804, 1.000000e+00
-  %.33.i = fdiv contract double %.804, %.29.i
-  %.38.i = fdiv contract double 1.000000e+00, %.29.i
-  %.39.i6 = fmul contract double %.33.i, %.38.i
+  %.33.i = fdiv contract double %.107, %.5.i
+  %.38.i = fdiv contract double 1.000000e+00, %.5.i
+  %.39.i3 = fmul contract double %.33.i, %.38.i
   store double 1.000000e+00, ptr %arg.room.4, align 8, !noalias !89
   %.183.i.i = getelementptr i8, ptr %arg.room.4, i64 16
-  %.184.i.i = load double, ptr %.183.i.i, align 8, !noalias !89
-  %.203.i.i = fmul contract double %.39.i6, 0x401871C71C71C71C
+  %.203.i.i = fmul contract double %.39.i3, 0x401871C71C71C71C
   %.204.i.i = fadd contract double %.203.i.i, 0x4013A7F529FD4A7F
-  %.205.i.i = fadd contract double %.204.i.i, %.184.i.i
-  store double %.205.i.i, ptr %.183.i.i, align 8, !noalias !89
+  store double %.204.i.i, ptr %.183.i.i, align 8, !noalias !89
   %.308.i.i = getelementptr i8, ptr %arg.room.4, i64 24
   %.309.i.i = load double, ptr %.308.i.i, align 8, !noalias !89
   %.310.i.i = fadd contract double %.309.i.i, 0xC04921FB54442D18
   store double %.310.i.i, ptr %.308.i.i, align 8, !noalias !89
   %.413.i.i = getelementptr i8, ptr %arg.room.4, i64 32
   %.414.i.i = load double, ptr %.413.i.i, align 8, !noalias !89
-  %.454.i2.i = fmul contract double %.39.i6, 0x40456C71C71C71C7
+  %.454.i2.i = fmul contract double %.39.i3, 0x40456C71C71C71C7
   %.455.i3.i = fadd contract double %.454.i2.i, 0x404AEDF7DF7DF7DF
-  %.456.i4.i = fmul contract double %.39.i6, %.455.i3.i
+  %.456.i4.i = fmul contract double %.39.i3, %.455.i3.i
   %.457.i.i = fadd contract double %.456.i4.i, 0x403E1A683B5702A5
   %.458.i.i = fadd contract double %.457.i.i, %.414.i.i
   store double %.458.i.i, ptr %.413.i.i, align 8, !noalias !89
   %.561.i.i = getelementptr i8, ptr %arg.room.4, i64 168
   %.562.i.i = load double, ptr %.561.i.i, align 8, !noalias !89
-  %.581.i.i = fmul contract double %.39.i6, 0x40510457810E2933
+  %.581.i.i = fmul contract double %.39.i3, 0x40510457810E2933
   %1 = fsub contract double 0x407E1C5F0E074C89, %.581.i.i
   %.583.i.i = fadd contract double %1, %.562.i.i
   store double %.583.i.i, ptr %.561.i.i, align 8, !noalias !89
   %.686.i.i = getelementptr i8, ptr %arg.room.4, i64 48
   %.687.i.i = load double, ptr %.686.i.i, align 8, !noalias !89
-  %.756.i.i = fmul contract double %.39.i6, 0x4058A8587E6B74F0
+  %.756.i.i = fmul contract double %.39.i3, 0x4058A8587E6B74F0
   %2 = fsub contract double 0x404601B425ED097B, %.756.i.i
-  %.758.i.i = fmul contract double %.39.i6, %2
+  %.758.i.i = fmul contract double %.39.i3, %2
   %.759.i.i = fadd contract double %.758.i.i, 0xC0A9D8A41ED3317E
-  %.760.i.i = fmul contract double %.39.i6, %.759.i.i
+  %.760.i.i = fmul contract double %.39.i3, %.759.i.i
   %.761.i.i = fadd contract double %.760.i.i, 0xC071640B49E85C3E
   %.762.i.i = fadd contract double %.761.i.i, %.687.i.i
   store double %.762.i.i, ptr %.686.i.i, align 8, !noalias !89
@@ -4263,37 +4247,37 @@ entry:
   store double %.867.i.i, ptr %.865.i.i, align 8, !noalias !89
   %.970.i.i = getelementptr i8, ptr %arg.room.4, i64 56
   %.971.i.i = load double, ptr %.970.i.i, align 8, !noalias !89
-  %.1011.i.i = fmul contract double %.39.i6, 0x40733B288412FE12
+  %.1011.i.i = fmul contract double %.39.i3, 0x40733B288412FE12
   %3 = fsub contract double 0x408893BEE8443B83, %.1011.i.i
-  %.1013.i.i = fmul contract double %.39.i6, %3
+  %.1013.i.i = fmul contract double %.39.i3, %3
   %.1014.i.i = fadd contract double %.1013.i.i, 0x408DCC10DD757C0B
   %.1015.i.i = fadd contract double %.1014.i.i, %.971.i.i
   store double %.1015.i.i, ptr %.970.i.i, align 8, !noalias !89
   %.1118.i.i = getelementptr i8, ptr %arg.room.4, i64 192
   %.1119.i.i = load double, ptr %.1118.i.i, align 8, !noalias !89
-  %.1225.i.i = fmul contract double %.39.i6, 0x40514C5F3B7242FB
+  %.1225.i.i = fmul contract double %.39.i3, 0x40514C5F3B7242FB
   %.1226.i.i = fadd contract double %.1225.i.i, 0xC05D2FBB067D39F9
-  %.1227.i.i = fmul contract double %.39.i6, %.1226.i.i
+  %.1227.i.i = fmul contract double %.39.i3, %.1226.i.i
   %.1228.i.i = fadd contract double %.1227.i.i, 0xC091A4640F04B974
-  %.1229.i.i = fmul contract double %.39.i6, %.1228.i.i
+  %.1229.i.i = fmul contract double %.39.i3, %.1228.i.i
   %.1230.i.i = fadd contract double %.1229.i.i, 0x40CE3F8117DB38CA
-  %.1231.i.i = fmul contract double %.39.i6, %.1230.i.i
+  %.1231.i.i = fmul contract double %.39.i3, %.1230.i.i
   %.1232.i.i = fadd contract double %.1231.i.i, 0xC0A8D75E6BF57F9D
   %.1233.i.i = fadd contract double %.1232.i.i, %.1119.i.i
   store double %.1233.i.i, ptr %.1118.i.i, align 8, !noalias !89
   %.1336.i.i = getelementptr i8, ptr %arg.room.4, i64 320
   %.1337.i.i = load double, ptr %.1336.i.i, align 8, !noalias !89
-  %.1356.i.i = fmul contract double %.39.i6, 0x409F6EC11CD4D97E
+  %.1356.i.i = fmul contract double %.39.i3, 0x409F6EC11CD4D97E
   %.1357.i.i = fadd contract double %.1356.i.i, 0x4072428A28A28A29
   %.1358.i.i = fadd contract double %.1357.i.i, %.1337.i.i
   store double %.1358.i.i, ptr %.1336.i.i, align 8, !noalias !89
   %.1461.i.i = getelementptr i8, ptr %arg.room.4, i64 72
   %.1462.i.i = load double, ptr %.1461.i.i, align 8, !noalias !89
-  %.1531.i.i = fmul contract double %.39.i6, 0x40645019F9E83A77
+  %.1531.i.i = fmul contract double %.39.i3, 0x40645019F9E83A77
   %.1532.i.i = fadd contract double %.1531.i.i, 0x40918164C0B5D6FD
-  %.1533.i.i = fmul contract double %.39.i6, %.1532.i.i
+  %.1533.i.i = fmul contract double %.39.i3, %.1532.i.i
   %.1534.i.i = fadd contract double %.1533.i.i, 0xC0D6C519D7F78519
-  %.1535.i.i = fmul contract double %.39.i6, %.1534.i.i
+  %.1535.i.i = fmul contract double %.39.i3, %.1534.i.i
   %.1536.i.i = fadd contract double %.1535.i.i, 0x40BB4B9C657BC796
   %.1537.i.i = fadd contract double %.1536.i.i, %.1462.i.i
   store double %.1537.i.i, ptr %.1461.i.i, align 8, !noalias !89
@@ -4301,30 +4285,30 @@ entry:
   %.1641.i.i = load double, ptr %.1640.i.i, align 8, !noalias !89
   %.1642.i.i = fadd contract double %.1641.i.i, 0xC0A001D567F49087
   store double %.1642.i.i, ptr %.1640.i.i, align 8, !noalias !89
-  %.1810.i.i = fmul contract double %.39.i6, 0x40A619E547AE6DA3
+  %.1810.i.i = fmul contract double %.39.i3, 0x40A619E547AE6DA3
   %.1811.i.i = fadd contract double %.1810.i.i, 0xC0D25E7665446D0F
-  %.1812.i.i = fmul contract double %.39.i6, %.1811.i.i
+  %.1812.i.i = fmul contract double %.39.i3, %.1811.i.i
   %.1813.i.i = fadd contract double %.1812.i.i, 0x40E19BDA5330D73F
-  %.1814.i.i = fmul contract double %.39.i6, %.1813.i.i
+  %.1814.i.i = fmul contract double %.39.i3, %.1813.i.i
   %.1815.i.i = fadd contract double %.1814.i.i, 0xC0E154650FD9ACF1
   %.1867.i.i = getelementptr i8, ptr %arg.room.4, i64 80
   %.1868.i.i = load double, ptr %.1867.i.i, align 8, !noalias !89
-  %.1956.i.i = fmul contract double %.39.i6, %.1815.i.i
+  %.1956.i.i = fmul contract double %.39.i3, %.1815.i.i
   %.1957.i.i = fadd contract double %.1956.i.i, 0xC0F5A16228D9F21A
-  %.1958.i.i = fmul contract double %.39.i6, %.1957.i.i
+  %.1958.i.i = fmul contract double %.39.i3, %.1957.i.i
   %.1959.i.i = fadd contract double %.1958.i.i, 0x40ECE30547C08F3B
-  %.1960.i.i = fmul contract double %.39.i6, %.1959.i.i
+  %.1960.i.i = fmul contract double %.39.i3, %.1959.i.i
   %.1961.i.i = fadd contract double %.1960.i.i, 0xC0C172813AB99F84
-  %.1962.i.i = fmul contract double %.39.i6, 3.000000e+00
+  %.1962.i.i = fmul contract double %.39.i3, 3.000000e+00
   %.1963.i.i = fsub contract double 1.000000e+00, %.1962.i.i
   %.1967.i.i = fdiv contract double %.1961.i.i, %.1963.i.i
   %.1968.i.i = fadd contract double %.1967.i.i, %.1868.i.i
   store double %.1968.i.i, ptr %.1867.i.i, align 8, !noalias !89
-  %.2088.i.i = fmul contract double %.39.i6, 0x40C0712C540DB5CD
+  %.2088.i.i = fmul contract double %.39.i3, 0x40C0712C540DB5CD
   %.2089.i.i = fadd contract double %.2088.i.i, 0x40A79A477BF30A91
-  %.2090.i.i = fmul contract double %.39.i6, %.2089.i.i
+  %.2090.i.i = fmul contract double %.39.i3, %.2089.i.i
   %.2091.i.i = fadd contract double %.2090.i.i, 0xC0A4B055B758E414
-  %.2092.i.i = fmul contract double %.39.i6, %.2091.i.i
+  %.2092.i.i = fmul contract double %.39.i3, %.2091.i.i
   %.2093.i.i = fadd contract double %.2092.i.i, 0x406D67FD70A13797
   %.2145.i.i = getelementptr i8, ptr %arg.room.4, i64 208
   %.2146.i.i = load double, ptr %.2145.i.i, align 8, !noalias !89
@@ -4333,25 +4317,25 @@ entry:
   store double %.2153.i.i, ptr %.2145.i.i, align 8, !noalias !89
   %.2256.i.i = getelementptr i8, ptr %arg.room.4, i64 88
   %.2257.i.i = load double, ptr %.2256.i.i, align 8, !noalias !89
-  %.2363.i.i = fmul contract double %.39.i6, 0x402CA90C106318D7
+  %.2363.i.i = fmul contract double %.39.i3, 0x402CA90C106318D7
   %.2364.i.i = fadd contract double %.2363.i.i, 0xC06030460C29F3DF
-  %.2365.i.i = fmul contract double %.39.i6, %.2364.i.i
+  %.2365.i.i = fmul contract double %.39.i3, %.2364.i.i
   %.2366.i.i = fadd contract double %.2365.i.i, 0x40D015D04F4BC5D2
-  %.2367.i.i = fmul contract double %.39.i6, %.2366.i.i
+  %.2367.i.i = fmul contract double %.39.i3, %.2366.i.i
   %.2368.i.i = fadd contract double %.2367.i.i, 0xC0E536054A2E10AB
-  %.2369.i.i = fmul contract double %.39.i6, %.2368.i.i
+  %.2369.i.i = fmul contract double %.39.i3, %.2368.i.i
   %.2370.i.i = fadd contract double %.2369.i.i, 0x40C95DBCC2240A74
   %.2371.i.i = fadd contract double %.2370.i.i, %.2257.i.i
   store double %.2371.i.i, ptr %.2256.i.i, align 8, !noalias !89
   %.2474.i.i = getelementptr i8, ptr %arg.room.4, i64 216
   %.2475.i.i = load double, ptr %.2474.i.i, align 8, !noalias !89
-  %.2494.i.i = fmul contract double %.39.i6, 0x40BD257CD0AE1310
+  %.2494.i.i = fmul contract double %.39.i3, 0x40BD257CD0AE1310
   %4 = fsub contract double 0xC09600901EF7C9A4, %.2494.i.i
   %.2496.i.i = fadd contract double %4, %.2475.i.i
   store double %.2496.i.i, ptr %.2474.i.i, align 8, !noalias !89
   %.24.i.i = fsub contract double 1.000000e+00, %.33.i
   %.25.i.i = fmul contract double %.33.i, %.24.i.i
-  %.26.i.i = fmul contract double %.834, %.33.i
+  %.26.i.i = fmul contract double %.137, %.33.i
   %.80.i.i = fmul contract double %.33.i, 0x4029555555555555
   %.81.i.i = fadd contract double %.80.i.i, 2.500000e+01
   %.82.i.i = fmul contract double %.26.i.i, %.81.i.i
@@ -4392,7 +4376,7 @@ entry:
   store double %.424.i.i, ptr %.970.i.i, align 8, !noalias !92
   %.24.i7.i = fsub contract double 1.000000e+00, %.38.i
   %.25.i8.i = fmul contract double %.38.i, %.24.i7.i
-  %.26.i9.i = fmul contract double %.38.i, %.864
+  %.26.i9.i = fmul contract double %.38.i, %.167
   %.80.i12.i = fmul contract double %.38.i, 0x4029555555555555
   %.81.i13.i = fadd contract double %.80.i12.i, 2.500000e+01
   %.82.i14.i = fmul contract double %.26.i9.i, %.81.i13.i
@@ -4430,10 +4414,10 @@ entry:
   %.423.i48.i = fmul contract double %.26.i9.i, %.422.i47.i
   %.424.i49.i = fadd contract double %.423.i48.i, %.424.i.i
   store double %.424.i49.i, ptr %.970.i.i, align 8, !noalias !95
-  %.15.le.i.i = fcmp contract uno double %.894, 0.000000e+00
-  %.17.le.i.i = fcmp contract oge double %.894, 1.000000e+00
+  %.15.le.i.i = fcmp contract uno double %.696, 0.000000e+00
+  %.17.le.i.i = fcmp contract oge double %.696, 1.000000e+00
   %8 = or i1 %.15.le.i.i, %.17.le.i.i
-  %9 = tail call contract double @llvm.log.f64(double %.894)
+  %9 = tail call contract double @llvm.log.f64(double %.696)
   %.31.le.i.i = select i1 %8, double %9, double 0.000000e+00
   %.36.i.i = fmul contract double %.31.le.i.i, 1.230000e-04
   %.37.i.i = fadd contract double %.36.i.i, -4.210000e-03
@@ -4443,14 +4427,14 @@ entry:
   %.41.i.i = fadd contract double %.40.i.i, 9.360000e-02
   %.42.i.i = fmul contract double %.31.le.i.i, %.41.i.i
   %.43.i.i = fadd contract double %.42.i.i, 1.940000e-01
-  %.44.i.i = fcmp contract ogt double %.894, 1.000000e+00
+  %.44.i.i = fcmp contract ogt double %.696, 1.000000e+00
   %.46.i.i = uitofp i1 %.44.i.i to double
   %.47.i.i = fmul contract double %.43.i.i, %.46.i.i
   %.55.le.i.i = tail call contract double @llvm.exp.f64(double %.47.i.i)
-  %.147.i.i.i7 = fmul contract double %.26.i.i, %.26.i.i
+  %.147.i.i.i4 = fmul contract double %.26.i.i, %.26.i.i
   %.106.i.i = fmul contract double %.55.le.i.i, 5.000000e+01
   %.107.i.i = fadd contract double %.106.i.i, 6.250000e-01
-  %10 = fmul contract double %.147.i.i.i7, %.107.i.i
+  %10 = fmul contract double %.147.i.i.i4, %.107.i.i
   %.109.i.i = fsub contract double %.458.i.i, %10
   store double %.109.i.i, ptr %.413.i.i, align 8, !noalias !98
   %.214.i.i = fmul contract double %.33.i, 1.200000e+02
@@ -4463,17 +4447,17 @@ entry:
   %.221.i.i = fmul contract double %.33.i, %.220.i.i
   %.222.i.i = fadd contract double %.221.i.i, 0x40831AC618618618
   %.223.i.i = fsub contract double %.218.i.i, %.222.i.i
-  %.224.i.i = fmul contract double %.147.i.i.i7, %.223.i.i
+  %.224.i.i = fmul contract double %.147.i.i.i4, %.223.i.i
   %.225.i.i = fadd contract double %.305.i32.i, %.224.i.i
   store double %.225.i.i, ptr %.686.i.i, align 8, !noalias !98
-  %.331.i.i = fmul contract double %.147.i.i.i7, 0x4093A28C59D5433B
+  %.331.i.i = fmul contract double %.147.i.i.i4, 0x4093A28C59D5433B
   %.332.i.i = fmul contract double %.331.i.i, %.55.le.i.i
   %11 = fsub contract double %.424.i49.i, %.332.i.i
   store double %11, ptr %.970.i.i, align 8, !noalias !98
-  %.15.le.i51.i = fcmp contract uno double %.924, 0.000000e+00
-  %.17.le.i52.i = fcmp contract oge double %.924, 1.000000e+00
+  %.15.le.i51.i = fcmp contract uno double %.726, 0.000000e+00
+  %.17.le.i52.i = fcmp contract oge double %.726, 1.000000e+00
   %12 = or i1 %.15.le.i51.i, %.17.le.i52.i
-  %13 = tail call contract double @llvm.log.f64(double %.924)
+  %13 = tail call contract double @llvm.log.f64(double %.726)
   %.31.le.i53.i = select i1 %12, double %13, double 0.000000e+00
   %.36.i54.i = fmul contract double %.31.le.i53.i, 1.230000e-04
   %.37.i55.i = fadd contract double %.36.i54.i, -4.210000e-03
@@ -4483,7 +4467,7 @@ entry:
   %.41.i59.i = fadd contract double %.40.i58.i, 9.360000e-02
   %.42.i60.i = fmul contract double %.31.le.i53.i, %.41.i59.i
   %.43.i61.i = fadd contract double %.42.i60.i, 1.940000e-01
-  %.44.i62.i = fcmp contract ogt double %.924, 1.000000e+00
+  %.44.i62.i = fcmp contract ogt double %.726, 1.000000e+00
   %.46.i63.i = uitofp i1 %.44.i62.i to double
   %.47.i64.i = fmul contract double %.43.i61.i, %.46.i63.i
   %.55.le.i65.i = tail call contract double @llvm.exp.f64(double %.47.i64.i)
@@ -4510,8 +4494,8 @@ entry:
   %.332.i90.i = fmul contract double %.331.i89.i, %.55.le.i65.i
   %15 = fsub contract double %11, %.332.i90.i
   store double %15, ptr %.970.i.i, align 8, !noalias !101
-  %.27.i.i = fmul contract double %.834, %.25.i.i
-  %.28.i.i = fmul contract double %.864, %.27.i.i
+  %.27.i.i = fmul contract double %.137, %.25.i.i
+  %.28.i.i = fmul contract double %.167, %.27.i.i
   %.82.i95.i = fmul contract double %.28.i.i, 9.875000e+01
   %16 = fsub contract double %.109.i72.i, %.82.i95.i
   store double %16, ptr %.413.i.i, align 8, !noalias !104
@@ -4520,7 +4504,7 @@ entry:
   %.190.i100.i = fmul contract double %.28.i.i, %.189.i99.i
   %.191.i101.i = fadd contract double %.190.i100.i, %.225.i86.i
   store double %.191.i101.i, ptr %.686.i.i, align 8, !noalias !104
-  %.245.i.i = fmul contract double %.864, %.24.i.i
+  %.245.i.i = fmul contract double %.167, %.24.i.i
   %.246.i.i = fsub contract double %.26.i.i, %.245.i.i
   %.147.i.i103.i = fmul contract double %.246.i.i, %.246.i.i
   %.301.i104.i = fmul contract double %.28.i.i, 8.000000e+02
@@ -4532,7 +4516,7 @@ entry:
   %.147.i.i107.i = fmul contract double %.33.i, %.33.i
   %.147.i.1.i.i = fmul contract double %.147.i.i107.i, %.147.i.i107.i
   %.50.i.i = fmul contract double %.147.i.1.i.i, -2.400000e+01
-  %.51.i.i = fmul contract double %.894, %.50.i.i
+  %.51.i.i = fmul contract double %.50.i.i, %.696
   %.105.i.i = fmul contract double %.33.i, 1.100000e+01
   %.106.i110.i = fsub contract double 1.200000e+01, %.105.i.i
   %.107.i111.i = fmul contract double %.106.i110.i, %.51.i.i
@@ -4569,7 +4553,7 @@ entry:
   %.452.i.i = fadd contract double %.451.i.i, 0x41849F27B8000000
   %.453.i.i = fmul contract double %.33.i, %.452.i.i
   %.454.i.i = fsub contract double 0x41B72002EE000000, %.453.i.i
-  %.455.i.i = fmul contract double %.448.i.i, %.454.i.i
+  %.455.i.i = fmul contract double %.454.i.i, %.448.i.i
   %.456.i.i = fadd contract double %.455.i.i, %.443.i.i
   store double %.456.i.i, ptr %.442.i.i, align 8, !noalias !107
   %.559.i.i = getelementptr i8, ptr %arg.room.4, i64 120
@@ -4587,7 +4571,7 @@ entry:
   %.147.i.i126.i = fmul contract double %.38.i, %.38.i
   %.147.i.1.i127.i = fmul contract double %.147.i.i126.i, %.147.i.i126.i
   %.50.i128.i = fmul contract double %.147.i.1.i127.i, -2.400000e+01
-  %.51.i129.i = fmul contract double %.924, %.50.i128.i
+  %.51.i129.i = fmul contract double %.50.i128.i, %.726
   %.105.i132.i = fmul contract double %.38.i, 1.100000e+01
   %.106.i133.i = fsub contract double 1.200000e+01, %.105.i132.i
   %.107.i134.i = fmul contract double %.106.i133.i, %.51.i129.i
@@ -4618,7 +4602,7 @@ entry:
   %.452.i163.i = fadd contract double %.451.i162.i, 0x41849F27B8000000
   %.453.i164.i = fmul contract double %.38.i, %.452.i163.i
   %.454.i165.i = fsub contract double 0x41B72002EE000000, %.453.i164.i
-  %.455.i166.i = fmul contract double %.448.i159.i, %.454.i165.i
+  %.455.i166.i = fmul contract double %.454.i165.i, %.448.i159.i
   %.456.i167.i = fadd contract double %.455.i166.i, %.456.i.i
   store double %.456.i167.i, ptr %.442.i.i, align 8, !noalias !110
   %.566.i170.i = fdiv contract double %.331.i150.i, 6.720000e+02
@@ -4631,14 +4615,14 @@ entry:
   %.573.i177.i = fmul contract double %.572.i176.i, %.566.i170.i
   %.574.i178.i = fadd contract double %.573.i177.i, %.574.i.i
   store double %.574.i178.i, ptr %.559.i.i, align 8, !noalias !110
-  %.671.i8 = fmul contract double %.39.i6, 1.280000e+02
-  %.675.i = fdiv contract double 3.000000e+00, %.671.i8
+  %.671.i5 = fmul contract double %.39.i3, 1.280000e+02
+  %.675.i = fdiv contract double 3.000000e+00, %.671.i5
   store double %.675.i, ptr %arg.room.4, align 8, !noalias !86
   %18 = getelementptr i8, ptr %arg.room.4, i64 8
   %.968.1.i = load double, ptr %18, align 8, !noalias !86
   %.970.1.i = fmul contract double %.675.i, %.968.1.i
   store double %.970.1.i, ptr %18, align 8, !noalias !86
-  %.970.2.i = fmul contract double %.675.i, %.205.i.i
+  %.970.2.i = fmul contract double %.675.i, %.204.i.i
   store double %.970.2.i, ptr %.183.i.i, align 8, !noalias !86
   %.970.3.i = fmul contract double %.675.i, %.83.i15.i
   store double %.970.3.i, ptr %.308.i.i, align 8, !noalias !86
@@ -4783,70 +4767,67 @@ entry:
   %.968.15.2.i = load double, ptr %44, align 8, !noalias !86
   %.970.15.2.i = fmul contract double %.675.i, %.968.15.2.i
   store double %.970.15.2.i, ptr %44, align 8, !noalias !86
-  %.1093 = getelementptr i8, ptr %arg.out.4, i64 64
-  %.1326 = fmul contract double %.211, %.562
-  %.1328 = fmul contract double %.211, %.1326
-  %.1332 = fdiv contract double 1.000000e+00, %.1328
-  %.1728 = fmul contract double %.223.le, 2.000000e+00
-  br label %B1080.if
+  %.904 = getelementptr i8, ptr %arg.out.4, i64 64
+  %.1137 = fmul contract double %.306, %.454
+  %.1139 = fmul contract double %.306, %.1137
+  %.1143 = fdiv contract double 1.000000e+00, %.1139
+  %.1539 = fmul contract double %.318.le, 2.000000e+00
+  br label %B852.if
 
-B1198:                                            ; preds = %B1080.if
-  %.1726 = load double, ptr %sunkaddr44, align 8
-  %.1783 = load double, ptr %sunkaddr47, align 8
-  %.1784 = fmul contract double %.1728, %.1783
-  %.1785 = fadd contract double %.1726, %.1784
-  %.1787 = fmul contract double %power.1.2.0806, %.1785
-  %.1791 = fdiv contract double %.1787, 3.000000e+00
-  %sunkaddr25 = getelementptr i8, ptr %arg.out.4, i64 %sunkaddr40
+B970:                                             ; preds = %B852.if
+  %.1537 = load double, ptr %sunkaddr41, align 8
+  %.1594 = load double, ptr %sunkaddr44, align 8
+  %.1595 = fmul contract double %.1539, %.1594
+  %.1596 = fadd contract double %.1537, %.1595
+  %.1598 = fmul contract double %power.1.2.0758, %.1596
+  %.1602 = fdiv contract double %.1598, 3.000000e+00
+  %sunkaddr25 = getelementptr i8, ptr %arg.out.4, i64 %sunkaddr36
   %sunkaddr26 = getelementptr i8, ptr %sunkaddr25, i64 152
-  store double %.1791, ptr %sunkaddr26, align 8
-  br label %B1282
+  store double %.1602, ptr %sunkaddr26, align 8
+  br label %B1054
 
-B1282:                                            ; preds = %B1080.if, %B1198
-  %.1836 = fmul contract double %.211, %power.1.2.0806
-  %exitcond.not = icmp eq i64 %.1428, 16
-  br i1 %exitcond.not, label %B1294, label %B1080.if
+B1054:                                            ; preds = %B852.if, %B970
+  %.1647 = fmul contract double %.306, %power.1.2.0758
+  %exitcond.not = icmp eq i64 %.1239, 16
+  br i1 %exitcond.not, label %B1066, label %B852.if
 
-B1294:                                            ; preds = %B1282
-  %.111 = fmul contract double %.110, 0x3ED4A8B4A9ED04E3
-  %.1910 = load double, ptr %.1336.i.i, align 8
-  %.1911 = fmul contract double %.210, %.1910
-  %.1915 = fdiv contract double %.1911, 9.000000e+00
+B1066:                                            ; preds = %B1054
+  %.1721 = load double, ptr %.1336.i.i, align 8
+  %.1722 = fmul contract double %.305, %.1721
+  %.1726 = fdiv contract double %.1722, 9.000000e+00
   %sunkaddr22 = getelementptr i8, ptr %arg.out.4, i64 248
-  store double %.1915, ptr %sunkaddr22, align 8
-  %.1974 = getelementptr i8, ptr %arg.row.4, i64 64
-  %.1975 = load double, ptr %.1974, align 8
+  store double %.1726, ptr %sunkaddr22, align 8
+  %.1785 = getelementptr i8, ptr %arg.row.4, i64 64
+  %.1786 = load double, ptr %.1785, align 8
   %45 = lshr i64 %arg.alignment, 61
-  %.1992 = and i64 %45, 4
+  %.1803 = and i64 %45, 4
   %.idx = shl i64 %arg.alignment, 4
   %46 = getelementptr i8, ptr %arg.gauge.4, i64 %.idx
-  %.2006 = getelementptr double, ptr %46, i64 %.1992
-  %.2007 = load double, ptr %.2006, align 8
-  %.2008 = fsub contract double %.1975, %.2007
+  %.1817 = getelementptr double, ptr %46, i64 %.1803
+  %.1818 = load double, ptr %.1817, align 8
+  %.1819 = fsub contract double %.1786, %.1818
   %sunkaddr24 = getelementptr i8, ptr %arg.out.4, i64 256
-  store double %.2008, ptr %sunkaddr24, align 8
-  %.2056 = icmp slt i64 %arg.band_at, -2
-  %.2057 = select i1 %.2056, i64 1073741824, i64 0
-  %47 = getelementptr double, ptr %arg.weights.4, i64 %arg.band_at
-  %48 = getelementptr i8, ptr %47, i64 16
-  %.2071 = getelementptr double, ptr %48, i64 %.2057
-  %.2072 = load double, ptr %.2071, align 8
-  %.2082 = icmp eq i64 %arg.alignment, 1
-  %.2085 = fcmp contract ogt double %.2072, 0.000000e+00
-  %or.cond = select i1 %.2082, i1 %.2085, i1 false
-  br i1 %or.cond, label %B1466, label %B1526
+  store double %.1819, ptr %sunkaddr24, align 8
+  %.1851 = icmp eq i64 %arg.alignment, 1
+  br i1 %.1851, label %B1204, label %B1300
 
-B1466:                                            ; preds = %B1294
-  %.25.i = fmul contract double %.2072, 0x400921FB54442D18
+B1204:                                            ; preds = %B1066
+  %.1881 = getelementptr i8, ptr %arg.band.4, i64 16
+  %.1882 = load double, ptr %.1881, align 8
+  %.1883 = fcmp contract ogt double %.1882, 0.000000e+00
+  br i1 %.1883, label %B1228, label %B1300
+
+B1228:                                            ; preds = %B1204
+  %.25.i = fmul contract double %.1882, 0x400921FB54442D18
   %.26.i = tail call contract double @llvm.pow.f64(double %.25.i, double 0x3FD5555555555555)
   %.147.i.i = fmul contract double %.26.i, %.26.i
   %.147.i.1.i = fmul contract double %.147.i.i, %.147.i.i
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
 
-B134.if.lr.ph.i:                                  ; preds = %B1466
+B134.if.lr.ph.i:                                  ; preds = %B1228
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
   %.423.i = fmul contract double %.38.le.i, 2.000000e+00
   br label %B134.if.i
@@ -4855,20 +4836,20 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %lsr.iv = phi i64 [ %math, %B134.if.i ], [ -16, %B134.if.lr.ph.i ]
   %power.2.0146.i = phi double [ %.493.i, %B134.if.i ], [ %.175.i.i, %B134.if.lr.ph.i ]
   %result.2.0145.i = phi double [ %.488.i, %B134.if.i ], [ 0.000000e+00, %B134.if.lr.ph.i ]
-  %49 = add nsw i64 %lsr.iv, 11
-  %sunkaddr28 = shl i64 %lsr.iv, 3
-  %sunkaddr29 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr28
-  %sunkaddr30 = getelementptr i8, ptr %sunkaddr29, i64 128
-  %.249.i = load double, ptr %sunkaddr30, align 8, !noalias !113
-  %sunkaddr33 = getelementptr i8, ptr %sunkaddr29, i64 256
-  %.303.i = load double, ptr %sunkaddr33, align 8, !noalias !113
-  %sunkaddr36 = getelementptr i8, ptr %sunkaddr29, i64 384
-  %.357.i = load double, ptr %sunkaddr36, align 8, !noalias !113
+  %47 = add nsw i64 %lsr.iv, 11
+  %sunkaddr27 = shl i64 %lsr.iv, 3
+  %sunkaddr28 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr27
+  %sunkaddr29 = getelementptr i8, ptr %sunkaddr28, i64 128
+  %.249.i = load double, ptr %sunkaddr29, align 8, !noalias !113
+  %sunkaddr32 = getelementptr i8, ptr %sunkaddr28, i64 256
+  %.303.i = load double, ptr %sunkaddr32, align 8, !noalias !113
+  %sunkaddr35 = getelementptr i8, ptr %sunkaddr28, i64 384
+  %.357.i = load double, ptr %sunkaddr35, align 8, !noalias !113
   %.359.i = fmul contract double %.38.le.i, %.357.i
   %.360.i = fadd contract double %.303.i, %.359.i
   %.362.i = fmul contract double %.38.le.i, %.360.i
   %.363.i = fadd contract double %.249.i, %.362.i
-  %.365.i = sitofp i64 %49 to double
+  %.365.i = sitofp i64 %47 to double
   %.366.i = fmul contract double %.363.i, %.365.i
   %.421.i = fadd contract double %.303.i, %.366.i
   %.478.i = fmul contract double %.423.i, %.357.i
@@ -4878,71 +4859,72 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %.486.i = fmul contract double %power.2.0146.i, %.484.i
   %.488.i = fadd contract double %result.2.0145.i, %.486.i
   %.493.i = fmul contract double %.26.i, %power.2.0146.i
-  %50 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv, i64 1)
-  %math = extractvalue { i64, i1 } %50, 0
-  %ov = extractvalue { i64, i1 } %50, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  %48 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv, i64 1)
+  %math = extractvalue { i64, i1 } %48, 0
+  %ov = extractvalue { i64, i1 } %48, 1
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1466
-  %.2120.0 = phi double [ 0.000000e+00, %B1466 ], [ %.488.i, %B134.if.i ]
-  %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1466 ], [ null, %B134.if.i ]
-  br i1 %.168.i.i, label %B1466.endif, label %B1466.if, !prof !0
+_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
+  %.1952.0 = phi double [ 0.000000e+00, %B1228 ], [ %.488.i, %B134.if.i ]
+  %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1228 ], [ null, %B134.if.i ]
+  br i1 %.168.i.i, label %B1228.endif, label %B1228.if, !prof !0
 
-B1526:                                            ; preds = %B1466.endif, %B1294
-  %.2227 = getelementptr i8, ptr %arg.row.4, i64 72
-  %.2228 = load double, ptr %.2227, align 8
-  %.2234 = fmul contract double %.2228, 0x401921FB54442D18
-  %.2240 = fdiv contract double %arg.unit, %.111
-  %.2243 = fmul contract double %.2240, %.2234
-  %51 = getelementptr i8, ptr %46, i64 8
-  %.2277 = getelementptr double, ptr %51, i64 %.1992
-  %.2278 = load double, ptr %.2277, align 8
-  %.2285 = fmul contract double %arg.unit, %.2278
-  %.2288 = fsub contract double %.2243, %.2285
-  %sunkaddr39 = getelementptr i8, ptr %arg.out.4, i64 264
-  store double %.2288, ptr %sunkaddr39, align 8
-  %.2325 = fmul contract double %.381, 2.000000e+01
-  store double %.2325, ptr %retptr, align 8
+B1300:                                            ; preds = %B1228.endif, %B1204, %B1066
+  %.2060 = getelementptr i8, ptr %arg.row.4, i64 72
+  %.2061 = load double, ptr %.2060, align 8
+  %.2067 = fmul contract double %.2061, 0x401921FB54442D18
+  %.2069 = fmul contract double %.206, 0x3ED4A8B4A9ED04E3
+  %.2076 = fdiv contract double %arg.unit, %.2069
+  %.2077 = fmul contract double %.2076, %.2067
+  %49 = getelementptr i8, ptr %46, i64 8
+  %.2111 = getelementptr double, ptr %49, i64 %.1803
+  %.2112 = load double, ptr %.2111, align 8
+  %.2119 = fmul contract double %arg.unit, %.2112
+  %.2122 = fsub contract double %.2077, %.2119
+  %sunkaddr37 = getelementptr i8, ptr %arg.out.4, i64 264
+  store double %.2122, ptr %sunkaddr37, align 8
+  %.2159 = fmul contract double %.389, 2.000000e+01
+  store double %.2159, ptr %retptr, align 8
   br label %common.ret
 
-common.ret:                                       ; preds = %B1466.if, %B1526
-  %common.ret.op = phi i32 [ 0, %B1526 ], [ 1, %B1466.if ]
+common.ret:                                       ; preds = %B1228.if, %B1300
+  %common.ret.op = phi i32 [ 0, %B1300 ], [ 1, %B1228.if ]
   ret i32 %common.ret.op
 
-B1080.if:                                         ; preds = %entry, %B1282
-  %power.1.2.0806 = phi double [ %.1332, %entry ], [ %.1836, %B1282 ]
-  %.1421802804 = phi i64 [ 0, %entry ], [ %.1428, %B1282 ]
-  %.1428 = add nuw nsw i64 %.1421802804, 1
-  %sunkaddr40 = shl i64 %.1421802804, 3
-  %sunkaddr41 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr40
-  %.1510 = load double, ptr %sunkaddr41, align 8
-  %sunkaddr44 = getelementptr i8, ptr %sunkaddr41, i64 128
-  %.1565 = load double, ptr %sunkaddr44, align 8
-  %sunkaddr47 = getelementptr i8, ptr %sunkaddr41, i64 256
-  %.1620 = load double, ptr %sunkaddr47, align 8
-  %.1622 = fmul contract double %.223.le, %.1620
-  %.1623 = fadd contract double %.1565, %.1622
-  %.1625 = fmul contract double %.223.le, %.1623
-  %.1626 = fadd contract double %.1510, %.1625
-  %.1628 = fmul contract double %power.1.2.0806, %.1626
-  %scevgep10 = getelementptr i8, ptr %.1093, i64 %sunkaddr40
-  store double %.1628, ptr %scevgep10, align 8
-  %52 = add nsw i64 %.1421802804, -5
-  %or.cond791 = icmp ult i64 %52, 7
-  br i1 %or.cond791, label %B1198, label %B1282
+B852.if:                                          ; preds = %entry, %B1054
+  %power.1.2.0758 = phi double [ %.1143, %entry ], [ %.1647, %B1054 ]
+  %.1232754756 = phi i64 [ 0, %entry ], [ %.1239, %B1054 ]
+  %.1239 = add nuw nsw i64 %.1232754756, 1
+  %sunkaddr36 = shl i64 %.1232754756, 3
+  %sunkaddr38 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr36
+  %.1321 = load double, ptr %sunkaddr38, align 8
+  %sunkaddr41 = getelementptr i8, ptr %sunkaddr38, i64 128
+  %.1376 = load double, ptr %sunkaddr41, align 8
+  %sunkaddr44 = getelementptr i8, ptr %sunkaddr38, i64 256
+  %.1431 = load double, ptr %sunkaddr44, align 8
+  %.1433 = fmul contract double %.318.le, %.1431
+  %.1434 = fadd contract double %.1376, %.1433
+  %.1436 = fmul contract double %.318.le, %.1434
+  %.1437 = fadd contract double %.1321, %.1436
+  %.1439 = fmul contract double %power.1.2.0758, %.1437
+  %scevgep10 = getelementptr i8, ptr %.904, i64 %sunkaddr36
+  store double %.1439, ptr %scevgep10, align 8
+  %50 = add nsw i64 %.1232754756, -5
+  %or.cond = icmp ult i64 %50, 7
+  br i1 %or.cond, label %B970, label %B1054
 
-B1466.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.6.0, ptr %excinfo, align 8
   br label %common.ret
 
-B1466.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
-  %.2157 = fadd contract double %.2008, %.2120.0
-  store double %.2157, ptr %sunkaddr24, align 8
-  br label %B1526
+B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+  %.1987 = fadd contract double %.1819, %.1952.0
+  store double %.1987, ptr %sunkaddr24, align 8
+  br label %B1300
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_10(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.f.4, ptr readonly captures(none) %arg.cbrt_f.4, ptr readonly captures(none) %arg.power.4, i64 %arg.segments.0, i64 %arg.segments.1, i64 %arg.segments.2, double %arg.mass, ptr readonly captures(none) %arg.c.4, double %arg.constant, ptr readonly captures(none) %arg.residuals.4, ptr writeonly captures(none) %arg.out.4) unnamed_addr #7 {
+define internal fastcc void @inner_10(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.f.4, ptr readonly captures(none) %arg.cbrt_f.4, ptr readonly captures(none) %arg.power.4, i64 range(i64 0, -9223372036854775808) %arg.segments.0, i64 range(i64 0, -9223372036854775808) %arg.segments.1, i64 range(i64 0, -7) %arg.segments.2, double %arg.mass, ptr readonly captures(none) %arg.c.4, double %arg.constant, ptr readonly captures(none) %arg.residuals.4, ptr writeonly captures(none) %arg.out.4) unnamed_addr #7 {
 entry:
   %.129 = load double, ptr %arg.c.4, align 8
   %.157 = getelementptr i8, ptr %arg.c.4, i64 8
@@ -4959,12 +4941,10 @@ entry:
   %.303 = load double, ptr %.302, align 8
   %.331 = getelementptr i8, ptr %arg.c.4, i64 56
   %.332 = load double, ptr %.331, align 8
-  %0 = add i64 %arg.segments.0, 7
+  %0 = add nuw i64 %arg.segments.0, 7
   %.490 = lshr i64 %0, 3
-  %.467.inv = icmp slt i64 %arg.segments.0, 1
   %.511530.not578 = icmp eq i64 %.490, 0
-  %.511530.not = or i1 %.467.inv, %.511530.not578
-  br i1 %.511530.not, label %B604, label %B194.if.lr.ph
+  br i1 %.511530.not578, label %B604, label %B194.if.lr.ph
 
 B194.if.lr.ph:                                    ; preds = %entry
   %.560 = insertelement <8 x double> poison, double %.332, i64 0
@@ -4987,7 +4967,7 @@ B194.if.lr.ph:                                    ; preds = %entry
   br label %B194.if
 
 B604:                                             ; preds = %B194.if, %entry
-  %.909 = sub i64 %arg.segments.1, %arg.segments.0
+  %.909 = sub nsw i64 %arg.segments.1, %arg.segments.0
   %2 = add i64 %.909, 7
   %.931 = lshr i64 %2, 3
   %.910.inv = icmp slt i64 %.909, 1
@@ -6627,7 +6607,7 @@ entry:
   %sunkaddr89 = getelementptr i8, ptr %arg.scratch.4, i64 32
   br label %B64.if
 
-B140:                                             ; preds = %B64.if
+B150:                                             ; preds = %B64.if
   %sunkaddr = shl nuw nsw i64 %lsr.iv10, 3
   %sunkaddr11 = getelementptr i8, ptr %arg.parameters.4, i64 %sunkaddr
   %sunkaddr12 = getelementptr i8, ptr %sunkaddr11, i64 8
@@ -6661,9 +6641,9 @@ B140:                                             ; preds = %B64.if
   %.171.i = fsub contract double %.646, %.676
   %.172.i = fmul contract double %.171.i, 5.000000e-01
   store double %.172.i, ptr %sunkaddr31, align 8, !noalias !131
-  br label %B300
+  br label %B310
 
-B300:                                             ; preds = %B272.if, %B140
+B310:                                             ; preds = %B282.if, %B150
   %.1103 = load double, ptr %arg.scratch.4, align 8
   %.1133 = load double, ptr %arg.scaling.4, align 8
   %.1134 = fsub contract double %.1103, %.1133
@@ -6701,22 +6681,22 @@ B300:                                             ; preds = %B272.if, %B140
   %scevgep5 = getelementptr i8, ptr %lsr.iv, i64 8
   %lsr.iv.next = add nuw nsw i64 %lsr.iv10, 5
   %exitcond.not = icmp eq i64 %lsr.iv.next, 40
-  br i1 %exitcond.not, label %B424, label %B64.if
+  br i1 %exitcond.not, label %B434, label %B64.if
 
-B424:                                             ; preds = %B300
+B434:                                             ; preds = %B310
   store ptr null, ptr %retptr, align 8
   ret void
 
-B64.if:                                           ; preds = %B300, %entry
-  %lsr.iv10 = phi i64 [ 0, %entry ], [ %lsr.iv.next, %B300 ]
-  %lsr.iv = phi ptr [ %scevgep, %entry ], [ %scevgep5, %B300 ]
+B64.if:                                           ; preds = %B310, %entry
+  %lsr.iv10 = phi i64 [ 0, %entry ], [ %lsr.iv.next, %B310 ]
+  %lsr.iv = phi ptr [ %scevgep, %entry ], [ %scevgep5, %B310 ]
   %.517 = getelementptr double, ptr %arg.parameters.4, i64 %lsr.iv10
   %.584 = load i64, ptr %arg.contents.4, align 8
   %.585.not = icmp eq i64 %.584, 0
   %.916 = load double, ptr %.517, align 8
-  br i1 %.585.not, label %B272.if, label %B140
+  br i1 %.585.not, label %B282.if, label %B150
 
-B272.if:                                          ; preds = %B64.if
+B282.if:                                          ; preds = %B64.if
   store double %.916, ptr %arg.scratch.4, align 8
   %sunkaddr61 = shl nuw nsw i64 %lsr.iv10, 3
   %sunkaddr62 = getelementptr i8, ptr %arg.parameters.4, i64 %sunkaddr61
@@ -6732,91 +6712,92 @@ B272.if:                                          ; preds = %B64.if
   %sunkaddr81 = getelementptr i8, ptr %sunkaddr62, i64 32
   %.916.4 = load double, ptr %sunkaddr81, align 8
   store double %.916.4, ptr %sunkaddr89, align 8
-  br label %B300
+  br label %B310
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_7(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.coordinates.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.layers.4, i64 range(i64 0, 1073741825) %arg.layers.5.0, ptr %arg.scratch.4, i64 range(i64 0, -9223372036854775808) %arg.scratch.5.0, ptr captures(none) %arg.out.4, i64 range(i64 -9223372036854775800, -9223372036854775808) %arg.out_row) unnamed_addr #7 {
+define internal fastcc void @inner_7(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.coordinates.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.layers.4, i64 range(i64 0, 1073741825) %arg.layers.5.0, ptr %arg.scratch.4, i64 range(i64 0, -9223372036854775808) %arg.scratch.5.0, ptr captures(none) %arg.out.4, i64 range(i64 16, 9) %arg.out_row) unnamed_addr #7 {
 entry:
-  %.106 = getelementptr i8, ptr %arg.contents.4, i64 40
-  %.107 = load i64, ptr %.106, align 8
-  %.109 = add i64 %.107, 7
-  %.150 = and i64 %.109, -8
-  %.151 = add i64 %.150, 8
-  %.156 = shl i64 %.151, 3
-  %.209 = icmp slt i64 %.107, -15
-  %.210 = select i1 %.209, i64 %arg.scratch.5.0, i64 0
-  %.211 = add i64 %.156, %.210
-  %.214 = icmp slt i64 %.211, 0
-  br i1 %.214, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !5
+  %.107 = getelementptr i8, ptr %arg.contents.4, i64 40
+  %.108 = load i64, ptr %.107, align 8
+  %.109 = sub i64 0, %.108
+  %.117.1 = and i64 %.109, -8
+  %.152 = sub i64 8, %.117.1
+  %.157 = shl i64 %.152, 3
+  %.210 = icmp slt i64 %.152, 0
+  %.211 = select i1 %.210, i64 %arg.scratch.5.0, i64 0
+  %.212 = add i64 %.211, %.157
+  %.215 = icmp slt i64 %.212, 0
+  br i1 %.215, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !5
 
-B424:                                             ; preds = %B234.if
-  %.978 = getelementptr i8, ptr %arg.contents.4, i64 32
-  %.979 = load i64, ptr %.978, align 8
-  %.980 = add nsw i64 %.979, -1
-  %.1069813.not = icmp slt i64 %.979, 1
-  br i1 %.1069813.not, label %B1120, label %B498.if.lr.ph
+B406:                                             ; preds = %B216.if
+  %.979 = getelementptr i8, ptr %arg.contents.4, i64 32
+  %.980 = load i64, ptr %.979, align 8
+  %.981 = add nsw i64 %.980, -1
+  %.1069813.not = icmp slt i64 %.980, 1
+  br i1 %.1069813.not, label %B1114, label %B488.if.lr.ph
 
-B498.if.lr.ph:                                    ; preds = %B424
-  %.470 = getelementptr double, ptr %arg.scratch.4, i64 %.357.sroa.0.3
+B488.if.lr.ph:                                    ; preds = %B406
+  %.471 = getelementptr double, ptr %arg.scratch.4, i64 %.358.sroa.0.3
   %0 = add nuw i64 %arg.rows, 3
-  %.1286 = lshr i64 %0, 2
-  %.1265.inv = icmp sgt i64 %arg.rows, 0
-  %storemerge762 = select i1 %.1265.inv, i64 %.1286, i64 0
-  %.idx686.i = mul i64 %.151, 24
+  %.1287 = lshr i64 %0, 2
+  %.1266.inv = icmp sgt i64 %arg.rows, 0
+  %storemerge762 = select i1 %.1266.inv, i64 %.1287, i64 0
+  %.idx814.i = mul i64 %.152, 24
   %1 = icmp eq i64 %storemerge762, 0
   %2 = icmp slt i64 %arg.rows, 1
-  %sunkaddr80 = shl i64 %.150, 3
-  %sunkaddr92 = getelementptr i8, ptr %arg.contents.4, i64 48
-  br label %B498.if
+  %sunkaddr78 = getelementptr i8, ptr %arg.contents.4, i64 48
+  br label %B488.if
 
-B832:                                             ; preds = %B678.endif.endif.endif.endif, %B498.if
-  %.1923 = mul nsw i64 %.1223, %.1144
-  %.1927 = add nsw i64 %.1923, %position.2.0818
-  %.1935 = icmp sge i64 %.1012.0, %.980
-  %or.cond = select i1 %.1935, i1 true, i1 %2
-  br i1 %or.cond, label %B1108, label %B890.if.lr.ph
+B816:                                             ; preds = %B662.endif.endif.endif.endif, %B488.if
+  %.1924 = mul nsw i64 %.1144, %.1224
+  %.1928 = add nsw i64 %.1924, %position.2.0818
+  %.1936 = icmp sge i64 %.1013.0, %.981
+  %or.cond = select i1 %.1936, i1 true, i1 %2
+  br i1 %or.cond, label %B1102, label %B874.if.lr.ph
 
-B890.if.lr.ph:                                    ; preds = %B832
-  %.2102.inv = icmp sgt i64 %.1180, 0
-  %..1190.1 = select i1 %.2102.inv, i64 %.1190.1, i64 0
-  %scevgep44 = getelementptr i8, ptr %following.2.sroa.44.0815, i64 64
-  %3 = add nsw i64 %..1190.1, 5
-  %4 = icmp sgt i64 %..1190.1, 0
-  br label %B890.if
+B874.if.lr.ph:                                    ; preds = %B816
+  %smax = tail call i64 @llvm.smax.i64(i64 %.1190.1, i64 0)
+  %scevgep46 = getelementptr i8, ptr %following.2.sroa.44.0815, i64 64
+  %reass.sub = sub nsw i64 %smax, %.1190.1
+  %3 = add nsw i64 %reass.sub, 5
+  %4 = icmp slt i64 %.1190.1, 0
+  br label %B874.if
 
-B890.loopexit:                                    ; preds = %B990.endif, %B890.if
-  %scevgep46 = getelementptr i8, ptr %lsr.iv45, i64 %.156
-  %exitcond854.not = icmp eq i64 %arg.rows, %.2032
-  br i1 %exitcond854.not, label %B1108, label %B890.if
+B874.loopexit:                                    ; preds = %B974.endif, %B874.if
+  %scevgep48 = getelementptr i8, ptr %lsr.iv47, i64 %.157
+  %exitcond854.not = icmp eq i64 %arg.rows, %.2033
+  br i1 %exitcond854.not, label %B1102, label %B874.if
 
-B1108:                                            ; preds = %B890.loopexit, %B832
-  %exitcond.not14 = icmp eq i64 %.1082, %.979
-  br i1 %exitcond.not14, label %B1120, label %B498.if
+B1102:                                            ; preds = %B874.loopexit, %B816
+  %exitcond.not16 = icmp eq i64 %.1082, %.980
+  br i1 %exitcond.not16, label %B1114, label %B488.if
 
-B1120:                                            ; preds = %B1108, %B424
-  %current.2.sroa.40.0.lcssa = phi ptr [ %arg.scratch.4, %B424 ], [ %following.2.sroa.44.0815, %B1108 ]
-  %columns.1.0.lcssa = phi i64 [ 0, %B424 ], [ %.1223, %B1108 ]
-  %.2419835.not = icmp slt i64 %arg.rows, 1
-  br i1 %.2419835.not, label %B1346, label %B1150.if.lr.ph
+B1114:                                            ; preds = %B1102, %B406
+  %current.2.sroa.40.0.lcssa = phi ptr [ %arg.scratch.4, %B406 ], [ %following.2.sroa.44.0815, %B1102 ]
+  %columns.1.0.lcssa = phi i64 [ 0, %B406 ], [ %.1224, %B1102 ]
+  %.2420835.not = icmp slt i64 %arg.rows, 1
+  br i1 %.2420835.not, label %B1340, label %B1144.if.lr.ph
 
-B1150.if.lr.ph:                                   ; preds = %B1120
+B1144.if.lr.ph:                                   ; preds = %B1114
   %5 = tail call i64 @llvm.smax.i64(i64 %columns.1.0.lcssa, i64 0)
-  %storemerge760 = lshr exact i64 %5, 3
+  %storemerge760 = lshr i64 %5, 3
+  %scevgep = getelementptr i8, ptr %current.2.sroa.40.0.lcssa, i64 64
   %6 = shl i64 %.109, 3
   %7 = and i64 %6, -64
-  %8 = shl i64 %arg.out_row, 3
-  %9 = add nuw nsw i64 %storemerge760, 5
-  %10 = icmp slt i64 %columns.1.0.lcssa, 1
-  br label %B1150.if
+  %8 = sub i64 64, %7
+  %9 = shl i64 %arg.out_row, 3
+  %10 = add nuw nsw i64 %storemerge760, 5
+  %11 = icmp slt i64 %columns.1.0.lcssa, 1
+  br label %B1144.if
 
-B1150.loopexit:                                   ; preds = %B1198.if, %B1150.if
-  %11 = getelementptr i8, ptr %lsr.iv15, i64 %7
-  %scevgep21 = getelementptr i8, ptr %lsr.iv20, i64 %8
-  %exitcond856.not = icmp eq i64 %.2432, %arg.rows
-  br i1 %exitcond856.not, label %B1346, label %B1150.if
+B1144.loopexit:                                   ; preds = %B1192.if, %B1144.if
+  %scevgep18 = getelementptr i8, ptr %lsr.iv17, i64 %8
+  %scevgep23 = getelementptr i8, ptr %lsr.iv22, i64 %9
+  %exitcond856.not = icmp eq i64 %.2433, %arg.rows
+  br i1 %exitcond856.not, label %B1340, label %B1144.if
 
-B1346:                                            ; preds = %B1150.loopexit, %B1120
+B1340:                                            ; preds = %B1144.loopexit, %B1114
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -6824,471 +6805,464 @@ B0.endif.else.endif.endif.if:                     ; preds = %entry
   br label %B0.endif.else.endif.endif.endif
 
 B0.endif.else.endif.endif.endif:                  ; preds = %B0.endif.else.endif.endif.if, %entry
-  %.182.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.211, %entry ]
-  %.219.not = icmp slt i64 %.211, %arg.scratch.5.0
-  br i1 %.219.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !1
+  %.183.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.212, %entry ]
+  %.220.not = icmp slt i64 %.212, %arg.scratch.5.0
+  br i1 %.220.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !1
 
 B0.endif.else.endif.endif.endif.if:               ; preds = %B0.endif.else.endif.endif.endif
   br label %B0.endif.else.endif.endif.endif.endif
 
 B0.endif.else.endif.endif.endif.endif:            ; preds = %B0.endif.else.endif.endif.endif.if, %B0.endif.else.endif.endif.endif
-  %.182.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.else.endif.endif.endif.if ], [ %.182.sroa.13.1, %B0.endif.else.endif.endif.endif ]
-  %.331 = shl i64 %.151, 4
-  br i1 %.214, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
+  %.183.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.else.endif.endif.endif.if ], [ %.183.sroa.13.1, %B0.endif.else.endif.endif.endif ]
+  %.332 = shl i64 %.152, 4
+  br i1 %.215, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
 
 B0.endif.endif.else.if:                           ; preds = %B0.endif.else.endif.endif.endif.endif
   br label %B0.endif.endif.else.endif
 
 B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %B0.endif.else.endif.endif.endif.endif
-  %.357.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.211, %B0.endif.else.endif.endif.endif.endif ]
-  br i1 %.219.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
+  %.358.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.212, %B0.endif.else.endif.endif.endif.endif ]
+  br i1 %.220.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
 
 B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
   br label %B0.endif.endif.else.endif.endif
 
 B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
-  %.357.sroa.0.3 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.if ], [ %.357.sroa.0.1, %B0.endif.endif.else.endif ]
-  %.386 = add i64 %.331, %.210
-  %.389 = icmp slt i64 %.386, 0
-  br i1 %.389, label %B0.endif.endif.else.endif.endif.if, label %B0.endif.endif.else.endif.endif.endif, !prof !5
+  %.358.sroa.0.3 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.if ], [ %.358.sroa.0.1, %B0.endif.endif.else.endif ]
+  %.387 = add i64 %.211, %.332
+  %.390 = icmp slt i64 %.387, 0
+  br i1 %.390, label %B0.endif.endif.else.endif.endif.if, label %B0.endif.endif.else.endif.endif.endif, !prof !5
 
 B0.endif.endif.else.endif.endif.if:               ; preds = %B0.endif.endif.else.endif.endif
   br label %B0.endif.endif.else.endif.endif.endif
 
 B0.endif.endif.else.endif.endif.endif:            ; preds = %B0.endif.endif.else.endif.endif.if, %B0.endif.endif.else.endif.endif
-  %.357.sroa.13.1 = phi i64 [ 0, %B0.endif.endif.else.endif.endif.if ], [ %.386, %B0.endif.endif.else.endif.endif ]
-  %.394.not = icmp slt i64 %.386, %arg.scratch.5.0
-  br i1 %.394.not, label %B0.endif.endif.else.endif.endif.endif.endif, label %B0.endif.endif.else.endif.endif.endif.if, !prof !1
+  %.358.sroa.13.1 = phi i64 [ 0, %B0.endif.endif.else.endif.endif.if ], [ %.387, %B0.endif.endif.else.endif.endif ]
+  %.395.not = icmp slt i64 %.387, %arg.scratch.5.0
+  br i1 %.395.not, label %B0.endif.endif.else.endif.endif.endif.endif, label %B0.endif.endif.else.endif.endif.endif.if, !prof !1
 
 B0.endif.endif.else.endif.endif.endif.if:         ; preds = %B0.endif.endif.else.endif.endif.endif
   br label %B0.endif.endif.else.endif.endif.endif.endif
 
 B0.endif.endif.else.endif.endif.endif.endif:      ; preds = %B0.endif.endif.else.endif.endif.endif.if, %B0.endif.endif.else.endif.endif.endif
-  %.357.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.endif.endif.if ], [ %.357.sroa.13.1, %B0.endif.endif.else.endif.endif.endif ]
-  %.445 = sub nsw i64 %.357.sroa.13.2, %.357.sroa.0.3
-  %.454 = tail call i64 @llvm.smax.i64(i64 %.445, i64 0)
-  %12 = shl i64 %.357.sroa.0.3, 3
-  %13 = shl i64 %.182.sroa.13.2, 3
-  %14 = shl i64 %.454, 3
+  %.358.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.endif.endif.if ], [ %.358.sroa.13.1, %B0.endif.endif.else.endif.endif.endif ]
+  %.446 = sub nsw i64 %.358.sroa.13.2, %.358.sroa.0.3
+  %.455 = tail call i64 @llvm.smax.i64(i64 %.446, i64 0)
+  %12 = shl i64 %.358.sroa.0.3, 3
+  %13 = shl i64 %.183.sroa.13.2, 3
+  %14 = shl i64 %.455, 3
   %15 = add i64 %13, 56
   %16 = add i64 %13, 64
   %17 = add i64 %13, 72
   %18 = add i64 %13, 80
   %19 = add i64 %13, 88
   %20 = add i64 %13, 96
-  br label %B234.if
+  br label %B216.if
 
-B234.if:                                          ; preds = %B234.if, %B0.endif.endif.else.endif.endif.endif.endif
-  %lsr.iv = phi ptr [ %scevgep45, %B234.if ], [ %arg.scratch.4, %B0.endif.endif.else.endif.endif.endif.endif ]
-  %lsr.iv52 = phi i64 [ %lsr.iv.next53, %B234.if ], [ -64, %B0.endif.endif.else.endif.endif.endif.endif ]
-  %lsr.iv61 = phi i64 [ %lsr.iv.next62, %B234.if ], [ 0, %B0.endif.endif.else.endif.endif.endif.endif ]
-  %.663 = icmp slt i64 %lsr.iv61, 0
-  %21 = select i1 %.663, i64 %15, i64 56
-  %scevgep43 = getelementptr i8, ptr %lsr.iv, i64 %21
-  store double 1.000000e+00, ptr %scevgep43, align 8
-  %22 = select i1 %.663, i64 %14, i64 0
+B216.if:                                          ; preds = %B216.if, %B0.endif.endif.else.endif.endif.endif.endif
+  %lsr.iv = phi ptr [ %scevgep45, %B216.if ], [ %arg.scratch.4, %B0.endif.endif.else.endif.endif.endif.endif ]
+  %lsr.iv54 = phi i64 [ %lsr.iv.next55, %B216.if ], [ -64, %B0.endif.endif.else.endif.endif.endif.endif ]
+  %lsr.iv63 = phi i64 [ %lsr.iv.next64, %B216.if ], [ 0, %B0.endif.endif.else.endif.endif.endif.endif ]
+  %.664 = icmp slt i64 %lsr.iv63, 0
+  %21 = select i1 %.664, i64 %15, i64 56
+  %scevgep58 = getelementptr i8, ptr %lsr.iv, i64 %21
+  store double 1.000000e+00, ptr %scevgep58, align 8
+  %22 = select i1 %.664, i64 %14, i64 0
   %23 = getelementptr i8, ptr %lsr.iv, i64 %12
   %24 = getelementptr i8, ptr %23, i64 56
-  %scevgep37 = getelementptr i8, ptr %24, i64 %22
-  store double 1.000000e+00, ptr %scevgep37, align 8
-  %sunkaddr = getelementptr i8, ptr %arg.coordinates.4, i64 %lsr.iv52
-  %sunkaddr67 = getelementptr i8, ptr %sunkaddr, i64 64
-  %.864 = load double, ptr %sunkaddr67, align 8
-  %.883 = icmp slt i64 %lsr.iv61, -8
-  %25 = select i1 %.883, i64 %16, i64 64
-  %scevgep42 = getelementptr i8, ptr %lsr.iv, i64 %25
-  store double %.864, ptr %scevgep42, align 8
-  %sunkaddr70 = getelementptr i8, ptr %sunkaddr, i64 128
-  %.864.1 = load double, ptr %sunkaddr70, align 8
-  %.883.1 = icmp slt i64 %lsr.iv61, -9
-  %26 = select i1 %.883.1, i64 %17, i64 72
-  %scevgep41 = getelementptr i8, ptr %lsr.iv, i64 %26
-  store double %.864.1, ptr %scevgep41, align 8
+  %scevgep41 = getelementptr i8, ptr %24, i64 %22
+  store double 1.000000e+00, ptr %scevgep41, align 8
+  %sunkaddr = getelementptr i8, ptr %arg.coordinates.4, i64 %lsr.iv54
+  %sunkaddr69 = getelementptr i8, ptr %sunkaddr, i64 64
+  %.865 = load double, ptr %sunkaddr69, align 8
+  %.884 = icmp slt i64 %lsr.iv63, -8
+  %25 = select i1 %.884, i64 %16, i64 64
+  %scevgep57 = getelementptr i8, ptr %lsr.iv, i64 %25
+  store double %.865, ptr %scevgep57, align 8
+  %sunkaddr71 = getelementptr i8, ptr %sunkaddr, i64 128
+  %.865.1 = load double, ptr %sunkaddr71, align 8
+  %.884.1 = icmp slt i64 %lsr.iv63, -9
+  %26 = select i1 %.884.1, i64 %17, i64 72
+  %scevgep56 = getelementptr i8, ptr %lsr.iv, i64 %26
+  store double %.865.1, ptr %scevgep56, align 8
   %sunkaddr73 = getelementptr i8, ptr %sunkaddr, i64 192
-  %.864.2 = load double, ptr %sunkaddr73, align 8
-  %.883.2 = icmp slt i64 %lsr.iv61, -10
-  %27 = select i1 %.883.2, i64 %18, i64 80
-  %scevgep40 = getelementptr i8, ptr %lsr.iv, i64 %27
-  store double %.864.2, ptr %scevgep40, align 8
-  %sunkaddr77 = getelementptr i8, ptr %sunkaddr, i64 256
-  %.864.3 = load double, ptr %sunkaddr77, align 8
-  %.883.3 = icmp slt i64 %lsr.iv61, -11
-  %28 = select i1 %.883.3, i64 %19, i64 88
-  %scevgep39 = getelementptr i8, ptr %lsr.iv, i64 %28
-  store double %.864.3, ptr %scevgep39, align 8
-  %sunkaddr79 = getelementptr i8, ptr %sunkaddr, i64 320
-  %.864.4 = load double, ptr %sunkaddr79, align 8
-  %.883.4 = icmp slt i64 %lsr.iv61, -12
-  %29 = select i1 %.883.4, i64 %20, i64 96
-  %scevgep38 = getelementptr i8, ptr %lsr.iv, i64 %29
-  store double %.864.4, ptr %scevgep38, align 8
-  %lsr.iv.next62 = add i64 %lsr.iv61, %.151
-  %lsr.iv.next53 = add nsw i64 %lsr.iv52, 8
-  %scevgep45 = getelementptr i8, ptr %lsr.iv, i64 %.156
-  %ov = icmp eq i64 %lsr.iv.next53, 0
-  br i1 %ov, label %B424, label %B234.if
+  %.865.2 = load double, ptr %sunkaddr73, align 8
+  %.884.2 = icmp slt i64 %lsr.iv63, -10
+  %27 = select i1 %.884.2, i64 %18, i64 80
+  %scevgep44 = getelementptr i8, ptr %lsr.iv, i64 %27
+  store double %.865.2, ptr %scevgep44, align 8
+  %sunkaddr75 = getelementptr i8, ptr %sunkaddr, i64 256
+  %.865.3 = load double, ptr %sunkaddr75, align 8
+  %.884.3 = icmp slt i64 %lsr.iv63, -11
+  %28 = select i1 %.884.3, i64 %19, i64 88
+  %scevgep43 = getelementptr i8, ptr %lsr.iv, i64 %28
+  store double %.865.3, ptr %scevgep43, align 8
+  %sunkaddr77 = getelementptr i8, ptr %sunkaddr, i64 320
+  %.865.4 = load double, ptr %sunkaddr77, align 8
+  %.884.4 = icmp slt i64 %lsr.iv63, -12
+  %29 = select i1 %.884.4, i64 %20, i64 96
+  %scevgep42 = getelementptr i8, ptr %lsr.iv, i64 %29
+  store double %.865.4, ptr %scevgep42, align 8
+  %lsr.iv.next64 = add i64 %lsr.iv63, %.152
+  %lsr.iv.next55 = add nsw i64 %lsr.iv54, 8
+  %scevgep45 = getelementptr i8, ptr %lsr.iv, i64 %.157
+  %ov = icmp eq i64 %lsr.iv.next55, 0
+  br i1 %ov, label %B406, label %B216.if
 
-B498.if:                                          ; preds = %B1108, %B498.if.lr.ph
-  %.1012.0 = phi i64 [ 0, %B498.if.lr.ph ], [ %.1082, %B1108 ]
-  %position.2.0818 = phi i64 [ 0, %B498.if.lr.ph ], [ %.1927, %B1108 ]
-  %current.2.sroa.40.0817 = phi ptr [ %arg.scratch.4, %B498.if.lr.ph ], [ %following.2.sroa.44.0815, %B1108 ]
-  %current.2.sroa.50.0816 = phi i64 [ %.182.sroa.13.2, %B498.if.lr.ph ], [ %following.2.sroa.55.0814, %B1108 ]
-  %following.2.sroa.44.0815 = phi ptr [ %.470, %B498.if.lr.ph ], [ %current.2.sroa.40.0817, %B1108 ]
-  %following.2.sroa.55.0814 = phi i64 [ %.454, %B498.if.lr.ph ], [ %current.2.sroa.50.0816, %B1108 ]
-  %.1082 = add nuw nsw i64 %.1012.0, 1
-  %30 = getelementptr i64, ptr %arg.contents.4, i64 %.1012.0
+B488.if:                                          ; preds = %B1102, %B488.if.lr.ph
+  %.1013.0 = phi i64 [ 0, %B488.if.lr.ph ], [ %.1082, %B1102 ]
+  %position.2.0818 = phi i64 [ 0, %B488.if.lr.ph ], [ %.1928, %B1102 ]
+  %current.2.sroa.40.0817 = phi ptr [ %arg.scratch.4, %B488.if.lr.ph ], [ %following.2.sroa.44.0815, %B1102 ]
+  %current.2.sroa.50.0816 = phi i64 [ %.183.sroa.13.2, %B488.if.lr.ph ], [ %following.2.sroa.55.0814, %B1102 ]
+  %following.2.sroa.44.0815 = phi ptr [ %.471, %B488.if.lr.ph ], [ %current.2.sroa.40.0817, %B1102 ]
+  %following.2.sroa.55.0814 = phi i64 [ %.455, %B488.if.lr.ph ], [ %current.2.sroa.50.0816, %B1102 ]
+  %.1082 = add nuw nsw i64 %.1013.0, 1
+  %30 = getelementptr i64, ptr %arg.contents.4, i64 %.1013.0
   %31 = getelementptr i8, ptr %30, i64 168
   %.1143 = load i64, ptr %31, align 8
   %.1144 = add i64 %.1143, 1
   %32 = getelementptr i8, ptr %30, i64 176
-  %.1180 = load i64, ptr %32, align 8
-  %.1182 = add nsw i64 %.1180, 7
+  %.1181 = load i64, ptr %32, align 8
+  %.1182 = sub i64 0, %.1181
   %.1190.1 = ashr i64 %.1182, 3
-  %.1223 = and i64 %.1182, -8
-  br i1 %1, label %B832, label %B676.if.lr.ph
+  %33 = and i64 %.1182, -8
+  %.1224 = sub i64 0, %33
+  br i1 %1, label %B816, label %B660.if.lr.ph
 
-B676.if.lr.ph:                                    ; preds = %B498.if
-  %.1738 = icmp slt i64 %position.2.0818, 0
-  %.1739 = select i1 %.1738, i64 %arg.layers.5.0, i64 0
-  %.1740 = add i64 %.1739, %position.2.0818
-  %33 = tail call i64 @llvm.smax.i64(i64 %.1223, i64 31)
-  %storemerge.i = lshr i64 %33, 5
-  %.991.i = and i64 %.1182, 24
-  %.arg.count.i = tail call i64 @llvm.smax.i64(i64 %.1144, i64 0)
-  %34 = shl i64 %.arg.count.i, 5
-  %.951.i = and i64 %.1182, -32
-  %.1011678.i = lshr exact i64 %.991.i, 3
-  %35 = shl i64 %.arg.count.i, 3
-  %36 = icmp slt i64 %.1740, 0
-  %37 = icmp slt i64 %.1740, %arg.layers.5.0
-  %38 = icmp eq i64 %storemerge.i, 0
-  %39 = icmp eq i64 %.991.i, 0
-  %40 = icmp slt i64 %.1143, 0
+B660.if.lr.ph:                                    ; preds = %B488.if
+  %.1739 = icmp slt i64 %position.2.0818, 0
+  %.1740 = select i1 %.1739, i64 %arg.layers.5.0, i64 0
+  %.1741 = add i64 %.1740, %position.2.0818
+  %34 = tail call i64 @llvm.smax.i64(i64 %.1224, i64 31)
+  %storemerge.i = lshr i64 %34, 5
+  %.1086.i = and i64 %.1224, 24
+  %35 = shl i64 %.1144, 8
+  %factor.op.mul = shl i64 %.1144, 5
+  %.reass = mul i64 %factor.op.mul, %storemerge.i
+  %.1046.i = and i64 %.1224, -32
+  %.1106806.i = lshr exact i64 %.1086.i, 3
+  %.arg.count815.i = tail call i64 @llvm.smax.i64(i64 %.1144, i64 0)
+  %36 = shl i64 %.arg.count815.i, 3
+  %37 = icmp slt i64 %.1741, 0
+  %38 = icmp slt i64 %.1741, %arg.layers.5.0
+  %39 = icmp eq i64 %storemerge.i, 0
+  %40 = icmp eq i64 %.1086.i, 0
   %41 = icmp slt i64 %.1143, 0
-  br label %B676.if
+  %42 = icmp slt i64 %.1143, 0
+  br label %B660.if
 
-B676.if:                                          ; preds = %B678.endif.endif.endif.endif, %B676.if.lr.ph
-  %.1251.0 = phi i64 [ 0, %B676.if.lr.ph ], [ %.1320, %B678.endif.endif.endif.endif ]
-  %.1306791 = phi i64 [ %storemerge762, %B676.if.lr.ph ], [ %.1316, %B678.endif.endif.endif.endif ]
-  %.1316 = add nsw i64 %.1306791, -1
-  %.1320 = add nuw i64 %.1251.0, 4
-  %.1346 = mul nsw i64 %.1251.0, %.151
-  %.1347 = or disjoint i64 %.1346, 8
-  %.1348 = or disjoint i64 %.1346, 7
-  %.1385 = icmp slt i64 %.1346, 0
-  %.1386 = select i1 %.1385, i64 %current.2.sroa.50.0816, i64 0
-  %.1387 = add i64 %.1386, %.1348
-  %.1390 = icmp slt i64 %.1387, 0
-  br i1 %.1390, label %B678.else.if, label %B678.else.endif, !prof !5
+B660.if:                                          ; preds = %B662.endif.endif.endif.endif, %B660.if.lr.ph
+  %.1252.0 = phi i64 [ 0, %B660.if.lr.ph ], [ %.1321, %B662.endif.endif.endif.endif ]
+  %.1307791 = phi i64 [ %storemerge762, %B660.if.lr.ph ], [ %.1317, %B662.endif.endif.endif.endif ]
+  %.1317 = add nsw i64 %.1307791, -1
+  %.1321 = add nuw i64 %.1252.0, 4
+  %.1347 = mul nsw i64 %.1252.0, %.152
+  %.1348 = or disjoint i64 %.1347, 8
+  %.1349 = or disjoint i64 %.1347, 7
+  %.1386 = icmp slt i64 %.1347, 0
+  %.1387 = select i1 %.1386, i64 %current.2.sroa.50.0816, i64 0
+  %.1388 = add i64 %.1387, %.1349
+  %.1391 = icmp slt i64 %.1388, 0
+  br i1 %.1391, label %B662.else.if, label %B662.else.endif, !prof !5
 
-B678.else.if:                                     ; preds = %B676.if
-  br label %B678.else.endif
+B662.else.if:                                     ; preds = %B660.if
+  br label %B662.else.endif
 
-B678.else.endif:                                  ; preds = %B678.else.if, %B676.if
-  %.1375.sroa.0.1 = phi i64 [ 0, %B678.else.if ], [ %.1387, %B676.if ]
-  %.1395.not = icmp slt i64 %.1387, %current.2.sroa.50.0816
-  br i1 %.1395.not, label %B678.else.endif.endif, label %B678.else.endif.if, !prof !1
+B662.else.endif:                                  ; preds = %B662.else.if, %B660.if
+  %.1376.sroa.0.1 = phi i64 [ 0, %B662.else.if ], [ %.1388, %B660.if ]
+  %.1396.not = icmp slt i64 %.1388, %current.2.sroa.50.0816
+  br i1 %.1396.not, label %B662.else.endif.endif, label %B662.else.endif.if, !prof !1
 
-B678.else.endif.if:                               ; preds = %B678.else.endif
-  br label %B678.else.endif.endif
+B662.else.endif.if:                               ; preds = %B662.else.endif
+  br label %B662.else.endif.endif
 
-B678.else.endif.endif:                            ; preds = %B678.else.endif.if, %B678.else.endif
-  %.1375.sroa.0.3 = phi i64 [ %current.2.sroa.50.0816, %B678.else.endif.if ], [ %.1375.sroa.0.1, %B678.else.endif ]
-  %.1488 = getelementptr double, ptr %current.2.sroa.40.0817, i64 %.1375.sroa.0.3
-  %.1559 = icmp slt i64 %.1346, -8
-  %.1560 = select i1 %.1559, i64 %following.2.sroa.55.0814, i64 0
-  %.1561 = add i64 %.1560, %.1347
-  %.1564 = icmp slt i64 %.1561, 0
-  br i1 %.1564, label %B678.endif.else.if, label %B678.endif.else.endif, !prof !5
+B662.else.endif.endif:                            ; preds = %B662.else.endif.if, %B662.else.endif
+  %.1376.sroa.0.3 = phi i64 [ %current.2.sroa.50.0816, %B662.else.endif.if ], [ %.1376.sroa.0.1, %B662.else.endif ]
+  %.1489 = getelementptr double, ptr %current.2.sroa.40.0817, i64 %.1376.sroa.0.3
+  %.1560 = icmp slt i64 %.1347, -8
+  %.1561 = select i1 %.1560, i64 %following.2.sroa.55.0814, i64 0
+  %.1562 = add i64 %.1561, %.1348
+  %.1565 = icmp slt i64 %.1562, 0
+  br i1 %.1565, label %B662.endif.else.if, label %B662.endif.else.endif, !prof !5
 
-B678.endif.else.if:                               ; preds = %B678.else.endif.endif
-  br label %B678.endif.else.endif
+B662.endif.else.if:                               ; preds = %B662.else.endif.endif
+  br label %B662.endif.else.endif
 
-B678.endif.else.endif:                            ; preds = %B678.endif.else.if, %B678.else.endif.endif
-  %.1549.sroa.0.1 = phi i64 [ 0, %B678.endif.else.if ], [ %.1561, %B678.else.endif.endif ]
-  %.1569.not = icmp slt i64 %.1561, %following.2.sroa.55.0814
-  br i1 %.1569.not, label %B678.endif.else.endif.endif, label %B678.endif.else.endif.if, !prof !1
+B662.endif.else.endif:                            ; preds = %B662.endif.else.if, %B662.else.endif.endif
+  %.1550.sroa.0.1 = phi i64 [ 0, %B662.endif.else.if ], [ %.1562, %B662.else.endif.endif ]
+  %.1570.not = icmp slt i64 %.1562, %following.2.sroa.55.0814
+  br i1 %.1570.not, label %B662.endif.else.endif.endif, label %B662.endif.else.endif.if, !prof !1
 
-B678.endif.else.endif.if:                         ; preds = %B678.endif.else.endif
-  br label %B678.endif.else.endif.endif
+B662.endif.else.endif.if:                         ; preds = %B662.endif.else.endif
+  br label %B662.endif.else.endif.endif
 
-B678.endif.else.endif.endif:                      ; preds = %B678.endif.else.endif.if, %B678.endif.else.endif
-  %.1549.sroa.0.3 = phi i64 [ %following.2.sroa.55.0814, %B678.endif.else.endif.if ], [ %.1549.sroa.0.1, %B678.endif.else.endif ]
-  %.1662 = getelementptr double, ptr %following.2.sroa.44.0815, i64 %.1549.sroa.0.3
-  br i1 %36, label %B678.endif.endif.else.if, label %B678.endif.endif.else.endif, !prof !5
+B662.endif.else.endif.endif:                      ; preds = %B662.endif.else.endif.if, %B662.endif.else.endif
+  %.1550.sroa.0.3 = phi i64 [ %following.2.sroa.55.0814, %B662.endif.else.endif.if ], [ %.1550.sroa.0.1, %B662.endif.else.endif ]
+  %.1663 = getelementptr double, ptr %following.2.sroa.44.0815, i64 %.1550.sroa.0.3
+  br i1 %37, label %B662.endif.endif.else.if, label %B662.endif.endif.else.endif, !prof !5
 
-B678.endif.endif.else.if:                         ; preds = %B678.endif.else.endif.endif
-  br label %B678.endif.endif.else.endif
+B662.endif.endif.else.if:                         ; preds = %B662.endif.else.endif.endif
+  br label %B662.endif.endif.else.endif
 
-B678.endif.endif.else.endif:                      ; preds = %B678.endif.endif.else.if, %B678.endif.else.endif.endif
-  %.1728.sroa.0.1 = phi i64 [ 0, %B678.endif.endif.else.if ], [ %.1740, %B678.endif.else.endif.endif ]
-  br i1 %37, label %B678.endif.endif.else.endif.endif, label %B678.endif.endif.else.endif.if, !prof !1
+B662.endif.endif.else.endif:                      ; preds = %B662.endif.endif.else.if, %B662.endif.else.endif.endif
+  %.1729.sroa.0.1 = phi i64 [ 0, %B662.endif.endif.else.if ], [ %.1741, %B662.endif.else.endif.endif ]
+  br i1 %38, label %B662.endif.endif.else.endif.endif, label %B662.endif.endif.else.endif.if, !prof !1
 
-B678.endif.endif.else.endif.if:                   ; preds = %B678.endif.endif.else.endif
-  br label %B678.endif.endif.else.endif.endif
+B662.endif.endif.else.endif.if:                   ; preds = %B662.endif.endif.else.endif
+  br label %B662.endif.endif.else.endif.endif
 
-B678.endif.endif.else.endif.endif:                ; preds = %B678.endif.endif.else.endif.if, %B678.endif.endif.else.endif
-  %.1728.sroa.0.3 = phi i64 [ %arg.layers.5.0, %B678.endif.endif.else.endif.if ], [ %.1728.sroa.0.1, %B678.endif.endif.else.endif ]
-  %.1841 = getelementptr double, ptr %arg.layers.4, i64 %.1728.sroa.0.3
-  br i1 %38, label %B2140.else.i, label %B86.if.lr.ph.i
+B662.endif.endif.else.endif.endif:                ; preds = %B662.endif.endif.else.endif.if, %B662.endif.endif.else.endif
+  %.1729.sroa.0.3 = phi i64 [ %arg.layers.5.0, %B662.endif.endif.else.endif.if ], [ %.1729.sroa.0.1, %B662.endif.endif.else.endif ]
+  %.1842 = getelementptr double, ptr %arg.layers.4, i64 %.1729.sroa.0.3
+  br i1 %39, label %B354.else.i, label %B84.if.lr.ph.i
 
-B86.if.lr.ph.i:                                   ; preds = %B678.endif.endif.else.endif.endif
-  %42 = getelementptr double, ptr %.1488, i64 %.151
-  %43 = getelementptr i8, ptr %.1488, i64 %.331
-  %44 = getelementptr i8, ptr %.1488, i64 %.idx686.i
-  %scevgep8.i = getelementptr i8, ptr %.1841, i64 192
-  br label %B86.if.i
+B84.if.lr.ph.i:                                   ; preds = %B662.endif.endif.else.endif.endif
+  %43 = getelementptr double, ptr %.1489, i64 %.152
+  %44 = getelementptr i8, ptr %.1489, i64 %.332
+  %45 = getelementptr i8, ptr %.1489, i64 %.idx814.i
+  %scevgep17.i = getelementptr i8, ptr %.1842, i64 192
+  br label %B84.if.i
 
-B1232.loopexit.i:                                 ; preds = %B290.if.i
-  %45 = add i64 %position.4.0737.i, %34
-  br label %B1232.i
+B280.i:                                           ; preds = %B200.if.i, %B84.if.i
+  %_multiply_wide_v54_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v54_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v54_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v54_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v54_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v54_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v54_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v54_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v54_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v54_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v54_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v54_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v54_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v54_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v54_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v54_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v54_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !134
+  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !134
+  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !134
+  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !134
+  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.152
+  store <8 x double> %_multiply_wide_v54_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !134
+  %.827.i = getelementptr i8, ptr %.817.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !134
+  %.838.i = getelementptr i8, ptr %.817.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !134
+  %.849.i = getelementptr i8, ptr %.817.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !134
+  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.332
+  store <8 x double> %_multiply_wide_v54_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !134
+  %.890.i = getelementptr i8, ptr %.880.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !134
+  %.901.i = getelementptr i8, ptr %.880.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !134
+  %.912.i = getelementptr i8, ptr %.880.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !134
+  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx814.i
+  store <8 x double> %_multiply_wide_v54_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !134
+  %.960.i = getelementptr i8, ptr %.950.i, i64 64
+  store <8 x double> %_multiply_wide_v54_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !134
+  %.971.i = getelementptr i8, ptr %.950.i, i64 128
+  store <8 x double> %_multiply_wide_v54_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !134
+  %.982.i = getelementptr i8, ptr %.950.i, i64 192
+  store <8 x double> %_multiply_wide_v54_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !134
+  %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %35
+  %.187.i = icmp sgt i64 %.186856868.i, 1
+  br i1 %.187.i, label %B84.if.i, label %B354.else.i
 
-B1232.i:                                          ; preds = %B86.if.i, %B1232.loopexit.i
-  %position.3.1.lcssa.i = phi i64 [ %position.4.0737.i, %B86.if.i ], [ %45, %B1232.loopexit.i ]
-  %a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.477.i, %B1232.loopexit.i ]
-  %a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.481.i, %B1232.loopexit.i ]
-  %a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.489.i, %B1232.loopexit.i ]
-  %a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.493.i, %B1232.loopexit.i ]
-  %a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.514.i, %B1232.loopexit.i ]
-  %a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.518.i, %B1232.loopexit.i ]
-  %a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.526.i, %B1232.loopexit.i ]
-  %a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.530.i, %B1232.loopexit.i ]
-  %a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.552.i, %B1232.loopexit.i ]
-  %a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.556.i, %B1232.loopexit.i ]
-  %a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.564.i, %B1232.loopexit.i ]
-  %a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.568.i, %B1232.loopexit.i ]
-  %a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.590.i, %B1232.loopexit.i ]
-  %a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.594.i, %B1232.loopexit.i ]
-  %a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.602.i, %B1232.loopexit.i ]
-  %a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B86.if.i ], [ %.606.i, %B1232.loopexit.i ]
-  %.630.i = getelementptr inbounds nuw double, ptr %.1662, i64 %.194729735.i
-  store <8 x double> %a00.2.1.lcssa.i, ptr %.630.i, align 8, !noalias !134
-  %.645.i = getelementptr i8, ptr %.630.i, i64 64
-  store <8 x double> %a01.2.1.lcssa.i, ptr %.645.i, align 8, !noalias !134
-  %.661.i = getelementptr i8, ptr %.630.i, i64 128
-  store <8 x double> %a02.2.1.lcssa.i, ptr %.661.i, align 8, !noalias !134
-  %.677.i = getelementptr i8, ptr %.630.i, i64 192
-  store <8 x double> %a03.2.1.lcssa.i, ptr %.677.i, align 8, !noalias !134
-  %sunkaddr81 = getelementptr i8, ptr %.630.i, i64 %sunkaddr80
-  %sunkaddr82 = getelementptr i8, ptr %sunkaddr81, i64 64
-  store <8 x double> %a10.2.1.lcssa.i, ptr %sunkaddr82, align 8, !noalias !134
-  %sunkaddr85 = getelementptr i8, ptr %sunkaddr81, i64 128
-  store <8 x double> %a11.2.1.lcssa.i, ptr %sunkaddr85, align 8, !noalias !134
-  %sunkaddr88 = getelementptr i8, ptr %sunkaddr81, i64 192
-  store <8 x double> %a12.2.1.lcssa.i, ptr %sunkaddr88, align 8, !noalias !134
-  %sunkaddr91 = getelementptr i8, ptr %sunkaddr81, i64 256
-  store <8 x double> %a13.2.1.lcssa.i, ptr %sunkaddr91, align 8, !noalias !134
-  %.763.i = getelementptr i8, ptr %.630.i, i64 %.331
-  store <8 x double> %a20.2.1.lcssa.i, ptr %.763.i, align 8, !noalias !134
-  %.781.i = getelementptr i8, ptr %.763.i, i64 64
-  store <8 x double> %a21.2.1.lcssa.i, ptr %.781.i, align 8, !noalias !134
-  %.800.i = getelementptr i8, ptr %.763.i, i64 128
-  store <8 x double> %a22.2.1.lcssa.i, ptr %.800.i, align 8, !noalias !134
-  %.819.i = getelementptr i8, ptr %.763.i, i64 192
-  store <8 x double> %a23.2.1.lcssa.i, ptr %.819.i, align 8, !noalias !134
-  %.836.i = getelementptr i8, ptr %.630.i, i64 %.idx686.i
-  store <8 x double> %a30.2.1.lcssa.i, ptr %.836.i, align 8, !noalias !134
-  %.854.i = getelementptr i8, ptr %.836.i, i64 64
-  store <8 x double> %a31.2.1.lcssa.i, ptr %.854.i, align 8, !noalias !134
-  %.873.i = getelementptr i8, ptr %.836.i, i64 128
-  store <8 x double> %a32.2.1.lcssa.i, ptr %.873.i, align 8, !noalias !134
-  %.894.i = getelementptr i8, ptr %.836.i, i64 192
-  store <8 x double> %a33.2.1.lcssa.i, ptr %.894.i, align 8, !noalias !134
-  %.188.i = icmp sgt i64 %.187728736.i, 1
-  br i1 %.188.i, label %B86.if.i, label %B2140.else.i
+B3459.loopexit.i:                                 ; preds = %B884.if.i
+  %46 = add i64 %position.5.0901.i, %36
+  br label %B3459.i
 
-B2654.loopexit.i:                                 ; preds = %B2294.if.i
-  %46 = add i64 %position.6.0769.i, %35
-  br label %B2654.i
+B3459.i:                                          ; preds = %B356.if.i, %B3459.loopexit.i
+  %position.4.1.lcssa.i = phi i64 [ %position.5.0901.i, %B356.if.i ], [ %46, %B3459.loopexit.i ]
+  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B3459.loopexit.i ]
+  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B3459.loopexit.i ]
+  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B3459.loopexit.i ]
+  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B3459.loopexit.i ]
+  %.1418.i = getelementptr inbounds double, ptr %.1663, i64 %.1135893899.i
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !134
+  %.1434.i = getelementptr double, ptr %51, i64 %.1135893899.i
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !134
+  %.1451.i = getelementptr double, ptr %52, i64 %.1135893899.i
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !134
+  %.1470.i = getelementptr double, ptr %53, i64 %.1135893899.i
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !134
+  %.1129.i = icmp sgt i64 %.1128892900.i, 1
+  br i1 %.1129.i, label %B356.if.i, label %B662.endif.endif.endif.endif
 
-B2654.i:                                          ; preds = %B2218.if.i, %B2654.loopexit.i
-  %position.5.1.lcssa.i = phi i64 [ %position.6.0769.i, %B2218.if.i ], [ %46, %B2654.loopexit.i ]
-  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1243.i, %B2654.loopexit.i ]
-  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1262.i, %B2654.loopexit.i ]
-  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1282.i, %B2654.loopexit.i ]
-  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B2218.if.i ], [ %.1302.i, %B2654.loopexit.i ]
-  %.1324.i = getelementptr inbounds double, ptr %.1662, i64 %.1041761767.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1324.i, align 8, !noalias !134
-  %.1340.i = getelementptr double, ptr %52, i64 %.1041761767.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1340.i, align 8, !noalias !134
-  %.1357.i = getelementptr double, ptr %53, i64 %.1041761767.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1357.i, align 8, !noalias !134
-  %.1376.i = getelementptr double, ptr %54, i64 %.1041761767.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1376.i, align 8, !noalias !134
-  %.1035.i = icmp sgt i64 %.1034760768.i, 1
-  br i1 %.1035.i, label %B2218.if.i, label %B678.endif.endif.endif.endif
+B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
+  %lsr.iv18.i = phi ptr [ %scevgep17.i, %B84.if.lr.ph.i ], [ %scevgep19.i, %B280.i ]
+  %.186856868.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
+  %.193857867.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
+  %.196.i = add nsw i64 %.186856868.i, -1
+  %.200.i = add nuw nsw i64 %.193857867.i, 32
+  %.237.i = getelementptr inbounds nuw double, ptr %.1663, i64 %.193857867.i
+  br i1 %41, label %B280.i, label %B200.if.i
 
-B86.if.i:                                         ; preds = %B1232.i, %B86.if.lr.ph.i
-  %position.4.0737.i = phi i64 [ 0, %B86.if.lr.ph.i ], [ %position.3.1.lcssa.i, %B1232.i ]
-  %.187728736.i = phi i64 [ %storemerge.i, %B86.if.lr.ph.i ], [ %.197.i, %B1232.i ]
-  %.194729735.i = phi i64 [ 0, %B86.if.lr.ph.i ], [ %.201.i, %B1232.i ]
-  %.197.i = add nsw i64 %.187728736.i, -1
-  %.201.i = add nuw nsw i64 %.194729735.i, 32
-  br i1 %40, label %B1232.i, label %B290.if.preheader.i
+B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
+  %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B200.if.i ], [ -1, %B84.if.i ]
+  %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
+  %_multiply_wide_v54_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v54_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
+  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !134
+  %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
+  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !134
+  %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
+  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !134
+  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !134
+  %47 = shl i64 %lsr.iv25, 3
+  %scevgep33 = getelementptr i8, ptr %.1489, i64 %47
+  %scevgep34 = getelementptr i8, ptr %scevgep33, i64 8
+  %.573.i = load double, ptr %scevgep34, align 8, !noalias !134
+  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
+  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a00.2.1823.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a01.2.1824.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a02.2.1825.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a03.2.1826.i)
+  %scevgep26 = getelementptr i8, ptr %43, i64 %47
+  %scevgep27 = getelementptr i8, ptr %scevgep26, i64 8
+  %.610.i = load double, ptr %scevgep27, align 8, !noalias !134
+  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
+  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a10.2.1827.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a11.2.1828.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a12.2.1829.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a13.2.1830.i)
+  %scevgep20 = getelementptr i8, ptr %44, i64 %47
+  %scevgep22 = getelementptr i8, ptr %scevgep20, i64 8
+  %.648.i = load double, ptr %scevgep22, align 8, !noalias !134
+  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
+  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a20.2.1831.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a21.2.1832.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a22.2.1833.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a23.2.1834.i)
+  %scevgep9 = getelementptr i8, ptr %45, i64 %47
+  %scevgep10 = getelementptr i8, ptr %scevgep9, i64 8
+  %.686.i = load double, ptr %scevgep10, align 8, !noalias !134
+  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
+  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a30.2.1835.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a31.2.1836.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a32.2.1837.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a33.2.1838.i)
+  %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
+  %lsr.iv.next26 = add nsw i64 %lsr.iv25, 1
+  %exitcond.not.i = icmp eq i64 %.1143, %lsr.iv.next26
+  br i1 %exitcond.not.i, label %B280.i, label %B200.if.i
 
-B290.if.preheader.i:                              ; preds = %B86.if.i
-  %47 = shl i64 %position.4.0737.i, 3
-  %scevgep9.i = getelementptr i8, ptr %scevgep8.i, i64 %47
-  br label %B290.if.i
+B354.else.i:                                      ; preds = %B280.i, %B662.endif.endif.else.endif.endif
+  %position.3.0.lcssa.i = phi i64 [ 0, %B662.endif.endif.else.endif.endif ], [ %.reass, %B280.i ]
+  br i1 %40, label %B662.endif.endif.endif.endif, label %B354.endif.endif.endif.i
 
-B290.if.i:                                        ; preds = %B290.if.i, %B290.if.preheader.i
-  %lsr.iv23 = phi i64 [ %lsr.iv.next24, %B290.if.i ], [ -1, %B290.if.preheader.i ]
-  %lsr.iv10.i = phi ptr [ %scevgep11.i, %B290.if.i ], [ %scevgep9.i, %B290.if.preheader.i ]
-  %a33.2.1709.i = phi <8 x double> [ %.606.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a32.2.1708.i = phi <8 x double> [ %.602.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a31.2.1707.i = phi <8 x double> [ %.594.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a30.2.1706.i = phi <8 x double> [ %.590.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a23.2.1705.i = phi <8 x double> [ %.568.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a22.2.1704.i = phi <8 x double> [ %.564.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a21.2.1703.i = phi <8 x double> [ %.556.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a20.2.1702.i = phi <8 x double> [ %.552.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a13.2.1701.i = phi <8 x double> [ %.530.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a12.2.1700.i = phi <8 x double> [ %.526.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a11.2.1699.i = phi <8 x double> [ %.518.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a10.2.1698.i = phi <8 x double> [ %.514.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a03.2.1697.i = phi <8 x double> [ %.493.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a02.2.1696.i = phi <8 x double> [ %.489.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a01.2.1695.i = phi <8 x double> [ %.481.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %a00.2.1694.i = phi <8 x double> [ %.477.i, %B290.if.i ], [ zeroinitializer, %B290.if.preheader.i ]
-  %scevgep14.i = getelementptr i8, ptr %lsr.iv10.i, i64 -192
-  %.420.i = load <8 x double>, ptr %scevgep14.i, align 8, !noalias !134
-  %scevgep13.i = getelementptr i8, ptr %lsr.iv10.i, i64 -128
-  %.432.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !134
-  %scevgep12.i = getelementptr i8, ptr %lsr.iv10.i, i64 -64
-  %.445.i = load <8 x double>, ptr %scevgep12.i, align 8, !noalias !134
-  %.458.i = load <8 x double>, ptr %lsr.iv10.i, align 8, !noalias !134
-  %48 = shl i64 %lsr.iv23, 3
-  %scevgep31 = getelementptr i8, ptr %.1488, i64 %48
-  %scevgep32 = getelementptr i8, ptr %scevgep31, i64 8
-  %.473.i = load double, ptr %scevgep32, align 8, !noalias !134
-  %.475.i = insertelement <8 x double> poison, double %.473.i, i64 0
-  %.476.i = shufflevector <8 x double> %.475.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.477.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.476.i, <8 x double> %a00.2.1694.i)
-  %.481.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.476.i, <8 x double> %a01.2.1695.i)
-  %.489.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.476.i, <8 x double> %a02.2.1696.i)
-  %.493.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.476.i, <8 x double> %a03.2.1697.i)
-  %scevgep20 = getelementptr i8, ptr %42, i64 %48
-  %scevgep23 = getelementptr i8, ptr %scevgep20, i64 8
-  %.510.i = load double, ptr %scevgep23, align 8, !noalias !134
-  %.512.i = insertelement <8 x double> poison, double %.510.i, i64 0
-  %.513.i = shufflevector <8 x double> %.512.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.514.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.513.i, <8 x double> %a10.2.1698.i)
-  %.518.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.513.i, <8 x double> %a11.2.1699.i)
-  %.526.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.513.i, <8 x double> %a12.2.1700.i)
-  %.530.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.513.i, <8 x double> %a13.2.1701.i)
-  %scevgep10 = getelementptr i8, ptr %43, i64 %48
-  %scevgep11 = getelementptr i8, ptr %scevgep10, i64 8
-  %.548.i = load double, ptr %scevgep11, align 8, !noalias !134
-  %.550.i = insertelement <8 x double> poison, double %.548.i, i64 0
-  %.551.i = shufflevector <8 x double> %.550.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.552.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.551.i, <8 x double> %a20.2.1702.i)
-  %.556.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.551.i, <8 x double> %a21.2.1703.i)
-  %.564.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.551.i, <8 x double> %a22.2.1704.i)
-  %.568.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.551.i, <8 x double> %a23.2.1705.i)
-  %scevgep2 = getelementptr i8, ptr %44, i64 %48
-  %scevgep3 = getelementptr i8, ptr %scevgep2, i64 8
-  %.586.i = load double, ptr %scevgep3, align 8, !noalias !134
-  %.588.i = insertelement <8 x double> poison, double %.586.i, i64 0
-  %.589.i = shufflevector <8 x double> %.588.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.590.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.420.i, <8 x double> %.589.i, <8 x double> %a30.2.1706.i)
-  %.594.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.432.i, <8 x double> %.589.i, <8 x double> %a31.2.1707.i)
-  %.602.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.445.i, <8 x double> %.589.i, <8 x double> %a32.2.1708.i)
-  %.606.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.458.i, <8 x double> %.589.i, <8 x double> %a33.2.1709.i)
-  %scevgep11.i = getelementptr i8, ptr %lsr.iv10.i, i64 256
-  %lsr.iv.next24 = add nsw i64 %lsr.iv23, 1
-  %exitcond.not.i = icmp eq i64 %.1143, %lsr.iv.next24
-  br i1 %exitcond.not.i, label %B1232.loopexit.i, label %B290.if.i
+B354.endif.endif.endif.i:                         ; preds = %B354.else.i
+  %48 = getelementptr double, ptr %.1489, i64 %.152
+  %49 = getelementptr i8, ptr %.1489, i64 %.332
+  %50 = getelementptr i8, ptr %.1489, i64 %.idx814.i
+  %51 = getelementptr double, ptr %.1663, i64 %.152
+  %52 = getelementptr i8, ptr %.1663, i64 %.332
+  %53 = getelementptr i8, ptr %.1663, i64 %.idx814.i
+  br label %B356.if.i
 
-B2140.else.i:                                     ; preds = %B1232.i, %B678.endif.endif.else.endif.endif
-  %position.4.0.lcssa.i = phi i64 [ 0, %B678.endif.endif.else.endif.endif ], [ %position.3.1.lcssa.i, %B1232.i ]
-  br i1 %39, label %B678.endif.endif.endif.endif, label %B2140.endif.endif.endif.i
+B356.if.i:                                        ; preds = %B354.endif.endif.endif.i, %B3459.i
+  %position.5.0901.i = phi i64 [ %position.3.0.lcssa.i, %B354.endif.endif.endif.i ], [ %position.4.1.lcssa.i, %B3459.i ]
+  %.1128892900.i = phi i64 [ %.1106806.i, %B354.endif.endif.endif.i ], [ %.1138.i, %B3459.i ]
+  %.1135893899.i = phi i64 [ %.1046.i, %B354.endif.endif.endif.i ], [ %.1142.i, %B3459.i ]
+  %.1138.i = add nsw i64 %.1128892900.i, -1
+  %.1142.i = add nuw nsw i64 %.1135893899.i, 8
+  br i1 %42, label %B3459.i, label %B884.if.preheader.i
 
-B2140.endif.endif.endif.i:                        ; preds = %B2140.else.i
-  %49 = getelementptr double, ptr %.1488, i64 %.151
-  %50 = getelementptr i8, ptr %.1488, i64 %.331
-  %51 = getelementptr i8, ptr %.1488, i64 %.idx686.i
-  %52 = getelementptr double, ptr %.1662, i64 %.151
-  %53 = getelementptr i8, ptr %.1662, i64 %.331
-  %54 = getelementptr i8, ptr %.1662, i64 %.idx686.i
-  br label %B2218.if.i
+B884.if.preheader.i:                              ; preds = %B356.if.i
+  %54 = shl i64 %position.5.0901.i, 3
+  %scevgep.i = getelementptr i8, ptr %.1842, i64 %54
+  br label %B884.if.i
 
-B2218.if.i:                                       ; preds = %B2140.endif.endif.endif.i, %B2654.i
-  %position.6.0769.i = phi i64 [ %position.4.0.lcssa.i, %B2140.endif.endif.endif.i ], [ %position.5.1.lcssa.i, %B2654.i ]
-  %.1034760768.i = phi i64 [ %.1011678.i, %B2140.endif.endif.endif.i ], [ %.1044.i, %B2654.i ]
-  %.1041761767.i = phi i64 [ %.951.i, %B2140.endif.endif.endif.i ], [ %.1048.i, %B2654.i ]
-  %.1044.i = add nsw i64 %.1034760768.i, -1
-  %.1048.i = add nuw nsw i64 %.1041761767.i, 8
-  br i1 %41, label %B2654.i, label %B2294.if.preheader.i
+B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
+  %lsr.iv31 = phi i64 [ %lsr.iv.next32, %B884.if.i ], [ %.1144, %B884.if.preheader.i ]
+  %lsr.iv28 = phi i64 [ %lsr.iv.next29, %B884.if.i ], [ 0, %B884.if.preheader.i ]
+  %b3.2.1884.i = phi <8 x double> [ %.1396.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b2.2.1883.i = phi <8 x double> [ %.1376.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b1.2.1882.i = phi <8 x double> [ %.1356.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %55 = shl i64 %lsr.iv28, 3
+  %scevgep30 = getelementptr i8, ptr %scevgep.i, i64 %55
+  %.1318.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !134
+  %scevgep38 = getelementptr i8, ptr %.1489, i64 %lsr.iv28
+  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !134
+  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
+  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
+  %scevgep37 = getelementptr i8, ptr %48, i64 %lsr.iv28
+  %.1352.i = load double, ptr %scevgep37, align 8, !noalias !134
+  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
+  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
+  %scevgep36 = getelementptr i8, ptr %49, i64 %lsr.iv28
+  %.1372.i = load double, ptr %scevgep36, align 8, !noalias !134
+  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
+  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
+  %scevgep35 = getelementptr i8, ptr %50, i64 %lsr.iv28
+  %.1392.i = load double, ptr %scevgep35, align 8, !noalias !134
+  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
+  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
+  %lsr.iv.next29 = add i64 %lsr.iv28, 8
+  %lsr.iv.next32 = add i64 %lsr.iv31, -1
+  %exitcond909.not.i = icmp eq i64 %lsr.iv.next32, 0
+  br i1 %exitcond909.not.i, label %B3459.loopexit.i, label %B884.if.i
 
-B2294.if.preheader.i:                             ; preds = %B2218.if.i
-  %55 = shl i64 %position.6.0769.i, 3
-  %scevgep.i = getelementptr i8, ptr %.1841, i64 %55
-  br label %B2294.if.i
+B662.endif.endif.endif.endif:                     ; preds = %B3459.i, %B354.else.i
+  %.1308 = icmp sgt i64 %.1307791, 1
+  br i1 %.1308, label %B660.if, label %B816
 
-B2294.if.i:                                       ; preds = %B2294.if.i, %B2294.if.preheader.i
-  %lsr.iv27 = phi i64 [ %lsr.iv.next28, %B2294.if.i ], [ %.1144, %B2294.if.preheader.i ]
-  %lsr.iv24 = phi i64 [ %lsr.iv.next25, %B2294.if.i ], [ 0, %B2294.if.preheader.i ]
-  %b3.2.1752.i = phi <8 x double> [ %.1302.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %b2.2.1751.i = phi <8 x double> [ %.1282.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %b1.2.1750.i = phi <8 x double> [ %.1262.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %b0.2.1749.i = phi <8 x double> [ %.1243.i, %B2294.if.i ], [ zeroinitializer, %B2294.if.preheader.i ]
-  %56 = shl i64 %lsr.iv24, 3
-  %scevgep26 = getelementptr i8, ptr %scevgep.i, i64 %56
-  %.1224.i = load <8 x double>, ptr %scevgep26, align 8, !noalias !134
-  %scevgep34 = getelementptr i8, ptr %.1488, i64 %lsr.iv24
-  %.1239.i = load double, ptr %scevgep34, align 8, !noalias !134
-  %.1241.i = insertelement <8 x double> poison, double %.1239.i, i64 0
-  %.1242.i = shufflevector <8 x double> %.1241.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1243.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1242.i, <8 x double> %b0.2.1749.i)
-  %scevgep33 = getelementptr i8, ptr %49, i64 %lsr.iv24
-  %.1258.i = load double, ptr %scevgep33, align 8, !noalias !134
-  %.1260.i = insertelement <8 x double> poison, double %.1258.i, i64 0
-  %.1261.i = shufflevector <8 x double> %.1260.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1262.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1261.i, <8 x double> %b1.2.1750.i)
-  %scevgep30 = getelementptr i8, ptr %50, i64 %lsr.iv24
-  %.1278.i = load double, ptr %scevgep30, align 8, !noalias !134
-  %.1280.i = insertelement <8 x double> poison, double %.1278.i, i64 0
-  %.1281.i = shufflevector <8 x double> %.1280.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1282.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1281.i, <8 x double> %b2.2.1751.i)
-  %scevgep29 = getelementptr i8, ptr %51, i64 %lsr.iv24
-  %.1298.i = load double, ptr %scevgep29, align 8, !noalias !134
-  %.1300.i = insertelement <8 x double> poison, double %.1298.i, i64 0
-  %.1301.i = shufflevector <8 x double> %.1300.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1224.i, <8 x double> %.1301.i, <8 x double> %b3.2.1752.i)
-  %lsr.iv.next25 = add i64 %lsr.iv24, 8
-  %lsr.iv.next28 = add i64 %lsr.iv27, -1
-  %exitcond774.not.i = icmp eq i64 %lsr.iv.next28, 0
-  br i1 %exitcond774.not.i, label %B2654.loopexit.i, label %B2294.if.i
+B874.if:                                          ; preds = %B874.loopexit, %B874.if.lr.ph
+  %lsr.iv47 = phi ptr [ %scevgep46, %B874.if.lr.ph ], [ %scevgep48, %B874.loopexit ]
+  %.2026800806 = phi i64 [ 0, %B874.if.lr.ph ], [ %.2033, %B874.loopexit ]
+  %.2033 = add nuw nsw i64 %.2026800806, 1
+  br i1 %4, label %B972.if, label %B874.loopexit
 
-B678.endif.endif.endif.endif:                     ; preds = %B2654.i, %B2140.else.i
-  %.1307 = icmp sgt i64 %.1306791, 1
-  br i1 %.1307, label %B676.if, label %B832
-
-B890.if:                                          ; preds = %B890.loopexit, %B890.if.lr.ph
-  %lsr.iv45 = phi ptr [ %scevgep44, %B890.if.lr.ph ], [ %scevgep46, %B890.loopexit ]
-  %.2025800806 = phi i64 [ 0, %B890.if.lr.ph ], [ %.2032, %B890.loopexit ]
-  %.2032 = add nuw nsw i64 %.2025800806, 1
-  br i1 %4, label %B988.if, label %B890.loopexit
-
-B988.if:                                          ; preds = %B890.if, %B990.endif
-  %lsr.iv35 = phi i64 [ %lsr.iv.next36, %B990.endif ], [ %3, %B890.if ]
-  %lsr.iv47 = phi ptr [ %scevgep48, %B990.endif ], [ %lsr.iv45, %B890.if ]
-  %.2192 = load <8 x double>, ptr %lsr.iv47, align 8
-  %.2222 = load i64, ptr %sunkaddr92, align 8
-  %.11.i = bitcast <8 x double> %.2192 to <8 x i64>
-  %57 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %.2192)
-  %.8.i.i = bitcast <8 x double> %57 to <8 x i64>
-  %.43.i = icmp eq i64 %.2222, 1
+B972.if:                                          ; preds = %B874.if, %B974.endif
+  %lsr.iv39 = phi i64 [ %lsr.iv.next40, %B974.endif ], [ %3, %B874.if ]
+  %lsr.iv49 = phi ptr [ %scevgep50, %B974.endif ], [ %lsr.iv47, %B874.if ]
+  %.2193 = load <8 x double>, ptr %lsr.iv49, align 8
+  %.2223 = load i64, ptr %sunkaddr78, align 8
+  %.11.i = bitcast <8 x double> %.2193 to <8 x i64>
+  %56 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %.2193)
+  %.8.i.i = bitcast <8 x double> %56 to <8 x i64>
+  %.43.i = icmp eq i64 %.2223, 1
   br i1 %.43.i, label %B98.i, label %B114.i
 
-B98.i:                                            ; preds = %B988.if
-  %.6.i.i = fadd contract <8 x double> %.2192, %57
+B98.i:                                            ; preds = %B972.if
+  %.6.i.i = fadd contract <8 x double> %.2193, %56
   %.8.i3.i = fmul contract <8 x double> %.6.i.i, splat (double 5.000000e-01)
-  br label %B990.endif
+  br label %B974.endif
 
-B114.i:                                           ; preds = %B988.if
-  %.106.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %57, <8 x double> splat (double 3.500000e+02))
-  %.111.i = icmp eq i64 %.2222, 0
+B114.i:                                           ; preds = %B972.if
+  %.106.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %56, <8 x double> splat (double 3.500000e+02))
+  %.111.i = icmp eq i64 %.2223, 0
   br i1 %.111.i, label %B168.i, label %B372.i
 
 B168.i:                                           ; preds = %B114.i
@@ -7298,11 +7272,11 @@ B168.i:                                           ; preds = %B114.i
   %.176.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i4.i, <8 x double> splat (double 0xBFE62E42FEFA39EF), <8 x double> %.8.i1.i)
   %.179.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i4.i, <8 x double> splat (double 0xBC7ABC9E3B39803F), <8 x double> %.176.i)
   %.184.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> splat (double 0x3DE6124613A86D09), <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.187.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.184.i, <8 x double> splat (double 0x3E5AE64567F544E4))
-  %.190.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.187.i, <8 x double> splat (double 0x3E927E4FB7789F5C))
+  %.187.i10 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.184.i, <8 x double> splat (double 0x3E5AE64567F544E4))
+  %.190.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.187.i10, <8 x double> splat (double 0x3E927E4FB7789F5C))
   %.193.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.190.i, <8 x double> splat (double 0x3EC71DE3A556C734))
-  %.196.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.193.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
-  %.199.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.196.i, <8 x double> splat (double 0x3F2A01A01A01A01A))
+  %.196.i11 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.193.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
+  %.199.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.196.i11, <8 x double> splat (double 0x3F2A01A01A01A01A))
   %.202.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.199.i, <8 x double> splat (double 0x3F56C16C16C16C17))
   %.205.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.202.i, <8 x double> splat (double 0x3F81111111111111))
   %.208.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.205.i, <8 x double> splat (double 0x3FA5555555555555))
@@ -7314,16 +7288,16 @@ B168.i:                                           ; preds = %B114.i
   %.264.i = bitcast <8 x double> %.147.i to <8 x i64>
   %.8.i7.i = shl <8 x i64> %.264.i, splat (i64 52)
   %.8.i8.i = add <8 x i64> %.8.i7.i, splat (i64 4607182418800017408)
-  %58 = bitcast <8 x i64> %.8.i8.i to <8 x double>
-  %.6.i9.i = fmul contract <8 x double> %.263.i, %58
+  %57 = bitcast <8 x i64> %.8.i8.i to <8 x double>
+  %.6.i9.i = fmul contract <8 x double> %.263.i, %57
   %.6.i10.i = fsub contract <8 x double> splat (double 1.000000e+00), %.6.i9.i
   %.8.i11.i = fadd contract <8 x double> %.6.i9.i, splat (double 1.000000e+00)
   %.6.i12.i = fdiv contract <8 x double> %.6.i10.i, %.8.i11.i
-  %59 = bitcast <8 x double> %.6.i12.i to <8 x i64>
-  %60 = xor <8 x i64> %.8.i.i, %59
-  %.6.i14.i = xor <8 x i64> %60, %.11.i
-  %61 = bitcast <8 x i64> %.6.i14.i to <8 x double>
-  br label %B990.endif
+  %58 = bitcast <8 x double> %.6.i12.i to <8 x i64>
+  %59 = xor <8 x i64> %.8.i.i, %58
+  %.6.i14.i = xor <8 x i64> %59, %.11.i
+  %60 = bitcast <8 x i64> %.6.i14.i to <8 x double>
+  br label %B974.endif
 
 B372.i:                                           ; preds = %B114.i
   %.6.i2.i = fsub contract <8 x double> zeroinitializer, %.106.i
@@ -7331,61 +7305,59 @@ B372.i:                                           ; preds = %B114.i
   %.8.i15.i = fadd contract <8 x double> %.508.i, splat (double 0xC338000000000000)
   %.537.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i15.i, <8 x double> splat (double 0xBFE62E42FEFA39EF), <8 x double> %.6.i2.i)
   %.540.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i15.i, <8 x double> splat (double 0xBC7ABC9E3B39803F), <8 x double> %.537.i)
-  %.545.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> splat (double 0x3DE6124613A86D09), <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.548.i8 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.545.i, <8 x double> splat (double 0x3E5AE64567F544E4))
-  %.551.i9 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.548.i8, <8 x double> splat (double 0x3E927E4FB7789F5C))
-  %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.551.i9, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.545.i8 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> splat (double 0x3DE6124613A86D09), <8 x double> splat (double 0x3E21EED8EFF8D898))
+  %.548.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.545.i8, <8 x double> splat (double 0x3E5AE64567F544E4))
+  %.551.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.548.i, <8 x double> splat (double 0x3E927E4FB7789F5C))
+  %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.551.i, <8 x double> splat (double 0x3EC71DE3A556C734))
   %.557.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.554.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
   %.560.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.557.i, <8 x double> splat (double 0x3F2A01A01A01A01A))
   %.563.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.560.i, <8 x double> splat (double 0x3F56C16C16C16C17))
   %.566.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.563.i, <8 x double> splat (double 0x3F81111111111111))
   %.569.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.566.i, <8 x double> splat (double 0x3FA5555555555555))
   %.572.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.569.i, <8 x double> splat (double 0x3FC5555555555555))
-  %.575.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.572.i, <8 x double> splat (double 5.000000e-01))
+  %.575.i9 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.572.i, <8 x double> splat (double 5.000000e-01))
   %.6.i16.i = fmul contract <8 x double> %.540.i, %.540.i
   %.8.i17.i = fadd contract <8 x double> %.540.i, splat (double 1.000000e+00)
-  %.624.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i16.i, <8 x double> %.575.i, <8 x double> %.8.i17.i)
+  %.624.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i16.i, <8 x double> %.575.i9, <8 x double> %.8.i17.i)
   %.625.i = bitcast <8 x double> %.508.i to <8 x i64>
   %.8.i18.i = shl <8 x i64> %.625.i, splat (i64 52)
   %.8.i19.i = add <8 x i64> %.8.i18.i, splat (i64 4607182418800017408)
-  %62 = bitcast <8 x i64> %.8.i19.i to <8 x double>
-  %.6.i20.i = fmul contract <8 x double> %.624.i, %62
+  %61 = bitcast <8 x i64> %.8.i19.i to <8 x double>
+  %.6.i20.i = fmul contract <8 x double> %.624.i, %61
   %.8.i21.i = fadd contract <8 x double> %.6.i20.i, splat (double 1.000000e+00)
   %isneg.i = icmp slt <8 x i64> %.11.i, zeroinitializer
   %.6.i31.v.v.i = select <8 x i1> %isneg.i, <8 x double> %.6.i20.i, <8 x double> splat (double 1.000000e+00)
   %.6.i31.v.i = fdiv contract <8 x double> %.6.i31.v.v.i, %.8.i21.i
-  br label %B990.endif
+  br label %B974.endif
 
-B990.endif:                                       ; preds = %B372.i, %B168.i, %B98.i
-  %.2223.sroa.0.5 = phi <8 x double> [ %.8.i3.i, %B98.i ], [ %61, %B168.i ], [ %.6.i31.v.i, %B372.i ]
-  store <8 x double> %.2223.sroa.0.5, ptr %lsr.iv47, align 8
-  %scevgep48 = getelementptr i8, ptr %lsr.iv47, i64 64
-  %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
-  %.2144 = icmp sgt i64 %lsr.iv35, 6
-  br i1 %.2144, label %B988.if, label %B890.loopexit
+B974.endif:                                       ; preds = %B372.i, %B168.i, %B98.i
+  %.2224.sroa.0.5 = phi <8 x double> [ %.8.i3.i, %B98.i ], [ %60, %B168.i ], [ %.6.i31.v.i, %B372.i ]
+  store <8 x double> %.2224.sroa.0.5, ptr %lsr.iv49, align 8
+  %scevgep50 = getelementptr i8, ptr %lsr.iv49, i64 64
+  %lsr.iv.next40 = add nsw i64 %lsr.iv39, -1
+  %.2145 = icmp sgt i64 %lsr.iv39, 6
+  br i1 %.2145, label %B972.if, label %B874.loopexit
 
-B1150.if:                                         ; preds = %B1150.loopexit, %B1150.if.lr.ph
-  %lsr.iv20 = phi ptr [ %arg.out.4, %B1150.if.lr.ph ], [ %scevgep21, %B1150.loopexit ]
-  %current.2.sroa.40.0.lcssa.pn = phi ptr [ %current.2.sroa.40.0.lcssa, %B1150.if.lr.ph ], [ %11, %B1150.loopexit ]
-  %.2425830836 = phi i64 [ 0, %B1150.if.lr.ph ], [ %.2432, %B1150.loopexit ]
-  %lsr.iv15 = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.pn, i64 64
-  %.2432 = add nuw nsw i64 %.2425830836, 1
-  br i1 %10, label %B1150.loopexit, label %B1198.if
+B1144.if:                                         ; preds = %B1144.loopexit, %B1144.if.lr.ph
+  %lsr.iv22 = phi ptr [ %arg.out.4, %B1144.if.lr.ph ], [ %scevgep23, %B1144.loopexit ]
+  %lsr.iv17 = phi ptr [ %scevgep, %B1144.if.lr.ph ], [ %scevgep18, %B1144.loopexit ]
+  %.2426830836 = phi i64 [ 0, %B1144.if.lr.ph ], [ %.2433, %B1144.loopexit ]
+  %.2433 = add nuw nsw i64 %.2426830836, 1
+  br i1 %11, label %B1144.loopexit, label %B1192.if
 
-B1198.if:                                         ; preds = %B1150.if, %B1198.if
-  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B1198.if ], [ %9, %B1150.if ]
-  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B1198.if ], [ 0, %B1150.if ]
-  %scevgep22 = getelementptr i8, ptr %lsr.iv20, i64 %lsr.iv17
-  %.2591 = load <8 x double>, ptr %scevgep22, align 8
-  %scevgep = getelementptr i8, ptr %current.2.sroa.40.0.lcssa.pn, i64 %lsr.iv17
-  %scevgep1 = getelementptr i8, ptr %scevgep, i64 64
-  %.2606 = load <8 x double>, ptr %scevgep1, align 8
-  %.6.i = fadd contract <8 x double> %.2591, %.2606
-  store <8 x double> %.6.i, ptr %scevgep22, align 8
-  %lsr.iv.next18 = add i64 %lsr.iv17, 64
-  %lsr.iv.next = add nsw i64 %lsr.iv1, -1
-  %.2540 = icmp sgt i64 %lsr.iv1, 6
-  br i1 %.2540, label %B1198.if, label %B1150.loopexit
+B1192.if:                                         ; preds = %B1144.if, %B1192.if
+  %lsr.iv2 = phi i64 [ %lsr.iv.next, %B1192.if ], [ %10, %B1144.if ]
+  %lsr.iv19 = phi i64 [ %lsr.iv.next20, %B1192.if ], [ 0, %B1144.if ]
+  %scevgep24 = getelementptr i8, ptr %lsr.iv22, i64 %lsr.iv19
+  %.2592 = load <8 x double>, ptr %scevgep24, align 8
+  %scevgep21 = getelementptr i8, ptr %lsr.iv17, i64 %lsr.iv19
+  %.2607 = load <8 x double>, ptr %scevgep21, align 8
+  %.6.i = fadd contract <8 x double> %.2592, %.2607
+  store <8 x double> %.6.i, ptr %scevgep24, align 8
+  %lsr.iv.next20 = add i64 %lsr.iv19, 64
+  %lsr.iv.next = add nsw i64 %lsr.iv2, -1
+  %.2541 = icmp sgt i64 %lsr.iv2, 6
+  br i1 %.2541, label %B1192.if, label %B1144.loopexit
 }
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
@@ -7414,48 +7386,48 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !0 = !{!"branch_weights", i32 49, i32 1}
 !1 = !{!"branch_weights", i32 99, i32 1}
 !2 = !{!3}
-!3 = distinct !{!3, !4, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!4 = distinct !{!4, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!3 = distinct !{!3, !4, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!4 = distinct !{!4, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !5 = !{!"branch_weights", i32 1, i32 99}
 !6 = !{!7}
-!7 = distinct !{!7, !8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v33B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!8 = distinct !{!8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v33B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!7 = distinct !{!7, !8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!8 = distinct !{!8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !9 = !{!10}
-!10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!11 = distinct !{!11, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v42B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!11 = distinct !{!11, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v42B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !12 = !{!13}
-!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!14 = distinct !{!14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!14 = distinct !{!14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB3v97B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v142B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v143B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v143B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !39 = !{!40}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v148B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v148B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v180B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v180B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!"branch_weights", i32 146201250, i32 2001282398}
 !46 = !{!"branch_weights", i32 166258294, i32 1981225354}
 !47 = !{!"branch_weights", i32 1030503492, i32 1116980156}
@@ -7474,77 +7446,77 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !60 = distinct !{!60, !56}
 !61 = distinct !{!61, !56}
 !62 = !{!63}
-!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !65 = !{!66}
-!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v132B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !68 = !{!69}
-!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !71 = !{!72}
-!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !74 = !{!75}
-!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v133B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !77 = !{!78}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v141B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !80 = !{!81}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v140B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !83 = !{!84}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v121B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v121B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v153B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v153B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v124B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v124B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !89 = !{!90, !87}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v125B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !92 = !{!93, !87}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !95 = !{!96, !87}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_surrogate8baseline6_spins20add_spin_orbit_phaseB4v126B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !98 = !{!99, !87}
-!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !101 = !{!102, !87}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_spins19add_self_spin_phaseB4v128B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !104 = !{!105, !87}
-!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_spins19add_spin_spin_phaseB4v129B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !107 = !{!108, !87}
-!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !110 = !{!111, !87}
-!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_tides15add_tidal_phaseB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !113 = !{!114, !116}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v131B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !117 = !{!118}
-!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
 !120 = !{!121}
-!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
 !123 = !{!124}
-!124 = distinct !{!124, !125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v163B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!125 = distinct !{!125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v163B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!124 = distinct !{!124, !125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v195B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!125 = distinct !{!125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v195B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !126 = !{i32 1}
 !127 = distinct !{!127, !52}
 !128 = distinct !{!128, !52}
 !129 = distinct !{!129, !52}
 !130 = distinct !{!130, !52}
 !131 = !{!132}
-!132 = distinct !{!132, !133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v32B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!133 = distinct !{!133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v32B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!132 = distinct !{!132, !133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!133 = distinct !{!133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
 !134 = !{!135}
-!135 = distinct !{!135, !136, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!136 = distinct !{!136, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!135 = distinct !{!135, !136, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!136 = distinct !{!136, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
