@@ -20,13 +20,12 @@ _MOMENT = 0.05
 class RateQuota:
     """What one token may ask for.
 
-    Rows are paid from an account that fills at ``rows_per_second`` up to ``burst_rows``. A request is let through when
-    there is a row in it, however many it has itself: what it takes beyond leaves a debt, which is paid off before the
-    next. So nobody is let through more than his rate in the long run, and no request is too large to be let through.
+    Rows are paid from an account that fills at ``rows_per_second`` up to ``burst_rows``: a token bucket that may be in
+    debt. A request is let through when there is a row in it, however many it has itself: what it takes beyond is paid
+    off before the next. So nobody is let through more than his rate in the long run, and no request is too large.
     """
 
     def __init__(self, token: Token, cells: Cells, place: int) -> None:
-        self._name = token.name
         self._rate = token.rows_per_second
         self._burst = token.burst
         self._most_under_way = token.max_concurrent
