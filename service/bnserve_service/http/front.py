@@ -27,7 +27,7 @@ from bnserve_service.errors import ClientDisconnected, from_http_status, interna
 from bnserve_service.http.access import HostCheck, TokenCheck, is_public
 from bnserve_service.http.answers import body_headers, send_answer
 from bnserve_service.http.requests import CONTEXT, NO_ROUTE, Header, RequestContext, header_fields, new_context
-from bnserve_service.telemetry.log_words import log_word
+from bnserve_service.telemetry.log import log_word
 from bnserve_service.telemetry.metrics import Metrics
 
 logger = logging.getLogger("bnserve.service")

@@ -19,7 +19,6 @@ from uvicorn.protocols.http.httptools_impl import STATUS_LINE, HttpToolsProtocol
 from uvicorn.server import ServerState
 
 from bnserve_service.http.answers import Finish
-from bnserve_service.http.complaints import Complaints
 from bnserve_service.http.framing import (
     MOST_PIPELINED,
     PIECE,
@@ -35,6 +34,7 @@ from bnserve_service.http.requests import Header
 from bnserve_service.http.timers import Due, Pace, ReadTimer
 from bnserve_service.process.listening import Acceptor
 from bnserve_service.settings import Settings
+from bnserve_service.telemetry.log import Complaints
 
 _LINGER_BYTES = 2**20
 """So much a peer that is refused may go on sending before it reads why."""
