@@ -8,7 +8,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
-from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, StoreUnknown
+from bnserve_protocol import ArtifactCorrupted, StoreUnknown
 from bnserve_store._files import RESTORE
 
 
@@ -39,14 +39,14 @@ class BucketRoot:
             raise self._unreachable(error) from error
         return sorted(_last(entry["name"]) for entry in entries if entry["type"] == "directory")
 
-    def read(self, *parts: str, limit: int) -> bytes:
+    def read(self, *parts: str, limit: int) -> bytes | None:
         """As :meth:`Root.read`; StoreUnknown where the bucket cannot be reached."""
         file = "/".join(parts)
         try:
             with self._files.open(self._join(parts), "rb") as stream:
                 data: bytes = stream.read(limit + 1)
-        except FileNotFoundError as error:
-            raise ArtifactIncomplete(f"{file} is missing. {RESTORE}") from error
+        except FileNotFoundError:
+            return None
         except Exception as error:  # see above
             raise self._unreachable(error) from error
         if len(data) > limit:

@@ -233,16 +233,14 @@ def as_metadata(metadata: Mapping[str, Any]) -> dict[str, Any]:
     InvalidRequest
         Values that JSON does not have: NaN, infinity, arrays, numpy integers, objects.
     """
-    refusal = InvalidRequest(
-        "The metadata of a model must be plain JSON with finite numbers: convert arrays with "
-        ".tolist() and numpy scalars with .item(), and leave out NaN and infinity."
-    )
     try:
         text = json.dumps(dict(metadata), sort_keys=True, ensure_ascii=False, allow_nan=False)
         plain: dict[str, Any] = msgspec.json.decode(text.encode(), type=dict[str, Any])
-        again = json.dumps(plain, sort_keys=True, ensure_ascii=False, allow_nan=False)
+        if json.dumps(plain, sort_keys=True, ensure_ascii=False, allow_nan=False) != text:
+            raise ValueError("other values are read than were written")
     except (TypeError, ValueError, RecursionError, msgspec.DecodeError) as error:
-        raise refusal from error
-    if again != text:
-        raise refusal
+        raise InvalidRequest(
+            "The metadata of a model must be plain JSON with finite numbers: convert arrays with "
+            ".tolist() and numpy scalars with .item(), and leave out NaN and infinity."
+        ) from error
     return plain

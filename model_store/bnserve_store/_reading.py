@@ -45,13 +45,13 @@ class Root(Protocol):
         """
         ...
 
-    def read(self, *parts: str, limit: int) -> bytes:
-        """The bytes of a file of at most ``limit`` bytes.
+    def read(self, *parts: str, limit: int) -> bytes | None:
+        """The bytes of a file of at most ``limit`` bytes; None where there is none.
 
         Raises
         ------
         ArtifactIncomplete
-            No such file, or it cannot be read.
+            It cannot be read.
         ArtifactCorrupted
             Not a regular file, a link that leaves the root, or a file larger than ``limit``.
         """
@@ -80,7 +80,7 @@ class LocalRoot:
                 f"The model store '{self.title}' cannot be read ({error.strerror}); check its permissions."
             ) from error
 
-    def read(self, *parts: str, limit: int) -> bytes:
+    def read(self, *parts: str, limit: int) -> bytes | None:
         """As :meth:`Root.read`, of a regular file."""
         file = "/".join(parts)
         path = self.inside(*parts)
@@ -91,8 +91,8 @@ class LocalRoot:
                 if not stat.S_ISREG(status.st_mode):
                     raise ArtifactCorrupted(f"{file} is not a regular file. {RESTORE}")
                 data = stream.read(limit + 1)
-        except FileNotFoundError as error:
-            raise ArtifactIncomplete(f"{file} is missing. {RESTORE}") from error
+        except FileNotFoundError:
+            return None
         except OSError as error:
             raise ArtifactIncomplete(f"{file} cannot be read ({error.strerror}); check the store.") from error
         if len(data) > limit:
@@ -127,14 +127,9 @@ def read_labels(root: Root, name: str) -> dict[str, str]:
     ArtifactCorrupted
         The file is not a JSON object of versions.
     """
-    if name not in root.folders():
+    data = root.read(name, LABELS_FILE, limit=_LABELS_LIMIT) if name in root.folders() else None
+    if data is None:
         return {}
-    try:
-        data = root.read(name, LABELS_FILE, limit=_LABELS_LIMIT)
-    except ArtifactIncomplete as error:
-        if isinstance(error.__cause__, FileNotFoundError):
-            return {}
-        raise
     try:
         labels = _labels_decoder.decode(data)
         refuse_repeated_keys(data, data)
@@ -166,6 +161,13 @@ class Artifact:
     """By name: C-contiguous, little-endian, read-only arrays of finite values."""
 
 
+def _read(root: Root, parts: tuple[str, ...], limit: int) -> bytes:
+    data = root.read(*parts, limit=limit)
+    if data is None:
+        raise ArtifactIncomplete(f"{'/'.join(parts)} is missing. {RESTORE}")
+    return data
+
+
 def read_manifest(root: Root, name: str, version: str, folder: tuple[str, ...] = ()) -> Manifest:
     """Read and verify the manifest of one version, not its tensors.
 
@@ -183,7 +185,7 @@ def read_manifest(root: Root, name: str, version: str, folder: tuple[str, ...] =
     """
     parts = (*(folder or (name, version)), MANIFEST_FILE)
     file = "/".join(parts)
-    manifest = decode_manifest(root.read(*parts, limit=_MANIFEST_LIMIT), file)
+    manifest = decode_manifest(_read(root, parts, _MANIFEST_LIMIT), file)
     if (manifest.name, manifest.version) != (name, version):
         raise ArtifactCorrupted(
             f"{file} describes {manifest.name} {manifest.version}, not {name} {version}: files were moved or "
@@ -206,7 +208,7 @@ def read_artifact(root: Root, name: str, version: str, folder: tuple[str, ...] =
     parts = (*(folder or (name, version)), TENSORS_FILE)
     file = "/".join(parts)
     size = manifest.tensors_file.size
-    data = root.read(*parts, limit=size)
+    data = _read(root, parts, size)
     if len(data) < size:
         raise ArtifactIncomplete(f"{file} ends after {len(data)} of {size} bytes. {RESTORE}")
     try:

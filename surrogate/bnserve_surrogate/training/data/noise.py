@@ -1,7 +1,7 @@
 """One-sided power spectral densities of detectors, in 1/Hz, and the weights that they give to frequencies in Hz.
 
 A noise curve is any callable from an array of frequencies to an array of the same shape. The ones with a name are in
-:data:`NOISE_CURVES`; a table of your own becomes one with :class:`TabulatedNoise`.
+:data:`NOISE_CURVES`.
 """
 
 from collections.abc import Callable, Mapping
@@ -20,72 +20,33 @@ NoiseCurve: TypeAlias = Callable[[FloatArray], FloatArray]
 """Frequencies in Hz -> power spectral density in 1/Hz, same shape."""
 
 
-class TabulatedNoise:
-    """A tabulated power spectral density, interpolated linearly in log-log (exact for power laws).
-
-    Parameters
-    ----------
-    frequencies
-        Hz, shape (J,), J >= 2, strictly increasing and positive.
-    density
-        1/Hz, shape (J,), positive.
-
-    Raises
-    ------
-    ValueError
-        If the table is not of that form.
-    """
-
-    def __init__(self, frequencies: ArrayLike, density: ArrayLike) -> None:
-        grid, values = np.asarray(frequencies, dtype=np.float64), np.asarray(density, dtype=np.float64)
-        if grid.ndim != 1 or grid.shape != values.shape or len(grid) < 2:
-            raise ValueError(
-                f"A noise table needs two vectors of one length; got shapes {grid.shape} and {values.shape}."
-            )
-        if not (np.isfinite(grid).all() and grid[0] > 0.0 and (np.diff(grid) > 0.0).all()):
-            raise ValueError("The frequencies of a noise table must be positive, finite and strictly increasing.")
-        if not (np.isfinite(values).all() and (values > 0.0).all()):
-            raise ValueError("The power spectral density of a noise table must be positive and finite.")
-        self._log_frequencies, self._log_density = np.log(grid), np.log(values)
-        self.band = (float(grid[0]), float(grid[-1]))
-
-    def __call__(self, frequencies: ArrayLike) -> FloatArray:
-        """Power spectral density in 1/Hz, of the shape of ``frequencies`` (Hz).
-
-        Raises
-        ------
-        InvalidFrequencies
-            If a frequency lies outside the table: nothing is extrapolated.
-        """
-        grid = np.asarray(frequencies, dtype=np.float64)
-        # One unit in the last place of room, for frequencies that went through M f and back.
-        if not ((grid >= self.band[0] * (1.0 - 1e-12)) & (grid <= self.band[1] * (1.0 + 1e-12))).all():
-            raise InvalidFrequencies(
-                f"The noise curve is tabulated from {self.band[0]:g} to {self.band[1]:g} Hz, and frequencies outside "
-                "were asked for; narrow the band or give a longer table."
-            )
-        return np.exp(np.interp(np.log(grid), self._log_frequencies, self._log_density))
-
-
 @lru_cache(maxsize=1)
-def _einstein_telescope_table() -> TabulatedNoise:
-    file = resources.files("bnserve_surrogate") / "data" / "ET_D_psd.txt"
-    with file.open("r", encoding="ascii") as lines:
-        return TabulatedNoise(*np.loadtxt(lines, unpack=True))
+def _einstein_telescope_table() -> tuple[FloatArray, FloatArray]:
+    with (resources.files("bnserve_surrogate") / "data" / "ET_D_psd.txt").open("r", encoding="ascii") as lines:
+        frequencies, density = np.loadtxt(lines, unpack=True)
+    return frequencies, density
 
 
 def einstein_telescope_d(frequencies: ArrayLike) -> FloatArray:
     """Einstein Telescope, configuration D, from 1 to 10,000 Hz: the noise curve of the paper.
 
-    Hild et al. 2011 (arXiv:1012.0908). The table, 3,000 rows, is the one distributed with bilby under the MIT licence
-    (``data/LICENSE.bilby``).
+    Hild et al. 2011 (arXiv:1012.0908), interpolated linearly in log-log between the 3,000 rows of the table that is
+    distributed with bilby under the MIT licence (``data/LICENSE.bilby``).
 
     Raises
     ------
     InvalidFrequencies
         Outside the table.
     """
-    return _einstein_telescope_table()(frequencies)
+    table, density = _einstein_telescope_table()
+    grid = np.asarray(frequencies, dtype=np.float64)
+    # One unit in the last place of room, for frequencies that went through M f and back.
+    if not ((grid >= table[0] * (1.0 - 1e-12)) & (grid <= table[-1] * (1.0 + 1e-12))).all():
+        raise InvalidFrequencies(
+            f"The noise curve is tabulated from {table[0]:g} to {table[-1]:g} Hz, and frequencies outside were asked "
+            "for; narrow the band."
+        )
+    return np.exp(np.interp(np.log(grid), np.log(table), np.log(density)))
 
 
 def advanced_ligo_design(frequencies: ArrayLike) -> FloatArray:
