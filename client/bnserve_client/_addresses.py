@@ -11,7 +11,7 @@ from bnserve_protocol import InvalidRequest
 
 _DEFAULT_PORTS = {"http": 80, "https": 443}
 _HOST = re.compile(r"[A-Za-z0-9._~%:-]+")
-"""Resolver, with what container networks put into them, and addresses of both families, with their zones."""
+"""Names, with what container networks put into them, and addresses of both families, with their zones."""
 _PATH = re.compile(r"[!-~]*")
 
 

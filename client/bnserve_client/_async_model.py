@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from types import TracebackType
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from typing import TypeVar
 
 from numpy.typing import DTypeLike
 
@@ -13,8 +12,8 @@ from bnserve_client._likelihoods import AsyncLikelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._pinned import Pinned, connecting
 from bnserve_client._settings import Settings, Token, TokenLike, settings_from
-from bnserve_client._transport_factory import TransportFactory
-from bnserve_client._waveforms import RemoteModel
+from bnserve_client._transport_factory import AsyncTransportLike, TransportFactory
+from bnserve_client._waveforms import ConnectedModel
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
@@ -24,36 +23,22 @@ from bnserve_protocol import (
     Factored,
     GridLike,
     InvalidRows,
-    ModelDescription,
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
 )
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    import httpx
-
-    AsyncTransportLike: TypeAlias = (
-        httpx.AsyncClient
-        | httpx.AsyncBaseTransport
-        | Callable[[], httpx.AsyncClient]
-        | Callable[[], httpx.AsyncBaseTransport]
-    )
-
 _T = TypeVar("_T")
 
 
-class AsyncModel:
+class AsyncModel(ConnectedModel):
     """As :class:`.Model`, for asyncio: every evaluation is awaited.
 
     May be used from several event loops, which do not share connections; :meth:`close` closes those of its own.
     """
 
     def __init__(self, settings: Settings, pinned: Pinned, factory: TransportFactory | None = None) -> None:
-        self._remote = RemoteModel(settings, pinned)
-        self._factory = factory
+        super().__init__(settings, pinned, factory)
         self._connections = AsyncConnections(factory)
 
     @classmethod
@@ -88,11 +73,6 @@ class AsyncModel:
         model = cls(settings, pinned, factory)
         model._connections = connections
         return model
-
-    @property
-    def description(self) -> ModelDescription:
-        """Name, version, digest, ranges, band, accuracy."""
-        return self._remote.pinned.description
 
     async def manifest(self) -> RunManifest:
         """What the appendix of a paper needs; see :meth:`.Model.manifest`."""
@@ -154,17 +134,8 @@ class AsyncModel:
     async def __aenter__(self) -> AsyncModel:
         return self
 
-    async def __aexit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
+    async def __aexit__(self, *_: object) -> None:
         await self.close()
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return AsyncModel, (self._remote.settings, self._remote.pinned, self._factory)
-
-    def __repr__(self) -> str:
-        where = ", ".join(address.text for address in self._remote.settings.addresses)
-        return f"<bnserve_client.AsyncModel {self.description.name} {self.description.version} at {where}>"
 
     async def _run(self, conversation: Conversation[_T]) -> _T:
         return await run_async(conversation, self._connections.send)

@@ -14,7 +14,7 @@ import socket
 import threading
 import time
 import weakref
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -28,26 +28,51 @@ _CONNECT_SECONDS = 5.0
 _FAILURES = (httpx.RequestError, httpx.InvalidURL, OSError, TransportFailure)
 
 
-class HttpxTransport:
+class _HttpxClient:
+    """An httpx client for one address, and the sockets under it, so that a forked child can let go of them.
+
+    Closing the client in the child would be wrong: it takes locks that another thread may have held at the fork.
+    Instead, each descriptor is replaced by one of /dev/null, which says nothing on the wire.
+    """
+
+    def __init__(
+        self, address: Address, factory: TransportFactory | None, client: Any, transport: type[Any], over_sockets: Any
+    ) -> None:
+        self._owned = factory is None or factory.makes_new
+        if factory is not None:
+            self._client = factory.make(client, transport)
+        else:
+            path = address.socket_path
+            self._client = client() if path is None else client(transport=over_sockets(uds=path))
+        self._sockets: weakref.WeakSet[Any] = weakref.WeakSet()
+
+    def _remember(self, answer: httpx.Response) -> None:
+        stream = answer.extensions.get("network_stream")
+        sock = stream.get_extra_info("socket") if stream is not None else None
+        if isinstance(sock, socket.socket):  # asyncio hands out a proxy that can be neither kept nor replaced
+            self._sockets.add(sock)
+
+    def let_go(self) -> None:
+        """In a forked child: drop the inherited descriptors without a word on the wire."""
+        nothing = os.open(os.devnull, os.O_RDWR)
+        for sock in list(self._sockets):
+            if sock.fileno() >= 0:
+                os.dup2(nothing, sock.fileno(), inheritable=False)
+        os.close(nothing)
+
+
+class HttpxTransport(_HttpxClient):
     """A synchronous httpx client for one address."""
 
     def __init__(self, address: Address, factory: TransportFactory | None = None) -> None:
-        self._owned = factory is None or factory.makes_new
-        self._client: httpx.Client
-        if factory is not None:
-            self._client = factory.make(httpx.Client, httpx.BaseTransport)
-        elif address.socket_path is not None:
-            self._client = httpx.Client(transport=httpx.HTTPTransport(uds=address.socket_path))
-        else:
-            self._client = httpx.Client()
-        self._sockets = _InheritedSockets()
+        super().__init__(address, factory, httpx.Client, httpx.BaseTransport, httpx.HTTPTransport)
 
     def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`."""
         try:
             arguments = _arguments(send) | {"extensions": {"trace": _trace}}
             with _until(send.deadline), self._client.stream(**arguments) as answer:
-                self._sockets.remember(answer)
+                self._remember(answer)
                 collector = _Collector(send, answer)
                 for piece in answer.iter_bytes():
                     collector.add(piece)
@@ -60,30 +85,18 @@ class HttpxTransport:
         if self._owned:
             self._client.close()
 
-    def let_go(self) -> None:
-        """In a forked child: drop the inherited descriptors without a word on the wire."""
-        self._sockets.let_go()
 
-
-class AsyncHttpxTransport:
+class AsyncHttpxTransport(_HttpxClient):
     """An asynchronous httpx client for one address."""
 
     def __init__(self, address: Address, factory: TransportFactory | None = None) -> None:
-        self._owned = factory is None or factory.makes_new
-        self._client: httpx.AsyncClient
-        if factory is not None:
-            self._client = factory.make(httpx.AsyncClient, httpx.AsyncBaseTransport)
-        elif address.socket_path is not None:
-            self._client = httpx.AsyncClient(transport=httpx.AsyncHTTPTransport(uds=address.socket_path))
-        else:
-            self._client = httpx.AsyncClient()
-        self._sockets = _InheritedSockets()
+        super().__init__(address, factory, httpx.AsyncClient, httpx.AsyncBaseTransport, httpx.AsyncHTTPTransport)
 
     async def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`."""
         try:
-            async with asyncio.timeout(_left(send)), self._client.stream(**_arguments(send)) as answer:
-                self._sockets.remember(answer)
+            async with asyncio.timeout(_left(send.deadline)), self._client.stream(**_arguments(send)) as answer:
+                self._remember(answer)
                 collector = _Collector(send, answer)
                 async for piece in answer.aiter_bytes():
                     collector.add(piece)
@@ -95,34 +108,6 @@ class AsyncHttpxTransport:
         """Close every connection, unless the client was given to us."""
         if self._owned:
             await self._client.aclose()
-
-    def let_go(self) -> None:
-        """In a forked child: drop the inherited descriptors without a word on the wire."""
-        self._sockets.let_go()
-
-
-class _InheritedSockets:
-    """The sockets under an httpx client, so that a forked child can let go of them.
-
-    Closing the client in the child would be wrong: it takes locks that another thread may have held at the fork.
-    Instead, each descriptor is replaced by one of /dev/null, which says nothing on the wire.
-    """
-
-    def __init__(self) -> None:
-        self._sockets: weakref.WeakSet[Any] = weakref.WeakSet()
-
-    def remember(self, answer: httpx.Response) -> None:
-        stream = answer.extensions.get("network_stream")
-        sock = stream.get_extra_info("socket") if stream is not None else None
-        if isinstance(sock, socket.socket):  # asyncio hands out a proxy that can be neither kept nor replaced
-            self._sockets.add(sock)
-
-    def let_go(self) -> None:
-        nothing = os.open(os.devnull, os.O_RDWR)
-        for sock in list(self._sockets):
-            if sock.fileno() >= 0:
-                os.dup2(nothing, sock.fileno(), inheritable=False)
-        os.close(nothing)
 
 
 class _Collector:
@@ -152,7 +137,7 @@ class _Collector:
 
 def _arguments(send: Send) -> dict[str, Any]:
     request = send.request
-    allowed = min(send.silence, _left(send))
+    allowed = min(send.silence, _left(send.deadline))
     return {
         "method": request.method,
         "url": send.address.base_url + request.path,
@@ -163,8 +148,8 @@ def _arguments(send: Send) -> dict[str, Any]:
     }
 
 
-def _left(send: Send) -> float:
-    left = send.deadline - time.monotonic()
+def _left(deadline: float) -> float:
+    left = deadline - time.monotonic()
     if left <= 0.0:
         raise TimeoutError
     return left
@@ -195,13 +180,7 @@ _own = _OfThread()
 
 @contextmanager
 def _until(at: float) -> Iterator[None]:
-    """Hold this thread's exchanges to the deadline ``at``, as ``time.monotonic()`` counts.
-
-    Raises
-    ------
-    TimeoutError
-        From reading and writing, when it has passed.
-    """
+    """Hold this thread's exchanges to the deadline ``at``, after which reading and writing raise TimeoutError."""
     _own.at = at
     try:
         yield
@@ -213,28 +192,18 @@ def _trace(event: str, info: dict[str, Any]) -> None:
     """For ``extensions={"trace": ...}``: every connection that is opened keeps the deadline."""
     if event.endswith((".connect_tcp.complete", ".connect_unix_socket.complete", ".start_tls.complete")):
         stream = info["return_value"]
-        stream.read, stream.write = _reading(stream.read), _writing(stream.write)
+        read, write = stream.read, stream.write
 
+        def write_until(buffer: bytes, timeout: float | None = None) -> None:
+            for start in range(0, len(buffer), _PIECE):
+                write(buffer[start : start + _PIECE], timeout=_allowed(timeout))
 
-def _reading(read: Callable[..., bytes]) -> Callable[..., bytes]:
-    def until_deadline(max_bytes: int, timeout: float | None = None) -> bytes:
-        return read(max_bytes, timeout=_allowed(timeout))
-
-    return until_deadline
-
-
-def _writing(write: Callable[..., None]) -> Callable[..., None]:
-    def until_deadline(buffer: bytes, timeout: float | None = None) -> None:
-        for start in range(0, len(buffer), _PIECE):
-            write(buffer[start : start + _PIECE], timeout=_allowed(timeout))
-
-    return until_deadline
+        stream.read = lambda max_bytes, timeout=None: read(max_bytes, timeout=_allowed(timeout))
+        stream.write = write_until
 
 
 def _allowed(timeout: float | None) -> float | None:
-    left = _own.at - time.monotonic()
-    if left <= 0.0:
-        raise TimeoutError
-    if left == float("inf"):
+    if _own.at == float("inf"):
         return timeout
+    left = _left(_own.at)
     return left if timeout is None else min(left, timeout)

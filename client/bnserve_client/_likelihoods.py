@@ -188,13 +188,12 @@ class Likelihood(_Remote):
     def log_likelihood(self, batch: LikelihoodBatchLike) -> NDArray[np.float64]:
         """Logarithm of the ratio of the likelihoods with and without the signal, float64 ``(N,)``.
 
-        However large the batch, one call is fastest: it is split where the service's limits ask for it, and put
-        together again.
+        However large the batch, one call is fastest: it is split where the service's limits ask for it.
 
         Raises
         ------
         InvalidParameters
-            Resolver and shapes that do not fit; as the local likelihood.
+            Names and shapes that do not fit; as the local likelihood.
         OutOfDomain
             With ``invalid_rows="error"``: rows outside the prior's or the model's range.
         AnalysisInvalid, TooLarge, Unavailable, UntrustedAnswer, ModelUnknown, AccessDenied, InternalError

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from types import TracebackType
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
+from typing import TypeVar
 
 from numpy.typing import DTypeLike
 
@@ -13,8 +12,8 @@ from bnserve_client._likelihoods import Likelihood
 from bnserve_client._messages import Conversation
 from bnserve_client._pinned import Pinned, connecting
 from bnserve_client._settings import Settings, Token, TokenLike, settings_from
-from bnserve_client._transport_factory import TransportFactory
-from bnserve_client._waveforms import RemoteModel
+from bnserve_client._transport_factory import TransportFactory, TransportLike
+from bnserve_client._waveforms import ConnectedModel
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
@@ -24,25 +23,15 @@ from bnserve_protocol import (
     Factored,
     GridLike,
     InvalidRows,
-    ModelDescription,
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
 )
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    import httpx
-
-    TransportLike: TypeAlias = (
-        httpx.Client | httpx.BaseTransport | Callable[[], httpx.Client] | Callable[[], httpx.BaseTransport]
-    )
-
 _T = TypeVar("_T")
 
 
-class Model:
+class Model(ConnectedModel):
     """A waveform model that is evaluated by a bnserve service; made by :meth:`connect`.
 
     Same methods, results (to the bit) and errors as ``bnserve_surrogate.Model``. The version that a label stood for
@@ -52,8 +41,7 @@ class Model:
     """
 
     def __init__(self, settings: Settings, pinned: Pinned, factory: TransportFactory | None = None) -> None:
-        self._remote = RemoteModel(settings, pinned)
-        self._factory = factory
+        super().__init__(settings, pinned, factory)
         self._connections = Connections(factory)
 
     @classmethod
@@ -127,11 +115,6 @@ class Model:
         model = cls(settings, pinned, factory)
         model._connections = connections
         return model
-
-    @property
-    def description(self) -> ModelDescription:
-        """Name, version, digest, ranges, band, accuracy."""
-        return self._remote.pinned.description
 
     def manifest(self) -> RunManifest:
         """What the appendix of a paper needs: the models, programs, processor and limits of the service that answers.
@@ -230,17 +213,8 @@ class Model:
     def __enter__(self) -> Model:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, traceback: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Model, (self._remote.settings, self._remote.pinned, self._factory)
-
-    def __repr__(self) -> str:
-        where = ", ".join(address.text for address in self._remote.settings.addresses)
-        return f"<bnserve_client.Model {self.description.name} {self.description.version} at {where}>"
 
     def _run(self, conversation: Conversation[_T]) -> _T:
         return run(conversation, self._connections.send)

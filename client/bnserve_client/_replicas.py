@@ -185,10 +185,8 @@ class Replicas:
     def wake(self, address: Address) -> None:
         """The address answered."""
         record = self._records.get(address)
-        if record is not None and record.resting_until:
+        if record is not None:
             record.failures, record.resting_until = 0, 0.0
-        elif record is not None:
-            record.failures = 0
 
     def to_probe(self) -> Address | None:
         """An address that has rested and of which it is to be found out now whether it is back, while others work."""

@@ -4,9 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from bnserve_protocol import InvalidRequest
+
+if TYPE_CHECKING:
+    import httpx
+
+TransportLike: TypeAlias = "httpx.Client | httpx.BaseTransport | Callable[[], httpx.Client | httpx.BaseTransport]"
+AsyncTransportLike: TypeAlias = (
+    "httpx.AsyncClient | httpx.AsyncBaseTransport | Callable[[], httpx.AsyncClient | httpx.AsyncBaseTransport]"
+)
 
 _USE_A_FUNCTION = (
     "A transport object belongs to the process that made it; to use the model in other processes, pass a module-level "

@@ -20,6 +20,7 @@ from bnserve_client._messages import Conversation
 from bnserve_client._pinned import Pinned
 from bnserve_client._session import Session
 from bnserve_client._settings import Settings
+from bnserve_client._transport_factory import TransportFactory
 from bnserve_protocol import (
     AmplitudePhase,
     AnswerCorrupted,
@@ -32,6 +33,7 @@ from bnserve_protocol import (
     GridUnknown,
     Limits,
     MergerStencil,
+    ModelDescription,
     ModelIdentity,
     ParameterBatch,
     ParametersWithExtrinsic,
@@ -286,6 +288,26 @@ class RemoteModel:
         grid = self._grids.recall(frequencies)
         chunk = self.settings.chunk_samples
         return Waveforms(ParameterBatch.coerce(batch), grid, output, precision, options, finish, chunk)
+
+
+class ConnectedModel:
+    """What the two models have in common: everything but who holds the conversations."""
+
+    def __init__(self, settings: Settings, pinned: Pinned, factory: TransportFactory | None) -> None:
+        self._remote = RemoteModel(settings, pinned)
+        self._factory = factory
+
+    @property
+    def description(self) -> ModelDescription:
+        """Name, version, digest, ranges, band, accuracy."""
+        return self._remote.pinned.description
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self._remote.settings, self._remote.pinned, self._factory)
+
+    def __repr__(self) -> str:
+        where = ", ".join(address.text for address in self._remote.settings.addresses)
+        return f"<bnserve_client.{type(self).__name__} {self.description.name} {self.description.version} at {where}>"
 
 
 def _check_arrays(arrays: Arrays, output: OutputName, dtype: DtypeName, rows: int, frequencies: int) -> None:

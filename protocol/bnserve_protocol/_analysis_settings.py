@@ -26,11 +26,9 @@ def _convert(struct: msgspec.Struct, **units: str) -> None:
     AnalysisInvalid
     """
     for name, unit in units.items():
-        value = getattr(struct, name)
-        if type(value) is float or value is None:
-            continue
         try:
-            msgspec.structs.force_setattr(struct, name, as_real_number(value, unit))
+            if (value := getattr(struct, name)) is not None:
+                msgspec.structs.force_setattr(struct, name, as_real_number(value, unit))
         except NotNumbers as error:
             raise AnalysisInvalid(
                 f"'{name}' of {type(struct).__name__} must be a number in {unit}; it {error}.",
@@ -85,8 +83,8 @@ class Calibration(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_on
     that an approximate likelihood has to stand. They are not a prior: what errors there are, a sample says. What equals
     its default is not written: messages and digests without widths are as they were before there were any.
 
-    The errors at the nodes are corrections of the template: the waveform is multiplied by
-    ``(1 + amplitude) exp(i phase)`` (see ``bnserve_inference.read_envelope`` for files that correct the data).
+    The waveform is multiplied by ``(1 + amplitude) exp(i phase)`` (``bnserve_inference.read_envelope`` reads files that
+    correct the data instead).
     """
 
     nodes: int

@@ -87,7 +87,6 @@ _OPTIONAL = ("distance_mpc", "coalescence_time")
 """What has no default, and may yet be left out where it is marginalised."""
 
 
-@suggesting
 class LikelihoodBatch:
     """N signals: their parameters as one ``(N, 13)`` float64 array, and calibration errors by detector.
 
@@ -119,22 +118,9 @@ class LikelihoodBatch:
     ) -> None:
         self.values = table_of(values, LIKELIHOOD_NAMES)
         self.absent = frozenset(absent)
-        self.calibration_amplitude, self.calibration_phase = calibration_errors(
+        self.calibration_amplitude, self.calibration_phase = _calibration(
             len(self.values), calibration_amplitude or {}, calibration_phase or {}
         )
-
-    @classmethod
-    def unchecked(
-        cls,
-        values: NDArray[np.float64],
-        calibration: tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]]],
-        absent: frozenset[str] = frozenset(),
-    ) -> LikelihoodBatch:
-        """Of C-contiguous float64 ``(N, 13)`` and :func:`calibration_errors`: nothing is checked or copied."""
-        batch = cls.__new__(cls)
-        batch.values, batch.absent = values, absent
-        batch.calibration_amplitude, batch.calibration_phase = calibration
-        return batch
 
     def __len__(self) -> int:
         return int(self.values.shape[0])
@@ -159,11 +145,9 @@ class LikelihoodBatch:
 
     def rows(self, index: slice | NDArray[np.intp]) -> LikelihoodBatch:
         """Some of the rows."""
-        amplitude, phase = (
-            {name: np.ascontiguousarray(array[index]) for name, array in arrays.items()}
-            for arrays in (self.calibration_amplitude, self.calibration_phase)
-        )
-        return self.unchecked(np.ascontiguousarray(self.values[index]), (amplitude, phase), self.absent)
+        parts = (self.calibration_amplitude, self.calibration_phase)
+        amplitude, phase = ({name: array[index] for name, array in part.items()} for part in parts)
+        return LikelihoodBatch(self.values[index], amplitude, phase, self.absent)
 
     @classmethod
     def coerce(cls, batch: LikelihoodBatchLike) -> LikelihoodBatch:
@@ -236,7 +220,7 @@ def _stacked(batch: Sequence[LikelihoodParameters], name: str) -> dict[str, NDAr
     }
 
 
-def calibration_errors(
+def _calibration(
     rows: int, amplitude: Mapping[str, ArrayLike], phase: Mapping[str, ArrayLike]
 ) -> tuple[dict[str, NDArray[np.float64]], dict[str, NDArray[np.float64]]]:
     """Both of one shape for every detector that has either; what is not given is zero."""

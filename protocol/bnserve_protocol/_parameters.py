@@ -217,6 +217,8 @@ def column_of_numbers(name: str, value: Any, unit: str | None) -> NDArray[np.flo
     ------
     InvalidParameters
     """
+    if type(value) is np.ndarray and value.dtype == np.float64:
+        return value
     try:
         return as_real_numbers(value, unit)
     except NotNumbers as error:

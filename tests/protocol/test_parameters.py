@@ -11,7 +11,6 @@ from bnserve_protocol import (
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
     InvalidParameters,
-    LikelihoodBatch,
     LikelihoodParameters,
     ParameterBatch,
     ParametersWithExtrinsic,
@@ -93,7 +92,6 @@ def test_a_misspelt_name_suggests_the_nearest(misspelt, meant):
     [
         (ParametersWithExtrinsic, TYPICAL | {"lamda_1": 1.0}, "lambda_1"),
         (LikelihoodParameters, {"mass_ration": 1.0}, "mass_ratio"),
-        (LikelihoodBatch, {"calibration_phases": {}}, "calibration_phase"),
         (UniformGrid, {"f_min": 20.0, "f_max": 21.0, "deltaf": 1.0}, "delta_f"),
     ],
 )

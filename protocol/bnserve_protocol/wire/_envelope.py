@@ -76,18 +76,9 @@ class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
     @classmethod
     def from_error(cls, error: BnserveError, status: int, request_id: str | None = None) -> Problem:
         """Describe ``error`` for the wire under the HTTP ``status`` chosen by the service."""
-        return cls(
-            type=f"urn:bnserve:error:{error.code}",
-            title=error.title,
-            status=status,
-            detail=error.detail,
-            code=error.code,
-            error=error.detail,
-            request_id=request_id,
-            retryable=error.retryable,
-            errors=list(error.errors),
-            retry_after=error.retry_after,
-        )
+        told = {name: getattr(error, name) for name in ("title", "detail", "code", "retryable", "retry_after")}
+        kind, errors = f"urn:bnserve:error:{error.code}", list(error.errors)
+        return cls(type=kind, status=status, error=error.detail, request_id=request_id, errors=errors, **told)
 
     def to_error(self, retry_after: float | None = None) -> BnserveError:
         """Rebuild the exception; an unknown code (from a newer service) becomes plain ``BnserveError``.

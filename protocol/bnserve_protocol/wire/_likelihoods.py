@@ -15,7 +15,6 @@ from bnserve_protocol._likelihood_parameters import (
     LIKELIHOOD_DEFAULTS,
     LIKELIHOOD_NAMES,
     LikelihoodBatch,
-    calibration_errors,
 )
 from bnserve_protocol._model import ModelIdentity
 from bnserve_protocol._parameters import check_names
@@ -201,8 +200,7 @@ def _batch(reader: _Reader, wire: LikelihoodBody, max_rows: int) -> LikelihoodBa
     if any(array.ndim != 2 for array in (*amplitude.values(), *phase.values())):
         raise InvalidParameters("Calibration errors travel as one array [N, nodes] for each detector.")
     if rows is not None and wire.names == _ALL_NAMES:  # what our client sends
-        calibration = calibration_errors(len(rows), amplitude, phase)
-        return LikelihoodBatch.unchecked(rows.copy(), calibration)  # a copy, because the body it views is read-only
+        return LikelihoodBatch(rows.copy(), amplitude, phase)  # a copy, because the body it views is read-only
     return LikelihoodBatch.coerce({**columns, "calibration_amplitude": amplitude, "calibration_phase": phase})
 
 
