@@ -152,11 +152,10 @@ def test_failed_waveforms_are_recorded_and_left_out(tmp_path):
     assert made.psi_residual.shape == (20 - expected.size, 17)
 
 
-def test_failures_are_remembered_unless_asked_to_retry(tmp_path):
+def test_failures_are_remembered(tmp_path):
     sequential(specification(toy_generator(special=fails_above(2.6))), 20, tmp_path, max_failed_fraction=0.5)
     mended = specification(toy_generator())
     assert sequential(mended, 20, tmp_path, max_failed_fraction=0.5).failures
-    assert not sequential(mended, 20, tmp_path, retry_failures=True).failures
 
 
 def test_too_many_failures_stop_the_run_early_with_the_reasons(tmp_path):

@@ -8,7 +8,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sklearn.base import clone
 from sklearn.exceptions import ConvergenceWarning
-from sklearn.linear_model import Ridge
 from sklearn.neighbors import KNeighborsRegressor
 from sklearn.neural_network import MLPRegressor
 
@@ -92,13 +91,6 @@ def test_the_fit_is_the_least_squares_solution():
     terms = chebyshev_terms(POINTS, polynomial.exponents_).T
     expected = np.linalg.lstsq(terms, SMOOTH, rcond=None)[0]
     np.testing.assert_allclose(polynomial.coefficients_, expected, atol=1e-12)
-
-
-def test_the_ridge_is_scikit_learns():
-    polynomial = ChebyshevPolynomial(3, ridge=0.01, outlier_factor=None).fit(POINTS, SMOOTH)
-    terms = chebyshev_terms(POINTS, polynomial.exponents_).T
-    expected = Ridge(alpha=0.01 * len(POINTS), fit_intercept=False).fit(terms, SMOOTH).coef_.T
-    np.testing.assert_allclose(polynomial.coefficients_, expected, atol=1e-10)
 
 
 def test_pruning_keeps_exactly_the_terms_that_are_there():

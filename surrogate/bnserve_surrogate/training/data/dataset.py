@@ -164,7 +164,6 @@ def build_dataset(
     n_jobs: int = -1,
     backend: str = "loky",
     max_failed_fraction: float = 0.01,
-    retry_failures: bool = False,
     progress: bool | None = None,
 ) -> ResidualDataset:
     """Generate ``count`` samples, or what is missing of them.
@@ -185,8 +184,6 @@ def build_dataset(
         For joblib: processes at once (-1: all cores), and "loky" or any backend registered with joblib.
     max_failed_fraction
         Give up as soon as more than this fraction of ``count`` has failed.
-    retry_failures
-        Compute chunks with failed samples again.
     progress
         True, False, or None for a bar if standard error is a terminal.
 
@@ -207,7 +204,7 @@ def build_dataset(
     with _exclusive(folder):
         _describe(folder, specification)
         allowed = max_failed_fraction * count
-        chunks = _stored(folder, specification, count, retry_failures)
+        chunks = _stored(folder, specification, count)
         missing = [
             specification.task(start, stop)
             for start, stop in _spans(count, specification.chunk_size)
@@ -233,14 +230,13 @@ def _path(folder: Path, start: int, stop: int) -> Path:
     return folder / f"chunk-{start:08d}-{stop:08d}.npz"
 
 
-def _stored(folder: Path, specification: DatasetSpecification, count: int, retry_failures: bool) -> dict[int, Chunk]:
+def _stored(folder: Path, specification: DatasetSpecification, count: int) -> dict[int, Chunk]:
     """Finished chunks by their first sample."""
     sizes = specification.mf_amplitude.size, specification.mf_phase.size
     found = {
         start: read_chunk(_path(folder, start, stop), *sizes) for start, stop in _spans(count, specification.chunk_size)
     }
-    usable = {start: chunk for start, chunk in found.items() if chunk is not None}
-    return {start: chunk for start, chunk in usable.items() if not (retry_failures and chunk.failed_index.size)}
+    return {start: chunk for start, chunk in found.items() if chunk is not None}
 
 
 def _collected(specification: DatasetSpecification, chunks: list[Chunk], count: int) -> ResidualDataset:

@@ -30,7 +30,7 @@ def mass_seconds(total_mass: float = REFERENCE_MASS) -> float:
 
 _PROBES = np.array([[1.1, 0.02, -0.03, 300.0, 500.0], [2.7, -0.4, 0.45, 6.0, 4500.0]])
 FLATTENING_MF = 40.0 * mass_seconds()
-"""Default upper end of the interval of the average slope, 40 Hz at 2.8 solar masses: the baseline still holds there."""
+"""Upper end of the interval of the average slope, 40 Hz at 2.8 solar masses: the baseline still holds there."""
 _SIGNIFICANT_DIGITS = 9
 """Changes of the formulae show; the last bits of another machine's logarithm do not."""
 
@@ -95,20 +95,17 @@ class FlattenedPhase(NamedTuple):
     constant: FloatArray
 
 
-def flatten_phase(mf: FloatArray, psi_residual: FloatArray, mf_upper: float = FLATTENING_MF) -> FlattenedPhase:
-    """Remove from every row the straight line through its first sample and its value at ``mf_upper``.
+def flatten_phase(mf: FloatArray, psi_residual: FloatArray) -> FlattenedPhase:
+    """Remove from every row the straight line through its first sample and its value at :data:`FLATTENING_MF`.
 
     Parameters
     ----------
     mf
-        (n,) increasing dimensionless frequencies.
+        (n,) increasing dimensionless frequencies; the nearest above the first is used.
     psi_residual
         (N, n) radians; not changed.
-    mf_upper
-        Upper end of the interval of the average slope; its nearest sample above the first is used. By default 40 Hz at
-        2.8 solar masses.
     """
-    upper = max(1, int(np.argmin(np.abs(mf - mf_upper))))
+    upper = max(1, int(np.argmin(np.abs(mf - FLATTENING_MF))))
     rows = np.atleast_2d(psi_residual)
     slope = (rows[:, upper] - rows[:, 0]) / (mf[upper] - mf[0])
     constant = rows[:, 0] - slope * mf[0]

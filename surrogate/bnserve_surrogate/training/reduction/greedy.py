@@ -23,9 +23,7 @@ def newtonian_duration(mf: float, mass_ratio: float) -> float:
     return 5.0 * (1.0 + mass_ratio) ** 2 / (256.0 * mass_ratio) * float(np.pi * mf) ** (-8.0 / 3.0)
 
 
-def multibanded_grid(
-    mf_min: float, mf_max: float, largest_mass_ratio: float, mf_pivot: float | None = None
-) -> FloatArray:
+def multibanded_grid(mf_min: float, mf_max: float, largest_mass_ratio: float) -> FloatArray:
     r"""A grid of spacing 1 / T(f), varying continuously below the pivot and uniform above it.
 
     Below the pivot the point of number i solves di/df = T(f) exactly:
@@ -37,8 +35,6 @@ def multibanded_grid(
         First and last point, dimensionless.
     largest_mass_ratio
         The binary that lasts longest, hence needs the finest grid.
-    mf_pivot
-        By default 40 Hz at the reference mass.
 
     Returns
     -------
@@ -51,7 +47,7 @@ def multibanded_grid(
     """
     if not 0.0 < mf_min < mf_max:
         raise ValueError(f"A grid needs 0 < mf_min < mf_max; got {mf_min}, {mf_max}.")
-    pivot = min(max(PIVOT_HZ * mass_seconds() if mf_pivot is None else mf_pivot, mf_min), mf_max)
+    pivot = min(max(PIVOT_HZ * mass_seconds(), mf_min), mf_max)
     kappa = 0.6 * newtonian_duration(1.0, largest_mass_ratio)
     below = np.arange(int(np.floor(kappa * (mf_min ** (-5 / 3) - pivot ** (-5 / 3)))) + 1)
     chirping = (mf_min ** (-5 / 3) - below / kappa) ** (-3 / 5)

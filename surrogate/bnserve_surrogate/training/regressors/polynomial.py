@@ -1,7 +1,7 @@
 r"""A polynomial in the coordinates, fitted by least squares and thinned to the terms that matter.
 
 The terms are products of Chebyshev polynomials of several coordinates in [-1, 1]. Minimised is
-:math:`\frac1N \sum_i \|y_i - B_i c\|^2 + \rho \|c\|^2`, through the normal equations: the Gram matrix of the terms is
+:math:`\frac1N \sum_i \|y_i - B_i c\|^2`, through the normal equations: the Gram matrix of the terms is
 well conditioned; what squaring the condition number costs is won back by iterative refinement against the samples.
 Terms that depend linearly on others (a coordinate that does not vary makes such) are found by pivoting and get
 coefficients zero.
@@ -101,7 +101,7 @@ class Solution:
     """Coefficients and what is needed to judge and thin them.
 
     ``coefficients``: (T, K). ``independent``: indices (r,) of the terms that were used. ``scale``: (r,), makes the Gram
-    matrix's diagonal one. ``factor``: lower Cholesky factor (r, r) of the scaled matrix G + ridge.
+    matrix's diagonal one. ``factor``: lower Cholesky factor (r, r) of the scaled matrix G.
     """
 
     coefficients: FloatArray
@@ -110,10 +110,9 @@ class Solution:
     factor: FloatArray
 
 
-def solve(basis: Basis, points: FloatArray, targets: FloatArray, ridge: float = 0.0) -> Solution:
+def solve(basis: Basis, points: FloatArray, targets: FloatArray) -> Solution:
     """Least-squares coefficients of ``basis`` for targets (N, K) at points (N, D)."""
     gram, moment = _normal_equations(basis, points, targets)
-    gram[np.diag_indices_from(gram)] += ridge
     independent = _independent_terms(gram)
     scale = 1.0 / np.sqrt(gram[independent, independent])
     scaled = gram[np.ix_(independent, independent)] * np.multiply.outer(scale, scale)
@@ -122,7 +121,7 @@ def solve(basis: Basis, points: FloatArray, targets: FloatArray, ridge: float = 
     gradient = moment
     for refinement in range(_REFINEMENTS + 1):
         if refinement:
-            gradient = _gradient(basis, points, targets, coefficients) - ridge * coefficients
+            gradient = _gradient(basis, points, targets, coefficients)
         step = cho_solve((factor, True), gradient[independent] * scale[:, None])
         coefficients[independent] += step * scale[:, None]
     return Solution(coefficients, independent, scale, factor)
@@ -209,8 +208,6 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
     n_terms
         Prune to this many terms: the one whose removal costs least (in ``output_weights`` times squared error, after
         refitting) goes first, again and again; then refit. None keeps all.
-    ridge
-        Added to the mean squared value of every term: shrinks coefficients. Zero for plain least squares.
     output_weights
         Shape (K,), for pruning and screening only: what a squared error of each output costs. None: one for all,
         which is right for components in the metric of the mismatch.
@@ -233,7 +230,6 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         degree: float = 8.0,
         weights: Sequence[float] = (1.0, 0.8, 1.0, 1.5, 1.5),
         n_terms: int | None = None,
-        ridge: float = 0.0,
         output_weights: ArrayLike | None = None,
         outlier_factor: float | None = 100.0,
         max_outlier_fraction: float = 0.01,
@@ -241,7 +237,6 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         self.degree = degree
         self.weights = weights
         self.n_terms = n_terms
-        self.ridge = ridge
         self.output_weights = output_weights
         self.outlier_factor = outlier_factor
         self.max_outlier_fraction = max_outlier_fraction
@@ -254,15 +249,15 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         ValueError
             If the arrays are not finite or do not match.
         InvalidParameters
-            If there are fewer samples than terms and no ridge.
+            If there are fewer samples than terms.
         """
         points, targets = _checked(X, Y, len(self.weights))
         self._scalar_output = np.ndim(Y) == 1
         exponents = weighted_exponents(self.degree, self.weights)
-        if len(points) < len(exponents) and not self.ridge > 0.0:
+        if len(points) < len(exponents):
             raise InvalidParameters(
-                f"{len(exponents)} terms cannot be determined by {len(points)} samples; lower the degree, add samples "
-                "or set a ridge."
+                f"{len(exponents)} terms cannot be determined by {len(points)} samples; lower the degree or add "
+                "samples."
             )
         weights = (
             np.ones(targets.shape[1]) if self.output_weights is None else np.asarray(self.output_weights, dtype=float)
@@ -271,7 +266,7 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         if self.n_terms is not None and self.n_terms < len(exponents):
             chosen = most_useful_terms(solution, self.n_terms, weights)
             exponents = exponents[chosen]
-            solution = solve(_basis(exponents), points[kept], targets[kept], self.ridge)
+            solution = solve(_basis(exponents), points[kept], targets[kept])
         self.exponents_, self.coefficients_ = exponents, solution.coefficients
         self.outliers_ = np.flatnonzero(~kept)
         self.n_features_in_ = points.shape[1]
@@ -290,7 +285,7 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         self, basis: Basis, points: FloatArray, targets: FloatArray, weights: FloatArray
     ) -> tuple[Solution, NDArray[np.bool_]]:
         kept = np.ones(len(points), dtype=bool)
-        solution = solve(basis, points, targets, self.ridge)
+        solution = solve(basis, points, targets)
         if self.outlier_factor is None:
             return solution, kept
         allowed = int(self.max_outlier_fraction * len(points))
@@ -306,7 +301,7 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
             if not len(flagged):
                 break
             kept[flagged] = False
-            solution = solve(basis, points[kept], targets[kept], self.ridge)
+            solution = solve(basis, points[kept], targets[kept])
         return solution, kept
 
 
