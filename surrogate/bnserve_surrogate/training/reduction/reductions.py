@@ -100,13 +100,6 @@ class ReducedResiduals(NamedTuple):
     phase_slope: FloatArray
 
 
-class NodeBasis(NamedTuple):
-    """Plain arrays for a model: ``mean`` (n,) and ``basis`` (k, n) at the n nodes of one quantity."""
-
-    mean: FloatArray
-    basis: FloatArray
-
-
 class MetricReduction(BaseEstimator):
     """Principal components in the metric of the mismatch: squared distances of components are mismatches.
 
@@ -144,11 +137,11 @@ class MetricReduction(BaseEstimator):
         vectors = self.principal_components_.inverse_transform(components)
         return self.metric.inverse_transform(MetricCoordinates(vectors, *scalars))
 
-    def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
-        """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
-        means = self.metric.residuals(self.principal_components_.mean_[None])
-        bases = self.metric.residuals(self.principal_components_.components_)
-        return _bases(means, bases)
+    def node_basis(self) -> tuple[FloatArray, FloatArray]:
+        """Mean (n,) and basis (k, n) at the n = n_A + n_phi nodes, without the scalars."""
+        vectors = self.principal_components_
+        mean, basis = (self.metric.residuals(each) for each in (vectors.mean_[None], vectors.components_))
+        return np.hstack(mean)[0], np.hstack(basis)
 
 
 class PaperReduction(BaseEstimator):
@@ -198,13 +191,10 @@ class PaperReduction(BaseEstimator):
         joint = self.principal_components_.inverse_transform(np.asarray(reduced.components) / self.scale_)
         return joint[:, : self.split_], joint[:, self.split_ :]
 
-    def node_bases(self) -> tuple[NodeBasis, NodeBasis]:
-        """Mean and basis at the amplitude nodes and at the phase nodes, without the scalars."""
+    def node_basis(self) -> tuple[FloatArray, FloatArray]:
+        """Mean (n,) and basis (k, n) at the n = n_A + n_phi nodes, without the scalars."""
         components = self.principal_components_
-        mean, basis = components.mean_[None], components.components_ / self.scale_[:, None]
-        return _bases(
-            (mean[:, : self.split_], mean[:, self.split_ :]), (basis[:, : self.split_], basis[:, self.split_ :])
-        )
+        return components.mean_, components.components_ / self.scale_[:, None]
 
 
 Reduction: TypeAlias = MetricReduction | PaperReduction
@@ -212,14 +202,6 @@ Reduction: TypeAlias = MetricReduction | PaperReduction
 
 def _joint(log_amplitude: ArrayLike, phase: ArrayLike) -> FloatArray:
     return np.hstack([np.asarray(log_amplitude, dtype=np.float64), np.asarray(phase, dtype=np.float64)])
-
-
-def _bases(means: tuple[FloatArray, FloatArray], bases: tuple[FloatArray, FloatArray]) -> tuple[NodeBasis, NodeBasis]:
-    amplitude, phase = (
-        NodeBasis(np.ascontiguousarray(mean[0]), np.ascontiguousarray(basis))
-        for mean, basis in zip(means, bases, strict=True)
-    )
-    return amplitude, phase
 
 
 def reduce_dataset(

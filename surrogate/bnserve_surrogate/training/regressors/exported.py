@@ -132,10 +132,10 @@ def model_tensors(
     mf_phase: FloatArray,
 ) -> dict[str, NDArray[Any]]:
     """The tensors of the (2, 2) mode, as :mod:`bnserve_surrogate._tensors` describes them."""
-    amplitude, phase = reduction.node_bases()
-    components = len(amplitude.basis)
-    basis = np.zeros((components + len(SCALARS), len(mf_amplitude) + len(mf_phase)))
-    basis[:components] = np.hstack([amplitude.basis, phase.basis])
+    mean, vectors = reduction.node_basis()
+    components = len(vectors)
+    basis = np.zeros((components + len(SCALARS), len(mean)))
+    basis[:components] = vectors
     basis[components, : len(mf_amplitude)] = 1.0
     merger_alignment = np.zeros((components + len(SCALARS) + 1, 2))
     merger_alignment[-2, 1] = 1.0
@@ -143,7 +143,7 @@ def model_tensors(
     tensors = {
         "amplitude_nodes": mf_amplitude,
         "phase_nodes": mf_phase,
-        "mean": np.concatenate([amplitude.mean, phase.mean]),
+        "mean": mean,
         "basis": basis,
         "merger_alignment": merger_alignment,
         "coordinate_offset": coordinates.offset,

@@ -88,15 +88,11 @@ class CallableGenerator:
 
     def check_box(self, lower: FloatArray, upper: FloatArray) -> None:
         """The function's; without one, every box will do."""
-        getattr(self.function, "check_box", _any_box)(lower, upper)
+        getattr(self.function, "check_box", lambda lower, upper: None)(lower, upper)
 
     def __call__(self, theta: FloatArray, mf: FloatArray) -> AmplitudePhasePair:
         """What the function returns."""
         return self.function(theta, mf)
-
-
-def _any_box(lower: FloatArray, upper: FloatArray) -> None:
-    """Nothing is known against it."""
 
 
 def _source_digest(function: Callable[..., Any]) -> str:
