@@ -1,8 +1,8 @@
 """A likelihood evaluated by a running server: build an injection, upload it once, ask for 1000 samples in one call.
 
-With a server running anywhere, and its address (building an analysis takes the detectors from LAL):
+With a server running anywhere, and its address:
 
-    pip install '.[detectors]'
+    pip install .
     python examples/likelihood_in_the_service.py http://127.0.0.1:8000
 """
 

@@ -1,6 +1,6 @@
 """bilby through a running server: its detectors, priors, dynesty and result; the likelihood is the server's.
 
-    pip install '.[bilby,detectors]'
+    pip install '.[bilby]'
     python examples/samplers/with_bilby.py http://127.0.0.1:8000
 
 Beside the server's likelihood is printed what bilby's own says, on the full grid with waveforms of the same server.

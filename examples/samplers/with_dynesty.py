@@ -1,6 +1,6 @@
 """dynesty through a running server, its proposals evaluated by processes that share the server, or in batches.
 
-pip install dynesty '.[detectors]'
+pip install dynesty .
 python examples/samplers/with_dynesty.py http://127.0.0.1:8000             dynesty's pool of processes
 python examples/samplers/with_dynesty.py http://127.0.0.1:8000 --batches   each queue of proposals in few requests
 """

@@ -1,6 +1,6 @@
 """emcee through a running server: half of the walkers move at once, and travel as one batch (``vectorize=True``).
 
-pip install emcee '.[detectors]'
+pip install emcee .
 python examples/samplers/with_emcee.py http://127.0.0.1:8000
 """
 

@@ -1,6 +1,6 @@
 """nautilus through a running server: its batches are single requests (``vectorized=True``).
 
-pip install nautilus-sampler '.[detectors]'
+pip install nautilus-sampler .
 python examples/samplers/with_nautilus.py http://127.0.0.1:8000
 """
 

@@ -8,7 +8,8 @@ from bnserve_inference._analyses import full_analysis, relative_binning_analysis
 from bnserve_inference._building import LikelihoodOptions
 from bnserve_inference._calibration import Envelope, calibration_nodes, read_envelope
 from bnserve_inference._data import DetectorData
-from bnserve_inference._detectors import Detector, sidereal_time
+from bnserve_inference._detectors import Detector
+from bnserve_inference._earth import sidereal_time
 from bnserve_inference._evaluation import LocalLikelihood, likelihood
 from bnserve_inference._gwosc import fourier_strain, gwosc_segment, read_gwosc
 from bnserve_inference._noise import gaussian_noise, interpolate_asd, read_asd

@@ -62,8 +62,6 @@ def full_analysis(
     ------
     AnalysisInvalid
         Data or settings that no likelihood could be evaluated with.
-    PackageMissing
-        LAL is not installed.
     """
     band = Band(data, trigger_time, f_min, f_max)
     options = band.timed(options)

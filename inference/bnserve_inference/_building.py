@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._data import DetectorData, heaviest, refuse_short
-from bnserve_inference._detectors import sidereal_time
+from bnserve_inference._earth import sidereal_time
 from bnserve_inference._units import real_ranges
 from bnserve_protocol import (
     DEFAULT_ERROR_BOUND,

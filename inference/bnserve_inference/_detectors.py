@@ -1,22 +1,19 @@
-"""Detectors and the rotation of the Earth, from LAL (the extra ``detectors``).
+"""A detector: its response and its place.
 
-LAL and not astropy, because its detectors are the ones that every published analysis uses, to the bit, and
-because it has both them and the sidereal time; astropy knows no gravitational-wave detector and wants tables from the
-network. Only building an analysis comes here: an analysis carries the tensors, places and sidereal time that evaluating
-it needs.
+Only building an analysis comes here: it carries the tensors, places and sidereal time that evaluating it needs.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._units import in_units, real
-from bnserve_protocol import AnalysisInvalid, FieldError, check_location, require
+from bnserve_inference._earth import SITES
+from bnserve_inference._units import real
+from bnserve_protocol import AnalysisInvalid, FieldError, check_location
 
 _LEAST_RADIUS = 6.25e6
 """Metres; the poles are at 6.357e6."""
@@ -58,34 +55,14 @@ class Detector:
         Raises
         ------
         AnalysisInvalid
-            LAL knows no such detector.
-        PackageMissing
-            LAL is not installed.
+            There is no such detector.
         """
-        known = _lal().cached_detector_by_prefix
-        if name not in known:
+        if name not in SITES:
             raise AnalysisInvalid(
-                f"LAL knows no detector '{name[:32]}'; known are {', '.join(sorted(known))}. Give another one's "
+                f"There is no detector '{name[:32]}'; known are {', '.join(sorted(SITES))}. Give another one's "
                 "response and location as a Detector.",
                 errors=[FieldError(reason="unknown detector", parameter="detector", value=name[:32])],
             )
-        # LAL keeps its tensors in single precision: these are the ones that all analyses use.
-        response = np.array(known[name].response, dtype=np.float64)
-        return cls(name=name, response=response, location=np.array(known[name].location, dtype=np.float64))
-
-
-@in_units(gps="s")
-def sidereal_time(gps: float) -> tuple[float, float]:
-    """Greenwich mean sidereal time at a GPS time in radians, within [0, 2 pi), and its rate in radians per second.
-
-    Over the seconds around a trigger the time is linear to a part in 10^15.
-    """
-    lal = _lal()
-    half = 32.0
-    before, after = (lal.GreenwichMeanSiderealTime(lal.LIGOTimeGPS(gps + offset)) for offset in (-half, half))
-    now = lal.GreenwichMeanSiderealTime(lal.LIGOTimeGPS(gps))
-    return math.fmod(now, 2.0 * math.pi) % (2.0 * math.pi), (after - before) / (2.0 * half)
-
-
-def _lal() -> Any:
-    return require("lal", "Building an analysis (detectors and sidereal time)", "detectors")
+        location, (xx, xy, xz, yy, yz, zz) = SITES[name]
+        tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]], np.float32)
+        return cls(name=name, response=tensor.astype(np.float64), location=np.array(location))

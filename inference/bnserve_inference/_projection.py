@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from bnserve_inference._building import Alignment
 from bnserve_inference._calibration import calibration_splines
 from bnserve_inference._data import DetectorData
-from bnserve_inference._detectors import Detector, sidereal_time
+from bnserve_inference._detectors import Detector
+from bnserve_inference._earth import sidereal_time
 from bnserve_inference._noise import gaussian_noise
 from bnserve_inference._units import in_units
 from bnserve_protocol import (

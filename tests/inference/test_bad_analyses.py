@@ -50,7 +50,7 @@ BAD_DATA = {
     "words": (lambda d: {"strain": ["a"] * len(d.strain)}, "must be numbers in 1/Hz; it holds text"),
     "another duration": (lambda d: {"duration": 2.0 * DURATION}, "one duration"),
     "no duration": (lambda d: {"duration": 0.0}, "duration positive"),
-    "an unknown detector": (lambda d: {"detector": "Q9"}, "LAL knows no detector 'Q9'"),
+    "an unknown detector": (lambda d: {"detector": "Q9"}, "There is no detector 'Q9'"),
 }
 
 
