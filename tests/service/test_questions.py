@@ -4,20 +4,25 @@ import base64
 import dataclasses
 import hashlib
 import json
+import threading
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 
 import msgpack
 import numpy as np
 import pytest
 from crc32c import crc32c
 
+from bnserve_protocol import AnalysisInvalid
 from bnserve_protocol.wire import encode_likelihood_request
 from bnserve_service import Settings, create_app
 from bnserve_service.app import Application
 from bnserve_service.evaluation.questions import Kind, Operation, Question
+from bnserve_service.http.body import OFF_LOOP
 from bnserve_service.process.listening import address_of, listen_tcp
 from bnserve_service.server import BnserveServer
-from tests.service.asking import GW170817, JSON, MSGPACK, ask, question
+from bnserve_service.uploads.stores import AnalysisStore
+from tests.service.asking import GW170817, JSON, MSGPACK, as_array, ask, question, raw_connection, read_response
 from tests.service.chirp import GatedModel, MemorySource, QuickChirpModel, as_it_is, until
 from tests.service.conftest import SMALL_LIMITS
 from tests.service.injections import name_of, samples, small_analysis, upload
@@ -121,6 +126,45 @@ def test_the_memory_of_answers_is_reserved(closed, path):
     until(lambda: server.app.parts.evaluation.answer_bytes == 0, "the memory is given back")
 
 
+@contextmanager
+def serving(app):
+    """The address of a server of an application."""
+    with listen_tcp("127.0.0.1", 0) as listener, ThreadPoolExecutor(1) as thread:
+        server = BnserveServer(app, lambda line: None)
+        running = thread.submit(server.run, listener, with_signals=False)
+        assert server.ready.wait(60.0)
+        try:
+            yield address_of(listener)
+        finally:
+            server.stop_from_thread()
+            running.result()
+
+
+def test_large_questions_do_not_wait_for_large_uploads():
+    entered, gate = threading.Semaphore(0), threading.Event()
+
+    def decode(_):
+        entered.release()
+        assert gate.wait(60.0), "the test forgot to open the gate"
+        raise AnalysisInvalid("It took long enough.")
+
+    app = create_app(Settings(**SMALL_LIMITS), source=MemorySource().add(QuickChirpModel()), factory=as_it_is)
+    analyses = AnalysisStore(app.parts.settings, decode)
+    app = Application(dataclasses.replace(app.parts, analyses=analyses), wait_for_models=True)
+    grid = as_array(np.linspace(20.0, 40.0, SMALL_LIMITS["max_frequencies"]))
+    with serving(app) as address, ThreadPoolExecutor(3) as callers:
+        uploads = [
+            callers.submit(ask, address, "PUT", f"/v1/analyses/{digit * 64}", bytes(2**18), content_type=MSGPACK)
+            for digit in "123"
+        ]
+        assert entered.acquire(timeout=60.0)
+        body = msgpack.packb(question(grid={"frequencies": grid}))
+        assert len(body) > OFF_LOOP
+        assert ask(address, "POST", WAVEFORMS, body, content_type=MSGPACK).status == 200
+        gate.set()
+        assert {upload.result().code for upload in uploads} == {"analysis-invalid"}
+
+
 class SumQuestion(Question, frozen=True, eq=False, kw_only=True):
     """Numbers to add up."""
 
@@ -151,20 +195,18 @@ class Sums(Kind[SumQuestion]):
 def test_a_new_kind_is_one_class_and_takes_both_ways():
     app = create_app(Settings(**SMALL_LIMITS), source=MemorySource().add(QuickChirpModel()), factory=as_it_is)
     app = Application(dataclasses.replace(app.parts, kinds=(*app.parts.kinds, Sums())), wait_for_models=True)
-    with listen_tcp("127.0.0.1", 0) as listener, ThreadPoolExecutor(1) as thread:
-        server = BnserveServer(app, lambda line: None)
-        running = thread.submit(server.run, listener, with_signals=False)
-        assert server.ready.wait(60.0)
-        try:
-            for numbers in ([1, 2], [1, 2, 3]):
-                path = "/v1/models/chirp/sums/g"
-                answer = ask(address_of(listener), "POST", path, json.dumps(numbers), content_type=JSON)
-                assert answer.document == ["g", sum(numbers)]
-                assert answer.headers["content-digest"].startswith("sha-256=:")
-                assert answer.headers["x-request-digest"] == hashlib.sha256(json.dumps(numbers).encode()).hexdigest()
-            assert (
-                "/v1/models/{name}/sums/{unit}" in ask(address_of(listener), "GET", "/openapi.json").document["paths"]
-            )
-        finally:
-            server.stop_from_thread()
-            running.result()
+    take, taken = app.fast_path.take, []
+    app.fast_path.take = lambda *given: taken.append(take(*given)) or taken[-1]
+    with serving(app) as address:
+        for numbers in ([1, 2], [3, 4], [1, 2, 3]):  # whose head comes first, is known, and is not quick
+            body = json.dumps(numbers).encode()
+            head = f"POST /v1/models/chirp/sums/g HTTP/1.1\r\nHost: localhost\r\nContent-Type: {JSON}\r\n"
+            with raw_connection(address) as connection:
+                connection.sendall(f"{head}Content-Length: {len(body)}\r\n\r\n".encode() + body)
+                answer = read_response(connection)
+            assert answer.document == ["g", sum(numbers)]
+            assert answer.headers["content-digest"].startswith("sha-256=:")
+            assert answer.headers["x-request-digest"] == hashlib.sha256(body).hexdigest()
+        described = ask(address, "GET", "/openapi.json").document
+        assert described["paths"]["/v1/models/{name}/sums/{unit}"]["post"]["operationId"] == "add"
+    assert taken[-2:] == [True, False]

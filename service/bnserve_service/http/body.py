@@ -25,7 +25,7 @@ which are smaller, pass however many large bodies are on their way."""
 OFF_LOOP = 2**17
 """Bodies above this are hashed and decoded in a thread: 128 KiB take about as long as the hand-over costs."""
 _THREADS = 2
-"""So that requests do not wait for the largest of analyses."""
+"""One for uploads and one for questions, which so do not wait for the largest of analyses."""
 _MOMENT = 1.0
 """Seconds after which another body may have been read and decoded."""
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TypeVar
 
 from fastapi import APIRouter, Request, Response
@@ -10,7 +12,7 @@ from fastapi import APIRouter, Request, Response
 from bnserve_protocol.wire import MSGPACK
 from bnserve_service.admission.control import Lifecycle
 from bnserve_service.http.answers import data_response
-from bnserve_service.http.body import BodyReader
+from bnserve_service.http.body import OFF_LOOP, BodyReader
 from bnserve_service.http.requests import OCTETS, context_of, require_media_type
 from bnserve_service.reference.documents import AnalysisDocument, GridDocument, analysis_document
 from bnserve_service.reference.openapi import FOUND_OR_NOT, GONE, answers_with, binary_body
@@ -35,6 +37,8 @@ class Receiver:
     def __init__(self, bodies: BodyReader, quotas: StorageQuotas) -> None:
         self._bodies = bodies
         self._quotas = quotas
+        self._large = asyncio.Lock()
+        """Held by an upload that takes long: all of them have one thread, so that questions have one, too."""
 
     async def receive(self, request: Request, kind: Kind, limit: int, put: Callable[[str, str, bytes], T]) -> T:
         """Read a body of at most ``limit`` bytes and ``put`` it under its owner and the digest in its path."""
@@ -44,7 +48,8 @@ class Receiver:
             body = await incoming.read(request.receive, limit)
             await incoming.name(body)
             with self._quotas.room(context.owner, kind, sha256, len(body)):
-                return await self._bodies.work(len(body), put, context.owner, sha256, body)
+                async with self._large if len(body) > OFF_LOOP else nullcontext():
+                    return await self._bodies.work(len(body), put, context.owner, sha256, body)
 
 
 def grid_router(grids: GridStore, receiver: Receiver, settings: Settings) -> APIRouter:
