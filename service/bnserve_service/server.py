@@ -17,7 +17,7 @@ from bnserve_protocol import ModelLoading
 from bnserve_service.app import Application, create_app
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.evaluation.endpoint import FastPath
-from bnserve_service.http.metrics_port import metrics_address, serving_metrics
+from bnserve_service.http.metrics_port import serving_metrics
 from bnserve_service.http.protocol import UvicornServer, bounded_protocol, connections_beside
 from bnserve_service.models.loading import RefreshReport
 from bnserve_service.process.listening import BACKLOG, Acceptor, address_of, listening, open_metrics_listener
@@ -91,7 +91,7 @@ class BnserveServer:
             Not one model could be loaded at start.
         """
         if metrics_listener is not None:
-            self.metrics_address = metrics_address(metrics_listener)
+            self.metrics_address = f"{address_of(metrics_listener)}/metrics"
         with asyncio.Runner(loop_factory=self._uvicorn.config.get_loop_factory()) as runner:
             runner.run(self._serve(listener, metrics_listener, with_signals))
         if self._failed is not None:

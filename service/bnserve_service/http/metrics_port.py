@@ -8,15 +8,10 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
 from bnserve_service.http.protocol import BoundedProtocol
-from bnserve_service.process.listening import BACKLOG, address_of
+from bnserve_service.process.listening import BACKLOG
 
 _MOST_CONNECTIONS = 64
 """In each process; one more, and the oldest is cut off. A Prometheus has one; what nobody uses ends by itself."""
-
-
-def metrics_address(listener: socket.socket) -> str:
-    """Where they are."""
-    return f"{address_of(listener)}/metrics"
 
 
 @asynccontextmanager
@@ -35,33 +30,21 @@ async def serving_metrics(
     if listener is None:
         yield
         return
-    connections = _Connections(connection)
+    there: list[BoundedProtocol] = []  # the oldest first
+
+    def connect() -> BoundedProtocol:
+        there[:] = [each for each in there if each.transport is None or not each.transport.is_closing()]
+        if len(there) >= _MOST_CONNECTIONS and there[0].transport is not None:
+            there.pop(0).transport.abort()
+        there.append(connection())
+        return there[-1]
+
     listener.setblocking(False)  # another process may be faster
-    server = await asyncio.get_running_loop().create_server(connections.add, sock=listener, backlog=BACKLOG)
+    server = await asyncio.get_running_loop().create_server(connect, sock=listener, backlog=BACKLOG)
     try:
         yield
     finally:
         server.close()
-        connections.abort()
-
-
-class _Connections:
-    """Those that there are, the oldest first."""
-
-    def __init__(self, connection: Callable[[], BoundedProtocol]) -> None:
-        self._connection = connection
-        self._all: list[BoundedProtocol] = []
-
-    def add(self) -> BoundedProtocol:
-        """The protocol of a new connection."""
-        self._all = [each for each in self._all if each.transport is None or not each.transport.is_closing()]
-        if len(self._all) >= _MOST_CONNECTIONS and self._all[0].transport is not None:
-            self._all.pop(0).transport.abort()
-        self._all.append(self._connection())
-        return self._all[-1]
-
-    def abort(self) -> None:
-        """End all of them."""
-        for each in self._all:
+        for each in there:
             if each.transport is not None:
                 each.transport.abort()

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import logging
-import threading
-from collections import deque
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 
 import numpy as np
@@ -15,14 +13,13 @@ from prometheus_client import (
     CollectorRegistry,
     Counter,
     Gauge,
+    Histogram,
     Info,
     Metric,
     ProcessCollector,
     generate_latest,
 )
-from prometheus_client.core import HistogramMetricFamily
 from prometheus_client.registry import Collector
-from prometheus_client.utils import floatToGoString
 
 from bnserve_protocol import ModelIdentity, RowStatus, __version__
 from bnserve_service.shared.metrics import SharedMetrics
@@ -30,8 +27,6 @@ from bnserve_service.shared.metrics import SharedMetrics
 _METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"})
 _SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 _GROUP_SIZES = (1, 2, 4, 8, 16, 32, 64, 128, 256)
-_SET_ASIDE = 1024
-"""Observations that wait to be sorted."""
 
 CONTENT_TYPE = CONTENT_TYPE_LATEST
 
@@ -57,16 +52,22 @@ class Metrics:
         self._requests = Counter(
             "bnserve_requests", "Requests answered", ["route", "method", "status"], registry=registry
         )
-        self._seconds = Distribution(
-            "bnserve_request_duration_seconds", "From the headers to the end of the answer", _SECONDS, registry, "route"
+        self._seconds = Histogram(
+            "bnserve_request_duration_seconds",
+            "From the headers to the end of the answer",
+            ["route"],
+            buckets=_SECONDS,
+            registry=registry,
         )
         self._refused = Counter("bnserve_errors", "Error answers by code", ["code"], registry=registry)
-        self.queue_wait = Distribution(
-            "bnserve_queue_wait_seconds", "Between admission and evaluation", _SECONDS, registry
+        self.queue_wait = Histogram(
+            "bnserve_queue_wait_seconds", "Between admission and evaluation", buckets=_SECONDS, registry=registry
         )
-        self.evaluation = Distribution("bnserve_evaluation_seconds", "One call of the model", _SECONDS, registry)
-        self.group_requests = Distribution(
-            "bnserve_group_requests", "Requests evaluated together", _GROUP_SIZES, registry
+        self.evaluation = Histogram(
+            "bnserve_evaluation_seconds", "One call of the model", buckets=_SECONDS, registry=registry
+        )
+        self.group_requests = Histogram(
+            "bnserve_group_requests", "Requests evaluated together", buckets=_GROUP_SIZES, registry=registry
         )
         self._rows = Counter("bnserve_rows", "Waveforms evaluated", ["model"], registry=registry)
         self._samples = Counter("bnserve_samples", "Frequency samples evaluated", ["model"], registry=registry)
@@ -79,6 +80,7 @@ class Metrics:
         self.reloads = Counter("bnserve_reloads", "Looks at the stores by outcome", ["outcome"], registry=registry)
         self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
         self._request_child = cache(self._requests.labels)
+        self._seconds_child = cache(self._seconds.labels)
         self._rows_child = cache(self._rows.labels)
         self._samples_child = cache(self._samples.labels)
 
@@ -95,7 +97,7 @@ class Metrics:
     def observe_request(self, route: str, method: str, status: int, seconds: float) -> None:
         """Count one answered request."""
         self._request_child(route, method if method in _METHODS else "other", str(status)).inc()
-        self._seconds.observe(seconds, route)
+        self._seconds_child(route).observe(seconds)
 
     def refused(self, code: str) -> None:
         """Count one error answer."""
@@ -142,77 +144,9 @@ class Metrics:
         return generate_latest(together)
 
 
-class _Merged(Collector):
+class _Merged(list[Metric], Collector):
     """Metrics that were collected already."""
-
-    def __init__(self, metrics: list[Metric]) -> None:
-        self._metrics = metrics
 
     def collect(self) -> Iterator[Metric]:
         """What Prometheus reads."""
-        yield from self._metrics
-
-
-class Distribution:
-    """A histogram for Prometheus, with at most one label. Safe to feed from several threads.
-
-    ``prometheus_client.Histogram`` takes a lock and searches its buckets for every observation, which is a notable part
-    of a small request.
-
-    Parameters
-    ----------
-    name, description:
-        What Prometheus shows.
-    buckets:
-        Upper bounds, increasing; one without bound is added.
-    registry:
-        Where it is read from.
-    label:
-        The name of the label, if there is one.
-    """
-
-    def __init__(
-        self, name: str, description: str, buckets: Sequence[float], registry: CollectorRegistry, label: str = ""
-    ) -> None:
-        self._name = name
-        self._description = description
-        self._bounds = np.array([*buckets, np.inf])
-        self._labels = [label] if label else []
-        self._fresh: deque[tuple[str, float]] = deque()
-        self._counts: dict[str, NDArray[np.int64]] = {}
-        self._sums: dict[str, float] = {}
-        self._sorting = threading.Lock()
-        if not label:
-            self._add("", [])
-        registry.register(self)
-
-    def observe(self, value: float, label: str = "") -> None:
-        """Count one observation."""
-        self._fresh.append((label, value))
-        if len(self._fresh) >= _SET_ASIDE:
-            self._sort()
-
-    def collect(self) -> Iterator[HistogramMetricFamily]:
-        """What Prometheus reads."""
-        self._sort()
-        family = HistogramMetricFamily(self._name, self._description, labels=self._labels)
-        with self._sorting:
-            for label, counts in self._counts.items():
-                bounds = map(floatToGoString, self._bounds)
-                cumulative = list(zip(bounds, np.cumsum(counts).astype(float).tolist(), strict=True))
-                family.add_metric([label] if self._labels else [], cumulative, self._sums[label])
-        yield family
-
-    def _sort(self) -> None:
-        with self._sorting:
-            by_label: dict[str, list[float]] = {}
-            for _ in range(len(self._fresh)):
-                label, value = self._fresh.popleft()
-                by_label.setdefault(label, []).append(value)
-            for label, values in by_label.items():
-                self._add(label, values)
-
-    def _add(self, label: str, values: list[float]) -> None:
-        counts = np.bincount(np.searchsorted(self._bounds, values), minlength=len(self._bounds))
-        self._counts[label] = counts + self._counts.get(label, 0)
-        self._sums[label] = self._sums.get(label, 0.0) + sum(values)
+        return iter(self)
