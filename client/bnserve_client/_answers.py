@@ -10,18 +10,8 @@ from typing import Any, TypeVar
 import msgspec
 
 from bnserve_client._messages import HttpResponse, not_bnserve
-from bnserve_protocol import (
-    BnserveError,
-    ConnectionFailed,
-    TooLarge,
-    UndecodableBody,
-    printable,
-)
-from bnserve_protocol.wire import (
-    PROBLEM_JSON,
-    Problem,
-    refuse_repeated_keys,
-)
+from bnserve_protocol import BnserveError, ConnectionFailed, TooLarge, UndecodableBody, printable
+from bnserve_protocol.wire import PROBLEM_JSON, Problem, refuse_repeated_keys
 
 _GATEWAY_STATUSES = {429, 500, 502, 503, 504}
 """Of answers that bnserve did not write; Ray Serve's proxy says 500 when a replica was killed."""

@@ -88,12 +88,7 @@ class Question(ABC):
 
     @abstractmethod
     def upload(self, limits: Limits) -> Upload:
-        """What the service has to know.
-
-        Raises
-        ------
-        UploadTooLarge
-        """
+        """What the service has to know; UploadTooLarge where it takes nothing of that size."""
 
     def upload_refused(self, error: Forbidden | TooLarge) -> None:
         """Go on without the upload, if that is possible; raises ``error`` otherwise."""
@@ -212,12 +207,7 @@ class Evaluator:
 
 
 def check_model(answered: ModelIdentity, where: str, model: ModelIdentity) -> None:
-    """Refuse the answer of another model.
-
-    Raises
-    ------
-    AnswerCorrupted
-    """
+    """Refuse the answer of another model: AnswerCorrupted."""
     if answered != model:
         other = printable(f"{answered.name} {answered.version} ({answered.digest})")
         raise AnswerCorrupted(

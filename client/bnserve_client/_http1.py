@@ -141,6 +141,7 @@ def exchange(message: bytes, max_bytes: int) -> Exchange:
     Raises
     ------
     Stale, Broken, Malformed
+        The connection was closed before the answer or within it; what came is no HTTP/1.1 answer to this request.
     """
     scratch = np.empty(_SCRATCH_BYTES, np.uint8).data
     with contextlib.suppress(OSError):  # the server may have refused a large body early; its answer says why
@@ -166,11 +167,9 @@ def _whole(data: bytes, max_bytes: int) -> tuple[HttpResponse, bool] | None:
     end = data.find(b"\r\n\r\n")
     if end < 0 or not data.startswith(b"HTTP/1.1 200 "):
         return None
-    head = parse_head(data[:end])
-    body = data[end + 4 :]
-    if head.headers.get("content-length") != str(len(body)) or "transfer-encoding" in head.headers:
-        return None
-    if len(body) > max_bytes:
+    head, body = parse_head(data[:end]), data[end + 4 :]
+    framed = head.headers.get("content-length") == str(len(body)) and "transfer-encoding" not in head.headers
+    if not framed or len(body) > max_bytes:
         return None
     return HttpResponse(status=head.status, headers=head.headers, body=body), head.persistent
 

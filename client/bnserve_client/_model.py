@@ -99,7 +99,14 @@ class Model(ConnectedModel):
 
         Raises
         ------
-        ConnectionFailed, NotBnserve, ModelUnknown, DigestUnknown, Unauthorized, InvalidRequest
+        InvalidRequest
+            An argument that cannot be.
+        ConnectionFailed, NotBnserve
+            Nobody answers at the address, or something else.
+        ModelUnknown, DigestUnknown
+            The service has no such model or version; or not the one with this digest.
+        Unauthorized
+            The token is missing or wrong.
         """
         settings = settings_from(
             address, progress, token=Token(token), timeout=timeout, silence=silence, retries=retries, parallel=parallel,
@@ -122,6 +129,7 @@ class Model(ConnectedModel):
         Raises
         ------
         Unavailable, AccessDenied, UntrustedAnswer
+            No replica answers now, the token is refused, or what answers cannot be trusted.
         """
         return self._run(self._remote.evaluator.session.manifest())
 

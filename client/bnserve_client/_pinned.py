@@ -9,14 +9,7 @@ import msgspec
 from bnserve_client._messages import Conversation, not_bnserve
 from bnserve_client._session import Session
 from bnserve_client._settings import Settings
-from bnserve_protocol import (
-    DigestUnknown,
-    Limits,
-    ModelDescription,
-    ModelIdentity,
-    ModelUnknown,
-    check_model_digest,
-)
+from bnserve_protocol import DigestUnknown, Limits, ModelDescription, ModelIdentity, ModelUnknown, check_model_digest
 
 _CONNECT_RETRIES = 3
 """At the first contact a wrong address is likelier than an outage, so it is reported soon."""
@@ -63,9 +56,7 @@ class _ModelDocument(ModelDescription, frozen=True, kw_only=True):
 def connecting(settings: Settings, name: str, version: str, digest: str | None = None) -> Conversation[Pinned]:
     """The first contact: find a model, turn a label into the version it stands for now, and learn the limits.
 
-    Raises
-    ------
-    ModelUnknown, DigestUnknown, NotBnserve, ConnectionFailed, Unauthorized, InvalidRequest
+    Errors are those of :meth:`.Model.connect`.
     """
     if not (_is_name(name) and _is_name(version)):
         raise ModelUnknown("A model has a name and a version or label, such as 'default' and 'stable'.")

@@ -163,12 +163,7 @@ class Settings:
 
 
 def settings_from(address: str | Sequence[str], progress: bool, **chosen: Any) -> Settings:
-    """Settings from the arguments of ``connect``.
-
-    Raises
-    ------
-    InvalidRequest
-    """
+    """Settings from the arguments of ``connect``; InvalidRequest for what none of them can be."""
     if progress:
         require_tqdm()
     return Settings(addresses=parse_addresses(address), progress=progress, **chosen)

@@ -119,12 +119,7 @@ class GridMemory:
         self._recent: tuple[ExplicitGrid, ...] = ()
 
     def recall(self, grid: GridLike) -> UniformGrid | ExplicitGrid:
-        """Check a grid, or recognise it.
-
-        Raises
-        ------
-        InvalidFrequencies
-        """
+        """Check a grid, or recognise it; errors are those of :func:`as_frequencies`."""
         plain = plain_grid(grid)
         if isinstance(plain, UniformGrid):
             return plain
@@ -312,20 +307,14 @@ class ConnectedModel:
 
 def _check_arrays(arrays: Arrays, output: OutputName, dtype: DtypeName, rows: int, frequencies: int) -> None:
     """Refuse an answer whose arrays are not those that were asked for."""
-    sample_dtype = np.dtype(np.float64 if output == "amplitude_phase" else dtype)
-    for name in _SAMPLES[output]:
-        _check(arrays, name, sample_dtype, (rows, frequencies))
-    _check(arrays, "status", _OF_A_ROW["status"], (rows,))
-    if output == "factored":
-        for name, kind in _FACTORS.items():
-            _check(arrays, name, kind, (rows,))
-    if "estimated_mismatch" in arrays:
-        _check(arrays, "estimated_mismatch", _OF_A_ROW["estimated_mismatch"], (rows,))
-
-
-def _check(arrays: Arrays, name: str, kind: np.dtype[Any], shape: tuple[int, ...]) -> None:
-    if name not in arrays or arrays[name].dtype != kind or arrays[name].shape != shape:
-        raise AnswerCorrupted(f"The answer does not hold '{name}' as {kind.name} of shape {shape}.")
+    samples = np.dtype(np.float64 if output == "amplitude_phase" else dtype)
+    wanted = {**dict.fromkeys(_SAMPLES[output], samples), **_OF_A_ROW, **(_FACTORS if output == "factored" else {})}
+    for name, kind in wanted.items():
+        array, shape = arrays.get(name), (rows, frequencies) if name in _SAMPLES[output] else (rows,)
+        if array is None and name == "estimated_mismatch":
+            continue
+        if array is None or array.dtype != kind or array.shape != shape:
+            raise AnswerCorrupted(f"The answer does not hold '{name}' as {kind.name} of shape {shape}.")
 
 
 def own(arrays: Arrays) -> Arrays:
@@ -347,8 +336,6 @@ def multiply_out(arrays: Arrays) -> Arrays:
         return own({"plus": arrays["h_plus"], "cross": arrays["h_cross"], **of_a_row})
     h = arrays["h"]
     factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
-    plus, cross = factored.polarizations(
-        plus=h if h.flags.writeable else result_memory.like(h),
-        cross=result_memory.like(h),
-    )
+    plus = h if h.flags.writeable else result_memory.like(h)
+    plus, cross = factored.polarizations(plus=plus, cross=result_memory.like(h))
     return {"plus": plus, "cross": cross, **own(of_a_row)}

@@ -173,6 +173,7 @@ def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) 
     Raises
     ------
     AnalysisInvalid
+        It is made for another model.
     InvalidRequest
         It is no analysis at all.
     """

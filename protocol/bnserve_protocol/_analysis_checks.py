@@ -26,6 +26,7 @@ def check_settings(settings: AnalysisSettings) -> None:
     Raises
     ------
     AnalysisInvalid
+        One of them is out of its range, or two contradict each other.
     """
     _check_detectors(settings.detectors)
     for name in ("f_min", "f_max", "duration"):
@@ -80,12 +81,7 @@ def _check_calibration(calibration: Calibration) -> None:
 
 
 def check_arrays(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]]) -> None:
-    """Refuse arrays that are missing, unknown, of a wrong shape or dtype, or that hold impossible values.
-
-    Raises
-    ------
-    AnalysisInvalid
-    """
+    """Refuse arrays that are missing, unknown, of a wrong shape or dtype, or hold what cannot be: AnalysisInvalid."""
     expected = set(_expected(settings))
     if problems := expected ^ set(arrays):
         name = min(problems)
@@ -166,6 +162,7 @@ def check_location(name: str, location: NDArray[np.float64]) -> None:
     Raises
     ------
     AnalysisInvalid
+        It is one of the two.
     """
     radius = math.hypot(*location.tolist())
     far = not radius <= _LARGEST_RADIUS

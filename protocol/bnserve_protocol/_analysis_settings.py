@@ -19,12 +19,7 @@ DEFAULT_ERROR_BOUND = 0.05
 
 
 def _convert(struct: msgspec.Struct, **units: str) -> None:
-    """Make floats in these units of what a user gave for the fields of a structure.
-
-    Raises
-    ------
-    AnalysisInvalid
-    """
+    """Make floats in these units of what was given for the fields of a structure; AnalysisInvalid for what is none."""
     for name, unit in units.items():
         try:
             if (value := getattr(struct, name)) is not None:

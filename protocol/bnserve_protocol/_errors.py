@@ -47,6 +47,7 @@ these classes, so ``except OutOfDomain`` works the same for a local and a remote
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import Any, ClassVar
 
 import msgspec
@@ -107,7 +108,8 @@ class BnserveError(Exception):
         self.request_id = None if request_id is None else printable(request_id)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _rebuild, (type(self), self.detail, self.errors, self.retry_after, self.request_id)
+        named: dict[str, Any] = {"errors": self.errors, "retry_after": self.retry_after, "request_id": self.request_id}
+        return partial(type(self), self.detail, **named), ()
 
 
 def _harmless(problem: FieldError) -> FieldError:
@@ -116,16 +118,6 @@ def _harmless(problem: FieldError) -> FieldError:
         name: printable(text) for name, text in texts.items() if isinstance(text, str) and not text.isprintable()
     }
     return msgspec.structs.replace(problem, **changed) if changed else problem
-
-
-def _rebuild(
-    cls: type[BnserveError],
-    detail: str,
-    errors: tuple[FieldError, ...],
-    retry_after: float | None,
-    request_id: str | None,
-) -> BnserveError:
-    return cls(detail, errors=errors, retry_after=retry_after, request_id=request_id)
 
 
 class InvalidRequest(BnserveError, ValueError):

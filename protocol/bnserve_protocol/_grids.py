@@ -119,6 +119,7 @@ def plain_grid(grid: GridLike) -> UniformGrid | NDArray[np.float64]:
     Raises
     ------
     InvalidFrequencies
+        As :func:`as_frequencies`, for what is made a vector here.
     """
     if isinstance(grid, UniformGrid):
         return grid

@@ -24,6 +24,7 @@ def check_invalid_rows(choice: InvalidRows) -> InvalidRows:
     Raises
     ------
     InvalidRequest
+        It is another.
     """
     if not (isinstance(choice, str) and choice in _CHOICES):
         raise InvalidRequest(f"invalid_rows must be 'flag' or 'error'; got {str(choice)[:40]!r}.")
@@ -88,6 +89,7 @@ def refuse_rows(status: NDArray[np.uint8]) -> None:
     Raises
     ------
     OutOfDomain
+        There are such rows.
     """
     bad: list[int] = np.flatnonzero(status).tolist()
     if not bad:

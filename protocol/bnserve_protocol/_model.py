@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import inspect
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -47,6 +48,7 @@ def check_options(options: EvaluationOptions) -> None:
     Raises
     ------
     InvalidRequest
+        It is something else than :class:`EvaluationOptions`.
     """
     if not isinstance(options, EvaluationOptions):
         raise InvalidRequest(
@@ -98,12 +100,8 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
                 raise InvalidRequest(f"{name} must be one of {', '.join(known)}; got {str(value)[:40]!r}.")
 
 
-_OPTION_VALUES = {
-    "out_of_domain": ("error", "flag"),
-    "below_band": ("extend", "error"),
-    "above_band": ("zero", "error"),
-    "alignment": ("post_newtonian", "merger"),
-}
+_OPTION_KINDS = inspect.get_annotations(EvaluationOptions, eval_str=True)
+_OPTION_VALUES = {name: get_args(kind) for name, kind in _OPTION_KINDS.items()}
 DEFAULT_OPTIONS = EvaluationOptions()
 
 
@@ -235,6 +233,7 @@ def check_model_digest(digest: str) -> None:
     Raises
     ------
     InvalidRequest
+        It is not ``sha256:`` and 64 hexadecimal digits.
     """
     if not isinstance(digest, str) or _MODEL_DIGEST.fullmatch(digest) is None:
         shown = repr(digest)[:80]

@@ -211,12 +211,7 @@ BatchLike: TypeAlias = (
 
 
 def column_of_numbers(name: str, value: Any, unit: str | None) -> NDArray[np.float64]:
-    """The numbers given for a parameter, as float64 in its unit.
-
-    Raises
-    ------
-    InvalidParameters
-    """
+    """The numbers given for a parameter, as float64 in its unit; InvalidParameters for what counts as none."""
     if type(value) is np.ndarray and value.dtype == np.float64:
         return value
     try:
@@ -229,12 +224,7 @@ def column_of_numbers(name: str, value: Any, unit: str | None) -> NDArray[np.flo
 
 
 def one_number(name: str, value: Any) -> float:
-    """The number given for a parameter of one binary, in its unit.
-
-    Raises
-    ------
-    InvalidParameters
-    """
+    """The number given for a parameter of one binary, in its unit; InvalidParameters for what is not one number."""
     try:
         return as_real_number(value, PARAMETER_UNITS[name])
     except NotNumbers as error:

@@ -45,6 +45,7 @@ def check_prior(prior: Mapping[str, tuple[float, float]]) -> None:
     Raises
     ------
     AnalysisInvalid
+        One of them is such a range.
     """
     for name, (low, high) in prior.items():
         if name not in PRIOR_NAMES:
@@ -67,12 +68,7 @@ def check_prior(prior: Mapping[str, tuple[float, float]]) -> None:
 
 
 def check_integrals(settings: AnalysisSettings) -> None:
-    """Refuse integrals over what is no range, and those over a parameter whose range the prior states otherwise.
-
-    Raises
-    ------
-    AnalysisInvalid
-    """
+    """Refuse integrals over no range, or over a parameter whose range the prior states otherwise: AnalysisInvalid."""
     if settings.time_marginalisation is not None:
         _check_times(settings.time_marginalisation, settings)
     if settings.distance_marginalisation is not None:
@@ -120,12 +116,7 @@ def _check_distances(distances: DistanceMarginalisation) -> None:
 
 
 def require(condition: bool, name: str, value: float | None, reason: str) -> None:
-    """Refuse an analysis unless the condition holds.
-
-    Raises
-    ------
-    AnalysisInvalid
-    """
+    """Refuse an analysis with AnalysisInvalid unless the condition holds."""
     if not condition:
         raise AnalysisInvalid(
             f"'{name}' of the analysis {reason}; got {value!r}.",

@@ -65,6 +65,35 @@ def test_everything_public_is_documented(package):
     assert [item.__qualname__ for item in callables if not (item.__doc__ or "").strip()] == []
 
 
+SAYS_WHEN = ("protocol", "client", "model_store")
+"""Rooms of which every docstring says when its errors are raised."""
+
+
+def errors_without_a_when(docstring: str) -> list[str]:
+    """The lines of a ``Raises`` section that name errors without a line below them that says when."""
+    section = re.search(r"^Raises\n-+\n((?:.*\n)*?(?=.+\n-+$|\Z))", docstring + "\n", re.MULTILINE)
+    lines = section[1].splitlines() if section else []
+    pairs = zip(lines, [*lines, ""][1:], strict=True)
+    return [line for line, following in pairs if re.match(r"\w", line) and not following.startswith("    ")]
+
+
+def test_raises_says_when():
+    documented = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+    trees = {path: ast.parse((ROOT / path).read_text()) for path in python_files(*SAYS_WHEN)}
+    found = {
+        f"{path}:{node.lineno}": missing
+        for path, tree in trees.items()
+        for node in ast.walk(tree)
+        if isinstance(node, documented) and (missing := errors_without_a_when(ast.get_docstring(node) or ""))
+    }
+    assert found == {}
+
+
+def test_errors_without_a_when_are_found():
+    docstring = "Do.\n\nRaises\n------\nTooLarge\nOutOfBand, OutOfDomain\n    It is out.\n\nReturns\n-------\nWhat"
+    assert errors_without_a_when(docstring) == ["TooLarge"]
+
+
 def test_names_that_moved_to_the_wire_are_found_where_they_were_with_a_warning():
     with pytest.warns(DeprecationWarning, match="Import encode_request from bnserve_protocol.wire"):
         from bnserve_protocol import encode_request

@@ -164,6 +164,7 @@ def refuse_repeated_keys(text: bytes | memoryview, *objects: bytes | memoryview 
     Raises
     ------
     UndecodableBody
+        It has, or it is no JSON that can be read.
     """
     whole = bytes(text)
     if objects and whole.count(b":") == sum(len(read_object(each)) for each in objects):
@@ -202,6 +203,7 @@ def unique_keys(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     Raises
     ------
     UndecodableBody
+        One is.
     """
     fields = dict(pairs)
     if len(fields) != len(pairs):

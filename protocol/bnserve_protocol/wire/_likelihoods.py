@@ -19,14 +19,7 @@ from bnserve_protocol._likelihood_parameters import (
 from bnserve_protocol._model import ModelIdentity
 from bnserve_protocol._parameters import check_names
 from bnserve_protocol.wire._arrays import ArrayKeys, decode_array, decode_real, encode_array, is_array, raw_array
-from bnserve_protocol.wire._envelope import (
-    JSON,
-    MSGPACK,
-    UNREADABLE,
-    check_keys,
-    read_map,
-    undecodable,
-)
+from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, read_map, undecodable
 
 
 class LikelihoodRequest(msgspec.Struct, frozen=True, kw_only=True):
@@ -171,6 +164,7 @@ def decode_likelihood_request(
     InvalidParameters
         Names or shapes that no likelihood could accept.
     TooLarge
+        More rows than ``max_rows``, or too many numbers in lists.
     """
     reader = _READERS[media_type]
     try:

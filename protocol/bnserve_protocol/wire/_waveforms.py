@@ -25,14 +25,7 @@ from bnserve_protocol.wire._arrays import (
     is_array,
     raw_array,
 )
-from bnserve_protocol.wire._envelope import (
-    JSON,
-    MSGPACK,
-    UNREADABLE,
-    check_keys,
-    read_map,
-    undecodable,
-)
+from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, read_map, undecodable
 
 OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
 
@@ -157,6 +150,7 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows
     InvalidParameters, InvalidFrequencies
         Names, shapes and frequencies that no model could accept.
     TooLarge
+        More rows than ``max_rows``.
     """
     if media_type != MSGPACK or len(body) > _TAIL_AT + _LONGEST_TAIL or body[1:_NUMBERS_AT] != _ONE_ROW:
         return _decode_request(body, media_type, max_rows)
@@ -358,8 +352,7 @@ def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
     """
     small = body if isinstance(body, bytes) and len(body) <= LARGE else b""
     template = _templates.get(len(small))
-    known = None if template is None else template.read(small)
-    if template is not None and known is not None:
+    if template is not None and (known := template.read(small)) is not None:
         return WaveformAnswer(arrays=known, model=template.meaning)
     answer = _decode_answer(body)
     if small and all(array.size for array in answer.arrays.values()):
@@ -374,7 +367,7 @@ def _decode_answer(body: bytes | memoryview) -> WaveformAnswer:
         fields = read_map(body)
         read_map(fields["model"])
         model = _identity.decode(fields["model"])
-    except (msgspec.MsgspecError, RecursionError, KeyError, UnicodeDecodeError) as error:
+    except (*UNREADABLE, KeyError) as error:
         raise UndecodableBody("The answer is not a waveform answer of bnserve.") from error
     arrays = {name: decode_array(fields[name]) for name in ARRAY_NAMES if name in fields}
     if not _fit_together(arrays):
