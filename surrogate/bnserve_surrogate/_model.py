@@ -242,13 +242,21 @@ class Model:
     def warm_up(self) -> None:
         """Compile everything, so that the first request is as fast as the next."""
         frequencies = np.geomspace(*self._metadata.frequency_band, 8)
-        self.predict(frequencies, self._typical())
+        self.predict(frequencies, self.typical_binary())
+
+    def typical_binary(self) -> ParametersWithExtrinsic:
+        """A binary in the middle of the trained box."""
+        values: dict[str, Any] = {"distance_mpc": 40.0, "inclination": 0.5}
+        for entry in self._description.parameters:
+            if entry.minimum is not None and entry.maximum is not None:
+                values[entry.name] = 0.5 * (entry.minimum + entry.maximum)
+        return ParametersWithExtrinsic(**values)
 
     def self_check(self) -> bool:
         """Whether an evaluation gives the answer that was recorded when the model was published."""
         check = self._metadata.self_check
         if check is None:
-            return bool(np.isfinite(self.predict(self._metadata.frequency_band, self._typical()).plus).all())
+            return bool(np.isfinite(self.predict(self._metadata.frequency_band, self.typical_binary()).plus).all())
         answer = self.predict_amplitude_phase(np.array(check.frequencies), ParametersWithExtrinsic(**check.parameters))
         amplitude = np.allclose(answer.amplitude, check.amplitude, rtol=1e-9, atol=0.0)
         return amplitude and np.allclose(answer.phase, check.phase, rtol=1e-12, atol=1e-8)
@@ -268,14 +276,6 @@ class Model:
             )
         own = self._description
         return _load_again, (type(self), own.name, own.version, own.digest, *self._origin)
-
-    def _typical(self) -> ParametersWithExtrinsic:
-        """A binary in the middle of the trained box."""
-        values: dict[str, Any] = {"distance_mpc": 40.0, "inclination": 0.5}
-        for entry in self._description.parameters:
-            if entry.minimum is not None and entry.maximum is not None:
-                values[entry.name] = 0.5 * (entry.minimum + entry.maximum)
-        return ParametersWithExtrinsic(**values)
 
 
 def _checked(threads: int) -> int:

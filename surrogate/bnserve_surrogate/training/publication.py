@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib.metadata
 import platform
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import ParametersWithExtrinsic, __version__
+from bnserve_protocol import __version__
 from bnserve_store import Manifest, ModelStore
 from bnserve_surrogate._artifact import ModeMetadata, SelfCheck, SurrogateMetadata, read_modes
 from bnserve_surrogate._model import Model
@@ -125,7 +125,7 @@ def with_results(
         **{name: validation.summary() for name, validation in validations.items()},
         "by_parameter": by_parameter(validations),
     }
-    binary = _typical(metadata)
+    binary = replace(model.typical_binary(), inclination=0.0)
     low, high = metadata.frequency_band
     frequencies = np.geomspace(low, 0.5 * high if 0.5 * high > low else high, 5)
     answer = model.predict_amplitude_phase(frequencies, binary)
@@ -136,15 +136,6 @@ def with_results(
         phase=answer.phase.tolist(),
     )
     return msgspec.structs.replace(metadata, accuracy=accuracy, provenance=origin, self_check=check)
-
-
-def _typical(metadata: SurrogateMetadata) -> ParametersWithExtrinsic:
-    """The binary in the middle of the box."""
-    middle = {name: 0.5 * sum(getattr(metadata, name)) for name in ("mass_ratio", "chi", "lambda_", "total_mass")}
-    lambda_, chi = middle.pop("lambda_"), middle.pop("chi")
-    return ParametersWithExtrinsic(
-        lambda_1=lambda_, lambda_2=lambda_, chi_1=chi, chi_2=chi, distance_mpc=40.0, inclination=0.0, **middle
-    )
 
 
 def _commit() -> str:
