@@ -1,4 +1,6 @@
-"""The two files of a version: tensors in safetensors, and the manifest that says what they are.
+"""The two files of a version, and what models, versions, labels and tensors may be called.
+
+Names become folder names, so they are restricted to characters that cannot leave the store on any file system.
 
 This is the one gate between arrays and safetensors: 0.8.0 writes the memory of an array that is not C-contiguous in the
 wrong order without saying so (and scikit-learn's PCA returns Fortran order), and has no complex128.
@@ -11,6 +13,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping
 from datetime import datetime
 from typing import Annotated, Any
@@ -23,8 +26,17 @@ from safetensors import SafetensorError
 
 from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, InternalError, InvalidRequest, SchemaUnknown
 from bnserve_protocol.wire import refuse_repeated_keys
-from bnserve_store._names import NAME_PATTERN, VERSION_PATTERN, check_tensor_name
 
+NAME_PATTERN = r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}"
+_NUMBER = r"(?:0|[1-9][0-9]{0,8})"
+VERSION_PATTERN = rf"{_NUMBER}(?:\.{_NUMBER}){{0,3}}(?:(?:a|b|rc){_NUMBER})?(?:\.post{_NUMBER})?(?:\.dev{_NUMBER})?"
+"""Versions in the normal form of PEP 440, without epochs and local parts: ``1.2``, ``1.2.0rc1``, ``2.0.dev3``."""
+
+_NAME = re.compile(NAME_PATTERN)
+_LABEL = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,63}")
+_TENSOR = re.compile(r"[A-Za-z0-9][A-Za-z0-9_./-]{0,199}")
+_VERSION = re.compile(VERSION_PATTERN)
+_PARTS = re.compile(r"([0-9.]*[0-9])(?:(a|b|rc)([0-9]+))?(?:\.post([0-9]+))?(?:\.dev([0-9]+))?")
 DTYPES = ("<f8", "<f4", "<f2", "<i8", "<i4", "<i2", "|i1", "<u8", "<u4", "<u2", "|u1", "|b1")
 """The only array types that are stored."""
 SCHEMA_VERSION = 1
@@ -34,6 +46,69 @@ _Count = Annotated[int, msgspec.Meta(ge=0)]
 _Dtype = Annotated[str, msgspec.Meta(pattern="^(" + "|".join(dtype.replace("|", r"\|") for dtype in DTYPES) + r")\Z")]
 RESTORE = "Restore this version from a copy, or publish the model again under a new version."
 """What to do about a damaged version."""
+
+
+def is_name(text: str) -> bool:
+    """Whether ``text`` may be the name of a model."""
+    return isinstance(text, str) and _NAME.fullmatch(text) is not None
+
+
+def is_version(text: str) -> bool:
+    """Whether ``text`` may be a version."""
+    return isinstance(text, str) and _VERSION.fullmatch(text) is not None
+
+
+def _check(allowed: re.Pattern[str], text: str, complaint: str) -> None:
+    if not isinstance(text, str) or allowed.fullmatch(text) is None:
+        raise InvalidRequest(f"'{str(text)[:80]}' {complaint}")
+
+
+def check_name(name: str) -> None:
+    """Refuse a model name that could not be a folder: InvalidRequest."""
+    rule = "use up to 64 letters, digits, '_' and '-', beginning with a letter or digit."
+    _check(_NAME, name, f"cannot be the name of a model: {rule}")
+
+
+def check_version(version: str) -> None:
+    """Refuse a version that is not numbered: InvalidRequest."""
+    _check(_VERSION, version, "is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
+
+
+def check_label(label: str) -> None:
+    """Refuse a label that could be mistaken for a version or a path: InvalidRequest."""
+    rule = "use up to 64 letters, digits, '_' and '-', beginning with a letter."
+    _check(_LABEL, label, f"cannot be a label: {rule}")
+
+
+def check_tensor_name(name: str) -> None:
+    """Refuse a tensor name with unusual characters: InvalidRequest."""
+    rule = "use up to 200 letters, digits, '_', '-', '.' and '/', beginning with a letter or digit."
+    _check(_TENSOR, name, f"cannot be the name of a tensor: {rule}")
+
+
+def version_key(version: str) -> tuple[tuple[int, ...], tuple[int, int], int, float, str]:
+    """Sort key of a version, in the order of PEP 440: 1.0.dev1 < 1.0a1 < 1.0rc1 < 1.0 < 1.0.post1 < 1.0.1 < 1.10.
+
+    The text comes last, so that the equal versions 1.0 and 1.0.0 have an order too.
+
+    Raises
+    ------
+    InvalidRequest
+        It is no version.
+    """
+    parts = _PARTS.fullmatch(version)
+    if parts is None:
+        raise InvalidRequest(f"'{version[:80]}' is not a version: use numbers, like 1.2.0 or 1.2.0rc1.")
+    release, stage, stage_number, post, dev = parts.groups()
+    numbers = [int(number) for number in release.split(".")]
+    while numbers and numbers[-1] == 0:
+        numbers.pop()
+    if stage is not None:
+        phase = (("a", "b", "rc").index(stage), int(stage_number))
+    else:
+        before_everything = dev is not None and post is None
+        phase = (-1, 0) if before_everything else (3, 0)
+    return tuple(numbers), phase, -1 if post is None else int(post), float("inf") if dev is None else int(dev), version
 
 
 def prepare_tensors(tensors: Mapping[str, ArrayLike]) -> dict[str, NDArray[Any]]:

@@ -16,8 +16,15 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import ArtifactCorrupted, ArtifactIncomplete, StoreUnknown, UndecodableBody
 from bnserve_protocol.wire import refuse_repeated_keys
-from bnserve_store._files import RESTORE, Manifest, decode_manifest, decode_tensors, is_finite, tensor_digest
-from bnserve_store._names import is_version
+from bnserve_store._files import (
+    RESTORE,
+    Manifest,
+    decode_manifest,
+    decode_tensors,
+    is_finite,
+    is_version,
+    tensor_digest,
+)
 
 LABELS_FILE = "labels.json"
 _LABELS_LIMIT = 2**20

@@ -13,8 +13,18 @@ from numpy.typing import ArrayLike
 
 from bnserve_protocol import ArtifactError, InvalidRequest, ModelUnknown
 from bnserve_store._buckets import BucketRoot
-from bnserve_store._files import Manifest, as_metadata, encode_tensors, prepare_tensors
-from bnserve_store._names import check_label, check_name, check_version, is_name, is_version, version_key
+from bnserve_store._files import (
+    Manifest,
+    as_metadata,
+    check_label,
+    check_name,
+    check_version,
+    encode_tensors,
+    is_name,
+    is_version,
+    prepare_tensors,
+    version_key,
+)
 from bnserve_store._publishing import (
     check_writable,
     describe,

@@ -10,7 +10,7 @@ from packaging.version import Version
 
 from bnserve_protocol import ArtifactCorrupted, InvalidRequest, ModelUnknown, StoreUnknown
 from bnserve_store import SHIPPED_MODELS, ModelStore
-from bnserve_store._names import is_version, version_key
+from bnserve_store._files import is_version, version_key
 
 
 def test_what_is_published_is_loaded(store, tensors):
