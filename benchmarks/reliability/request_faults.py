@@ -103,15 +103,15 @@ def no_drain() -> None:
 
 def no_timers() -> None:
     """Connections may take their time."""
-    from bnserve_service.http.timers import ReadTimer
+    from bnserve_service.http.protocol import BoundedProtocol
 
-    ReadTimer.wait_for = lambda self, due: None  # type: ignore[method-assign]
+    BoundedProtocol._wait_for = lambda self, due: None  # type: ignore[method-assign]
     no_cap()
 
 
 def timeout_restarts() -> None:
     """A peer that takes something has all of its time again."""
-    from bnserve_service.http.timers import Pace
+    from bnserve_service.http.pace import Pace
 
     count = Pace._count
 

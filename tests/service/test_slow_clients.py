@@ -9,7 +9,7 @@ import msgpack
 import pytest
 
 from bnserve_protocol.wire import content_digest
-from bnserve_service.http.timers import Pace
+from bnserve_service.http.pace import Pace
 from tests.service.asking import JSON, MSGPACK, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, until
 

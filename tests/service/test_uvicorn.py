@@ -40,7 +40,7 @@ METHODS = {
 }
 """Of its protocol, called or overridden: their parameters."""
 ATTRIBUTES = {
-    "client", "cycle", "expect_100_continue", "flow", "headers", "parser", "pipeline", "server_state",
+    "client", "cycle", "expect_100_continue", "flow", "headers", "loop", "parser", "pipeline", "server_state",
     "timeout_keep_alive_task", "transport", "url",
 }  # fmt: skip
 """Of its protocol."""

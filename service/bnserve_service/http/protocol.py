@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import enum
 from collections.abc import Callable, Generator
 from functools import partial
 from socket import socket
@@ -30,16 +31,30 @@ from bnserve_service.http.framing import (
     refusal,
     without_upgrade,
 )
+from bnserve_service.http.pace import Pace
 from bnserve_service.http.requests import Header
-from bnserve_service.http.timers import Due, Pace, ReadTimer
 from bnserve_service.process.listening import Acceptor
 from bnserve_service.settings import Settings
 from bnserve_service.telemetry.log import Complaints
 
+_BODY_MARGIN = 2.0
+"""Seconds after which a body is cut off that the application's own, politer limit has not ended."""
+_LINGER = 1.0
 _LINGER_BYTES = 2**20
-"""So much a peer that is refused may go on sending before it reads why."""
+"""So long, and so much, a peer that is refused may go on sending before it reads why: a connection that is closed
+meanwhile may take the answer along."""
 _BLANKS = b" \t"
 """Around a value; the parser leaves those behind it (RFC 9112, 5.1)."""
+
+
+class _Due(enum.Enum):
+    """What a peer owes."""
+
+    NOTHING = enum.auto()
+    HEAD = enum.auto()
+    BODY = enum.auto()
+    END = enum.auto()
+    """Of the connection: what came was no request, and what comes is not looked at."""
 
 
 class _TimedProtocol(HttpToolsProtocol):
@@ -49,18 +64,18 @@ class _TimedProtocol(HttpToolsProtocol):
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
-        self._due = Due.NOTHING
+        self._due = self._waited_for = _Due.NOTHING
+        self._read_timer: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # as in uvicorn
         """A connection was opened: its first headers are due."""
         super().connection_made(transport)
         self._pace = Pace(transport, self.settings.write_timeout, self.settings.write_rate)
-        self._timer = ReadTimer(transport, self.settings)
         self._watch()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """The connection is gone."""
-        self._timer.wait_for(Due.NOTHING)
+        self._wait_for(_Due.NOTHING)
         self._pace.stop()
         super().connection_lost(exc)
 
@@ -93,10 +108,24 @@ class _TimedProtocol(HttpToolsProtocol):
     def _watch(self) -> None:
         """Wait for what is due now, unless the connection is ending."""
         due = self._due
-        if due is Due.NOTHING and self._is_idle() and self.timeout_keep_alive_task is None:
-            due = Due.HEAD  # of a new connection, or of one that sends empty lines
-        if due is not Due.END and due is not self._timer.due:
-            self._timer.wait_for(due)
+        if due is _Due.NOTHING and self._is_idle() and self.timeout_keep_alive_task is None:
+            due = _Due.HEAD  # of a new connection, or of one that sends empty lines
+        if due is not _Due.END and due is not self._waited_for:
+            self._wait_for(due)
+
+    def _wait_for(self, due: _Due) -> None:
+        """Cut the connection off if this does not come in time."""
+        self._waited_for = due
+        if self._read_timer is not None:
+            self._read_timer.cancel()
+            self._read_timer = None
+        if due is not _Due.NOTHING:
+            seconds = {
+                _Due.HEAD: self.settings.header_timeout,
+                _Due.BODY: self.settings.body_timeout + _BODY_MARGIN,
+                _Due.END: _LINGER,
+            }
+            self._read_timer = self.loop.call_later(seconds[due], self.transport.abort)
 
 
 class FastPath(Protocol):
@@ -177,11 +206,11 @@ class BoundedProtocol(_FastProtocol):
 
     def data_received(self, data: bytes) -> None:
         """Bytes arrived."""
-        if self._due is Due.END:
+        if self._due is _Due.END:
             self._ignore(len(data))
             return
         self._unset_keepalive_if_required()
-        alone = Alone.of(data) if self._due is Due.NOTHING else None
+        alone = Alone.of(data) if self._due is _Due.NOTHING else None
         if alone is not None and self._take(alone):
             self._frame.pending = 0
             return
@@ -190,7 +219,7 @@ class BoundedProtocol(_FastProtocol):
         except (httptools.HttpParserError, FramingError) as error:
             self._refuse(error)
             return
-        if alone is not None and self._due is Due.NOTHING:
+        if alone is not None and self._due is _Due.NOTHING:
             self._learn(alone)
         if not self.transport.is_closing():
             self._watch()
@@ -215,11 +244,11 @@ class BoundedProtocol(_FastProtocol):
         if len(self.pipeline) >= MOST_PIPELINED:
             raise FramingError(f"More than {MOST_PIPELINED} requests were sent before their answers were read.")
         super().on_message_begin()
-        self._due = Due.HEAD
+        self._due = _Due.HEAD
 
     def on_header(self, name: bytes, value: bytes) -> None:
         """Parser: a header, or a trailer, which is no header."""
-        if self._due is Due.BODY:
+        if self._due is _Due.BODY:
             self._frame.trailer(name, value)
             return
         name, value = name.lower(), value.strip(_BLANKS)
@@ -231,7 +260,7 @@ class BoundedProtocol(_FastProtocol):
         """Parser: the headers are there."""
         self._frame.head_ends(self.url, self.headers, self.parser.get_http_version())
         if not self.parser.should_upgrade():  # or it comes again, without
-            self._due = Due.BODY
+            self._due = _Due.BODY
             super().on_headers_complete()
 
     def on_body(self, body: bytes) -> None:
@@ -241,9 +270,9 @@ class BoundedProtocol(_FastProtocol):
 
     def on_message_complete(self) -> None:
         """Parser: the body is there."""
-        if self._due is Due.HEAD:  # an offer to upgrade ends its head like this
+        if self._due is _Due.HEAD:  # an offer to upgrade ends its head like this
             return
-        self._due = Due.NOTHING
+        self._due = _Due.NOTHING
         super().on_message_complete()
         if not self.parser.should_keep_alive():  # a trailer may have told the parser that this is the last request
             self.cycle.keep_alive = False
@@ -254,7 +283,7 @@ class BoundedProtocol(_FastProtocol):
         """An answer was handed to the transport: the last, if what came behind its request was none."""
         was_last = not self.pipeline
         super().on_response_complete()
-        if self._due is Due.END and was_last:
+        if self._due is _Due.END and was_last:
             self.transport.close()
             self._pace.wait_if_closing()
 
@@ -262,9 +291,9 @@ class BoundedProtocol(_FastProtocol):
         """Answer what is no request, unless others wait for answers: then end after the last of these."""
         sentence = reason_of(error)
         self.complaints.tell(self.client, sentence)
-        begun = self._due is Due.BODY
-        self._due = Due.END
-        self._timer.wait_for(Due.NOTHING)
+        begun = self._due is _Due.BODY
+        self._due = _Due.END
+        self._wait_for(_Due.NOTHING)
         if begun and self.pipeline:
             self.pipeline.popleft()  # it waits for its turn, which will not come
         elif begun and self.cycle.response_started:
@@ -281,11 +310,11 @@ class BoundedProtocol(_FastProtocol):
             self.cycle.message_event.set()
         self.flow.resume_reading()
         self.transport.write_eof()
-        self._timer.wait_for(Due.END)
+        self._wait_for(_Due.END)
 
     def _ignore(self, size: int) -> None:
         """Pass over what comes after what was no request."""
-        if self._timer.due is not Due.END:
+        if self._waited_for is not _Due.END:
             self.flow.pause_reading()  # others still wait for answers
             return
         self._ignored += size

@@ -1,65 +1,15 @@
-"""How long a connection waits for its peer: until what it owes of a request has come, and an answer is taken."""
+"""How fast a peer has to take what it is sent."""
 
 from __future__ import annotations
 
 import asyncio
-import enum
 import socket
 import struct
 
-from bnserve_service.settings import Settings
-
-_BODY_MARGIN = 2.0
-"""Seconds after which a body is cut off that the application's own, politer limit has not ended."""
-_LINGER = 1.0
-"""Seconds that a peer that is refused may go on sending before it reads why: a connection that is closed meanwhile may
-take the answer along."""
 _AT_ONCE = struct.pack("ii", 1, 0)
 """``struct linger``: what is not sent is not sent any more."""
 _LEAST = 0.1
 """Seconds between two looks at a peer that is about to have used up its time."""
-
-
-class Due(enum.Enum):
-    """What a peer owes."""
-
-    NOTHING = enum.auto()
-    HEAD = enum.auto()
-    BODY = enum.auto()
-    END = enum.auto()
-    """Of the connection: what came was no request, and what comes is not looked at."""
-
-
-class ReadTimer:
-    """Cuts a connection off when what its peer owes has not come in time.
-
-    Parameters
-    ----------
-    transport:
-        Of the connection.
-    settings:
-        With ``header_timeout`` and ``body_timeout``.
-    """
-
-    def __init__(self, transport: asyncio.Transport, settings: Settings) -> None:
-        self._transport = transport
-        self._seconds = {
-            Due.HEAD: settings.header_timeout,
-            Due.BODY: settings.body_timeout + _BODY_MARGIN,
-            Due.END: _LINGER,
-        }
-        self._timer: asyncio.TimerHandle | None = None
-        self.due = Due.NOTHING
-        """What is waited for."""
-
-    def wait_for(self, due: Due) -> None:
-        """From now on, something else is waited for."""
-        self.due = due
-        if self._timer is not None:
-            self._timer.cancel()
-            self._timer = None
-        if due is not Due.NOTHING:
-            self._timer = asyncio.get_running_loop().call_later(self._seconds[due], self._transport.abort)
 
 
 class Pace:
