@@ -1,0 +1,133 @@
+#!/usr/bin/env bash
+# Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
+#
+#   bash tests/programs.sh bilby                    one or several of: bilby
+#   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
+#   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
+#
+# A program is a function of its name. Environments are made once and used again: remove the folder to make them anew.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+cache=.venv-programs
+short=
+programs=()
+while [ "$#" -gt 0 ]; do
+    case "$1" in
+        --short) short=yes ;;
+        --cache) cache=$2; shift ;;
+        -*) printf 'error: no option %s\n' "$1" >&2; exit 2 ;;
+        *) programs+=("$1") ;;
+    esac
+    shift
+done
+mkdir -p "$cache"
+cache=$(cd "$cache" && pwd)
+export PIP_DISABLE_PIP_VERSION_CHECK=1 UV_SYSTEM_CERTS=1 UV_NATIVE_TLS=1 # two names of one thing, as pip does it
+summary=()
+status=0
+
+say() { printf '\n== %s\n' "$*"; }
+
+check() { # a name, and a command that succeeds
+    local name=$1 start=$SECONDS
+    shift
+    say "$name: $*"
+    if "$@"; then
+        summary+=("$(printf '  %-44s passed  %4d s' "$name" $((SECONDS - start)))")
+    else
+        summary+=("$(printf '  %-44s FAILED  %4d s' "$name" $((SECONDS - start)))")
+        status=1
+    fi
+}
+
+environment() { # a name, and what pip installs; sets $python
+    local venv=$cache/$1
+    shift
+    python=$venv/bin/python
+    [ -e "$venv/complete" ] && return
+    say "Environment $venv: $*"
+    rm -rf "$venv"
+    "${PYTHON:-python3.11}" -m venv "$venv" # the lowest that we run on: old releases have wheels for it
+    "$venv/bin/pip" install --quiet "uv>=0.7"
+    "$venv/bin/uv" pip install --quiet --python "$python" "$@"
+    touch "$venv/complete"
+}
+
+serve() { # starts a server with $python; sets $address
+    local log=$cache/server.log
+    PYTHONUNBUFFERED=1 "$python" -m bnserve_service serve --port 0 --model default >"$log" 2>&1 &
+    server=$!
+    trap 'kill "$server" 2>/dev/null || true' EXIT
+    for _ in $(seq 240); do
+        grep -q '^bnserve is ready' "$log" && break
+        kill -0 "$server" 2>/dev/null || { cat "$log" >&2; return 1; }
+        sleep 0.5
+    done
+    address=$(sed -n 's/^bnserve listens on //p' "$log")
+}
+
+stop() {
+    kill "$server" 2>/dev/null || true
+    wait "$server" 2>/dev/null || true
+    trap - EXIT
+}
+
+# bilby's own example, with two lines changed, at its newest release and at the oldest that works.
+
+rooms=(./protocol ./model_store ./surrogate "./inference[detectors]" ./service "./client[bilby]")
+
+bilby_example() { # a version; fetches the source distribution and sets $example
+    local folder=$cache/bilby-$1-source
+    example=$folder/bilby-$1/examples/gw_examples/injection_examples/binary_neutron_star_example.py
+    [ -e "$example" ] && return
+    mkdir -p "$folder"
+    "$python" -m pip download --quiet --no-deps --no-binary bilby --dest "$folder" "bilby==$1"
+    tar xzf "$folder/bilby-$1.tar.gz" -C "$folder"
+}
+
+bilby_run() { # a version, and arguments of tests/programs/bilby_example.py
+    local version=$1
+    shift
+    check "bilby $version $*" "$python" -W ignore tests/programs/bilby_example.py "$example" "$address" "$@"
+}
+
+bilby() {
+    local newest=2.8.2 oldest=2.0.0
+    if [ -n "$short" ]; then
+        python=${PYTHON:-python}
+        serve
+        bilby_example "$newest"
+        bilby_run "$newest" --iterations 100
+        stop
+        return
+    fi
+    environment "bilby-$newest" "bilby==$newest" "${rooms[@]}"
+    serve
+    bilby_example "$newest"
+    for pool in 1 2; do
+        bilby_run "$newest" --npool "$pool"
+        bilby_run "$newest" --npool "$pool" --whole-prior
+    done
+    stop
+    # What it was made for: it imports what scipy 1.14, numpy 2.4 and dynesty 3 do not have.
+    environment "bilby-$oldest" "bilby==$oldest" "numpy<2.3" "scipy<1.14" "dynesty<3" "${rooms[@]}"
+    serve
+    bilby_example "$oldest"
+    for pool in 1 2; do
+        bilby_run "$oldest" --npool "$pool"
+    done
+    stop
+}
+
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby\n' >&2; exit 2; }
+for program in "${programs[@]}"; do
+    case "$program" in
+        bilby) "$program" ;;
+        *) printf 'error: no program %s; there is bilby\n' "$program" >&2; exit 2 ;;
+    esac
+done
+
+say "Summary"
+printf '%s\n' "${summary[@]}"
+exit "$status"
