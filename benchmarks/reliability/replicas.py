@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from benchmarks.reliability import serving
 from benchmarks.servers import ServerFailed
 from benchmarks.workers import ONE_THREAD, ROOT
 from tests.running_server import TIMEOUT, free_port, is_ready
@@ -47,7 +48,8 @@ class Replica:
 
     def start(self) -> None:
         """Start it, without waiting until it is ready."""
-        command = [sys.executable, "-m", "bnserve_service", "serve", "--port", str(self.port), *self._arguments]
+        program, *options = serving.PROGRAM
+        command = [sys.executable, "-m", program, "serve", "--port", str(self.port), *options, *self._arguments]
         with self._log.open("ab") as output:
             self._process = subprocess.Popen(
                 command, stdout=output, stderr=subprocess.STDOUT, env=os.environ | ONE_THREAD, cwd=ROOT

@@ -20,6 +20,9 @@ from typing import Any
 from benchmarks.workers import ONE_THREAD, ROOT
 from tests.running_server import is_ready, running
 
+PROGRAM: list[str] = ["bnserve_service"]
+"""What every server runs, and the first of its arguments; another manager of processes has another."""
+
 _PAGE = resource.getpagesize()
 _TICKS = os.sysconf("SC_CLK_TCK")
 
@@ -104,11 +107,12 @@ def serving(
     **settings:
         Of :class:`bnserve_service.Settings`.
     """
-    program = ["bnserve_service"] if injected is None else ["benchmarks.reliability.faulty_server", injected]
+    program = PROGRAM[:1] if injected is None else ["benchmarks.reliability.faulty_server", injected]
     with tempfile.TemporaryDirectory() as folder:
         config, log = Path(folder) / "settings.toml", Path(folder) / "server.log"
         config.write_text("".join(f"{key} = {_toml(value)}\n" for key, value in settings.items()))
-        command = [sys.executable, "-m", *program, "serve", "--port", str(port), "--config", str(config), *arguments]
+        command = [sys.executable, "-m", *program, "serve", "--port", str(port), "--config", str(config)]
+        command += [*PROGRAM[1:], *arguments]
 
         def ready() -> bool:
             found = _url(log)
