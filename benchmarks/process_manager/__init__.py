@@ -1,0 +1,1 @@
+"""Other managers of processes, under the promises of ours."""

@@ -18,7 +18,6 @@ import sys
 import time
 from collections.abc import Callable
 from math import ceil
-from pathlib import Path
 from typing import Any, NoReturn
 
 from gunicorn.app.base import BaseApplication
@@ -29,20 +28,19 @@ from bnserve_protocol import BnserveError
 from bnserve_service.app import create_app
 from bnserve_service.models.registry import Registry
 from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
-from bnserve_service.process.cpu import available_cpus
 from bnserve_service.process.listening import address_of, listening, open_metrics_listener
-from bnserve_service.process.name import name_process
 from bnserve_service.process.output import announce, complain
+from bnserve_service.process.system import available_cpus, name_process
 from bnserve_service.server import BnserveServer
 from bnserve_service.settings import Settings
-from bnserve_service.shared.folder import REPORT, SharedFolder, models_file
-from bnserve_service.shared.loads import SharedLoads
+from bnserve_service.shared.folder import REPORT, SharedFolder, SharedLoads, models_file
 from bnserve_service.workers.acceptor import FairAcceptor
 from bnserve_service.workers.worker import Models
 
 BEAT_SECONDS = 0.5
 HOPELESS = 5
 STABLE_SECONDS = 5.0
+UNREADY_SECONDS = 3.0
 REASONS = ("killed", "ended", "hung", "stopped", "stuck", "unready")
 _COLUMNS = 7
 ALIVE, SERVES, REASON, READY_SINCE, FAILURES, ENDED, RESTARTS = range(7)
@@ -60,12 +58,15 @@ class Board:
         self._memory = memoryview(mmap.mmap(-1, 8 * _COLUMNS * places)).cast("B").cast("d")
 
     def get(self, place: int, column: int) -> float:
+        """One number."""
         return self._memory[_COLUMNS * place + column]
 
     def set(self, place: int, column: int, value: float) -> None:
+        """Change it."""
         self._memory[_COLUMNS * place + column] = value
 
     def count(self, column: int) -> int:
+        """In how many places it is not 0."""
         return sum(self.get(place, column) != 0.0 for place in self.places)
 
 
@@ -82,13 +83,14 @@ class Manager(BaseApplication):
         super().__init__()
 
     def load_config(self) -> None:
+        """The settings in gunicorn's words, and our hooks."""
         settings = self.settings
         for name, value in {
             "workers": settings.workers,
             "worker_class": BnserveWorker,
             "timeout": max(1, round(settings.hung_seconds)),
             "graceful_timeout": ceil(settings.drain_grace + settings.drain_timeout + 1.5),
-            "worker_tmp_dir": "/dev/shm" if os.path.isdir("/dev/shm") else None,
+            "worker_tmp_dir": str(self.shared.path),
             "control_socket_disable": True,
             "loglevel": "warning",
             "when_ready": self._when_ready,
@@ -98,6 +100,7 @@ class Manager(BaseApplication):
             self.cfg.set(name, value)
 
     def load(self) -> Registry:
+        """What gunicorn calls the application."""
         return self.models.registry
 
     def _new_folder(self) -> SharedFolder:
@@ -191,6 +194,7 @@ class BnserveWorker(Worker):
     place = 0
 
     def init_process(self) -> NoReturn:
+        """Serve until told to stop; called in the process of the worker."""
         for number in self.SIGNALS:
             signal.signal(number, signal.SIG_DFL)
         manager: Manager = self.app
@@ -306,12 +310,13 @@ class _Steward:
             return
         if parts.lifecycle.draining:
             self._retire("stopped")
-        elif parts.queue.longest_evaluation() > parts.settings.stuck_seconds:
+        elif parts.queue.workers.longest_evaluation() > parts.settings.stuck_seconds:
             self._retire("stuck")
-        elif not parts.shared.is_dir():
+        elif not parts.shared.is_dir() or (self._is_late(now) and board.count(SERVES)):
             self._retire("unready")
-        elif self._unready_since and board.count(SERVES) and now - self._unready_since > 3.0:
-            self._retire("unready")
+
+    def _is_late(self, now: float) -> bool:
+        return self._unready_since is not None and now - self._unready_since > UNREADY_SECONDS
 
     def _retire(self, reason: str) -> None:
         self._manager.board.set(self._place, REASON, float(REASONS.index(reason)))
@@ -320,7 +325,7 @@ class _Steward:
 
 
 def become_arbiter(settings: Settings, announce: Callable[[str], None]) -> NoReturn:
-    """In place of ``bnserve_service.workers.start.become_supervisor``."""
+    """In place of ``bnserve_service.workers.supervisor.become_supervisor``."""
     name_process("bnserve-superv")
     keep_freed_memory()
     code = 0
@@ -346,9 +351,9 @@ def become_arbiter(settings: Settings, announce: Callable[[str], None]) -> NoRet
 def main() -> int:
     """``bnserve``, with this manager."""
     from bnserve_service.cli import main as bnserve
-    from bnserve_service.workers import start
+    from bnserve_service.workers import supervisor
 
-    start.become_supervisor = become_arbiter
+    supervisor.become_supervisor = become_arbiter
     return bnserve(sys.argv[1:])
 
 

@@ -22,7 +22,7 @@ from benchmarks.reliability.serving import Server, serving
 from benchmarks.servers import ServerFailed
 
 MECHANISM = """Every worker gives a sign of life twice a second from its event loop; the supervisor kills those that
-give none for four seconds, and copies a new worker from a template process that has everything loaded. The kernel
+give none for four seconds, and has a new worker forked from a process that has everything loaded. The kernel
 closes the connections of a killed worker at once."""
 BAR = "out of rotation <= 5 s, replaced <= 10 s"
 INJECTED_FAULTS = {"no-watchdog": "signs of life are waited for during ten minutes"}

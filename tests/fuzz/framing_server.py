@@ -1,6 +1,5 @@
 """A server in this process for conversations whose framing is odd, started with the first of them."""
 
-import atexit
 from functools import cache
 from itertools import count
 
@@ -20,8 +19,14 @@ def server() -> BackgroundServer:
         Settings(port=0, threads=1, tokens=tokens, drain_grace=0), source=source, factory=as_it_is
     )
     started.__enter__()
-    atexit.register(started.__exit__)
     return started
+
+
+def stop() -> None:
+    """End it, if it was started; before the interpreter ends, which takes its threads' work first."""
+    if server.cache_info().currsize:
+        server().__exit__()
+        server.cache_clear()
 
 
 def read_from_server(data: bytes) -> None:

@@ -147,21 +147,33 @@ def test_a_client_sees_nothing_of_workers_that_are_killed_one_after_the_other(wo
     assert workers.value(RESTARTS, reason="killed") == before + 3
 
 
-def test_connections_are_divided_evenly(workers):
-    workers.wait_until_complete()
+LEAVE_LONGER = """
+import bnserve_service.workers.acceptor as acceptor
 
-    def loads():
-        return sorted(number for number in np.frombuffer((workers.shared / "loads").read_bytes(), "<i8") if number >= 0)
+acceptor._TIMEOUT = 0.25
+"""
+"""On a busy machine, those who have fewer connections may not come to take one within four milliseconds."""
 
-    until(lambda: loads() == [0, 0, 0], "nobody is connected")
-    with ExitStack() as stack:
-        for _ in range(12):
+
+def test_connections_are_divided_evenly(tmp_path, monkeypatch):
+    (tmp_path / "sitecustomize.py").write_text(LEAVE_LONGER)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(tmp_path), *sys.path]))
+    with serving_with(tmp_path / "log", 3, "--model", "fast") as workers, ExitStack() as stack:
+
+        def loads():
+            every = np.frombuffer((workers.shared / "loads").read_bytes(), "<i8")
+            return sorted(int(number) for number in every if number >= 0)
+
+        until(lambda: loads() == [0, 0, 0], "nobody is connected")
+        for _ in range(48):
             connection = stack.enter_context(closing_connection(workers.address))
             assert ask_on(connection, "GET", "/v2/health/live").status == 200
-        until(lambda: loads() == [4, 4, 4], "each worker has as many")
+        until(lambda: sum(loads()) == 48, "all are connected")
+        # Whoever has left one to others, and then takes one, may find a newer one: 15, 16 and 17 happen.
+        assert max(loads()) - min(loads()) <= 2
 
 
-@pytest.mark.parametrize("victim", ["a worker", "the template"])
+@pytest.mark.parametrize("victim", ["a worker", "the fork server"])
 def test_what_does_not_come_back_is_replaced(workers, expected, victim):
     pids = workers.wait_until_complete()
     with Sampler(workers.address, expected) as sampler:
@@ -172,9 +184,9 @@ def test_what_does_not_come_back_is_replaced(workers, expected, victim):
             until(lambda: not exists(pid), "the worker that hangs is killed")
             until(lambda: workers.value(RESTARTS, reason="hung") >= 1, "the reason is counted")
         else:
-            pid = workers.template
+            pid = workers.fork_server
             os.kill(pid, signal.SIGKILL)
-            until(lambda: workers.template not in (None, pid), "another template is there")
+            until(lambda: workers.fork_server not in (None, pid), "another fork server is there")
             assert workers.pids() == pids, "nobody else is concerned"
             os.kill(pids["bnserve-work-1"], signal.SIGKILL)
         workers.wait_until_complete()

@@ -72,9 +72,9 @@ class Workers:
         raise FileNotFoundError
 
     @property
-    def template(self) -> int | None:
+    def fork_server(self) -> int | None:
         """The process that workers are copies of; None while there is none."""
-        found = (pid for pid, name in children(self.supervisor).items() if name.startswith("bnserve-templat"))
+        found = (pid for pid, name in children(self.supervisor).items() if name.startswith("bnserve-forksrv"))
         return next(found, None)
 
     def pids(self) -> dict[str, int]:

@@ -9,7 +9,7 @@ import pytest
 
 import bnserve_store
 from bnserve_service.cli import build_parser, main
-from bnserve_service.cli.serve import ONE_THREAD
+from bnserve_service.process.system import ONE_THREAD
 from bnserve_store import ModelStore
 from tests.architecture.rooms import room_environment
 

@@ -9,10 +9,9 @@ import msgpack
 import pytest
 
 from bnserve_service import BackgroundServer, Settings
-from bnserve_service.process.cpu import available_cpus, parse_cpu_max
 from bnserve_service.process.listening import CannotListen, address_of, listen_tcp, listen_unix
-from bnserve_service.process.socket_file import SocketFile
-from bnserve_service.workers.start import become_supervisor
+from bnserve_service.process.system import SocketFile, available_cpus, parse_cpu_max
+from bnserve_service.workers.supervisor import become_supervisor
 from tests.service.asking import MSGPACK, ask_on, question, read_response
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
 

@@ -14,8 +14,8 @@ from bnserve_service.admission import quotas as quotas_module
 from bnserve_service.admission.quotas import rate_quotas
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
-from bnserve_service.shared import cells as cells_module
-from bnserve_service.shared.cells import Cells
+from bnserve_service.shared import counters as counters_module
+from bnserve_service.shared.counters import Counters
 from tests.service.asking import GW170817, evaluate, question
 from tests.service.chirp import ChirpModel, GatedModel, QuickChirpModel, until
 
@@ -122,19 +122,19 @@ def test_requests_under_way_are_counted():
 
 def test_workers_that_cannot_wait_for_each_other_let_none_too_many_through(tmp_path, monkeypatch):
     first, second = (quota(tmp_path, max_concurrent=1) for _ in range(2))
-    monkeypatch.setattr(cells_module, "_lock", lambda number: False)
-    counted, refused = Cells.over_processes, []
+    monkeypatch.setattr(counters_module, "_lock", lambda number: False)
+    counted, refused = Counters.over_processes, []
 
-    def while_another_begins(cells, index):
-        found = counted(cells, index)
-        monkeypatch.setattr(Cells, "over_processes", counted)
+    def while_another_begins(counters, index):
+        found = counted(counters, index)
+        monkeypatch.setattr(Counters, "over_processes", counted)
         try:
             second.begin()
         except QuotaExceeded as error:
             refused.append(error)
         return found
 
-    monkeypatch.setattr(Cells, "over_processes", while_another_begins)
+    monkeypatch.setattr(Counters, "over_processes", while_another_begins)
     first.begin()
     assert len(refused) == 1
 

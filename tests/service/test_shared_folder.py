@@ -15,8 +15,7 @@ from prometheus_client import CollectorRegistry, Counter, Gauge
 
 from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, encode_analysis
 from bnserve_service import BackgroundServer, Settings, Token
-from bnserve_service.shared.folder import SharedFolder
-from bnserve_service.shared.loads import SharedLoads
+from bnserve_service.shared.folder import SharedFolder, SharedLoads
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.uploads.blobs import BlobStore, Bounds
 from bnserve_service.uploads.stores import AnalysisStore, GridStore

@@ -4,8 +4,8 @@ import pytest
 
 from bnserve_service import BackgroundServer, Settings, serve
 from bnserve_service.errors import SettingsInvalid
-from bnserve_service.workers.channel import Channel, Closed
-from bnserve_service.workers.roster import (
+from bnserve_service.workers.channels import Channel, Closed
+from bnserve_service.workers.health import (
     COPY_SECONDS,
     STABLE_SECONDS,
     START_SECONDS,
@@ -19,10 +19,10 @@ from bnserve_service.workers.roster import (
 RULES = Rules(hung_seconds=4.0, stuck_seconds=30.0, drain_seconds=27.5)
 
 
-def worker(ready=True, longest=0.0, draining=False, heard=100.0, pid=1, greets=False):
+def worker(ready=True, longest=0.0, draining=False, heard=100.0, pid=1, placeholder=False):
     ours, theirs = Channel.pair()
     theirs.close()
-    it = Worker(slot=0, channel=ours, asked=90.0, greets=greets, pid=pid)
+    it = Worker(place=0, channel=ours, asked=90.0, placeholder=placeholder, pid=pid)
     if heard is not None:
         it.hear({"ready": True, "draining": False, "longest_evaluation": 0.0}, 95.0)
         it.hear({"ready": ready, "draining": draining, "longest_evaluation": longest}, heard)
@@ -38,7 +38,7 @@ def worker(ready=True, longest=0.0, draining=False, heard=100.0, pid=1, greets=F
         ({"heard": None}, 90.0 + START_SECONDS - 1, True, Verdict.KEEP, ""),
         ({"heard": None}, 90.0 + START_SECONDS + 1, True, Verdict.KILL, "silent"),
         ({"heard": None, "pid": None}, 90.0 + COPY_SECONDS + 1, True, Verdict.KILL, "silent"),
-        ({"heard": None, "pid": None, "greets": True}, 90.0 + START_SECONDS + 1, True, Verdict.KEEP, ""),
+        ({"heard": None, "pid": None, "placeholder": True}, 90.0 + START_SECONDS + 1, True, Verdict.KEEP, ""),
         ({"longest": 29.0}, 100.5, True, Verdict.KEEP, ""),
         ({"longest": 31.0}, 100.5, True, Verdict.RETIRE, "stuck"),
         ({"draining": True}, 100.5, True, Verdict.RETIRE, "stopped"),
@@ -65,9 +65,9 @@ def test_one_that_is_being_replaced_has_the_time_to_drain_and_no_more():
     assert it.retired == "stuck"
 
 
-def test_one_that_greets_and_was_never_made_is_not_waited_for_without_end():
-    it = worker(heard=None, pid=None, greets=True)
-    it.retire("greeted", 200.0)
+def test_a_placeholder_that_was_never_made_is_not_waited_for_without_end():
+    it = worker(heard=None, pid=None, placeholder=True)
+    it.retire("loaded", 200.0)
     assert judge(it, RULES, 200.0 + COPY_SECONDS - 1, False) == (Verdict.KEEP, "")
     assert judge(it, RULES, 200.0 + COPY_SECONDS + 1, False) == (Verdict.KILL, "silent")
 

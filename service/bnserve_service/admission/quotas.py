@@ -9,7 +9,7 @@ from pathlib import Path
 
 from bnserve_protocol import QuotaExceeded, Unavailable
 from bnserve_service.settings import Token
-from bnserve_service.shared.cells import Cells, name_of
+from bnserve_service.shared.counters import Counters, name_of
 
 _BALANCE, _CHANGED, _UNDER_WAY = range(3)
 _PER_TOKEN = 3
@@ -25,13 +25,13 @@ class RateQuota:
     off before the next. So nobody is let through more than his rate in the long run, and no request is too large.
     """
 
-    def __init__(self, token: Token, cells: Cells, place: int) -> None:
+    def __init__(self, token: Token, counters: Counters, place: int) -> None:
         self._rate = token.rows_per_second
         self._burst = token.burst
         self._most_under_way = token.max_concurrent
-        self._cells = cells
+        self._counters = counters
         self._place = place
-        if self._rate is not None and cells[place + _CHANGED] == 0.0:
+        if self._rate is not None and counters[place + _CHANGED] == 0.0:
             self._settle(self._burst)
 
     def check(self) -> None:
@@ -54,7 +54,7 @@ class RateQuota:
         """
         if self._rate is None:
             return
-        with self._cells.alone():
+        with self._counters.alone():
             balance = self._balance()
             self._refuse_in_debt(balance)
             self._settle(balance - rows)
@@ -62,7 +62,7 @@ class RateQuota:
     def give_back(self, rows: int) -> None:
         """Pay back rows that were not evaluated."""
         if self._rate is not None:
-            with self._cells.alone():
+            with self._counters.alone():
                 self._settle(min(self._burst, self._balance() + rows))
 
     @contextmanager
@@ -95,10 +95,10 @@ class RateQuota:
         if self._most_under_way is None:
             return
         under_way = self._place + _UNDER_WAY
-        with self._cells.alone():
+        with self._counters.alone():
             # Counted before it is compared: two processes that both go on without the lock refuse one too many then.
-            self._cells.set_own(under_way, self._cells.own(under_way) + 1.0)
-            if self._cells.over_processes(under_way) > self._most_under_way:
+            self._counters.set_own(under_way, self._counters.own(under_way) + 1.0)
+            if self._counters.over_processes(under_way) > self._most_under_way:
                 self.end()
                 raise QuotaExceeded(
                     f"This token may have {self._most_under_way} requests under way at the same time, and has as many; "
@@ -110,19 +110,19 @@ class RateQuota:
         """A request that began is over."""
         if self._most_under_way is not None:
             under_way = self._place + _UNDER_WAY
-            self._cells.set_own(under_way, self._cells.own(under_way) - 1.0)
+            self._counters.set_own(under_way, self._counters.own(under_way) - 1.0)
 
     def _balance(self) -> float:
         """Rows in the account now; negative while there is a debt."""
         assert self._rate is not None, "only such quotas have an account"
-        passed = time.monotonic() - self._cells[self._place + _CHANGED]
+        passed = time.monotonic() - self._counters[self._place + _CHANGED]
         if passed < 0.0:  # the machine was started anew since
             return self._burst
-        return min(self._burst, self._cells[self._place + _BALANCE] + passed * self._rate)
+        return min(self._burst, self._counters[self._place + _BALANCE] + passed * self._rate)
 
     def _settle(self, balance: float) -> None:
-        self._cells[self._place + _BALANCE] = balance
-        self._cells[self._place + _CHANGED] = time.monotonic()
+        self._counters[self._place + _BALANCE] = balance
+        self._counters[self._place + _CHANGED] = time.monotonic()
 
     def _refuse_in_debt(self, balance: float) -> None:
         if balance < 1.0:
@@ -147,5 +147,5 @@ def rate_quotas(tokens: Sequence[Token], shared: Path | None = None) -> dict[str
     limited = [token for token in tokens if token.is_limited]
     if not limited:
         return {}
-    cells = Cells(_PER_TOKEN * len(limited), shared, name_of([token.model_dump_json() for token in limited]))
-    return {token.sha256: RateQuota(token, cells, _PER_TOKEN * number) for number, token in enumerate(limited)}
+    counters = Counters(_PER_TOKEN * len(limited), shared, name_of([token.model_dump_json() for token in limited]))
+    return {token.sha256: RateQuota(token, counters, _PER_TOKEN * number) for number, token in enumerate(limited)}

@@ -10,7 +10,7 @@ from bnserve_service.bench.breakdown import local_breakdown
 from bnserve_service.bench.costs import Progress, batch_costs, single_costs
 from bnserve_service.bench.processes import first_waveform, server_memory, threads_against_one
 from bnserve_service.bench.sizes import Sizes
-from bnserve_service.process.cpu import available_cpus
+from bnserve_service.process.system import available_cpus
 from bnserve_store import ModelStore
 from bnserve_surrogate import Model
 

@@ -80,7 +80,7 @@ def _measure(options: argparse.Namespace) -> dict[str, Any]:
 
 def _setup(model: Any, options: argparse.Namespace, sizes: Any) -> dict[str, Any]:
     from bnserve_service._version import __version__
-    from bnserve_service.process.cpu import available_cpus
+    from bnserve_service.process.system import available_cpus
 
     return {
         "bnserve": __version__,

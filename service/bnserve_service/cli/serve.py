@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import argparse
 import logging
-import os
 from pathlib import Path
 from typing import Any
 
 from bnserve_service.process.output import announce
-
-ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-"""The service has its own worker threads; libraries that start more inside each of them only get in the way, and do
-not see a container's CPU quota."""
+from bnserve_service.process.system import compute_in_one_thread
 
 
 def add_parser(subparsers: Any) -> None:
@@ -40,15 +36,14 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Serve until told to stop."""
-    for name in ONE_THREAD:  # before numpy is imported
-        os.environ.setdefault(name, "1")
+    compute_in_one_thread()
     from bnserve_service.settings import load_settings
 
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
     logging.getLogger("uvicorn").setLevel(logging.WARNING)
     settings = load_settings(options.config, _overrides(options))
     if settings.workers > 1:
-        from bnserve_service.workers.start import become_supervisor
+        from bnserve_service.workers.supervisor import become_supervisor
 
         become_supervisor(settings, announce=announce)
     from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory

@@ -18,7 +18,7 @@ from bnserve_service.demo.measuring import identical_numbers, medians
 from bnserve_service.demo.picture import check_output, save_picture
 from bnserve_service.demo.report import Report
 from bnserve_service.demo.server_process import ServerProcess
-from bnserve_service.process.cpu import available_cpus
+from bnserve_service.process.system import available_cpus
 from bnserve_surrogate import Model as LocalModel
 
 MOST_BINARIES = 1024

@@ -18,7 +18,7 @@ from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Question
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel, Registry
-from bnserve_service.process.cpu import available_cpus
+from bnserve_service.process.system import available_cpus
 from bnserve_service.settings import Settings
 from bnserve_service.telemetry.metrics import Metrics
 

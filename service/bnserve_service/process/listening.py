@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from bnserve_protocol import BnserveError
-from bnserve_service.process.socket_file import SocketFile
+from bnserve_service.process.system import SocketFile
 from bnserve_service.settings import Settings
 
 logger = logging.getLogger("bnserve.server")

@@ -1,3 +1,3 @@
-"""Several processes of one server: a supervisor, the template of which workers are copies, and the workers."""
+"""Several processes of one server: a supervisor, the fork server that workers are copies of, and the workers."""
 
 __all__: list[str] = []

@@ -11,7 +11,7 @@ import logging
 import socket
 from collections.abc import Callable
 
-from bnserve_service.shared.loads import SharedLoads
+from bnserve_service.shared.folder import SharedLoads
 
 logger = logging.getLogger("bnserve.worker")
 

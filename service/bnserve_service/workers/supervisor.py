@@ -1,14 +1,13 @@
 """``bnserve serve --workers N``: one process that starts the workers and replaces those that die or hang.
 
 It holds the listening socket and no model, takes no request and imports nothing heavy, so that there is little in it
-that can fail. Workers are copies of a template process that has loaded everything once (``template``); by being
-a subreaper, the supervisor is the parent of all of them.
+that can fail. Workers are copies of a process that has loaded everything once (``fork_server``); by being a subreaper,
+the supervisor is the parent of all of them.
 """
 
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import json
 import logging
 import os
@@ -17,16 +16,18 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
-from bnserve_service.process.name import name_process
 from bnserve_service.process.output import OutputLost, announce, complain, printing
-from bnserve_service.process.socket_file import SocketFile
+from bnserve_service.process.system import SocketFile, become_subreaper, name_process
 from bnserve_service.shared.folder import SharedFolder
-from bnserve_service.workers.crew import Crew
-from bnserve_service.workers.events import Events, ended_children
-from bnserve_service.workers.roster import BackOff, Rules, Verdict, Worker, judge
-from bnserve_service.workers.template_keeper import NO_DESCRIPTOR, Inheritance, Template
+from bnserve_service.workers.channels import NO_DESCRIPTOR, Descriptors, Events, ended_children
+from bnserve_service.workers.fork_server import ForkServer
+from bnserve_service.workers.health import BackOff, Rules, Verdict, Worker, judge
+from bnserve_service.workers.pool import WorkerPool
+
+if TYPE_CHECKING:
+    from bnserve_service.settings import Settings
 
 logger = logging.getLogger("bnserve.supervisor")
 
@@ -35,14 +36,12 @@ _LATE = 1.0
 """When the supervisor itself did not run for this long, nobody else may have."""
 _DRAIN_MARGIN = 1.5
 """Seconds beside those that a worker has for draining: with the defaults the last has ended before 30."""
-_TEMPLATE_SECONDS = 600.0
-"""Loading from a slow bucket takes minutes; a template that takes longer hangs."""
+_LOAD_SECONDS = 600.0
+"""Loading from a slow bucket takes minutes; a fork server that takes longer hangs."""
 _HOPELESS = 5
-"""Workers or templates in a row that never became ready, while none is, before the supervisor gives up."""
+"""Workers or fork servers in a row that never became ready, while none is, before the supervisor gives up."""
 _FOLDER_PAUSE = 1.0
 """Seconds between two attempts to make a folder, so that whatever removes them does not keep the workers away."""
-_SUBREAPER = 36
-"""``PR_SET_CHILD_SUBREAPER`` of Linux."""
 
 
 class Supervisor:
@@ -52,7 +51,7 @@ class Supervisor:
     ----------
     settings:
         Those of the server, as JSON gives them.
-    inheritance:
+    descriptors:
         What the workers get.
     shared:
         The folder that they share; when somebody removes it, another is made.
@@ -63,23 +62,23 @@ class Supervisor:
     def __init__(
         self,
         settings: dict[str, Any],
-        inheritance: Inheritance,
+        descriptors: Descriptors,
         shared: SharedFolder,
         announce: Callable[[str], None],
     ) -> None:
         drain = settings["drain_grace"] + settings["drain_timeout"] + _DRAIN_MARGIN
         self._rules = Rules(settings["hung_seconds"], settings["stuck_seconds"], drain)
-        self._inheritance = inheritance
+        self._descriptors = descriptors
         self._announce = announce
         self._announced = False
         self._events = Events()
-        self._crew = Crew(
+        self._pool = WorkerPool(
             self._events, shared.path, settings["workers"], self._is_ready, self._have_all_look, self._lose_hope
         )
         self.shared = shared
         self._room = room_needed(settings)
         self._next_folder = 0.0
-        self._template: Template | None = None
+        self._fork_server: ForkServer | None = None
         self._back_off = BackOff()
         self._never_ready = 0
         self._stopping = False
@@ -89,11 +88,11 @@ class Supervisor:
     def run(self) -> None:
         """Supervise until told to stop and all have ended, or until there is no hope."""
         before = time.monotonic()
-        while not self.failure and not (self._stopping and not len(self._crew)):
+        while not self.failure and not (self._stopping and not len(self._pool)):
             self._events.wait(TICK)
             now = time.monotonic()
             if now - before > _LATE:
-                for worker in self._crew:
+                for worker in self._pool:
                     worker.forgive(now - before)
             before = now
             for pid, code in ended_children():
@@ -104,14 +103,14 @@ class Supervisor:
                 self._move(now)
             self._judge_all(now)
             self._fill(now)
-            self._crew.report(now, at_most_every=1.0)
+            self._pool.report(now, at_most_every=1.0)
         self._end_all()
 
     def _obey(self, number: int, now: float) -> None:
         if number == signal.SIGHUP:
             self._have_all_look()
         elif self._stopping:
-            self._crew.tell({"stop": "now"})
+            self._pool.tell({"stop": "now"})
         else:
             self._stop(now)
 
@@ -119,17 +118,17 @@ class Supervisor:
         logger.info("draining")
         self._stopping = True
         # Or callers would wait in a queue that nobody takes them from, once the workers have closed theirs.
-        os.close(self._inheritance.listener)
-        if self._template is not None:
-            self._template.kill()
-        for worker in self._crew:
-            self._crew.replace(worker, "stopping", now)
+        os.close(self._descriptors.listener)
+        if self._fork_server is not None:
+            self._fork_server.kill()
+        for worker in self._pool:
+            self._pool.replace(worker, "stopping", now)
 
     def _have_all_look(self, but: Worker | None = None) -> None:
         """Have all but one, who has, look at the stores."""
-        self._crew.tell({"refresh": True}, but)
-        if self._template is not None:
-            self._template.look_at_stores()
+        self._pool.tell({"refresh": True}, but)
+        if self._fork_server is not None:
+            self._fork_server.look_at_stores()
 
     def _move(self, now: float) -> None:
         """Make another folder for the workers to share, and have them replaced by others that do."""
@@ -142,57 +141,55 @@ class Supervisor:
         logger.error("%s was removed; the workers are replaced and share %s", self.shared.path, fresh.path)
         self.shared.close()
         self.shared = fresh
-        self._crew.move(fresh.path, now)
+        self._pool.move(fresh.path, now)
 
     def _judge_all(self, now: float) -> None:
-        serving = self._crew.serving()
-        for worker in self._crew:
+        serving = self._pool.serving()
+        for worker in self._pool:
             verdict, reason = judge(worker, self._rules, now, serving - worker.serves > 0)
             if verdict is Verdict.RETIRE:
-                logger.warning("worker %d (process %s) is replaced: %s", worker.slot, worker.pid, reason)
-                self._crew.replace(worker, reason, now)
+                logger.warning("worker %d (process %s) is replaced: %s", worker.place, worker.pid, reason)
+                self._pool.replace(worker, reason, now)
             elif verdict is Verdict.KILL:
-                if worker.pid is None and self._template is not None:
-                    self._template.kill()  # it hangs, or the worker would be there
-                self._crew.kill(worker, reason, now)
+                if worker.pid is None and self._fork_server is not None:
+                    self._fork_server.kill()  # it hangs, or the worker would be there
+                self._pool.kill(worker, reason, now)
 
     def _fill(self, now: float) -> None:
         """Start what is missing."""
-        template = self._template
+        server = self._fork_server
         if self._stopping or self.failure:
             return
-        if template is None:
+        if server is None:
             if now >= self._back_off.not_before:
-                self._start_template(now)
-        elif template.loaded:
-            if self._crew.is_greeting(now):
-                return  # or its answers, 503, would come between those of workers; callers wait in the queue meanwhile
-            for place in self._crew.vacancies(now):
-                self._crew.start(template, place, now)
-        elif now - template.started > _TEMPLATE_SECONDS:
-            template.kill()
+                self._start_fork_server(now)
+        elif server.loaded:
+            for place in self._pool.vacancies(now):
+                self._pool.start(server, place, now)
+        elif now - server.started > _LOAD_SECONDS:
+            server.kill()
 
-    def _start_template(self, now: float) -> None:
-        template = self._template = Template(self._inheritance, now)
-        self._events.listen(template.channel, template.hear, lambda: None)
-        if not self._announced and not len(self._crew):
-            self._crew.start_greeting(template, now)
+    def _start_fork_server(self, now: float) -> None:
+        server = self._fork_server = ForkServer(self._descriptors, now)
+        self._events.listen(server.channel, server.hear, lambda: None)
+        if not self._announced and not len(self._pool):
+            self._pool.start(server, self._pool.placeholder, now)
 
     def _ended(self, pid: int, code: int, now: float) -> None:
-        template = self._template
-        if template is None or pid != template.pid:
-            self._crew.ended(pid, code, now)
+        server = self._fork_server
+        if server is None or pid != server.pid:
+            self._pool.ended(pid, code, now)
             return
-        self._template = None
-        self._events.close(template.channel)
+        self._fork_server = None
+        self._events.close(server.channel)
         if self._stopping:
             return
-        self._back_off.ended(now, template.started if template.loaded else None)
-        logger.warning("the template of the workers (process %d) ended with %d", pid, code)
-        if template.reason and not self._announced:
-            self.failure = template.reason
-        elif not template.loaded:
-            self._lose_hope(template.reason or "The process that loads the models ends; the log above may say why.")
+        self._back_off.ended(now, server.started if server.loaded else None)
+        logger.warning("the fork server of the workers (process %d) ended with %d", pid, code)
+        if server.reason and not self._announced:
+            self.failure = server.reason
+        elif not server.loaded:
+            self._lose_hope(server.reason or "The process that loads the models ends; the log above may say why.")
 
     def _is_ready(self, models: str) -> None:
         self._never_ready = 0
@@ -202,14 +199,14 @@ class Supervisor:
 
     def _lose_hope(self, reason: str) -> None:
         self._never_ready += 1
-        if self._never_ready >= _HOPELESS and not self._crew.serving():
+        if self._never_ready >= _HOPELESS and not self._pool.serving():
             self.failure = reason
 
     def _end_all(self) -> None:
-        if self._template is not None:
-            self._template.kill()
-        for worker in self._crew:
-            self._crew.kill(worker, "stopping", time.monotonic())
+        if self._fork_server is not None:
+            self._fork_server.kill()
+        for worker in self._pool:
+            self._pool.kill(worker, "stopping", time.monotonic())
         with contextlib.suppress(ChildProcessError):
             while True:
                 os.waitpid(-1, 0)
@@ -220,28 +217,50 @@ def room_needed(settings: dict[str, Any]) -> int:
     return int(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
 
 
-def become_subreaper() -> None:
-    """Have workers whose own parent ends become children of this process."""
-    if ctypes.CDLL(None, use_errno=True).prctl(_SUBREAPER, 1, 0, 0, 0) != 0:
-        raise OSError(ctypes.get_errno(), "this system has no child subreapers")
+def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> NoReturn:
+    """Listen, and replace the program of this process by the supervisor; it keeps its number.
+
+    Parameters
+    ----------
+    settings:
+        How; ``workers`` is at least two.
+    announce:
+        Gets a line with the address.
+
+    Raises
+    ------
+    CannotListen
+        The port is in use, or similar.
+    """
+    from bnserve_service.process.listening import address_of, listening, open_metrics_listener
+
+    with listening(settings) as listener:  # which ends only if this fails
+        metrics = open_metrics_listener(settings)
+        announce(f"bnserve listens on {address_of(listener)}")
+        if metrics is not None:
+            announce(f"bnserve metrics on {address_of(metrics)}/metrics")
+        file = os.memfd_create("bnserve-settings")  # nobody else can read it, and it needs no name
+        os.write(file, settings.model_dump_json().encode())
+        numbers = Descriptors(listener.fileno(), metrics.fileno() if metrics is not None else NO_DESCRIPTOR, file)
+        numbers.inherit(True)
+        # Whatever found this package shall find it again; -P: nothing of the current directory shall count as one.
+        environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
+        os.execve(sys.executable, [sys.executable, "-P", "-m", __name__, *map(str, numbers)], environment)
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Supervise, as ``start`` asks: numbers of the listener, the metrics' listener and the settings."""
+    """Supervise, as :func:`become_supervisor` asks: numbers of the listener, the metrics' listener and the settings."""
     code = 2
     with contextlib.suppress(OutputLost), printing():
-        code = _supervise(arguments)
+        code = _supervise(Descriptors(*map(int, arguments)))
     return code
 
 
-def _supervise(arguments: Sequence[str]) -> int:
+def _supervise(descriptors: Descriptors) -> int:
     logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
     name_process("bnserve-superv")
-    listener, metrics_listener, settings_file = map(int, arguments)
-    settings: dict[str, Any] = json.loads(os.pread(settings_file, os.fstat(settings_file).st_size, 0))
-    for number in (listener, metrics_listener, settings_file):
-        if number != NO_DESCRIPTOR:
-            os.set_inheritable(number, False)
+    descriptors.inherit(False)
+    settings: dict[str, Any] = json.loads(descriptors.settings_json())
     with contextlib.ExitStack() as stack:
         if settings["uds"] is not None:
             stack.callback(SocketFile(Path(settings["uds"])).remove)
@@ -251,7 +270,7 @@ def _supervise(arguments: Sequence[str]) -> int:
         except OSError as error:
             complain(f"bnserve: Workers cannot be supervised: {error.strerror or error}.")
             return 2
-        supervisor = Supervisor(settings, Inheritance(listener, metrics_listener, settings_file), shared, announce)
+        supervisor = Supervisor(settings, descriptors, shared, announce)
         stack.callback(lambda: supervisor.shared.remove())
         supervisor.run()
     if supervisor.failure:

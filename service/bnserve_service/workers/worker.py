@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import logging
-import os
 import signal
 import socket
 from collections.abc import Callable
@@ -16,14 +15,12 @@ from bnserve_protocol import BnserveError
 from bnserve_service.app import Application, create_app
 from bnserve_service.models.loading import Loader, RefreshReport, loader_of
 from bnserve_service.models.registry import Registry
-from bnserve_service.process.cpu import available_cpus
-from bnserve_service.process.name import name_process
+from bnserve_service.process.system import available_cpus, name_process
 from bnserve_service.server import BnserveServer, models_missing
 from bnserve_service.settings import Settings
-from bnserve_service.shared.folder import SharedFolder
-from bnserve_service.shared.loads import SharedLoads
+from bnserve_service.shared.folder import SharedFolder, SharedLoads
 from bnserve_service.workers.acceptor import FairAcceptor
-from bnserve_service.workers.channel import Channel, Closed, Message
+from bnserve_service.workers.channels import NO_DESCRIPTOR, Channel, Closed, Descriptors, Message
 
 logger = logging.getLogger("bnserve.worker")
 
@@ -33,12 +30,12 @@ _BEATS_PER_PUBLICATION = 2
 """The metrics are written down every second: as much is lost of them when a worker is killed."""
 _BEATS_PER_TIDYING = 10
 _FAREWELL_SECONDS = 1.0
-"""For bodies on their way to the worker that greets, which will be refused; the others are waited for meanwhile."""
+"""For bodies on their way to the placeholder, which will be refused; the others are waited for meanwhile."""
 
 
 @dataclass(frozen=True, slots=True)
-class Belongings:
-    """What every worker of one server has in common."""
+class Inheritance:
+    """What every worker of one server has from the processes before it."""
 
     settings: Settings
     """With the threads of one worker."""
@@ -46,15 +43,15 @@ class Belongings:
     metrics_listener: socket.socket | None
 
     @classmethod
-    def inherited(cls, listener: int, metrics_listener: int, settings_file: int) -> Self:
-        """From the descriptors that the supervisor left open."""
-        text = os.pread(settings_file, os.fstat(settings_file).st_size, 0)
-        settings = Settings.model_validate_json(text)
+    def opened(cls, descriptors: Descriptors) -> Self:
+        """From what the supervisor left open."""
+        settings = Settings.model_validate_json(descriptors.settings_json())
         threads = settings.threads or max(1, available_cpus() // settings.workers)
+        metrics = descriptors.metrics_listener
         return cls(
             settings.model_copy(update={"threads": threads}),
-            socket.socket(fileno=listener),
-            socket.socket(fileno=metrics_listener) if metrics_listener >= 0 else None,
+            socket.socket(fileno=descriptors.listener),
+            socket.socket(fileno=metrics) if metrics != NO_DESCRIPTOR else None,
         )
 
 
@@ -93,58 +90,54 @@ class Models:
         return self._loader.refresh(force=True)
 
 
-def work(channel: Channel, slot: int, belongings: Belongings, folder: Path, registry: Registry | None) -> int:
+def work(channel: Channel, place: int, inheritance: Inheritance, folder: Path, registry: Registry | None) -> int:
     """Serve as a worker; returns the exit status of its process.
 
     Parameters
     ----------
     channel:
         To the supervisor.
-    slot:
+    place:
         Its place among the workers; it goes on counting where the one before it ended.
-    belongings:
+    inheritance:
         What it works with.
     folder:
         What it shares with the others.
     registry:
-        Models that are loaded already; None for one that only says that they are being loaded.
+        Models that are loaded already; None for a placeholder, which only says that they are being loaded.
     """
-    name_process(f"bnserve-work-{slot}")
+    name_process(f"bnserve-work-{place}")
     try:
         shared = SharedFolder(folder)
     except OSError as error:  # the supervisor will see it, too
         channel.send({"failed": f"The folder that the workers share cannot be opened: {error.strerror or error}."})
         return 2
-    greets = registry is None
-    hurry = {"drain_grace": 0.0, "drain_timeout": _FAREWELL_SECONDS}
-    settings = belongings.settings.model_copy(update=hurry if greets else {})
-    app = create_app(
-        settings, wait_for_models=not greets, shared=shared.path, worker=slot, registry=registry, follow=not greets
-    )
-    steward = _Steward(channel, app)
-    loads = SharedLoads(shared.path)
+    ready, settings = registry is not None, inheritance.settings
+    if not ready:
+        settings = settings.model_copy(update={"drain_grace": 0.0, "drain_timeout": _FAREWELL_SECONDS})
+    app = create_app(settings, wait_for_models=ready, shared=shared.path, worker=place, registry=registry, follow=ready)
+    agent, loads = _Agent(channel, app), SharedLoads(shared.path)
 
     def acceptor(
         listener: socket.socket, protocol: Callable[[], asyncio.Protocol], connections: Callable[[], int]
     ) -> FairAcceptor:
-        steward.acceptor = FairAcceptor(listener, protocol, connections, loads, slot)
-        return steward.acceptor
+        agent.acceptor = FairAcceptor(listener, protocol, connections, loads, place)
+        return agent.acceptor
 
-    server = BnserveServer(app, announce=lambda line: None, beside=steward.run, acceptor=acceptor)
-    steward.server = server
+    agent.server = BnserveServer(app, announce=lambda line: None, beside=agent.run, acceptor=acceptor)
     try:
-        server.run(belongings.listener, metrics_listener=belongings.metrics_listener)
+        agent.server.run(inheritance.listener, metrics_listener=inheritance.metrics_listener)
     except BnserveError as error:
         channel.send({"failed": error.detail})
         return 2
     finally:
         app.parts.metrics.publish()
-        if steward.orphaned:
+        if agent.orphaned:
             shared.remove_if_last()
     return 0
 
 
-class _Steward:
+class _Agent:
     """Speaks with the supervisor from the event loop of a worker."""
 
     server: BnserveServer

@@ -1,7 +1,4 @@
-"""What a supervisor knows about its workers, and what it concludes from it. No process is touched here.
-
-Imported by the supervisor, so it imports nothing heavy.
-"""
+"""What a supervisor knows about its workers, and what it concludes from it. No process is touched here."""
 
 from __future__ import annotations
 
@@ -9,12 +6,12 @@ import enum
 from dataclasses import dataclass, field
 from typing import Any
 
-from bnserve_service.workers.channel import Channel
+from bnserve_service.workers.channels import Channel
 
 UNREADY_SECONDS = 3.0
 """A worker may be unready for this long, while others are ready, before it is replaced."""
 COPY_SECONDS = 10.0
-"""A template that has not made a worker by then hangs: it takes a fraction of a second."""
+"""A fork server that has not made a worker by then hangs: it takes a fraction of a second."""
 START_SECONDS = 30.0
 """A worker that has not given a sign of life by then never will: it starts in a fraction of a second, too."""
 STABLE_SECONDS = 5.0
@@ -48,12 +45,12 @@ class Verdict(enum.Enum):
 class Worker:
     """One worker process, as far as it has told about itself."""
 
-    slot: int
+    place: int
     """Numbers the places of workers: a place is taken by one process at a time, and inherited."""
     channel: Channel
     asked: float
     """When it was asked for (``time.monotonic()``, as all times here)."""
-    greets: bool = False
+    placeholder: bool = False
     """It only says that the models are being loaded, until they are; workers are started when it is gone."""
     pid: int | None = None
     heard: float | None = None
@@ -103,8 +100,10 @@ def judge(worker: Worker, rules: Rules, now: float, others_serve: bool) -> tuple
         return Verdict.KEEP, ""
     if worker.heard is None:
         timeout = COPY_SECONDS if worker.pid is None else START_SECONDS
-        # Whoever greets is made when a template comes to it, with its models at the latest.
-        is_late = now - max(worker.asked, worker.retired_at) > timeout and (not worker.greets or bool(worker.retired))
+        # A placeholder is made when a fork server comes to it, with its models at the latest.
+        is_late = now - max(worker.asked, worker.retired_at) > timeout and (
+            not worker.placeholder or bool(worker.retired)
+        )
         return (Verdict.KILL, "silent") if is_late else (Verdict.KEEP, "")
     if worker.retired:
         return (Verdict.KILL, "slow") if now - worker.retired_at > rules.drain_seconds else (Verdict.KEEP, "")

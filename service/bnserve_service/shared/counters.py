@@ -17,7 +17,7 @@ without it, and at worst a request is counted wrongly."""
 _MOST_PROCESSES = 256
 
 
-class Cells:
+class Counters:
     """``count`` float64, all 0 at first, and as many again that belong to this process and vanish with it.
 
     Parameters
@@ -42,28 +42,28 @@ class Cells:
             self._file = _open(shared, name, 8 * (1 + slots) * count)
             memory = mmap.mmap(self._file, 8 * (1 + slots) * count)
             self._slot = _claim_slot(self._file)
-        self._cells = memoryview(memory).cast("d")
+        self._values = memoryview(memory).cast("d")
         self._slots = slots
         for index in range(count):
             self.set_own(index, 0.0)  # what a process left behind that had this slot and is dead
 
     def __getitem__(self, index: int) -> float:
-        return self._cells[index]
+        return self._values[index]
 
     def __setitem__(self, index: int, value: float) -> None:
-        self._cells[index] = value
+        self._values[index] = value
 
     def own(self, index: int) -> float:
         """A number of this process alone."""
-        return self._cells[(1 + self._slot) * self._count + index]
+        return self._values[(1 + self._slot) * self._count + index]
 
     def set_own(self, index: int, value: float) -> None:
         """Change a number of this process alone."""
-        self._cells[(1 + self._slot) * self._count + index] = value
+        self._values[(1 + self._slot) * self._count + index] = value
 
     def over_processes(self, index: int) -> float:
         """The sum of what all processes have as their own there."""
-        return sum(self._cells[self._count + index :: self._count][: self._slots])
+        return sum(self._values[self._count + index :: self._count][: self._slots])
 
     @contextlib.contextmanager
     def alone(self) -> Iterator[None]:
@@ -85,7 +85,7 @@ def name_of(parts: Sequence[str]) -> str:
 
 
 def _open(shared: Path, name: str, size: int) -> int:
-    number = os.open(shared / f"cells-{name}", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+    number = os.open(shared / f"counters-{name}", os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
     os.posix_fallocate(number, 0, size)  # zeros, or what is there already; a full folder is an error here, not later
     return number
 
