@@ -10,12 +10,6 @@ from bnserve_store._reading import Artifact
 from bnserve_store._store import SHIPPED_MODELS, ModelStore
 
 __all__ = [
-    "SCHEMA_VERSION",
-    "SHIPPED_MODELS",
-    "Artifact",
-    "FileEntry",
-    "Manifest",
-    "ModelStore",
-    "TensorEntry",
+    "SCHEMA_VERSION", "SHIPPED_MODELS", "Artifact", "FileEntry", "Manifest", "ModelStore", "TensorEntry",
     "check_writable",
-]
+]  # fmt: skip  # each has a line of its own above

@@ -77,9 +77,8 @@ class RayWorkers:
         self._joblib = joblib
         self._ray = _connected(backend.partition(":")[2])
         processors = int(self._ray.cluster_resources().get("CPU", 1.0))
-        self.count = max(
-            2, n_jobs if n_jobs > 0 else processors + 1 + n_jobs
-        )  # joblib computes one worker's share here
+        wanted = n_jobs if n_jobs > 0 else processors + 1 + n_jobs
+        self.count = max(2, wanted)  # joblib computes one worker's share here
         self._stack = contextlib.ExitStack()
         self._pool: Any = None
 

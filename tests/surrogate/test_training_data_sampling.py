@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from benchmarks.sampling_counts import main, sampling_counts, uniform_count
 from bnserve_protocol import InvalidParameters
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
+from bnserve_surrogate.training.config import parse_configuration
 from bnserve_surrogate.training.data.generators import CallableGenerator, mass_seconds
 from bnserve_surrogate.training.data.sampling import (
     ArcsineSampling,
@@ -17,8 +18,8 @@ from bnserve_surrogate.training.data.sampling import (
     MixtureSampling,
     ParameterRanges,
     UniformSampling,
+    configured_sampling,
     draw,
-    make_sampling,
 )
 from bnserve_surrogate.training.reduction.greedy import (
     greedy_downsampling,
@@ -26,6 +27,7 @@ from bnserve_surrogate.training.reduction.greedy import (
     newtonian_duration,
     reconstruction_error,
 )
+from tests.surrogate.training_runs import SMOOTH, merged
 
 RANGES = ParameterRanges()
 SAMPLINGS = [UniformSampling(), ArcsineSampling(), EdgeSampling(), MixtureSampling(fraction=0.3)]
@@ -118,11 +120,21 @@ def test_bad_ranges_and_names_are_refused():
     ):
         with pytest.raises(InvalidParameters, match=next(iter(wrong))):
             ParameterRanges(**wrong)
-    with pytest.raises(InvalidParameters, match="Known: uniform, arcsine"):
-        make_sampling("sobol")
-    with pytest.raises(InvalidParameters, match="fraction"):
-        make_sampling("uniform", fraction=0.5)
-    assert make_sampling("mixture", fraction=0.2).settings["fraction"] == 0.2
+    for fraction in (-0.1, 1.1):
+        with pytest.raises(InvalidParameters, match="fraction"):
+            MixtureSampling(fraction=fraction)
+
+
+@pytest.mark.parametrize(
+    ("section", "expected"),
+    [
+        ({"sampling": "uniform"}, UniformSampling()),
+        ({"sampling": "arcsine"}, ArcsineSampling()),
+        ({"sampling": "mixture", "arcsine_fraction": 0.2}, MixtureSampling(fraction=0.2)),
+    ],
+)
+def test_a_configuration_names_its_density(section, expected):
+    assert configured_sampling(parse_configuration(merged(SMOOTH, {"dataset": section}))) == expected
 
 
 def test_the_duration_is_the_papers_formula():

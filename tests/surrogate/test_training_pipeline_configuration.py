@@ -9,7 +9,6 @@ from bnserve_surrogate.training.config import (
     ConfigurationInvalid,
     parse_configuration,
     read_configuration,
-    with_version,
 )
 from bnserve_surrogate.training.pipeline import check_plausible
 from bnserve_surrogate.training.publication import check_publishable
@@ -44,7 +43,6 @@ def test_a_file_means_what_it_says(tmp_path):
     assert configuration.ranges.chi == (-0.4, 0.3)
     assert configuration.ranges.mass_ratio == (1.0, 3.0)
     assert configuration.regressor.polynomial.degree == 4
-    assert with_version(configuration, "2.0").version == "2.0"
 
 
 @pytest.mark.parametrize(

@@ -35,6 +35,8 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Train and publish."""
+    import msgspec
+
     from bnserve_protocol import require
 
     config, pipeline, publication, report = (
@@ -45,7 +47,7 @@ def run(options: argparse.Namespace) -> int:
         require("matplotlib", "The report (or --no-report)", "train")  # better missed now than at the end
     configuration = config.read_configuration(options.configuration)
     if options.version:
-        configuration = config.with_version(configuration, options.version)
+        configuration = msgspec.structs.replace(configuration, version=options.version)
     publication.check_publishable(configuration, options.store)
     trained = pipeline.train(
         configuration,

@@ -233,11 +233,6 @@ def _numbers(value: Any, name: str = "") -> Iterator[tuple[str, float]]:
         yield name, value
 
 
-def with_version(configuration: TrainingConfiguration, version: str) -> TrainingConfiguration:
-    """The same configuration under another version."""
-    return msgspec.structs.replace(configuration, version=version)
-
-
 def _explain(message: str) -> str:
     unknown = re.search(r"unknown field `(\w+)`(?: - at `\$\.?([\w.]*)`)?", message)
     if not unknown:

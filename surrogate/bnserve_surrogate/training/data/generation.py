@@ -28,7 +28,7 @@ from bnserve_surrogate.training.data.sampling import (
     EdgeSampling,
     Sampling,
     UniformSampling,
-    make_sampling,
+    configured_sampling,
     mf_band,
     parameter_ranges,
 )
@@ -190,9 +190,6 @@ class Generation:
         if self.configuration.generator.phase_constant == "baseline":  # which is another one on the part
             phase -= phase[:, :1]
         size = whole.log_amplitude_ratio[first][:, kept] - part.log_amplitude_ratio[second]
-        self._compare(phase, size)
-
-    def _compare(self, phase: FloatArray, size: FloatArray) -> None:
         if not phase.size or max(np.abs(phase).max(), np.abs(size).max()) <= _SAME:
             return
         raise GeneratorDependsOnGrid(
@@ -217,7 +214,7 @@ def training_set(
     generate.check(mf_phase)
     edges = f" and {section.edge_count} on faces and edges" if section.edge_count else ""
     say(f"Waveforms: {section.count}{edges} of {generator.name} {generator.version}")
-    sampling = make_sampling(section.sampling, section.arcsine_fraction if section.sampling == "mixture" else None)
+    sampling = configured_sampling(generate.configuration)
     dataset = generate(sampling, "train", section.seed, section.count, mf_amplitude, mf_phase)
     if section.edge_count:
         others = generate(_EDGES, "train edges", section.seed, section.edge_count, mf_amplitude, mf_phase)

@@ -248,26 +248,12 @@ class MixtureSampling:
         return np.where(chosen[:, None], first, second)
 
 
-_NAMED: dict[str, Sampling] = {
-    "uniform": UniformSampling(),
-    "arcsine": ArcsineSampling(),
-    "mixture": MixtureSampling(),
-    "edges": EdgeSampling(),
-}
-
-
-def make_sampling(name: str, fraction: float | None = None) -> Sampling:
-    """The density called uniform, arcsine, mixture (``fraction`` arcsine, the rest uniform; 0.5) or edges.
-
-    Raises
-    ------
-    InvalidParameters
-        No such density, or a fraction where there is no mixture.
-    """
-    if name not in _NAMED:
-        raise InvalidParameters(f"Unknown sampling '{name}'. Known: {', '.join(_NAMED)}.")
-    if fraction is None:
-        return _NAMED[name]
-    if name != "mixture":
-        raise InvalidParameters(f"Only the sampling 'mixture' takes a fraction; got '{name}' with {fraction}.")
-    return MixtureSampling(fraction=fraction)
+def configured_sampling(configuration: TrainingConfiguration) -> Sampling:
+    """The density of the waveforms that a configuration is trained on, those on edges left out."""
+    section = configuration.dataset
+    densities: dict[str, Sampling] = {
+        "uniform": UniformSampling(),
+        "arcsine": ArcsineSampling(),
+        "mixture": MixtureSampling(fraction=section.arcsine_fraction),
+    }
+    return densities[section.sampling]

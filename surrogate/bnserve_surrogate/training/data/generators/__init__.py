@@ -7,12 +7,6 @@ from bnserve_surrogate.training.data.generators._teobresums import TEOBResumSPA
 from bnserve_surrogate.training.data.residuals import REFERENCE_MASS, FloatArray, mass_seconds
 
 __all__ = [
-    "REFERENCE_MASS",
-    "AmplitudePhasePair",
-    "CallableGenerator",
-    "FloatArray",
-    "LALSimulationGenerator",
-    "TEOBResumSPA",
-    "WaveformGenerator",
-    "mass_seconds",
-]
+    "REFERENCE_MASS", "AmplitudePhasePair", "CallableGenerator", "FloatArray", "LALSimulationGenerator",
+    "TEOBResumSPA", "WaveformGenerator", "mass_seconds",
+]  # fmt: skip  # each has a line of its own above
