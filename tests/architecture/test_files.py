@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from tests.architecture.rooms import ROOT, python_files, tracked_files
+from tests.architecture.rooms import ROOMS, ROOT, python_files, tracked_files
 
 MOST_LINES = 400
 """A longer module has become two nouns."""
@@ -50,6 +50,28 @@ def test_an_address_is_found(pattern, text):
 def test_modules_are_small():
     lengths = {str(path): len((ROOT / path).read_text().splitlines()) for path in python_files()}
     assert {name: lines for name, lines in lengths.items() if lines > MOST_LINES} == {}
+
+
+NAMED_BY_OTHERS = {
+    "inference/bnserve_inference/kernel/build.py": "run with `python -m`",
+    "surrogate/bnserve_surrogate/kernel/build.py": "run with `python -m`",
+    "surrogate/bnserve_surrogate/joblib_workers.py": "used by inference",
+}
+"""Public modules of packages that are an API, and why."""
+PROGRAMS = ("service/bnserve_service", "surrogate/bnserve_surrogate/training")
+"""Nobody imports what is in them but they themselves: no module is private there, nor in the folders below."""
+APIS_IN_PROGRAMS = {"surrogate/bnserve_surrogate/training/data/generators"}
+
+
+def test_modules_are_private_where_the_package_is_the_api():
+    program, api = set(), set()
+    for path in map(str, python_files(*ROOMS)):
+        folder = path.rpartition("/")[0]
+        is_program = path.startswith(PROGRAMS) and folder not in APIS_IN_PROGRAMS
+        (program if is_program else api).add(path)
+    assert {path for path in api if not path.rpartition("/")[2].startswith("_")} == set(NAMED_BY_OTHERS)
+    private = {path for path in program if path.rpartition("/")[2].startswith("_") and not path.endswith("__.py")}
+    assert private == {"service/bnserve_service/_version.py"}  # read without the protocol, which needs numpy
 
 
 def test_no_file_is_huge():

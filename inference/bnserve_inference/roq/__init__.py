@@ -7,6 +7,7 @@ import bnserve_protocol
 from bnserve_inference.roq._bajes import load_bajes, save_bajes
 from bnserve_inference.roq._bilby import load_bilby, save_bilby
 from bnserve_inference.roq._build import BuiltBasis, build_basis
+from bnserve_inference.roq._config import RoqConfiguration, parse_roq_configuration, read_roq_configuration
 from bnserve_inference.roq._diagnostics import describe
 from bnserve_inference.roq._errors import (
     BasisFileInvalid,
@@ -27,7 +28,6 @@ from bnserve_inference.roq._quadrature import (
 )
 from bnserve_inference.roq._report import write_roq_report
 from bnserve_inference.roq._validation import validate_basis
-from bnserve_inference.roq.config import RoqConfiguration, parse_roq_configuration, read_roq_configuration
 
 __all__ = [
     "BasisFileInvalid",

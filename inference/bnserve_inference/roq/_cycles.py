@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference.roq._config import CycleSection, PreselectionSection
 from bnserve_inference.roq._errors import ConstructionFailed
 from bnserve_inference.roq._family import Family, InterpolationTask, ProjectionTask
 from bnserve_inference.roq._growth import PRESELECTION, Elements, Growth
@@ -19,7 +20,6 @@ from bnserve_inference.roq._interpolant import AnyArray
 from bnserve_inference.roq._interpolation import residuals, squared_norms
 from bnserve_inference.roq._sampling import CHUNK_ROWS, Draws
 from bnserve_inference.roq._workers import Progress, Workers
-from bnserve_inference.roq.config import CycleSection, PreselectionSection
 from bnserve_protocol import ParameterBatch
 
 Keep = Callable[[Growth], None]

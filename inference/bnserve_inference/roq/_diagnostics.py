@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from bnserve_inference.roq._config import RoqConfiguration
 from bnserve_inference.roq._family import Family
 from bnserve_inference.roq._growth import Growth
 from bnserve_inference.roq._interpolant import FloatArray, Term
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._sampling import Draws
 from bnserve_inference.roq._validation import ValidationTask, full_grid_errors, on_grid, summary
-from bnserve_inference.roq.config import RoqConfiguration
 
 VALIDATIONS = {"validation": "fresh", "edges": "edge"}
 """Names of the two validations, and what their binaries are called."""
