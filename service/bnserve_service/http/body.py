@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Self, TypeVar, TypeVarTuple, Unpack
+from typing import Any, Self, TypeVar
 
 from starlette.types import Receive
 
@@ -29,7 +29,6 @@ _THREADS = 2
 _MOMENT = 1.0
 """Seconds after which another body may have been read and decoded."""
 
-A = TypeVarTuple("A")
 R = TypeVar("R")
 
 
@@ -56,7 +55,7 @@ class BodyReader:
         """Bytes held now."""
         return self._held.total
 
-    async def work(self, size: int, function: Callable[[Unpack[A]], R], *arguments: *A) -> R:
+    async def work(self, size: int, function: Callable[..., R], *arguments: Any) -> R:
         """Call what works through ``size`` bytes: at once if those are few, and in a thread if they are many."""
         if size <= OFF_LOOP:
             return function(*arguments)
