@@ -47,15 +47,15 @@ def full_analysis(
 
     Parameters
     ----------
-    data:
+    data
         Of every detector.
-    trigger_time:
+    trigger_time
         GPS seconds that all times are relative to.
-    f_min, f_max:
+    f_min, f_max
         Band in Hz, multiples of 1 / duration.
-    alignment:
+    alignment
         What ``coalescence_time`` means for a waveform: see ``EvaluationOptions``.
-    options:
+    options
         Prior ranges, marginalisations, calibration.
 
     Raises
@@ -82,12 +82,12 @@ def roq_analysis(
 
     Parameters
     ----------
-    basis:
+    basis
         A :class:`~bnserve_inference.roq.ReducedOrderQuadrature`; band, duration and alignment are its own.
-    model:
+    model
         The one that the basis was built for. With a calibration, and if the basis is a table, its waveforms are
         compared with the basis all over the prior.
-    options:
+    options
         Its ``prior`` must state ``coalescence_time`` (seconds from the trigger) and must be covered by the basis; where
         it is silent, the ranges of the basis hold. Other parameters as :func:`full_analysis`.
 
@@ -141,14 +141,14 @@ def relative_binning_analysis(
 
     Parameters
     ----------
-    fiducial:
+    fiducial
         One binary near the maximum of the likelihood; its distance and orientation do not matter.
-    model:
+    model
         Makes the fiducial waveform; the analysis may then be evaluated with any model.
-    phase_tolerance:
+    phase_tolerance
         Radians by which waveforms that fit may differ from the fiducial one across a bin. Where such bins are wrong
         by more than the options' ``error_bound`` somewhere in the prior, others take their place.
-    options:
+    options
         Its ``prior`` must state ``coalescence_time``; where it is silent about a binary, the model's range counts.
         Other parameters as :func:`full_analysis`.
 

@@ -35,11 +35,11 @@ class Bins:
 
     Parameters
     ----------
-    basis:
+    basis
         The bins that do not serve.
-    model:
+    model
         Makes waveforms.
-    calibration:
+    calibration
         Errors that are to be followed, too.
     """
 

@@ -56,17 +56,17 @@ class LikelihoodOptions:
 
     Parameters
     ----------
-    prior:
+    prior
         Ranges by name outside of which the log-likelihood is -inf, in the parameters' units, to which those that carry
         another one are converted. ``coalescence_time`` is relative to the trigger;
         kinds other than the full one need it.
-    phase_marginalisation:
+    phase_marginalisation
         Over a uniform prior of the reference phase.
-    time_marginalisation, distance_marginalisation:
+    time_marginalisation, distance_marginalisation
         Over the priors they state; None for none.
-    calibration:
+    calibration
         The nodes of calibration envelopes, and the width of the errors; None for perfect detectors.
-    error_bound:
+    error_bound
         By how much ln L may differ from that on the full grid, within 25 of its maximum. It holds for relative binning,
         and for quadratures with a calibration or from a table; a basis of the model's own waveforms has a tolerance.
     """
@@ -105,11 +105,11 @@ class Band:
 
     Attributes
     ----------
-    frequencies:
+    frequencies
         The grid in Hz, ``(M,)``.
-    data:
+    data
         Per detector ``4 / T conj(d) / S``, complex ``(M,)``, with time zero at the trigger.
-    densities:
+    densities
         Per detector ``4 / (T S)``, ``(M,)``.
     """
 
@@ -138,7 +138,7 @@ class Band:
 
         Parameters
         ----------
-        chirp_mass:
+        chirp_mass
             Of the signal, in solar masses; None for the largest of the prior.
 
         Raises
@@ -171,6 +171,7 @@ class Band:
         Raises
         ------
         AnalysisInvalid
+            They are not all inside the data of every detector.
         """
         for detector in self.detectors:
             low, high = (self.trigger_time + time - detector.start_time for time in times)
@@ -187,6 +188,7 @@ class Band:
         Raises
         ------
         AnalysisInvalid
+            No likelihood could be evaluated with them.
         """
         check_settings(self.settings("relative_binning", "merger", options))
 

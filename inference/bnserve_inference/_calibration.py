@@ -49,9 +49,9 @@ def calibration_splines(calibration: Calibration, frequencies: NDArray[np.float6
 
     Parameters
     ----------
-    calibration:
+    calibration
         Number and range of the nodes.
-    frequencies:
+    frequencies
         In Hz, ``(M,)``.
     """
     nodes = calibration.nodes
@@ -99,11 +99,11 @@ def read_envelope(path: str | Path, calibration: Calibration, *, correction: Cor
 
     Parameters
     ----------
-    path:
+    path
         Seven columns: frequency (Hz); median magnitude and phase (radians); both one sigma below; both one above.
-    calibration:
+    calibration
         The nodes, between which cubic splines in log f interpolate.
-    correction:
+    correction
         What the file's numbers are multiplied with. ``"data"``: the data, to make them what the template describes
         (what the LIGO-Virgo-KAGRA collaborations publish, and bilby's default). ``"template"``: the template, to
         make it what is in the data. The first is the inverse of the second, and files do not say which they are.

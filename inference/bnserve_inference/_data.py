@@ -28,17 +28,17 @@ class DetectorData:
 
     Parameters
     ----------
-    detector:
+    detector
         Name (LAL's prefix, such as ``"H1"``) or a :class:`Detector`.
-    strain:
+    strain
         Fourier transform of the strain, complex ``(K,)`` in 1/Hz, with LAL's sign (that of ``numpy.fft.rfft`` times
         the time step), whose time zero is ``start_time``.
-    asd:
+    asd
         One-sided amplitude spectral density, ``(K,)`` in 1/sqrt(Hz). Infinite or zero where there is no data: these
         frequencies have no weight, so that a detector may have notches and a band of its own.
-    start_time:
+    start_time
         GPS seconds of the first sample.
-    duration:
+    duration
         Seconds.
 
     Raises
@@ -170,16 +170,17 @@ def refuse_short(f_min: float, chirp_mass: float, available: float) -> None:
 
     Parameters
     ----------
-    f_min:
+    f_min
         Lowest frequency that has a weight, in Hz.
-    chirp_mass:
+    chirp_mass
         Of the shortest signal, in solar masses.
-    available:
+    available
         Seconds from the start of the data to the latest coalescence.
 
     Raises
     ------
     AnalysisInvalid
+        The signal lasts more than :data:`LONGEST_SIGNAL` times as long.
     """
     signal = seconds_in_band(f_min, chirp_mass)
     if signal > LONGEST_SIGNAL * available:

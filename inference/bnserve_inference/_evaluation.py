@@ -48,11 +48,11 @@ class LocalLikelihood:
 
     Parameters
     ----------
-    model:
+    model
         Any waveform model.
-    analysis:
+    analysis
         Of any kind.
-    invalid_rows:
+    invalid_rows
         ``"flag"``: rows outside the prior's or the model's range are -inf and counted. ``"error"``: they raise.
 
     Raises

@@ -49,9 +49,9 @@ class Fitting:
 
     Parameters
     ----------
-    band, model, alignment, options:
+    band, model, alignment, options
         Of the analysis; all ranges that matter are in the prior of the options.
-    fiducial:
+    fiducial
         A binary that is thought to fit, or None.
     """
 

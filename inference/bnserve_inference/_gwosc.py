@@ -50,11 +50,11 @@ def fourier_strain(strain: NDArray[np.float64], interval: float, roll_off: float
 
     Parameters
     ----------
-    strain:
+    strain
         Samples of the analysed segment, ``(n,)``.
-    interval:
+    interval
         Seconds between them.
-    roll_off:
+    roll_off
         Seconds over which the Tukey window rises and falls; none for 0.
 
     Raises

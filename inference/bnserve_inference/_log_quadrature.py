@@ -57,9 +57,9 @@ def log_mean_exponential(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Fl
 
     Parameters
     ----------
-    knots:
+    knots
         F at equal steps from one end of the interval to the other, ``(N, n)``, n at least 4.
-    values_at:
+    values_at
         F of rows at places in units of the step, ``(K,)`` of both.
 
     Returns

@@ -63,7 +63,7 @@ class DistanceIntegral:
 
     Attributes
     ----------
-    reference:
+    reference
         Distance in Mpc at which the products are to be given.
     """
 
@@ -80,11 +80,11 @@ class DistanceIntegral:
 
         Parameters
         ----------
-        products:
+        products
             Re <d|h>, or abs <d|h> where the phase is integrated as well, at the reference distance, ``(N,)``.
-        norms:
+        norms
             <h|h> there, not negative, ``(N,)``.
-        phase:
+        phase
             Whether to integrate over the phase too.
         """
         result = np.empty(len(products))

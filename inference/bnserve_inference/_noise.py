@@ -21,10 +21,10 @@ def interpolate_asd(frequencies: ArrayLike, asd: ArrayLike, duration: float, poi
 
     Parameters
     ----------
-    frequencies, asd:
+    frequencies, asd
         Increasing frequencies in Hz and the ASD in 1/sqrt(Hz) there. Where it is zero or infinite there is no data: the
         result is infinite from the last good frequency below to the first good one above.
-    duration, points:
+    duration, points
         Of the grid it is wanted on.
 
     Raises

@@ -67,9 +67,9 @@ def detector_strain(
 
     Parameters
     ----------
-    frequencies:
+    frequencies
         In Hz, ``(M,)``.
-    calibration:
+    calibration
         The nodes of the errors in ``parameters``, if it has any. Other parameters as :func:`simulate_data`.
     """
     batch = LikelihoodBatch.coerce(parameters)
@@ -119,16 +119,16 @@ def simulate_data(
 
     Parameters
     ----------
-    detectors, asds:
+    detectors, asds
         Names or :class:`Detector` objects, and their ASDs at the multiples of 1 / duration (infinite where there is no
         data: see ``interpolate_asd``).
-    model, parameters, alignment:
+    model, parameters, alignment
         Make the signal. Above the lowest frequency of the band it is as the likelihood's.
-    trigger_time, start_time, duration:
+    trigger_time, start_time, duration
         GPS seconds that ``coalescence_time`` is relative to, of the first sample, and length of the data in seconds.
-    seed:
+    seed
         Of the noise; None for no noise.
-    f_min:
+    f_min
         Hz from where the signal is added.
 
     Raises

@@ -38,6 +38,7 @@ def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
     Raises
     ------
     InvalidParameters
+        It does.
     """
     missing = sorted(batch.absent - ignored_parameters(settings))
     if missing:

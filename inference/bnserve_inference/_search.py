@@ -113,11 +113,11 @@ def climb(value: Callable[[Floats], Floats], start: Floats | None, dimensions: i
 
     Parameters
     ----------
-    value:
+    value
         Of points ``(N, dimensions)``: ``(N,)``, -inf where there is none.
-    start:
+    start
         A point ``(dimensions,)`` that may be near the maximum, or None.
-    seed:
+    seed
         Of all random numbers.
 
     Returns

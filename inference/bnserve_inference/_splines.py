@@ -16,7 +16,7 @@ def b_spline_coefficients(samples: NDArray[np.complex128]) -> NDArray[np.complex
 
     Parameters
     ----------
-    samples:
+    samples
         ``(D, n, L)``; taken to be constant beyond the ends, so that :data:`MARGIN` / 2 of them serve the ends alone.
 
     Returns

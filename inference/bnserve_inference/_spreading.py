@@ -28,11 +28,11 @@ class Spreading:
 
     Parameters
     ----------
-    f_min, f_max:
+    f_min, f_max
         Range of the frequencies in Hz.
-    centre, reach:
+    centre, reach
         The times, in seconds.
-    shape:
+    shape
         ``(D, L)``: numbers of detectors and of rows.
     """
 

@@ -36,7 +36,7 @@ class TimeIntegral:
 
     Attributes
     ----------
-    times:
+    times
         Number of times at which <d|h> is evaluated.
     """
 
@@ -71,9 +71,9 @@ class TimeIntegral:
 
         Parameters
         ----------
-        contraction, h, sky, errors:
+        contraction, h, sky, errors
             As :class:`Contraction` is called; the column of times is ignored.
-        marginal:
+        marginal
             What is integrated, of <d|h> and <h|h>.
         """
         slow = np.zeros((len(h), self.times), dtype=np.complex128)

@@ -55,13 +55,13 @@ class Comparison:
 
     Attributes
     ----------
-    approximate, exact:
+    approximate, exact
         With the basis and on the full grid, at the size and phase that fit best with the basis.
-    best:
+    best
         On the full grid, at the size and phase that fit best there.
-    linear, quadratic:
+    linear, quadratic
         Largest errors of the two terms at either place.
-    total:
+    total
         Largest error of ln L at either place.
     """
 
@@ -78,9 +78,9 @@ class Trial:
 
     Parameters
     ----------
-    band, model, alignment:
+    band, model, alignment
         Of the analysis.
-    basis, weights, quadratic:
+    basis, weights, quadratic
         The basis with its sums over the data, and over the noise, ``(D, Q)``.
     """
 

@@ -58,6 +58,7 @@ def real(name: str, value: Any, unit: str) -> Any:
     Raises
     ------
     AnalysisInvalid
+        It is no real number, or has another unit.
     """
     try:
         array = as_real_numbers(value, unit)
@@ -72,6 +73,7 @@ def number(name: str, value: Any, unit: str) -> float:
     Raises
     ------
     AnalysisInvalid
+        As :func:`real`, or there are several.
     """
     found = real(name, value, unit)
     if not isinstance(found, float):
@@ -88,6 +90,7 @@ def real_or_complex(name: str, value: Any, unit: str) -> NDArray[Any]:
     Raises
     ------
     AnalysisInvalid
+        They are no numbers, or have another unit.
     """
     try:
         return as_numbers(value, unit)
@@ -101,6 +104,7 @@ def real_ranges(ranges: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
     Raises
     ------
     AnalysisInvalid
+        They are no mapping of pairs of real numbers, or have other units.
     """
     if not isinstance(ranges, Mapping):
         raise AnalysisInvalid(

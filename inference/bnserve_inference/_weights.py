@@ -50,15 +50,15 @@ class Weights:
 
     Parameters
     ----------
-    chunks:
+    chunks
         The basis: ``(place in the grid, rows (L, m))``.
-    nodes:
+    nodes
         F_j in Hz, ``(L,)``.
-    frequencies:
+    frequencies
         The grid f_k in Hz, ``(M,)``.
-    data:
+    data
         ``4 / T conj(d) / S`` of D detectors, complex ``(M,)`` each.
-    times:
+    times
         Where the weights are wanted.
     """
 
@@ -113,11 +113,11 @@ def time_table(weights: Weights, amplitudes: Floats, tolerance: float) -> tuple[
 
     Parameters
     ----------
-    weights:
+    weights
         Of the basis and the data.
-    amplitudes:
+    amplitudes
         Size of the strain at the nodes, ``(D, L)``, of a signal whose norm is one in every detector.
-    tolerance:
+    tolerance
         Of the interpolation error of <d|h> for such a signal, as the root of the sum of squares over the nodes.
 
     Returns

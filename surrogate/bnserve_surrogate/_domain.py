@@ -22,13 +22,10 @@ from bnserve_protocol import (
     ParameterDescription,
     RowStatus,
 )
+from bnserve_surrogate.kernel import LEAST_MF, MOST_PHASE
 
 _MAX_ERRORS = 20
 """Individual problems listed in one exception; the sentence gives their total."""
-_MOST_PHASE = 1e14
-"""Radians; doubles of this size are 0.016 apart, and of 1e16 more than a turn."""
-_LEAST_MF = 1e-9
-"""M f below which the post-Newtonian phase exceeds that: 7e-5 Hz at 2.8 solar masses."""
 NEAR = 1e-40
 """Mpc. At 1 Mpc the strain of any binary stays below 1e-13 per Hz on all frequencies that are evaluated, so that only
 nearer binaries than 3e-52 Mpc exceed complex64: nobody else has to be looked at. (The question takes 1.5 us for a
@@ -38,25 +35,25 @@ _DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 
 def refuse_rows(
     batch: ParameterBatch,
+    status: NDArray[np.uint8],
     frequencies: NDArray[np.float64],
     ranges: list[ParameterDescription],
     mf_band: tuple[float, float],
-    options: EvaluationOptions,
 ) -> None:
-    """Say what is wrong with the rows that the kernel did not evaluate; it finds the same ones by the same rules.
+    """Say what is wrong with the rows that the kernel did not evaluate.
 
     Parameters
     ----------
-    batch:
-        N binaries, of which at least one is not to be evaluated.
-    frequencies:
+    batch
+        N binaries.
+    status
+        What the kernel says of each, ``(N,)``: at least one is not OK.
+    frequencies
         Increasing, in Hz.
-    ranges:
+    ranges
         The trained range of every parameter, in the order of the batch's columns.
-    mf_band:
+    mf_band
         The trained band in M f (dimensionless).
-    options:
-        What counts as outside the band.
 
     Raises
     ------
@@ -68,50 +65,7 @@ def refuse_rows(
     OutOfBand
         Frequencies outside the band where the options forbid it, or so low that the phase is lost to rounding.
     """
-    values = batch.values
-    status = np.zeros(len(batch), dtype=np.uint8)
-    minimum = np.array([-np.inf if entry.minimum is None else entry.minimum for entry in ranges])
-    maximum = np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
-    inside = (values >= minimum) & (values <= maximum)
-    inside[:, 5] &= values[:, 5] > 0.0
-    inside[:, 8] &= _shift(values, frequencies) <= _MOST_PHASE
-    finite = np.isfinite(values)
-    status[_band_status(values[:, 7] * SOLAR_MASS_SECONDS, frequencies, mf_band, options)] = RowStatus.OUT_OF_BAND
-    status[~inside.all(axis=1)] = RowStatus.OUT_OF_DOMAIN
-    status[~finite.all(axis=1)] = RowStatus.NOT_FINITE
-    _raise_first(values, finite, inside, status, frequencies, ranges, mf_band)
-
-
-def _shift(values: NDArray[np.float64], frequencies: NDArray[np.float64]) -> NDArray[np.float64]:
-    """By how many radians the phase is shifted at most."""
-    with np.errstate(invalid="ignore", over="ignore"):
-        return np.abs(values[:, 8]) + (2.0 * np.pi * frequencies[-1]) * np.abs(values[:, 9])
-
-
-def _band_status(
-    mass: NDArray[np.float64],
-    frequencies: NDArray[np.float64],
-    mf_band: tuple[float, float],
-    options: EvaluationOptions,
-) -> NDArray[np.bool_]:
-    with np.errstate(invalid="ignore", over="ignore"):
-        outside = frequencies[0] * mass < _LEAST_MF
-        if options.above_band == "error":
-            outside |= frequencies[-1] * mass > mf_band[1] * (1.0 + 1e-9)
-        if options.below_band == "error":
-            outside |= frequencies[0] * mass < mf_band[0] * (1.0 - 1e-9)
-    return np.asarray(outside)
-
-
-def _raise_first(
-    values: NDArray[np.float64],
-    finite: NDArray[np.bool_],
-    inside: NDArray[np.bool_],
-    status: NDArray[np.uint8],
-    frequencies: NDArray[np.float64],
-    ranges: list[ParameterDescription],
-    mf_band: tuple[float, float],
-) -> None:
+    values, finite = batch.values, np.isfinite(batch.values)
     if not finite.all():
         problems = _problems(~finite, values, ranges)
         raise InvalidParameters(_sentence(problems, int((~finite).sum()), "is not finite"), errors=problems)
@@ -120,9 +74,10 @@ def _raise_first(
         row = int(np.argmin(distance))
         problem = FieldError(reason="must be positive", parameter="distance_mpc", row=row, value=float(values[row, 5]))
         raise InvalidParameters(f"Row {row}: distance_mpc = {values[row, 5]} Mpc must be positive.", errors=[problem])
-    shift = _shift(values, frequencies)
-    if not (shift <= _MOST_PHASE).all():
-        row = int(np.argmin(shift <= _MOST_PHASE))
+    with np.errstate(over="ignore"):
+        shift = np.abs(values[:, 8]) + (2.0 * np.pi * frequencies[-1]) * np.abs(values[:, 9])
+    if not (shift <= MOST_PHASE).all():
+        row = int(np.argmin(shift <= MOST_PHASE))
         raise InvalidParameters(
             f"Row {row}: reference_phase = {values[row, 8]} and time_shift = {values[row, 9]} turn the phase by "
             f"{shift[row]:.3g} radians, of which double precision leaves no fraction of a turn; use smaller ones.",
@@ -130,6 +85,9 @@ def _raise_first(
                 FieldError(reason="too large", parameter=name, row=row) for name in ("reference_phase", "time_shift")
             ],
         )
+    minimum = np.array([-np.inf if entry.minimum is None else entry.minimum for entry in ranges])
+    maximum = np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
+    inside = (values >= minimum) & (values <= maximum)
     if not inside.all():
         problems = _problems(~inside, values, ranges)
         raise OutOfDomain(
@@ -145,7 +103,7 @@ def _out_of_band(
 ) -> OutOfBand:
     hint = (
         " So low, its phase exceeds double precision."
-        if frequencies[0] * values[row, 7] * SOLAR_MASS_SECONDS < _LEAST_MF
+        if frequencies[0] * values[row, 7] * SOLAR_MASS_SECONDS < LEAST_MF
         else ""
     )
     low, high = (edge / (values[row, 7] * SOLAR_MASS_SECONDS) for edge in mf_band)
@@ -192,15 +150,15 @@ def refuse_overflow(
 
     Parameters
     ----------
-    batch:
+    batch
         N binaries.
-    arrays:
+    arrays
         What was evaluated of them, each ``(N, M)``; the rows of those that overflow become NaN.
-    of_rows:
+    of_rows
         The same of single numbers, each ``(N,)``.
-    status:
+    status
         Of every row; those that overflow become ``NOT_FINITE``.
-    options:
+    options
         Whether such rows are flagged.
 
     Raises

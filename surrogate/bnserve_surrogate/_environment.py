@@ -24,11 +24,11 @@ def describe_run(
 
     Parameters
     ----------
-    models:
+    models
         What is evaluated.
-    limits:
+    limits
         Of the service, if there is one.
-    also:
+    also
         Distributions that take part besides this package's own.
     """
     return RunManifest(

@@ -33,7 +33,7 @@ from bnserve_protocol import (
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
 from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
-from bnserve_surrogate.kernel import KernelModel, Output, Outputs, Policy, evaluate
+from bnserve_surrogate.kernel import EDGE, KernelModel, Output, Outputs, Policy, evaluate
 
 _ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
 _KINDS = {"complex128": Output.POLARIZATIONS, "complex64": Output.POLARIZATIONS_SINGLE}
@@ -56,8 +56,6 @@ _ANY_MASS = 2.8
 """Solar masses, for a model that is made for all."""
 _DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
-_EDGE = 1e-9
-"""The kernel's: the relative width by which a frequency may miss the band's top through rounding."""
 _TOTAL_MASS, _PHASE, _TIME = (PARAMETER_NAMES.index(name) for name in ("total_mass", "reference_phase", "time_shift"))
 Phases = Callable[[NDArray[np.float64], ParameterBatch], NDArray[np.float64]]
 """Frequencies in Hz (n,) and N binaries to continuous phases in radians (N, n)."""
@@ -102,11 +100,11 @@ class Evaluator:
 
     Parameters
     ----------
-    mode:
+    mode
         Kernel arrays.
-    ranges:
+    ranges
         Unit and trained range of every parameter.
-    threads:
+    threads
         Among how many threads a large batch is divided.
     """
 
@@ -165,6 +163,7 @@ class Evaluator:
         Raises
         ------
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
+            As :meth:`~bnserve_surrogate.Model.predict`.
         InvalidRequest
             ``options`` are none.
         TooLarge
@@ -198,7 +197,7 @@ class Evaluator:
         outputs = Outputs(kind, first_at, second_at, at, at + 8 * rows, at + 32 * rows, estimates_at)
         bad = self._run(grid, coerced, options, outputs, points * arrays[0].itemsize)
         if bad and options.out_of_domain == "error":
-            refuse_rows(coerced, grid.frequencies, self._ranges, self._mode.mf_band, options)
+            refuse_rows(coerced, status, grid.frequencies, self._ranges, self._mode.mf_band)
         if (coerced.values[:, _DISTANCE] < NEAR).any():
             numbers = [plus, cross] if estimates is None else [plus, cross, estimates]
             refuse_overflow(coerced, arrays, numbers, status, options)
@@ -271,26 +270,26 @@ def continue_above(
 
     Parameters
     ----------
-    phase:
+    phase
         (N, M) radians, overwritten above the band.
-    frequencies:
+    frequencies
         (M,) increasing, in Hz.
-    batch:
+    batch
         The N binaries.
-    evaluated:
+    evaluated
         (N,) whether the row has values; others are left as they are.
-    mf_top:
+    mf_top
         The top of the band in M f (dimensionless).
-    mass:
+    mass
         A total mass in the model's range, in solar masses.
-    phases:
+    phases
         Evaluates phases with the alignment of ``phase``.
     """
     top = mf_top / (mass * SOLAR_MASS_SECONDS)
     if frequencies[-1] * batch.values[:, _TOTAL_MASS].max(initial=0.0) <= top * mass:  # nearly always, and quick
         return
     scale = batch.values[:, _TOTAL_MASS] / mass
-    rows = np.flatnonzero(evaluated & (frequencies[-1] * scale > top * (1.0 + _EDGE)))
+    rows = np.flatnonzero(evaluated & (frequencies[-1] * scale > top * (1.0 + EDGE)))
     if not len(rows):
         return
     stencil = MergerStencil(top, from_below=True)
@@ -301,7 +300,7 @@ def continue_above(
     slope, own = stencil.slope(below), batch.values[rows]
     constant = below[:, -1] - slope * top + own[:, _PHASE]
     gradient = slope * scale[rows] + 2.0 * np.pi * own[:, _TIME]
-    firsts = np.searchsorted(frequencies, top * (1.0 + _EDGE) / scale[rows], side="right")
+    firsts = np.searchsorted(frequencies, top * (1.0 + EDGE) / scale[rows], side="right")
     for row, first, offset, factor in zip(rows, firsts, constant, gradient, strict=True):
         line = np.multiply(frequencies[first:], factor, out=phase[row, first:])
         line += offset

@@ -55,13 +55,13 @@ class Model:
 
     Parameters
     ----------
-    metadata:
+    metadata
         What the manifest says.
-    description:
+    description
         Name, version, digest.
-    modes:
+    modes
         The kernel arrays of every mode; today (2, 2) alone.
-    threads:
+    threads
         Among how many threads a large batch is divided; the bits do not depend on it.
     """
 
@@ -101,21 +101,22 @@ class Model:
 
         Parameters
         ----------
-        name:
+        name
             Such as ``"default"``.
-        version:
+        version
             A version or a label.
-        store:
+        store
             A directory or a store; None for the models that ship with the package.
-        digest:
+        digest
             That of the artifact it must be, ``"sha256:..."``, whatever a label stands for now; a ``version`` that is
             not a label must be the one with this digest.
-        threads:
+        threads
             Among how many threads a large batch is divided.
 
         Raises
         ------
         ModelUnknown, StoreUnknown, ArtifactError
+            There is no such model or version, no such store, or the artifact is damaged.
         InvalidRequest
             ``threads`` is no positive number of threads, ``digest`` no digest or ``store`` none.
         DigestUnknown
@@ -172,7 +173,14 @@ class Model:
 
         Raises
         ------
-        InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
+        InvalidParameters
+            A parameter is missing, unknown, no number, or too large or small to be evaluated.
+        OutOfDomain
+            One is outside its trained range.
+        InvalidFrequencies
+            They are not positive and increasing.
+        OutOfBand
+            They reach beyond the band, and the options forbid it.
         """
         if type(frequencies) is np.ndarray and type(parameters) is ParametersWithExtrinsic:
             answer = self._evaluator.one(frequencies, parameters, options, dtype)

@@ -11,11 +11,11 @@ def version_with_digest(store: ModelStore, name: str, version: str, digest: str)
 
     Parameters
     ----------
-    store, name:
+    store, name
         Where, and which model.
-    version:
+    version
         A label, which is not compared, or the version that it must be.
-    digest:
+    digest
         ``"sha256:..."``.
 
     Raises
@@ -23,6 +23,7 @@ def version_with_digest(store: ModelStore, name: str, version: str, digest: str)
     DigestUnknown
         No version has it, or another one than ``version``.
     InvalidRequest, ModelUnknown, StoreUnknown
+        The digest is none; there is no such model, or no such store.
     """
     check_model_digest(digest)
     versions = store.versions(name)

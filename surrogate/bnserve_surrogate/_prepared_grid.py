@@ -22,11 +22,11 @@ class PreparedGrid:
 
     Parameters
     ----------
-    frequencies:
+    frequencies
         Hz, ``(M,)``; a view of the first row of ``powers``.
-    powers:
+    powers
         ``(5, M + padding)``: f, log f, f^(1/3), f^(-5/3) and f^(-7/6); the padding repeats the last column.
-    table:
+    table
         int64, ``(bins + 1,)``: the first frequency in each of so many bins of equal width in log f, then M.
     """
 
@@ -75,6 +75,7 @@ class GridCache:
         Raises
         ------
         InvalidFrequencies
+            They are not positive and increasing.
         """
         plain = plain_grid(grid)
         key, known = self._find(plain)

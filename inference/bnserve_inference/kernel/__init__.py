@@ -1,6 +1,6 @@
 """The compiled contraction of waveforms with the weights of an analysis."""
 
-from bnserve_inference.kernel._contraction import Contraction, InnerProducts, load_contraction
+from bnserve_inference.kernel._contraction import Contraction
 from bnserve_inference.kernel._layout import Sky
 
-__all__ = ["Contraction", "InnerProducts", "Sky", "load_contraction"]
+__all__ = ["Contraction", "Sky"]

@@ -48,7 +48,7 @@ class Contraction:
 
     Attributes
     ----------
-    frequencies:
+    frequencies
         Where the model is evaluated: linear and quadratic nodes merged, increasing, ``(M,)`` in Hz.
     """
 
@@ -85,15 +85,15 @@ class Contraction:
 
         Parameters
         ----------
-        h:
+        h
             Strain of the mode on :attr:`frequencies`, complex128 ``(N, M)``.
-        sky:
+        sky
             ``(N, 7)``, columns as in :class:`~bnserve_inference.kernel._layout.Sky`.
-        calibration:
+        calibration
             Amplitude and phase errors at the calibration nodes, ``(N, D, nodes)`` each, or None for none.
-        times, step:
+        times, step
             Evaluate at arrival times ``sky.time + k * step`` for k below ``times`` (seconds).
-        spectrum:
+        spectrum
             Whether to return the terms too.
         """
         rows = len(h)

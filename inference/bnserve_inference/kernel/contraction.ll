@@ -1,4 +1,4 @@
-; sources: 33c0328bf6047f16dcedb79044241e775e8b8bbaf22874fddc194517ae26d9b0
+; sources: b2c73c1009e2458b598a7c172bfb2f0bb726f33e8afea684f3782fb2110a6051
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

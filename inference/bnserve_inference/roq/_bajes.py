@@ -41,7 +41,10 @@ def save_bajes(directory: Path | str, basis: ReducedOrderQuadrature, model: Wave
 
     Raises
     ------
-    BasisMismatch, BasisUnwritable
+    BasisMismatch
+        The model is another one.
+    BasisUnwritable
+        There is no room, or no permission.
     """
     data = Path(directory) / "ROQ_data"
     chunks = {"linear": basis.linear_chunks(model), "quadratic": basis.quadratic_chunks(model)}

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from bnserve_inference.roq._errors import BasisFileInvalid
-from bnserve_inference.roq._interpolant import Alignment, TabulatedInterpolant, Term
+from bnserve_inference.roq._interpolant import TabulatedInterpolant, Term, checked_alignment
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._storage import replacing
 from bnserve_protocol import WaveformModel, require
@@ -47,7 +47,10 @@ def save_bilby(path: Path | str, basis: ReducedOrderQuadrature, model: WaveformM
     ------
     BasisFileInvalid
         The name ends in something else, which bilby would refuse.
-    BasisMismatch, BasisUnwritable
+    BasisMismatch
+        The model is another one.
+    BasisUnwritable
+        There is no room, or no permission.
     """
     path, h5py = Path(path), require("h5py", "The file of a basis", "roq")
     if path.suffix != ".hdf5":
@@ -108,7 +111,7 @@ def _read(path: Path | str, file: Any) -> ReducedOrderQuadrature:
         f_min=f_min,
         f_max=f_max,
         duration=duration,
-        alignment=_alignment(file),
+        alignment=checked_alignment(file.attrs.get("alignment", "merger")),
         prior=_our_ranges(file.get("prior_range_linear", {})),
         model_name=str(file.attrs.get("model_name", "")),
         model_version=str(file.attrs.get("model_version", "")),
@@ -126,13 +129,6 @@ def _read_term(file: Any, term: Term) -> TabulatedInterpolant:
         raise ValueError(f"no frequency_nodes of the {term} basis")
     nodes = np.asarray(group["frequency_nodes"][()], dtype=np.float64)
     return TabulatedInterpolant.in_order(term, nodes, group["basis"], rows=True)
-
-
-def _alignment(file: Any) -> Alignment:
-    value = str(file.attrs.get("alignment", "merger"))
-    if value not in ("merger", "post_newtonian"):
-        raise ValueError(f"alignment {value[:40]!r}")
-    return "merger" if value == "merger" else "post_newtonian"
 
 
 def _their_ranges(prior: Mapping[str, tuple[float, float]]) -> dict[str, tuple[float, float]]:

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from bnserve_inference.roq._errors import BasisFileInvalid
-from bnserve_inference.roq._interpolant import Term, WaveformInterpolant
+from bnserve_inference.roq._interpolant import Term, WaveformInterpolant, checked_alignment
 from bnserve_inference.roq._storage import replacing
 from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, require
 from bnserve_protocol.wire import unique_keys
@@ -38,6 +38,7 @@ def write_basis(path: Path | str, basis: Mapping[str, Any]) -> None:
     BasisFileInvalid
         A tabulated basis, which has no compact form.
     BasisUnwritable
+        There is no room, or no permission.
     """
     h5py = require("h5py", "The file of a basis", "roq")
     linear, quadratic = basis["linear"], basis["quadratic"]
@@ -80,7 +81,7 @@ def read_basis(path: Path | str) -> dict[str, Any]:
                 "f_min": float(file.attrs["f_min"]),
                 "f_max": float(file.attrs["f_max"]),
                 "duration": float(file.attrs["duration"]),
-                "alignment": _alignment(file.attrs["alignment"]),
+                "alignment": checked_alignment(file.attrs["alignment"]),
                 "prior": {name: (float(low), float(high)) for name, (low, high) in _json(file.attrs["prior"]).items()},
                 "model_name": str(file.attrs["model_name"]),
                 "model_version": str(file.attrs["model_version"]),
@@ -120,9 +121,3 @@ def _read_term(group: Any, term: Term) -> WaveformInterpolant:
 
 def _json(text: str) -> Any:
     return json.loads(text, object_pairs_hook=unique_keys)
-
-
-def _alignment(value: Any) -> Any:
-    if value not in ("merger", "post_newtonian"):
-        raise ValueError(f"alignment {str(value)[:40]!r}")
-    return value

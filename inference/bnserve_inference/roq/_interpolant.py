@@ -21,6 +21,15 @@ CHUNK = 8192
 """Frequencies evaluated at once: 267 elements take 35 MB."""
 
 
+def checked_alignment(value: Any) -> Alignment:
+    """What a file says of the alignment; a ``ValueError`` if it is none."""
+    if value == "merger":
+        return "merger"
+    if value == "post_newtonian":
+        return "post_newtonian"
+    raise ValueError(f"alignment {str(value)[:40]!r}")
+
+
 class Interpolant(Protocol):
     """Rows B_j(f) with g(f) = sum_j B_j(f) g(F_j) for every g of the family, at the ``nodes`` F_j."""
 
@@ -135,6 +144,7 @@ def evaluate_term(
     Raises
     ------
     InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
+        As the model raises them, for what it does not cover.
     """
     options = EvaluationOptions(alignment=alignment)
     if term == "linear":

@@ -109,6 +109,7 @@ class ReducedOrderQuadrature:
         Raises
         ------
         BasisMismatch
+            It is another one.
         """
         if model is None or not self.model_digest or model.description.digest == self.model_digest:
             return

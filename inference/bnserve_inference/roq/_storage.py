@@ -74,6 +74,7 @@ class Checkpoints:
         Raises
         ------
         BasisUnwritable
+            There is no room, or no permission.
         """
         now = time.monotonic()
         if not force and now - self._last.setdefault(name, now) < self._every:

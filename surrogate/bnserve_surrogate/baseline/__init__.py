@@ -9,11 +9,9 @@ from bnserve_surrogate.baseline._amplitude import (
     FROZEN_AMPLITUDE,
     amplitude_coefficients,
     amplitude_prefactor,
-    freeze_amplitude,
     freezing_weight,
     mass_scale,
     taylorf2_amplitude,
-    velocity,
 )
 from bnserve_surrogate.baseline._phase import (
     PHASE_LOG_POWERS,
@@ -34,12 +32,10 @@ __all__ = [
     "amplitude_coefficients",
     "amplitude_prefactor",
     "evaluate_phase",
-    "freeze_amplitude",
     "freezing_weight",
     "mass_scale",
     "phase_coefficients",
     "spin_induced_quadrupole",
     "taylorf2_amplitude",
     "taylorf2_phase",
-    "velocity",
 ]

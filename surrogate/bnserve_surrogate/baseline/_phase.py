@@ -23,13 +23,8 @@ PHASE_POWERS = 16
 
 @register_jitable(error_model="numpy")
 def phase_coefficients(
-    mass_ratio: Scalars,
-    chi_1: Scalars,
-    chi_2: Scalars,
-    lambda_1: Scalars,
-    lambda_2: Scalars,
-    out: Coefficients,
-) -> None:
+    mass_ratio: Scalars, chi_1: Scalars, chi_2: Scalars, lambda_1: Scalars, lambda_2: Scalars, out: Coefficients,
+) -> None:  # fmt: skip
     r"""Fill ``out`` with the coefficients of the TaylorF2 phase.
 
     .. math:: \Psi(v) = v^{-5} \sum_{l, k} \mathrm{out}[l, k] \, (\log v)^l \, v^k, \qquad v = (\pi M f)^{1/3}
@@ -164,13 +159,9 @@ def evaluate_phase(mf: FloatArray, coefficients: FloatArray) -> FloatArray:
 
 
 def taylorf2_phase(
-    mf: FloatArray,
-    mass_ratio: FloatArray,
-    chi_1: FloatArray,
-    chi_2: FloatArray,
-    lambda_1: FloatArray,
+    mf: FloatArray, mass_ratio: FloatArray, chi_1: FloatArray, chi_2: FloatArray, lambda_1: FloatArray,
     lambda_2: FloatArray,
-) -> FloatArray:
+) -> FloatArray:  # fmt: skip
     """Psi in radians, shape (N, M), where h = A exp(-i Psi): see :func:`phase_coefficients`.
 
     Parameters

@@ -19,6 +19,12 @@ MAX_DEGREE = 64
 """Highest degree of a Chebyshev polynomial in a model."""
 MAX_WIDTH = 1024
 """Widest layer of a network in a model."""
+EDGE = 1e-9
+"""Relative width by which a frequency may miss the band's edge through rounding and still be inside."""
+MOST_PHASE = 1e14
+"""Radians; doubles of this size are 0.016 apart, and of 1e16 more than a turn."""
+LEAST_MF = 1e-9
+"""M f below which the post-Newtonian phase exceeds that: 7e-5 Hz at 2.8 solar masses."""
 OTHER_GRID = -1
 """What the kernel returns when the caller's frequencies are not the prepared ones; otherwise the number of bad rows."""
 

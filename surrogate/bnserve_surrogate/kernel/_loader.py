@@ -50,18 +50,18 @@ class Workspace(threading.local):
 
     Parameters
     ----------
-    size:
+    size
         How many integers the block of arguments has.
 
     Attributes
     ----------
-    arguments:
+    arguments
         The block, to be filled before a call.
-    addresses:
+    addresses
         What the code is called with.
-    slots:
+    slots
         After a call, its result is the first of them.
-    scratch, scratch_at:
+    scratch, scratch_at
         The memory that was reserved, and its address.
     """
 
@@ -99,11 +99,11 @@ def load_assembly(assembly: Path, entry_point: str, *, vectorise: bool = True) -
 
     Parameters
     ----------
-    assembly:
+    assembly
         What :mod:`.build` wrote.
-    entry_point:
+    entry_point
         The function's name.
-    vectorise:
+    vectorise
         Whether loops are still to be turned into vector instructions, which takes longer than making machine code.
     """
     with _lock:

@@ -33,21 +33,21 @@ class KernelModel:
 
     Parameters
     ----------
-    contents:
+    contents
         int64: an :class:`~bnserve_surrogate.kernel._layout.Entry` each, then the layer sizes of the network, then the
         owners of the cells (see :class:`Cells`).
-    exponents:
+    exponents
         int64, ``(5 * terms,)``: degrees of the Chebyshev products, term by term.
-    weights:
+    weights
         float64: coordinate offset and scale; polynomial coefficients and the network's layers, as :func:`by_columns`
         arranges them; the synthesis matrix; knots of amplitude and phase in log(M f), each with the widths of its
         cells; the band in M f, and the M f at which the generator's phase starts; lowest and highest value of every
         parameter; the cells for dense grids. The synthesis matrix maps the regressor's outputs (after a leading one,
         for the mean) to everything linear: amplitude residuals at the knots and their second derivatives, the same of
         the phase, and for each alignment the constant and the slope in M f that the phase gets.
-    mf_band:
+    mf_band
         First and last trained M f (dimensionless).
-    estimates_mismatch:
+    estimates_mismatch
         Whether the last output is the logarithm of the estimated mismatch.
     """
 
@@ -250,7 +250,7 @@ def second_derivative_operator(knots: NDArray[np.float64]) -> NDArray[np.float64
 
     Parameters
     ----------
-    knots:
+    knots
         Increasing, ``(n,)`` with n >= 4.
 
     Returns

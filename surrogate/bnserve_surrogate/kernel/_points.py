@@ -44,17 +44,9 @@ def fill_cells(values: Floats, curvatures: Floats, knots: Floats, cells: int, st
 
 @njit(**JIT_OPTIONS)
 def spline(
-    log_f: Floats,
-    first: int,
-    stop: int,
-    shift: float,
-    knots: Floats,
-    ends: Integers,
-    cell: int,
-    cubics: Floats,
-    stride: int,
-    out: Floats,
-) -> int:
+    log_f: Floats, first: int, stop: int, shift: float, knots: Floats, ends: Integers, cell: int, cubics: Floats,
+    stride: int, out: Floats,
+) -> int:  # fmt: skip
     """A spline at ``log_f + shift`` for the frequencies ``first`` to ``stop``; returns the last cell that was used.
 
     ``ends[c]`` is the first frequency beyond cell c.
@@ -76,19 +68,9 @@ def spline(
 
 @njit(**JIT_OPTIONS)
 def two_splines(
-    log_f: Floats,
-    first: int,
-    stop: int,
-    shift: float,
-    knots: Floats,
-    ends: Integers,
-    cell: int,
-    cubics: Floats,
-    stride: int,
-    out: Floats,
-    other_cubics: Floats,
-    other_out: Floats,
-) -> int:
+    log_f: Floats, first: int, stop: int, shift: float, knots: Floats, ends: Integers, cell: int, cubics: Floats,
+    stride: int, out: Floats, other_cubics: Floats, other_out: Floats,
+) -> int:  # fmt: skip
     """:func:`spline` for two splines with the same knots."""
     start = first
     while start < stop:
@@ -122,16 +104,9 @@ def extend_below(
 
 @njit(**JIT_OPTIONS)
 def amplitudes(
-    f: Floats,
-    cbrt_f: Floats,
-    power: Floats,
-    segments: tuple[int, int, int],
-    mass: float,
-    c: Floats,
-    constant: float,
-    residuals: Floats,
-    out: Floats,
-) -> None:
+    f: Floats, cbrt_f: Floats, power: Floats, segments: tuple[int, int, int], mass: float, c: Floats, constant: float,
+    residuals: Floats, out: Floats,
+) -> None:  # fmt: skip
     """Residual log-amplitudes into amplitudes over the baseline, which freezes between the first two ``segments``.
 
     ``power`` is f^(-7/6) and ``c`` the series in f^(1/3).
@@ -207,19 +182,9 @@ def spline_at_nodes(
 
 @njit(**JIT_OPTIONS)
 def polynomials(
-    f: Floats,
-    first: int,
-    stop: int,
-    mass: float,
-    scales: Floats,
-    offsets: Floats,
-    ends: Integers,
-    cell: int,
-    a: Floats,
-    p: Floats,
-    amplitude: Floats,
-    phase: Floats,
-) -> int:
+    f: Floats, first: int, stop: int, mass: float, scales: Floats, offsets: Floats, ends: Integers, cell: int,
+    a: Floats, p: Floats, amplitude: Floats, phase: Floats,
+) -> int:  # fmt: skip
     """Amplitude and phase for the frequencies ``first`` to ``stop``; returns the last cell that was used."""
     start = first
     while start < stop:

@@ -71,13 +71,13 @@ def multiply(
 
     Parameters
     ----------
-    count:
+    count
         Number of terms; every sum runs over them in this order.
-    scalars, row, step:
+    scalars, row, step
         ``scalars[i, k]`` stands at ``i * row + k * step``.
-    matrix, columns:
+    matrix, columns
         As :func:`bnserve_surrogate.kernel._mode.by_columns` arranges it; ``columns`` are whole vectors.
-    out, out_row:
+    out, out_row
         ``out[i, j]`` stands at ``i * out_row + j``.
     """
     position = 0
@@ -107,13 +107,13 @@ def regress(
 
     Parameters
     ----------
-    parameters:
+    parameters
         ``(8 * 5,)``: mass ratio, spins and tidal deformabilities of each row.
-    rows:
+    rows
         How many of them are wanted.
-    contents, exponents, weights:
+    contents, exponents, weights
         A :class:`KernelModel`'s.
-    scratch:
+    scratch
         Working memory; what is returned is its beginning.
 
     Returns

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate._freezing import FREEZING_END, FREEZING_START
-from bnserve_surrogate.kernel._layout import BLOCK, DENSE, LANES, Argument, Column, Entry, Output
+from bnserve_surrogate.kernel._layout import BLOCK, DENSE, EDGE, LANES, Argument, Column, Entry, Output
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._places import find_ends, first_not_below, locate
 from bnserve_surrogate.kernel._points import (
@@ -31,8 +31,6 @@ from bnserve_surrogate.kernel._writing import write_block
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-EDGE = 1e-9
-"""Relative width by which a frequency may miss the band's edge through rounding and still be inside."""
 ANY = 1 << 30
 """For parts of the scratch and of the weights whose length nothing asks for."""
 BUFFER = BLOCK + LANES
@@ -188,18 +186,9 @@ def evaluate_row(
 
 @njit(**JIT_OPTIONS)
 def fit_cells(
-    row: Floats,
-    linear: Floats,
-    contents: Integers,
-    weights: Floats,
-    alignment: int,
-    cubics: tuple[Floats, Floats],
-    stride: int,
-    series: Floats,
-    work: Floats,
-    polynomials_a: Floats,
-    polynomials_p: Floats,
-) -> None:
+    row: Floats, linear: Floats, contents: Integers, weights: Floats, alignment: int, cubics: tuple[Floats, Floats],
+    stride: int, series: Floats, work: Floats, polynomials_a: Floats, polynomials_p: Floats,
+) -> None:  # fmt: skip
     """Polynomials of amplitude and phase in every cell of the band: see :mod:`~bnserve_surrogate.kernel._mode`."""
     cells = contents[Entry.CELLS]
     n_c = padded(cells)

@@ -143,26 +143,23 @@ def smaller(typing_context: Any, a: Any, b: Any) -> Any:
     return FLOATS(FLOATS, float64), codegen
 
 
-@intrinsic
-def bits_of(typing_context: Any, x: Any) -> Any:
-    """The bits of float64 as int64."""
-    result = INTEGERS if isinstance(x, Vector) else int64
+def _reinterpreted(vector: Any, scalar: Any) -> Any:
+    @intrinsic
+    def function(typing_context: Any, x: Any) -> Any:
+        result = vector if isinstance(x, Vector) else scalar
 
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return builder.bitcast(args[0], context.get_value_type(result))
+        def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            return builder.bitcast(args[0], context.get_value_type(result))
 
-    return result(x), codegen
+        return result(x), codegen
+
+    return function
 
 
-@intrinsic
-def from_bits(typing_context: Any, x: Any) -> Any:
-    """The float64 that has these bits."""
-    result = FLOATS if isinstance(x, Vector) else float64
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        return builder.bitcast(args[0], context.get_value_type(result))
-
-    return result(x), codegen
+bits_of = _reinterpreted(INTEGERS, int64)
+"""The bits of float64 as int64."""
+from_bits = _reinterpreted(FLOATS, float64)
+"""The float64 that has these bits."""
 
 
 def _element(context: Any, builder: Any, kind: Any, array: Any, index: Any) -> Any:

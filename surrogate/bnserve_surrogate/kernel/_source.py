@@ -12,10 +12,23 @@ from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_protocol import SOLAR_MASS_SECONDS, RowStatus
-from bnserve_surrogate.kernel._layout import COLUMNS, LANES, OTHER_GRID, TILE, Argument, Column, Entry, Output, Policy
+from bnserve_surrogate.kernel._layout import (
+    COLUMNS,
+    EDGE,
+    LANES,
+    LEAST_MF,
+    MOST_PHASE,
+    OTHER_GRID,
+    TILE,
+    Argument,
+    Column,
+    Entry,
+    Output,
+    Policy,
+)
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._regression import multiply, regress
-from bnserve_surrogate.kernel._row import ANY, EDGE, evaluate_row
+from bnserve_surrogate.kernel._row import ANY, evaluate_row
 from bnserve_surrogate.kernel._simd import (
     bytes_at,
     finish_streams,
@@ -28,11 +41,6 @@ from bnserve_surrogate.kernel._simd import (
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
-
-MOST_PHASE = 1e14
-"""Radians; doubles of this size are 0.016 apart, and of 1e16 more than a turn."""
-LEAST_MF = 1e-9
-"""M f below which the post-Newtonian phase exceeds that: 7e-5 Hz at 2.8 solar masses."""
 
 
 @njit(**JIT_OPTIONS)

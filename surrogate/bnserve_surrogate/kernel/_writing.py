@@ -26,16 +26,9 @@ Integers = NDArray[np.int64]
 
 @njit(**JIT_OPTIONS)
 def write_block(
-    i: int,
-    start: int,
-    inside: int,
-    stop: int,
-    arguments: Integers,
-    amplitude: Floats,
-    phase: Floats,
-    factors: tuple[float, float],
-    tail: Floats,
-) -> None:
+    i: int, start: int, inside: int, stop: int, arguments: Integers, amplitude: Floats, phase: Floats,
+    factors: tuple[float, float], tail: Floats,
+) -> None:  # fmt: skip
     """One block of one row into the outputs: values up to ``inside``, zeros from there to ``stop``."""
     output, first, second = arguments[Argument.OUTPUT], arguments[Argument.FIRST], arguments[Argument.SECOND]
     place = i * arguments[Argument.POINTS] + start
@@ -63,17 +56,23 @@ def write_block(
         _zeros(wide, other_wide, 2 * (inside - start))
 
 
+@njit(inline="always")
+def _put(out: Any, j: int, count: int, streamed: int, real: Any, imaginary: Any, tail: Any) -> None:
+    if count < LANES:
+        store_complex(tail, 0, real, imaginary)
+        for i in range(2 * count):
+            out[2 * j + i] = tail[i]
+    elif streamed >= 0:
+        stream_complex(out, j, real, imaginary)
+    else:
+        store_complex(out, j, real, imaginary)
+
+
 @njit(**JIT_OPTIONS)
 def to_complex(
-    amplitude: Floats,
-    phase: Floats,
-    stop: int,
-    factors: tuple[float, float],
-    streamed: int,
-    first: Any,
-    second: Any,
+    amplitude: Floats, phase: Floats, stop: int, factors: tuple[float, float], streamed: int, first: Any, second: Any,
     tail: Any,
-) -> None:
+) -> None:  # fmt: skip
     """A exp(i phi) into ``first``; or, where ``second`` is not empty, times plus and times i cross into the two.
 
     From place ``streamed`` on whole vectors are written past the caches, unless it is negative.
@@ -90,22 +89,9 @@ def to_complex(
         sine, cosine = sincos(load(phase, j))
         a = load(amplitude, j)
         real, imaginary = rounded_to(first, a * cosine), rounded_to(first, a * sine)
-        if count < LANES:
-            store_complex(tail, 0, real * plus, imaginary * plus)
-            for i in range(2 * count):
-                first[2 * j + i] = tail[i]
-            if two:
-                store_complex(tail, 0, imaginary * (0.0 - cross), real * cross)
-                for i in range(2 * count):
-                    second[2 * j + i] = tail[i]
-        elif streamed >= 0:
-            stream_complex(first, j, real * plus, imaginary * plus)
-            if two:
-                stream_complex(second, j, imaginary * (0.0 - cross), real * cross)
-        else:
-            store_complex(first, j, real * plus, imaginary * plus)
-            if two:
-                store_complex(second, j, imaginary * (0.0 - cross), real * cross)
+        _put(first, j, count, streamed, real * plus, imaginary * plus, tail)
+        if two:
+            _put(second, j, count, streamed, imaginary * (0.0 - cross), real * cross, tail)
         j += count
 
 

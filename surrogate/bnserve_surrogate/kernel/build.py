@@ -50,12 +50,12 @@ def compile_kernel(source: str, count: int, entry_point: str) -> str:
 
     Parameters
     ----------
-    source:
+    source
         A module and a function in it, ``package.module:function``, which takes a block of 64-bit integers and returns
         one.
-    count:
+    count
         How many integers the block has.
-    entry_point:
+    entry_point
         Name of the function in the assembly; see :func:`~bnserve_surrogate.kernel._loader.load_assembly`.
     """
     # Leave what depends on the processor to the loader; numba reads this when it is imported.
@@ -137,11 +137,11 @@ def write_assembly(assembly: Path, sources: Iterable[Path], compiled: Callable[[
 
     Parameters
     ----------
-    assembly:
+    assembly
         The file that is shipped.
-    sources:
+    sources
         What it is compiled from.
-    compiled:
+    compiled
         Gives the assembly.
     """
     parser = argparse.ArgumentParser(description=f"Compile the sources of {assembly.name}.")

@@ -1,4 +1,4 @@
-; sources: c13f5262e82f985aad4ac9255655a74dc9ff2cd5e914792bd778aa3dba890834
+; sources: 9a21eac30258ce2500ffeb2facb19d639b7bb7a9b8f42571c461d3e05adb2885
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -5199,6 +5199,8 @@ entry:
   store ptr null, ptr %.1158, align 8
   %.1221 = alloca ptr, align 8
   store ptr null, ptr %.1221, align 8
+  %.1475 = alloca ptr, align 8
+  store ptr null, ptr %.1475, align 8
   %.1540 = alloca ptr, align 8
   store ptr null, ptr %.1540, align 8
   %.106 = getelementptr i8, ptr %arg.arguments.4, i64 112
@@ -5241,8 +5243,8 @@ B328.if.preheader.new.new:                        ; preds = %B328.if.preheader.n
   %4 = add nuw i64 %2, 1
   %5 = inttoptr i64 %.236 to ptr
   %6 = inttoptr i64 %.298 to ptr
-  %scevgep48 = getelementptr i8, ptr %5, i64 24
-  %scevgep63 = getelementptr i8, ptr %6, i64 24
+  %scevgep29 = getelementptr i8, ptr %5, i64 24
+  %scevgep44 = getelementptr i8, ptr %6, i64 24
   %7 = lshr i64 %4, 1
   %8 = mul nsw i64 %7, -2
   br label %B328.if
@@ -5255,25 +5257,25 @@ B378.loopexit.unr-lcssa.unr-lcssa:                ; preds = %B328.if
 B328.if.epil.preheader1:                          ; preds = %B378.loopexit.unr-lcssa.unr-lcssa, %B328.if.preheader.new
   %.458813815.epil.init4 = phi i64 [ 0, %B328.if.preheader.new ], [ %.465.1.1, %B378.loopexit.unr-lcssa.unr-lcssa ]
   %10 = shl i64 %.458813815.epil.init4, 3
-  %sunkaddr167.epil = getelementptr i8, ptr %arg.amplitude.4, i64 %10
-  %.519.epil2 = load double, ptr %sunkaddr167.epil, align 8
+  %sunkaddr141.epil = getelementptr i8, ptr %arg.amplitude.4, i64 %10
+  %.519.epil2 = load double, ptr %sunkaddr141.epil, align 8
   %sunkaddr = inttoptr i64 %.236 to ptr
-  %sunkaddr71 = getelementptr i8, ptr %sunkaddr, i64 %10
-  store double %.519.epil2, ptr %sunkaddr71, align 8
-  %sunkaddr169.epil = getelementptr i8, ptr %arg.phase.4, i64 %10
-  %.579.epil3 = load double, ptr %sunkaddr169.epil, align 8
-  %sunkaddr72 = inttoptr i64 %.298 to ptr
-  %sunkaddr74 = getelementptr i8, ptr %sunkaddr72, i64 %10
-  store double %.579.epil3, ptr %sunkaddr74, align 8
+  %sunkaddr53 = getelementptr i8, ptr %sunkaddr, i64 %10
+  store double %.519.epil2, ptr %sunkaddr53, align 8
+  %sunkaddr143.epil = getelementptr i8, ptr %arg.phase.4, i64 %10
+  %.579.epil3 = load double, ptr %sunkaddr143.epil, align 8
+  %sunkaddr54 = inttoptr i64 %.298 to ptr
+  %sunkaddr56 = getelementptr i8, ptr %sunkaddr54, i64 %10
+  store double %.579.epil3, ptr %sunkaddr56, align 8
   %.465.1.epil = add nuw i64 %.458813815.epil.init4, 2
-  %sunkaddr172.epil = getelementptr i8, ptr %sunkaddr167.epil, i64 8
-  %.519.1.epil = load double, ptr %sunkaddr172.epil, align 8
-  %sunkaddr78 = getelementptr i8, ptr %sunkaddr71, i64 8
-  store double %.519.1.epil, ptr %sunkaddr78, align 8
-  %sunkaddr175.epil = getelementptr i8, ptr %sunkaddr169.epil, i64 8
-  %.579.1.epil = load double, ptr %sunkaddr175.epil, align 8
-  %sunkaddr82 = getelementptr i8, ptr %sunkaddr74, i64 8
-  store double %.579.1.epil, ptr %sunkaddr82, align 8
+  %sunkaddr146.epil = getelementptr i8, ptr %sunkaddr141.epil, i64 8
+  %.519.1.epil = load double, ptr %sunkaddr146.epil, align 8
+  %sunkaddr60 = getelementptr i8, ptr %sunkaddr53, i64 8
+  store double %.519.1.epil, ptr %sunkaddr60, align 8
+  %sunkaddr149.epil = getelementptr i8, ptr %sunkaddr143.epil, i64 8
+  %.579.1.epil = load double, ptr %sunkaddr149.epil, align 8
+  %sunkaddr64 = getelementptr i8, ptr %sunkaddr56, i64 8
+  store double %.579.1.epil, ptr %sunkaddr64, align 8
   br label %B378.loopexit.unr-lcssa
 
 B378.loopexit.unr-lcssa:                          ; preds = %B328.if.epil.preheader1, %B378.loopexit.unr-lcssa.unr-lcssa
@@ -5302,7 +5304,7 @@ B378:                                             ; preds = %B328.if.epil.prehea
   br i1 %.716820.not, label %common.ret, label %B422.if.preheader
 
 B422.if.preheader:                                ; preds = %B378
-  %.neg119 = add i64 %arg.inside, 1
+  %.neg114 = add i64 %arg.inside, 1
   %xtraiter112 = and i64 %.673, 1
   %lcmp.mod113.not = icmp eq i64 %xtraiter112, 0
   br i1 %lcmp.mod113.not, label %B422.if.prol.loopexit, label %B422.if.prol
@@ -5325,21 +5327,21 @@ B422.if.prol:                                     ; preds = %B422.if.preheader
 B422.if.prol.loopexit:                            ; preds = %B422.if.prol, %B422.if.preheader
   %.715818822.unr = phi i64 [ %.673, %B422.if.preheader ], [ %.725.prol, %B422.if.prol ]
   %.722819821.unr = phi i64 [ %.372, %B422.if.preheader ], [ %.729.prol, %B422.if.prol ]
-  %22 = icmp eq i64 %arg.stop, %.neg119
-  br i1 %22, label %common.ret, label %B422.if.preheader120
+  %22 = icmp eq i64 %arg.stop, %.neg114
+  br i1 %22, label %common.ret, label %B422.if.preheader115
 
-B422.if.preheader120:                             ; preds = %B422.if.prol.loopexit
+B422.if.preheader115:                             ; preds = %B422.if.prol.loopexit
   %23 = add nuw i64 %.715818822.unr, 2
   %24 = inttoptr i64 %.298 to ptr
   %25 = inttoptr i64 %.236 to ptr
   %26 = shl i64 %.241, 3
   %27 = shl i64 %.722819821.unr, 3
-  %scevgep = getelementptr i8, ptr %24, i64 %27
-  %scevgep34 = getelementptr i8, ptr %25, i64 %27
+  %scevgep12 = getelementptr i8, ptr %24, i64 %27
+  %scevgep16 = getelementptr i8, ptr %25, i64 %27
   %28 = add i64 %26, 8
   br label %B422.if
 
-common.ret:                                       ; preds = %B422.if, %B378, %B422.if.prol.loopexit, %B504, %B1006.endif.endif.endif
+common.ret:                                       ; preds = %B422.if, %B378, %B422.if.prol.loopexit, %B504, %B882
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -5385,9 +5387,11 @@ B882:                                             ; preds = %entry
   %.1264 = shl nsw i64 %.1261, 1
   %.1270 = shl nsw i64 %.209, 4
   %.1272 = add nsw i64 %.1270, %.137
+  %.1274 = inttoptr i64 %.1272 to ptr
   %.1332 = add nsw i64 %.1270, %.167
   %.1334 = icmp eq i64 %.107, 2
   %"$phi1006.3.2.0" = select i1 %.1334, i64 %.1264, i64 0
+  %.1359 = inttoptr i64 %.1332 to ptr
   %.1432 = icmp sgt i64 %"$phi1006.3.2.0", 0
   %.65.i31 = load i64, ptr %arg.arguments.4, align 8, !noalias !120
   %.98.i34 = shl i64 %.206, 4
@@ -5408,401 +5412,81 @@ B882:                                             ; preds = %entry
   %.312.i48 = and i64 %.263.1.i47, 3
   %storemerge.i49 = select i1 %or.cond.not.i45, i64 -1, i64 %.312.i48
   %.1469 = sub nsw i64 %arg.inside, %arg.start
-  %.122.i = icmp sgt i64 %.1469, 0
-  br i1 %.122.i, label %B152.preheader.i, label %B1006.endif.endif.endif
+  store ptr null, ptr %.1475, align 8
+  call fastcc void @inner_15(ptr nonnull %.1475, ptr %arg.amplitude.4, ptr %arg.phase.4, i64 %.1469, double %arg.factors.0, double %arg.factors.1, i64 %storemerge.i49, ptr %.1274, i64 %.1264, ptr %.1359, i64 %"$phi1006.3.2.0", ptr %arg.tail.4)
+  %.1538 = shl nsw i64 %.1469, 1
+  store ptr null, ptr %.1540, align 8
+  call fastcc void @inner_16(ptr nonnull %.1540, ptr %.1274, i64 %.1264, ptr %.1359, i64 %"$phi1006.3.2.0", i64 %.1538)
+  br label %common.ret
 
 B328.if:                                          ; preds = %B328.if, %B328.if.preheader.new.new
-  %lsr.iv29 = phi i64 [ %lsr.iv.next, %B328.if ], [ %8, %B328.if.preheader.new.new ]
+  %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B328.if ], [ %8, %B328.if.preheader.new.new ]
   %.458813815 = phi i64 [ %.465.1.1, %B328.if ], [ 0, %B328.if.preheader.new.new ]
   %31 = shl i64 %.458813815, 3
-  %sunkaddr76 = getelementptr i8, ptr %arg.amplitude.4, i64 %31
-  %.519 = load double, ptr %sunkaddr76, align 8
-  %scevgep51 = getelementptr i8, ptr %scevgep48, i64 %31
-  %scevgep73 = getelementptr i8, ptr %scevgep51, i64 -16
-  %scevgep71 = getelementptr i8, ptr %scevgep51, i64 -24
-  store double %.519, ptr %scevgep71, align 8
-  %sunkaddr79 = getelementptr i8, ptr %arg.phase.4, i64 %31
-  %.579 = load double, ptr %sunkaddr79, align 8
-  %scevgep64 = getelementptr i8, ptr %scevgep63, i64 %31
-  %scevgep62 = getelementptr i8, ptr %scevgep64, i64 -16
-  %scevgep59 = getelementptr i8, ptr %scevgep64, i64 -24
-  store double %.579, ptr %scevgep59, align 8
-  %sunkaddr83 = getelementptr i8, ptr %sunkaddr76, i64 8
-  %.519.1 = load double, ptr %sunkaddr83, align 8
-  store double %.519.1, ptr %scevgep73, align 8
-  %sunkaddr86 = getelementptr i8, ptr %sunkaddr79, i64 8
-  %.579.1 = load double, ptr %sunkaddr86, align 8
-  store double %.579.1, ptr %scevgep62, align 8
-  %sunkaddr89 = getelementptr i8, ptr %sunkaddr76, i64 16
-  %.519.18 = load double, ptr %sunkaddr89, align 8
-  %scevgep68 = getelementptr i8, ptr %scevgep51, i64 -8
-  store double %.519.18, ptr %scevgep68, align 8
-  %sunkaddr92 = getelementptr i8, ptr %sunkaddr79, i64 16
-  %.579.19 = load double, ptr %sunkaddr92, align 8
-  %scevgep55 = getelementptr i8, ptr %scevgep64, i64 -8
-  store double %.579.19, ptr %scevgep55, align 8
+  %sunkaddr50 = getelementptr i8, ptr %arg.amplitude.4, i64 %31
+  %.519 = load double, ptr %sunkaddr50, align 8
+  %scevgep32 = getelementptr i8, ptr %scevgep29, i64 %31
+  %scevgep48 = getelementptr i8, ptr %scevgep32, i64 -16
+  %scevgep43 = getelementptr i8, ptr %scevgep32, i64 -24
+  store double %.519, ptr %scevgep43, align 8
+  %sunkaddr52 = getelementptr i8, ptr %arg.phase.4, i64 %31
+  %.579 = load double, ptr %sunkaddr52, align 8
+  %scevgep38 = getelementptr i8, ptr %scevgep44, i64 %31
+  %scevgep37 = getelementptr i8, ptr %scevgep38, i64 -16
+  %scevgep33 = getelementptr i8, ptr %scevgep38, i64 -24
+  store double %.579, ptr %scevgep33, align 8
+  %sunkaddr58 = getelementptr i8, ptr %sunkaddr50, i64 8
+  %.519.1 = load double, ptr %sunkaddr58, align 8
+  store double %.519.1, ptr %scevgep48, align 8
+  %sunkaddr62 = getelementptr i8, ptr %sunkaddr52, i64 8
+  %.579.1 = load double, ptr %sunkaddr62, align 8
+  store double %.579.1, ptr %scevgep37, align 8
+  %sunkaddr66 = getelementptr i8, ptr %sunkaddr50, i64 16
+  %.519.18 = load double, ptr %sunkaddr66, align 8
+  %scevgep41 = getelementptr i8, ptr %scevgep32, i64 -8
+  store double %.519.18, ptr %scevgep41, align 8
+  %sunkaddr69 = getelementptr i8, ptr %sunkaddr52, i64 16
+  %.579.19 = load double, ptr %sunkaddr69, align 8
+  %scevgep28 = getelementptr i8, ptr %scevgep38, i64 -8
+  store double %.579.19, ptr %scevgep28, align 8
   %.465.1.1 = add i64 %.458813815, 4
-  %sunkaddr93 = shl i64 %.465.1.1, 3
-  %sunkaddr94 = getelementptr i8, ptr %arg.amplitude.4, i64 %sunkaddr93
-  %sunkaddr95 = getelementptr i8, ptr %sunkaddr94, i64 -8
-  %.519.1.1 = load double, ptr %sunkaddr95, align 8
-  store double %.519.1.1, ptr %scevgep51, align 8
-  %sunkaddr97 = getelementptr i8, ptr %arg.phase.4, i64 %sunkaddr93
-  %sunkaddr112 = getelementptr i8, ptr %sunkaddr97, i64 -8
-  %.579.1.1 = load double, ptr %sunkaddr112, align 8
-  store double %.579.1.1, ptr %scevgep64, align 8
-  %lsr.iv.next = add i64 %lsr.iv29, 2
-  %niter.ncmp.110 = icmp eq i64 %lsr.iv.next, 0
+  %sunkaddr70 = shl i64 %.465.1.1, 3
+  %sunkaddr71 = getelementptr i8, ptr %arg.amplitude.4, i64 %sunkaddr70
+  %sunkaddr72 = getelementptr i8, ptr %sunkaddr71, i64 -8
+  %.519.1.1 = load double, ptr %sunkaddr72, align 8
+  store double %.519.1.1, ptr %scevgep32, align 8
+  %sunkaddr74 = getelementptr i8, ptr %arg.phase.4, i64 %sunkaddr70
+  %sunkaddr75 = getelementptr i8, ptr %sunkaddr74, i64 -8
+  %.579.1.1 = load double, ptr %sunkaddr75, align 8
+  store double %.579.1.1, ptr %scevgep38, align 8
+  %lsr.iv.next3 = add i64 %lsr.iv2, 2
+  %niter.ncmp.110 = icmp eq i64 %lsr.iv.next3, 0
   br i1 %niter.ncmp.110, label %B378.loopexit.unr-lcssa.unr-lcssa, label %B328.if
 
-B422.if:                                          ; preds = %B422.if, %B422.if.preheader120
-  %lsr.iv35 = phi ptr [ %scevgep36, %B422.if ], [ %scevgep34, %B422.if.preheader120 ]
-  %lsr.iv = phi ptr [ %scevgep32, %B422.if ], [ %scevgep, %B422.if.preheader120 ]
-  %lsr.iv138 = phi i64 [ %lsr.iv.next139, %B422.if ], [ %23, %B422.if.preheader120 ]
-  %.722819821 = phi i64 [ %35, %B422.if ], [ %.722819821.unr, %B422.if.preheader120 ]
+B422.if:                                          ; preds = %B422.if, %B422.if.preheader115
+  %lsr.iv17 = phi ptr [ %scevgep18, %B422.if ], [ %scevgep16, %B422.if.preheader115 ]
+  %lsr.iv13 = phi ptr [ %scevgep14, %B422.if ], [ %scevgep12, %B422.if.preheader115 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B422.if ], [ %23, %B422.if.preheader115 ]
+  %.722819821 = phi i64 [ %35, %B422.if ], [ %.722819821.unr, %B422.if.preheader115 ]
   %.767 = icmp slt i64 %.722819821, 0
   %32 = select i1 %.767, i64 %26, i64 0
-  %scevgep39 = getelementptr i8, ptr %lsr.iv35, i64 %32
-  store double 0.000000e+00, ptr %scevgep39, align 8
-  %scevgep38 = getelementptr i8, ptr %lsr.iv, i64 %32
-  store double 0.000000e+00, ptr %scevgep38, align 8
+  %scevgep21 = getelementptr i8, ptr %lsr.iv17, i64 %32
+  store double 0.000000e+00, ptr %scevgep21, align 8
+  %scevgep20 = getelementptr i8, ptr %lsr.iv13, i64 %32
+  store double 0.000000e+00, ptr %scevgep20, align 8
   %33 = add i64 %.722819821, 1
   %.767.1 = icmp slt i64 %33, 0
   %34 = select i1 %.767.1, i64 %28, i64 8
-  %scevgep28 = getelementptr i8, ptr %lsr.iv35, i64 %34
-  store double 0.000000e+00, ptr %scevgep28, align 8
-  %scevgep29 = getelementptr i8, ptr %lsr.iv, i64 %34
-  store double 0.000000e+00, ptr %scevgep29, align 8
-  %lsr.iv.next139 = add i64 %lsr.iv138, -2
-  %scevgep32 = getelementptr i8, ptr %lsr.iv, i64 16
-  %scevgep36 = getelementptr i8, ptr %lsr.iv35, i64 16
-  %.716.1 = icmp sgt i64 %lsr.iv.next139, 2
+  %scevgep = getelementptr i8, ptr %lsr.iv17, i64 %34
+  store double 0.000000e+00, ptr %scevgep, align 8
+  %scevgep1 = getelementptr i8, ptr %lsr.iv13, i64 %34
+  store double 0.000000e+00, ptr %scevgep1, align 8
+  %lsr.iv.next = add i64 %lsr.iv, -2
+  %scevgep14 = getelementptr i8, ptr %lsr.iv13, i64 16
+  %scevgep18 = getelementptr i8, ptr %lsr.iv17, i64 16
+  %.716.1 = icmp sgt i64 %lsr.iv.next, 2
   %35 = add i64 %.722819821, 2
   br i1 %.716.1, label %B422.if, label %common.ret
-
-B152.preheader.i:                                 ; preds = %B882
-  %plus.2.0.i = select i1 %.1432, double %arg.factors.0, double 1.000000e+00
-  %.1513.i = fsub contract double 0.000000e+00, %arg.factors.1
-  %.6.i449.i = insertelement <8 x double> poison, double %plus.2.0.i, i64 0
-  %.7.i450.i = shufflevector <8 x double> %.6.i449.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i452.i = insertelement <8 x double> poison, double %.1513.i, i64 0
-  %.7.i453.i = shufflevector <8 x double> %.6.i452.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i487.i = insertelement <8 x double> poison, double %arg.factors.1, i64 0
-  %.7.i488.i = shufflevector <8 x double> %.6.i487.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %36 = shl i64 %.1261, 4
-  %37 = shl i64 %"$phi1006.3.2.0", 3
-  %38 = inttoptr i64 %.1272 to ptr
-  %39 = inttoptr i64 %.1332 to ptr
-  %40 = inttoptr i64 %.1272 to ptr
-  %41 = inttoptr i64 %.1332 to ptr
-  %42 = inttoptr i64 %.1272 to ptr
-  %sunkaddr113 = getelementptr i8, ptr %arg.tail.4, i64 8
-  %sunkaddr114 = getelementptr i8, ptr %arg.tail.4, i64 16
-  %sunkaddr115 = getelementptr i8, ptr %arg.tail.4, i64 24
-  %sunkaddr116 = getelementptr i8, ptr %arg.tail.4, i64 32
-  %sunkaddr117 = getelementptr i8, ptr %arg.tail.4, i64 40
-  %sunkaddr118 = getelementptr i8, ptr %arg.tail.4, i64 48
-  %sunkaddr119 = getelementptr i8, ptr %arg.tail.4, i64 56
-  %sunkaddr120 = getelementptr i8, ptr %arg.tail.4, i64 64
-  %sunkaddr121 = getelementptr i8, ptr %arg.tail.4, i64 72
-  %sunkaddr122 = getelementptr i8, ptr %arg.tail.4, i64 80
-  %sunkaddr123 = getelementptr i8, ptr %arg.tail.4, i64 88
-  %sunkaddr124 = getelementptr i8, ptr %arg.tail.4, i64 96
-  %sunkaddr125 = getelementptr i8, ptr %arg.tail.4, i64 104
-  %43 = inttoptr i64 %.1332 to ptr
-  %44 = or disjoint i64 %37, 8
-  %45 = add i64 %37, 24
-  br label %B152.i
-
-B152.i:                                           ; preds = %B924.i, %B152.preheader.i
-  %j.2.0.i = phi i64 [ %.1589.i, %B924.i ], [ 0, %B152.preheader.i ]
-  %.129.i = sub nsw i64 %.1469, %j.2.0.i
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.129.i, i64 8)
-  %.169.i = icmp slt i64 %j.2.0.i, %storemerge.i49
-  %.13.i438.i = tail call i64 @llvm.smin.i64(i64 %storemerge.i49, i64 %.13.i.i)
-  %count.2.1.i = select i1 %.169.i, i64 %.13.i438.i, i64 %.13.i.i
-  %.217.i = getelementptr inbounds double, ptr %arg.phase.4, i64 %j.2.0.i
-  %.219.i = load <8 x double>, ptr %.217.i, align 8, !noalias !123
-  %.224.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.219.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
-  %.8.i.i = fadd contract <8 x double> %.224.i, splat (double 0xC338000000000000)
-  %.265.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> splat (double 0xBFF921FB54442D18), <8 x double> %.219.i)
-  %.282.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> splat (double 0xBC91A62633145C07), <8 x double> %.265.i)
-  %.6.i455.i = fmul contract <8 x double> %.282.i, %.282.i
-  %.6.i456.i = fmul contract <8 x double> %.282.i, %.6.i455.i
-  %.311.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
-  %.314.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.311.i, <8 x double> splat (double 0xBE5AE64567F544E4))
-  %.317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.314.i, <8 x double> splat (double 0x3EC71DE3A556C734))
-  %.320.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.317.i, <8 x double> splat (double 0xBF2A01A01A01A01A))
-  %.323.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.320.i, <8 x double> splat (double 0x3F81111111111111))
-  %.326.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.323.i, <8 x double> splat (double 0xBFC5555555555555))
-  %.351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i456.i, <8 x double> %.326.i, <8 x double> %.282.i)
-  %.356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> splat (double 0x3D2AE7F3E733B81F), <8 x double> splat (double 0xBDA93974A8C07C9D))
-  %.359.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.356.i, <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.359.i, <8 x double> splat (double 0xBE927E4FB7789F5C))
-  %.365.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.362.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
-  %.368.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.365.i, <8 x double> splat (double 0xBF56C16C16C16C17))
-  %.371.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.368.i, <8 x double> splat (double 0x3FA5555555555555))
-  %.374.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.371.i, <8 x double> splat (double -5.000000e-01))
-  %.377.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455.i, <8 x double> %.374.i, <8 x double> splat (double 1.000000e+00))
-  %.378.i = bitcast <8 x double> %.224.i to <8 x i64>
-  %.379.i = bitcast <8 x double> %.351.i to <8 x i64>
-  %.380.i = bitcast <8 x double> %.377.i to <8 x i64>
-  %.6.i457.i = xor <8 x i64> %.380.i, %.379.i
-  %.8.i458.i = and <8 x i64> %.378.i, splat (i64 1)
-  %46 = icmp eq <8 x i64> %.8.i458.i, zeroinitializer
-  %.6.i460.i = select <8 x i1> %46, <8 x i64> zeroinitializer, <8 x i64> %.6.i457.i
-  %.8.i461.i = shl <8 x i64> %.378.i, splat (i64 62)
-  %.8.i462.i = and <8 x i64> %.8.i461.i, splat (i64 -9223372036854775808)
-  %.8.i464.i = add <8 x i64> %.8.i461.i, splat (i64 4611686018427387904)
-  %.8.i465.i = and <8 x i64> %.8.i464.i, splat (i64 -9223372036854775808)
-  %47 = xor <8 x i64> %.8.i462.i, %.379.i
-  %.6.i467.i = xor <8 x i64> %47, %.6.i460.i
-  %48 = bitcast <8 x i64> %.6.i467.i to <8 x double>
-  %49 = xor <8 x i64> %.8.i465.i, %.380.i
-  %.6.i469.i = xor <8 x i64> %49, %.6.i460.i
-  %50 = bitcast <8 x i64> %.6.i469.i to <8 x double>
-  %.723.i = getelementptr inbounds double, ptr %arg.amplitude.4, i64 %j.2.0.i
-  %.725.i = load <8 x double>, ptr %.723.i, align 8, !noalias !123
-  %.6.i470.i = fmul contract <8 x double> %.725.i, %50
-  %.6.i471.i = fmul contract <8 x double> %.725.i, %48
-  %.783.i = icmp slt i64 %count.2.1.i, 8
-  br i1 %.783.i, label %B438.i, label %B698.i
-
-B438.i:                                           ; preds = %B152.i
-  %.8.i439.i = fmul contract <8 x double> %.7.i450.i, %.6.i470.i
-  %.8.i474.i = fmul contract <8 x double> %.7.i450.i, %.6.i471.i
-  %.846.i = shufflevector <8 x double> %.8.i439.i, <8 x double> %.8.i474.i, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  store <16 x double> %.846.i, ptr %arg.tail.4, align 4, !noalias !123
-  %51 = tail call i64 @llvm.smax.i64(i64 %count.2.1.i, i64 0)
-  %.930856.not.i = icmp slt i64 %count.2.1.i, 1
-  br i1 %.930856.not.i, label %B562.i, label %B522.if.lr.ph.i
-
-B562.i:                                           ; preds = %B522.if.i.6, %B522.if.i.5, %B522.if.i.4, %B522.if.i.3, %B522.if.i.2, %B522.if.i.1, %B522.if.lr.ph.i, %B438.i
-  br i1 %.1432, label %B566.i, label %B924.i
-
-B566.i:                                           ; preds = %B562.i
-  %.8.i442.i = fmul contract <8 x double> %.7.i453.i, %.6.i471.i
-  %.8.i477.i = fmul contract <8 x double> %.7.i488.i, %.6.i470.i
-  %.1104.i = shufflevector <8 x double> %.8.i442.i, <8 x double> %.8.i477.i, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  store <16 x double> %.1104.i, ptr %arg.tail.4, align 4, !noalias !123
-  br i1 %.930856.not.i, label %B924.i, label %B656.if.lr.ph.i
-
-B698.i:                                           ; preds = %B152.i
-  %.1356.i = shl i64 %j.2.0.i, 1
-  %.8.i451.i = fmul contract <8 x double> %.7.i450.i, %.6.i470.i
-  %.8.i486.i = fmul contract <8 x double> %.7.i450.i, %.6.i471.i
-  %.1507.i = shufflevector <8 x double> %.8.i451.i, <8 x double> %.8.i486.i, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %sunkaddr509.i = shl i64 %j.2.0.i, 4
-  br i1 %or.cond.not.i45, label %B818.i, label %B710.i
-
-B710.i:                                           ; preds = %B698.i
-  %sunkaddr177 = getelementptr i8, ptr %38, i64 %sunkaddr509.i
-  store <16 x double> %.1507.i, ptr %sunkaddr177, align 64, !noalias !123, !nontemporal !126
-  br i1 %.1432, label %B762.i, label %B924.i
-
-B762.i:                                           ; preds = %B710.i
-  %.8.i448.i = fmul contract <8 x double> %.7.i453.i, %.6.i471.i
-  %.8.i483.i = fmul contract <8 x double> %.7.i488.i, %.6.i470.i
-  %.1435.i = getelementptr inbounds double, ptr %39, i64 %.1356.i
-  %.1436.i = shufflevector <8 x double> %.8.i448.i, <8 x double> %.8.i483.i, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  store <16 x double> %.1436.i, ptr %.1435.i, align 64, !noalias !123, !nontemporal !126
-  br label %B924.i
-
-B818.i:                                           ; preds = %B698.i
-  %sunkaddr179 = getelementptr i8, ptr %40, i64 %sunkaddr509.i
-  store <16 x double> %.1507.i, ptr %sunkaddr179, align 4, !noalias !123
-  br i1 %.1432, label %B870.i, label %B924.i
-
-B870.i:                                           ; preds = %B818.i
-  %.8.i454.i = fmul contract <8 x double> %.7.i453.i, %.6.i471.i
-  %.8.i489.i = fmul contract <8 x double> %.7.i488.i, %.6.i470.i
-  %.1578.i = getelementptr inbounds double, ptr %41, i64 %.1356.i
-  %.1579.i = shufflevector <8 x double> %.8.i454.i, <8 x double> %.8.i489.i, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  store <16 x double> %.1579.i, ptr %.1578.i, align 4, !noalias !123
-  br label %B924.i
-
-B924.i.loopexit.unr-lcssa:                        ; preds = %B656.if.i
-  %52 = and i64 %70, 1
-  %lcmp.mod115.not.not = icmp eq i64 %52, 0
-  br i1 %lcmp.mod115.not.not, label %B656.if.i.epil.preheader, label %B924.i
-
-B656.if.i.epil.preheader:                         ; preds = %B656.if.lr.ph.i, %B924.i.loopexit.unr-lcssa
-  %.1194861863.i.epil.init = phi i64 [ 0, %B656.if.lr.ph.i ], [ %.1201.1.i.1, %B924.i.loopexit.unr-lcssa ]
-  %sunkaddr516.i.epil = shl i64 %.1194861863.i.epil.init, 3
-  %sunkaddr517.i.epil = getelementptr i8, ptr %arg.tail.4, i64 %sunkaddr516.i.epil
-  %.1255.i.epil = load double, ptr %sunkaddr517.i.epil, align 8, !noalias !123
-  %53 = add i64 %.1194861863.i.epil.init, %.1257.i
-  %.1272.i.epil = icmp slt i64 %53, 0
-  %54 = select i1 %.1272.i.epil, i64 %37, i64 0
-  %scevgep506.i.epil = getelementptr i8, ptr %scevgep502.i, i64 %54
-  %scevgep507.i.epil = getelementptr i8, ptr %scevgep506.i.epil, i64 %sunkaddr516.i.epil
-  store double %.1255.i.epil, ptr %scevgep507.i.epil, align 8, !noalias !123
-  %sunkaddr520.i.epil = getelementptr i8, ptr %sunkaddr517.i.epil, i64 8
-  %.1255.1.i.epil = load double, ptr %sunkaddr520.i.epil, align 8, !noalias !123
-  %scevgep505.i.epil = getelementptr i8, ptr %scevgep507.i.epil, i64 8
-  store double %.1255.1.i.epil, ptr %scevgep505.i.epil, align 8, !noalias !123
-  br label %B924.i
-
-B924.i:                                           ; preds = %B656.if.i.epil.preheader, %B924.i.loopexit.unr-lcssa, %B870.i, %B818.i, %B762.i, %B710.i, %B566.i, %B562.i
-  %.1589.i = add nsw i64 %count.2.1.i, %j.2.0.i
-  %.1595.i = icmp slt i64 %.1589.i, %.1469
-  br i1 %.1595.i, label %B152.i, label %B1006.endif.endif.endif
-
-B522.if.lr.ph.i:                                  ; preds = %B438.i
-  %.999.i = shl nsw i64 %j.2.0.i, 1
-  %55 = shl i64 %j.2.0.i, 4
-  %scevgep493.i = getelementptr i8, ptr %42, i64 %55
-  %.997.i = load double, ptr %arg.tail.4, align 8, !noalias !123
-  %.1014.i = icmp slt i64 %j.2.0.i, 0
-  %56 = select i1 %.1014.i, i64 %36, i64 0
-  %scevgep497.i = getelementptr i8, ptr %scevgep493.i, i64 %56
-  store double %.997.i, ptr %scevgep497.i, align 8, !noalias !123
-  %.997.1.i = load double, ptr %sunkaddr113, align 8, !noalias !123
-  %scevgep496.i = getelementptr i8, ptr %scevgep497.i, i64 8
-  store double %.997.1.i, ptr %scevgep496.i, align 8, !noalias !123
-  %exitcond.not.1.i = icmp eq i64 %count.2.1.i, 1
-  br i1 %exitcond.not.1.i, label %B562.i, label %B522.if.i.1
-
-B522.if.i.1:                                      ; preds = %B522.if.lr.ph.i
-  %.997.i.1 = load double, ptr %sunkaddr114, align 8, !noalias !123
-  %57 = add i64 %.999.i, 2
-  %.1014.i.1 = icmp slt i64 %57, 0
-  %58 = select i1 %.1014.i.1, i64 %36, i64 0
-  %scevgep497.i.1 = getelementptr i8, ptr %scevgep493.i, i64 %58
-  %scevgep498.i.1 = getelementptr i8, ptr %scevgep497.i.1, i64 16
-  store double %.997.i.1, ptr %scevgep498.i.1, align 8, !noalias !123
-  %.997.1.i.1 = load double, ptr %sunkaddr115, align 8, !noalias !123
-  %scevgep496.i.1 = getelementptr i8, ptr %scevgep497.i.1, i64 24
-  store double %.997.1.i.1, ptr %scevgep496.i.1, align 8, !noalias !123
-  %exitcond.not.1.i.1 = icmp eq i64 %count.2.1.i, 2
-  br i1 %exitcond.not.1.i.1, label %B562.i, label %B522.if.i.2
-
-B522.if.i.2:                                      ; preds = %B522.if.i.1
-  %.997.i.2 = load double, ptr %sunkaddr116, align 8, !noalias !123
-  %59 = add i64 %.999.i, 4
-  %.1014.i.2 = icmp slt i64 %59, 0
-  %60 = select i1 %.1014.i.2, i64 %36, i64 0
-  %scevgep497.i.2 = getelementptr i8, ptr %scevgep493.i, i64 %60
-  %scevgep498.i.2 = getelementptr i8, ptr %scevgep497.i.2, i64 32
-  store double %.997.i.2, ptr %scevgep498.i.2, align 8, !noalias !123
-  %.997.1.i.2 = load double, ptr %sunkaddr117, align 8, !noalias !123
-  %scevgep496.i.2 = getelementptr i8, ptr %scevgep497.i.2, i64 40
-  store double %.997.1.i.2, ptr %scevgep496.i.2, align 8, !noalias !123
-  %exitcond.not.1.i.2 = icmp eq i64 %count.2.1.i, 3
-  br i1 %exitcond.not.1.i.2, label %B562.i, label %B522.if.i.3
-
-B522.if.i.3:                                      ; preds = %B522.if.i.2
-  %.997.i.3 = load double, ptr %sunkaddr118, align 8, !noalias !123
-  %61 = add i64 %.999.i, 6
-  %.1014.i.3 = icmp slt i64 %61, 0
-  %62 = select i1 %.1014.i.3, i64 %36, i64 0
-  %scevgep497.i.3 = getelementptr i8, ptr %scevgep493.i, i64 %62
-  %scevgep498.i.3 = getelementptr i8, ptr %scevgep497.i.3, i64 48
-  store double %.997.i.3, ptr %scevgep498.i.3, align 8, !noalias !123
-  %.997.1.i.3 = load double, ptr %sunkaddr119, align 8, !noalias !123
-  %scevgep496.i.3 = getelementptr i8, ptr %scevgep497.i.3, i64 56
-  store double %.997.1.i.3, ptr %scevgep496.i.3, align 8, !noalias !123
-  %exitcond.not.1.i.3 = icmp eq i64 %count.2.1.i, 4
-  br i1 %exitcond.not.1.i.3, label %B562.i, label %B522.if.i.4
-
-B522.if.i.4:                                      ; preds = %B522.if.i.3
-  %.997.i.4 = load double, ptr %sunkaddr120, align 8, !noalias !123
-  %63 = add i64 %.999.i, 8
-  %.1014.i.4 = icmp slt i64 %63, 0
-  %64 = select i1 %.1014.i.4, i64 %36, i64 0
-  %scevgep497.i.4 = getelementptr i8, ptr %scevgep493.i, i64 %64
-  %scevgep498.i.4 = getelementptr i8, ptr %scevgep497.i.4, i64 64
-  store double %.997.i.4, ptr %scevgep498.i.4, align 8, !noalias !123
-  %.997.1.i.4 = load double, ptr %sunkaddr121, align 8, !noalias !123
-  %scevgep496.i.4 = getelementptr i8, ptr %scevgep497.i.4, i64 72
-  store double %.997.1.i.4, ptr %scevgep496.i.4, align 8, !noalias !123
-  %exitcond.not.1.i.4 = icmp eq i64 %count.2.1.i, 5
-  br i1 %exitcond.not.1.i.4, label %B562.i, label %B522.if.i.5
-
-B522.if.i.5:                                      ; preds = %B522.if.i.4
-  %.997.i.5 = load double, ptr %sunkaddr122, align 8, !noalias !123
-  %65 = add i64 %.999.i, 10
-  %.1014.i.5 = icmp slt i64 %65, 0
-  %66 = select i1 %.1014.i.5, i64 %36, i64 0
-  %scevgep497.i.5 = getelementptr i8, ptr %scevgep493.i, i64 %66
-  %scevgep498.i.5 = getelementptr i8, ptr %scevgep497.i.5, i64 80
-  store double %.997.i.5, ptr %scevgep498.i.5, align 8, !noalias !123
-  %.997.1.i.5 = load double, ptr %sunkaddr123, align 8, !noalias !123
-  %scevgep496.i.5 = getelementptr i8, ptr %scevgep497.i.5, i64 88
-  store double %.997.1.i.5, ptr %scevgep496.i.5, align 8, !noalias !123
-  %exitcond.not.1.i.5 = icmp eq i64 %count.2.1.i, 6
-  br i1 %exitcond.not.1.i.5, label %B562.i, label %B522.if.i.6
-
-B522.if.i.6:                                      ; preds = %B522.if.i.5
-  %.997.i.6 = load double, ptr %sunkaddr124, align 8, !noalias !123
-  %67 = add i64 %.999.i, 12
-  %.1014.i.6 = icmp slt i64 %67, 0
-  %68 = select i1 %.1014.i.6, i64 %36, i64 0
-  %scevgep497.i.6 = getelementptr i8, ptr %scevgep493.i, i64 %68
-  %scevgep498.i.6 = getelementptr i8, ptr %scevgep497.i.6, i64 96
-  store double %.997.i.6, ptr %scevgep498.i.6, align 8, !noalias !123
-  %.997.1.i.6 = load double, ptr %sunkaddr125, align 8, !noalias !123
-  %scevgep496.i.6 = getelementptr i8, ptr %scevgep497.i.6, i64 104
-  store double %.997.1.i.6, ptr %scevgep496.i.6, align 8, !noalias !123
-  br label %B562.i
-
-B656.if.lr.ph.i:                                  ; preds = %B566.i
-  %.1257.i = shl i64 %j.2.0.i, 1
-  %69 = shl i64 %j.2.0.i, 4
-  %scevgep502.i = getelementptr i8, ptr %43, i64 %69
-  %70 = add nuw i64 %51, 9223372036854775807
-  %71 = icmp eq i64 %count.2.1.i, 1
-  br i1 %71, label %B656.if.i.epil.preheader, label %B656.if.lr.ph.i.new
-
-B656.if.lr.ph.i.new:                              ; preds = %B656.if.lr.ph.i
-  %72 = and i64 %70, 9223372036854775807
-  %73 = add nuw i64 %72, 1
-  %74 = add i64 %.1257.i, 2
-  %75 = and i64 %73, -2
-  br label %B656.if.i
-
-B656.if.i:                                        ; preds = %B656.if.i, %B656.if.lr.ph.i.new
-  %lsr.iv1 = phi i64 [ %lsr.iv.next2, %B656.if.i ], [ %75, %B656.if.lr.ph.i.new ]
-  %.1194861863.i = phi i64 [ %.1201.1.i.1, %B656.if.i ], [ 0, %B656.if.lr.ph.i.new ]
-  %sunkaddr126 = shl i64 %.1194861863.i, 3
-  %sunkaddr127 = getelementptr i8, ptr %arg.tail.4, i64 %sunkaddr126
-  %.1255.i = load double, ptr %sunkaddr127, align 8, !noalias !123
-  %76 = add i64 %.1194861863.i, %.1257.i
-  %.1272.i = icmp slt i64 %76, 0
-  %77 = select i1 %.1272.i, i64 %44, i64 8
-  %scevgep12 = getelementptr i8, ptr %scevgep502.i, i64 %77
-  %scevgep17 = getelementptr i8, ptr %scevgep12, i64 %sunkaddr126
-  %scevgep19 = getelementptr i8, ptr %scevgep17, i64 -8
-  store double %.1255.i, ptr %scevgep19, align 8, !noalias !123
-  %sunkaddr130 = getelementptr i8, ptr %sunkaddr127, i64 8
-  %.1255.1.i = load double, ptr %sunkaddr130, align 8, !noalias !123
-  store double %.1255.1.i, ptr %scevgep17, align 8, !noalias !123
-  %sunkaddr133 = getelementptr i8, ptr %sunkaddr127, i64 16
-  %.1255.i.1 = load double, ptr %sunkaddr133, align 8, !noalias !123
-  %78 = add i64 %74, %.1194861863.i
-  %.1272.i.1 = icmp slt i64 %78, 0
-  %79 = select i1 %.1272.i.1, i64 %45, i64 24
-  %scevgep6 = getelementptr i8, ptr %scevgep502.i, i64 %79
-  %scevgep7 = getelementptr i8, ptr %scevgep6, i64 %sunkaddr126
-  %scevgep8 = getelementptr i8, ptr %scevgep7, i64 -8
-  store double %.1255.i.1, ptr %scevgep8, align 8, !noalias !123
-  %.1201.1.i.1 = add i64 %.1194861863.i, 4
-  %sunkaddr134 = shl i64 %.1201.1.i.1, 3
-  %sunkaddr135 = getelementptr i8, ptr %arg.tail.4, i64 %sunkaddr134
-  %sunkaddr136 = getelementptr i8, ptr %sunkaddr135, i64 -8
-  %.1255.1.i.1 = load double, ptr %sunkaddr136, align 8, !noalias !123
-  store double %.1255.1.i.1, ptr %scevgep7, align 8, !noalias !123
-  %lsr.iv.next2 = add i64 %lsr.iv1, -2
-  %niter118.ncmp.1 = icmp eq i64 %lsr.iv.next2, 0
-  br i1 %niter118.ncmp.1, label %B924.i.loopexit.unr-lcssa, label %B656.if.i
-
-B1006.endif.endif.endif:                          ; preds = %B924.i, %B882
-  %80 = inttoptr i64 %.1332 to ptr
-  %81 = inttoptr i64 %.1272 to ptr
-  %.1538 = shl nsw i64 %.1469, 1
-  store ptr null, ptr %.1540, align 8
-  call fastcc void @inner_15(ptr nonnull %.1540, ptr %81, i64 %.1264, ptr %80, i64 %"$phi1006.3.2.0", i64 %.1538)
-  br label %common.ret
 }
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
@@ -5917,335 +5601,724 @@ declare double @llvm.fma.f64(double, double, double) #3
 define internal fastcc void @inner_13(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, i64 %arg.stop, double %arg.factors.0, double %arg.factors.1, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #7 {
 entry:
   %.126 = icmp sgt i64 %arg.stop, 0
-  br i1 %.126, label %B152.preheader, label %common.ret
+  br i1 %.126, label %B150.preheader, label %common.ret
 
-B152.preheader:                                   ; preds = %entry
+B150.preheader:                                   ; preds = %entry
   %0 = icmp sgt i64 %arg.second.5.0, 0
   %.88 = fptrunc double %arg.factors.0 to float
   %.89 = fpext float %.88 to double
   %plus.2.0 = select i1 %0, double %.89, double 1.000000e+00
   %.94 = fptrunc double %arg.factors.1 to float
   %.95 = fpext float %.94 to double
-  %.1531 = fsub contract double 0.000000e+00, %.95
-  %.6.i449 = insertelement <8 x double> poison, double %plus.2.0, i64 0
-  %.7.i450 = shufflevector <8 x double> %.6.i449, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i452 = insertelement <8 x double> poison, double %.1531, i64 0
-  %.7.i453 = shufflevector <8 x double> %.6.i452, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i487 = insertelement <8 x double> poison, double %.95, i64 0
-  %.7.i488 = shufflevector <8 x double> %.6.i487, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1182 = fsub contract double 0.000000e+00, %.95
+  %.6.i295 = insertelement <8 x double> poison, double %plus.2.0, i64 0
+  %.7.i296 = shufflevector <8 x double> %.6.i295, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i = insertelement <8 x double> poison, double %.1182, i64 0
+  %.7.i = shufflevector <8 x double> %.6.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i301 = insertelement <8 x double> poison, double %.95, i64 0
+  %.7.i302 = shufflevector <8 x double> %.6.i301, <8 x double> poison, <8 x i32> zeroinitializer
   %1 = shl i64 %arg.first.5.0, 2
   %2 = shl i64 %arg.second.5.0, 2
   %3 = icmp sgt i64 %arg.streamed, -1
-  %sunkaddr31 = getelementptr i8, ptr %arg.tail.4, i64 4
-  %sunkaddr32 = getelementptr i8, ptr %arg.tail.4, i64 8
-  %sunkaddr33 = getelementptr i8, ptr %arg.tail.4, i64 12
-  %sunkaddr34 = getelementptr i8, ptr %arg.tail.4, i64 16
-  %sunkaddr = getelementptr i8, ptr %arg.tail.4, i64 20
-  %sunkaddr35 = getelementptr i8, ptr %arg.tail.4, i64 24
-  %sunkaddr36 = getelementptr i8, ptr %arg.tail.4, i64 28
-  %sunkaddr37 = getelementptr i8, ptr %arg.tail.4, i64 32
-  %sunkaddr38 = getelementptr i8, ptr %arg.tail.4, i64 36
-  %sunkaddr39 = getelementptr i8, ptr %arg.tail.4, i64 40
-  %sunkaddr40 = getelementptr i8, ptr %arg.tail.4, i64 44
-  %sunkaddr41 = getelementptr i8, ptr %arg.tail.4, i64 48
-  %sunkaddr42 = getelementptr i8, ptr %arg.tail.4, i64 52
-  %4 = add i64 %2, 4
-  %5 = add i64 %2, 12
-  br label %B152
+  %sunkaddr4 = getelementptr i8, ptr %arg.tail.4, i64 4
+  %sunkaddr17 = getelementptr i8, ptr %arg.tail.4, i64 8
+  %sunkaddr18 = getelementptr i8, ptr %arg.tail.4, i64 12
+  %sunkaddr = getelementptr i8, ptr %arg.tail.4, i64 16
+  %sunkaddr19 = getelementptr i8, ptr %arg.tail.4, i64 20
+  %sunkaddr20 = getelementptr i8, ptr %arg.tail.4, i64 24
+  %sunkaddr21 = getelementptr i8, ptr %arg.tail.4, i64 28
+  %sunkaddr22 = getelementptr i8, ptr %arg.tail.4, i64 32
+  %sunkaddr23 = getelementptr i8, ptr %arg.tail.4, i64 36
+  %sunkaddr24 = getelementptr i8, ptr %arg.tail.4, i64 40
+  %sunkaddr25 = getelementptr i8, ptr %arg.tail.4, i64 44
+  %sunkaddr26 = getelementptr i8, ptr %arg.tail.4, i64 48
+  %sunkaddr27 = getelementptr i8, ptr %arg.tail.4, i64 52
+  %4 = icmp sgt i64 %arg.streamed, -1
+  %sunkaddr12 = getelementptr i8, ptr %arg.tail.4, i64 4
+  %sunkaddr28 = getelementptr i8, ptr %arg.tail.4, i64 8
+  %sunkaddr29 = getelementptr i8, ptr %arg.tail.4, i64 12
+  %sunkaddr30 = getelementptr i8, ptr %arg.tail.4, i64 16
+  %sunkaddr31 = getelementptr i8, ptr %arg.tail.4, i64 20
+  %sunkaddr32 = getelementptr i8, ptr %arg.tail.4, i64 24
+  %sunkaddr33 = getelementptr i8, ptr %arg.tail.4, i64 28
+  %sunkaddr34 = getelementptr i8, ptr %arg.tail.4, i64 32
+  %sunkaddr35 = getelementptr i8, ptr %arg.tail.4, i64 36
+  %sunkaddr36 = getelementptr i8, ptr %arg.tail.4, i64 40
+  %sunkaddr37 = getelementptr i8, ptr %arg.tail.4, i64 44
+  %sunkaddr38 = getelementptr i8, ptr %arg.tail.4, i64 48
+  %sunkaddr39 = getelementptr i8, ptr %arg.tail.4, i64 52
+  br label %B150
 
-B152:                                             ; preds = %B924, %B152.preheader
-  %j.2.0 = phi i64 [ %.1609, %B924 ], [ 0, %B152.preheader ]
+B150:                                             ; preds = %B6091, %B150.preheader
+  %j.2.0 = phi i64 [ %.1580, %B6091 ], [ 0, %B150.preheader ]
   %.133 = sub nsw i64 %arg.stop, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.133, i64 8)
   %.173 = icmp slt i64 %j.2.0, %arg.streamed
-  %.13.i438 = tail call i64 @llvm.smin.i64(i64 %arg.streamed, i64 %.13.i)
-  %count.2.1 = select i1 %.173, i64 %.13.i438, i64 %.13.i
+  %.13.i276 = tail call i64 @llvm.smin.i64(i64 %arg.streamed, i64 %.13.i)
+  %count.2.1 = select i1 %.173, i64 %.13.i276, i64 %.13.i
   %.221 = getelementptr inbounds double, ptr %arg.phase.4, i64 %j.2.0
   %.223 = load <8 x double>, ptr %.221, align 8
   %.228 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.223, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i = fadd contract <8 x double> %.228, splat (double 0xC338000000000000)
   %.269 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i, <8 x double> splat (double 0xBFF921FB54442D18), <8 x double> %.223)
   %.286 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i, <8 x double> splat (double 0xBC91A62633145C07), <8 x double> %.269)
-  %.6.i455 = fmul contract <8 x double> %.286, %.286
-  %.6.i456 = fmul contract <8 x double> %.286, %.6.i455
-  %.315 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
-  %.318 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.315, <8 x double> splat (double 0xBE5AE64567F544E4))
-  %.321 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.318, <8 x double> splat (double 0x3EC71DE3A556C734))
-  %.324 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.321, <8 x double> splat (double 0xBF2A01A01A01A01A))
-  %.327 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.324, <8 x double> splat (double 0x3F81111111111111))
-  %.330 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.327, <8 x double> splat (double 0xBFC5555555555555))
-  %.355 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i456, <8 x double> %.330, <8 x double> %.286)
-  %.360 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> splat (double 0x3D2AE7F3E733B81F), <8 x double> splat (double 0xBDA93974A8C07C9D))
-  %.363 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.360, <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.366 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.363, <8 x double> splat (double 0xBE927E4FB7789F5C))
-  %.369 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.366, <8 x double> splat (double 0x3EFA01A01A01A01A))
-  %.372 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.369, <8 x double> splat (double 0xBF56C16C16C16C17))
-  %.375 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.372, <8 x double> splat (double 0x3FA5555555555555))
-  %.378 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.375, <8 x double> splat (double -5.000000e-01))
-  %.381 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i455, <8 x double> %.378, <8 x double> splat (double 1.000000e+00))
+  %.6.i278 = fmul contract <8 x double> %.286, %.286
+  %.6.i279 = fmul contract <8 x double> %.286, %.6.i278
+  %.315 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
+  %.318 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.315, <8 x double> splat (double 0xBE5AE64567F544E4))
+  %.321 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.318, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.324 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.321, <8 x double> splat (double 0xBF2A01A01A01A01A))
+  %.327 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.324, <8 x double> splat (double 0x3F81111111111111))
+  %.330 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.327, <8 x double> splat (double 0xBFC5555555555555))
+  %.355 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279, <8 x double> %.330, <8 x double> %.286)
+  %.360 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> splat (double 0x3D2AE7F3E733B81F), <8 x double> splat (double 0xBDA93974A8C07C9D))
+  %.363 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.360, <8 x double> splat (double 0x3E21EED8EFF8D898))
+  %.366 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.363, <8 x double> splat (double 0xBE927E4FB7789F5C))
+  %.369 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.366, <8 x double> splat (double 0x3EFA01A01A01A01A))
+  %.372 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.369, <8 x double> splat (double 0xBF56C16C16C16C17))
+  %.375 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.372, <8 x double> splat (double 0x3FA5555555555555))
+  %.378 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.375, <8 x double> splat (double -5.000000e-01))
+  %.381 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.378, <8 x double> splat (double 1.000000e+00))
   %.382 = bitcast <8 x double> %.228 to <8 x i64>
   %.383 = bitcast <8 x double> %.355 to <8 x i64>
   %.384 = bitcast <8 x double> %.381 to <8 x i64>
-  %.6.i457 = xor <8 x i64> %.384, %.383
-  %.8.i458 = and <8 x i64> %.382, splat (i64 1)
-  %6 = icmp eq <8 x i64> %.8.i458, zeroinitializer
-  %.6.i460 = select <8 x i1> %6, <8 x i64> zeroinitializer, <8 x i64> %.6.i457
-  %.8.i461 = shl <8 x i64> %.382, splat (i64 62)
-  %.8.i462 = and <8 x i64> %.8.i461, splat (i64 -9223372036854775808)
-  %.8.i464 = add <8 x i64> %.8.i461, splat (i64 4611686018427387904)
-  %.8.i465 = and <8 x i64> %.8.i464, splat (i64 -9223372036854775808)
-  %7 = xor <8 x i64> %.8.i462, %.383
-  %.6.i467 = xor <8 x i64> %7, %.6.i460
-  %8 = bitcast <8 x i64> %.6.i467 to <8 x double>
-  %9 = xor <8 x i64> %.8.i465, %.384
-  %.6.i469 = xor <8 x i64> %9, %.6.i460
-  %10 = bitcast <8 x i64> %.6.i469 to <8 x double>
+  %.6.i280 = xor <8 x i64> %.384, %.383
+  %.8.i281 = and <8 x i64> %.382, splat (i64 1)
+  %5 = icmp eq <8 x i64> %.8.i281, zeroinitializer
+  %.6.i283 = select <8 x i1> %5, <8 x i64> zeroinitializer, <8 x i64> %.6.i280
+  %.8.i284 = shl <8 x i64> %.382, splat (i64 62)
+  %.8.i285 = and <8 x i64> %.8.i284, splat (i64 -9223372036854775808)
+  %.8.i287 = add <8 x i64> %.8.i284, splat (i64 4611686018427387904)
+  %.8.i288 = and <8 x i64> %.8.i287, splat (i64 -9223372036854775808)
+  %6 = xor <8 x i64> %.8.i285, %.383
+  %.6.i290 = xor <8 x i64> %6, %.6.i283
+  %7 = bitcast <8 x i64> %.6.i290 to <8 x double>
+  %8 = xor <8 x i64> %.8.i288, %.384
+  %.6.i292 = xor <8 x i64> %8, %.6.i283
+  %9 = bitcast <8 x i64> %.6.i292 to <8 x double>
   %.727 = getelementptr inbounds double, ptr %arg.amplitude.4, i64 %j.2.0
   %.729 = load <8 x double>, ptr %.727, align 8
-  %.6.i470 = fmul contract <8 x double> %.729, %10
-  %.755 = fptrunc <8 x double> %.6.i470 to <8 x float>
+  %.6.i293 = fmul contract <8 x double> %.729, %9
+  %.755 = fptrunc <8 x double> %.6.i293 to <8 x float>
   %.756 = fpext <8 x float> %.755 to <8 x double>
-  %.6.i471 = fmul contract <8 x double> %.729, %8
-  %.782 = fptrunc <8 x double> %.6.i471 to <8 x float>
+  %.6.i294 = fmul contract <8 x double> %.729, %7
+  %.782 = fptrunc <8 x double> %.6.i294 to <8 x float>
   %.783 = fpext <8 x float> %.782 to <8 x double>
-  %.791 = icmp slt i64 %count.2.1, 8
-  br i1 %.791, label %B438, label %B698
+  %.8.i297 = fmul contract <8 x double> %.7.i296, %.756
+  %.8.i300 = fmul contract <8 x double> %.7.i296, %.783
+  %.882 = icmp slt i64 %count.2.1, 8
+  %10 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  %.899 = fptrunc <16 x double> %10 to <16 x float>
+  br i1 %.882, label %B472, label %B5763
 
-B438:                                             ; preds = %B152
-  %.8.i439 = fmul contract <8 x double> %.7.i450, %.756
-  %.8.i474 = fmul contract <8 x double> %.7.i450, %.783
-  %11 = shufflevector <8 x double> %.8.i439, <8 x double> %.8.i474, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %.856 = fptrunc <16 x double> %11 to <16 x float>
-  store <16 x float> %.856, ptr %arg.tail.4, align 4
-  %12 = tail call i64 @llvm.smax.i64(i64 %count.2.1, i64 0)
-  %.940856.not = icmp slt i64 %count.2.1, 1
-  br i1 %.940856.not, label %B562, label %B522.if.lr.ph
+B472:                                             ; preds = %B150
+  store <16 x float> %.899, ptr %arg.tail.4, align 4
+  %.989841.not = icmp slt i64 %count.2.1, 1
+  br i1 %.989841.not, label %B5875, label %B532.if.lr.ph
 
-B562:                                             ; preds = %B522.if.6, %B522.if.5, %B522.if.4, %B522.if.3, %B522.if.2, %B522.if.1, %B522.if.lr.ph, %B438
-  br i1 %0, label %B566, label %B924
+B532.if.lr.ph:                                    ; preds = %B472
+  %.1058 = shl nsw i64 %j.2.0, 1
+  %11 = shl i64 %j.2.0, 3
+  %scevgep307 = getelementptr i8, ptr %arg.first.4, i64 %11
+  %.1056 = load float, ptr %arg.tail.4, align 4
+  %.1073 = icmp slt i64 %j.2.0, 0
+  %12 = select i1 %.1073, i64 %1, i64 0
+  %scevgep311 = getelementptr i8, ptr %scevgep307, i64 %12
+  store float %.1056, ptr %scevgep311, align 4
+  %.1056.1 = load float, ptr %sunkaddr4, align 4
+  %scevgep310 = getelementptr i8, ptr %scevgep311, i64 4
+  store float %.1056.1, ptr %scevgep310, align 4
+  %exitcond.not.1 = icmp eq i64 %count.2.1, 1
+  br i1 %exitcond.not.1, label %B5875, label %B532.if.1
 
-B566:                                             ; preds = %B562
-  %.8.i442 = fmul contract <8 x double> %.7.i453, %.783
-  %.8.i477 = fmul contract <8 x double> %.7.i488, %.756
-  %13 = shufflevector <8 x double> %.8.i442, <8 x double> %.8.i477, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %.1116 = fptrunc <16 x double> %13 to <16 x float>
-  store <16 x float> %.1116, ptr %arg.tail.4, align 4
-  br i1 %.940856.not, label %B924, label %B656.if.lr.ph
+B5763:                                            ; preds = %B150
+  %sunkaddr5 = shl i64 %j.2.0, 3
+  %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %sunkaddr5
+  br i1 %3, label %B5835, label %B5837
 
-B698:                                             ; preds = %B152
-  %.1368 = shl i64 %j.2.0, 1
-  %.8.i445 = fmul contract <8 x double> %.7.i450, %.756
-  %.8.i480 = fmul contract <8 x double> %.7.i450, %.783
-  %14 = shufflevector <8 x double> %.8.i445, <8 x double> %.8.i480, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %.1378 = fptrunc <16 x double> %14 to <16 x float>
-  %sunkaddr25 = shl i64 %j.2.0, 3
-  %sunkaddr26 = getelementptr i8, ptr %arg.first.4, i64 %sunkaddr25
-  br i1 %3, label %B710, label %B818
+B5835:                                            ; preds = %B5763
+  store <16 x float> %.899, ptr %sunkaddr6, align 64, !nontemporal !123
+  br label %B5875
 
-B710:                                             ; preds = %B698
-  store <16 x float> %.1378, ptr %sunkaddr26, align 64, !nontemporal !126
-  br i1 %0, label %B762, label %B924
+B5837:                                            ; preds = %B5763
+  store <16 x float> %.899, ptr %sunkaddr6, align 4
+  br label %B5875
 
-B762:                                             ; preds = %B710
-  %.8.i448 = fmul contract <8 x double> %.7.i453, %.783
-  %.8.i483 = fmul contract <8 x double> %.7.i488, %.756
-  %.1449 = getelementptr inbounds float, ptr %arg.second.4, i64 %.1368
-  %15 = shufflevector <8 x double> %.8.i448, <8 x double> %.8.i483, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %.1452 = fptrunc <16 x double> %15 to <16 x float>
-  store <16 x float> %.1452, ptr %.1449, align 64, !nontemporal !126
-  br label %B924
+B5875:                                            ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B5837, %B5835
+  br i1 %0, label %B5879, label %B6091
 
-B818:                                             ; preds = %B698
-  store <16 x float> %.1378, ptr %sunkaddr26, align 4
-  br i1 %0, label %B870, label %B924
+B5879:                                            ; preds = %B5875
+  %.8.i277 = fmul contract <8 x double> %.7.i, %.783
+  %.8.i303 = fmul contract <8 x double> %.7.i302, %.756
+  %13 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  %.1294 = fptrunc <16 x double> %13 to <16 x float>
+  br i1 %.882, label %B5891, label %B6035
 
-B870:                                             ; preds = %B818
-  %.8.i454 = fmul contract <8 x double> %.7.i453, %.783
-  %.8.i489 = fmul contract <8 x double> %.7.i488, %.756
-  %.1596 = getelementptr inbounds float, ptr %arg.second.4, i64 %.1368
-  %16 = shufflevector <8 x double> %.8.i454, <8 x double> %.8.i489, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %.1599 = fptrunc <16 x double> %16 to <16 x float>
-  store <16 x float> %.1599, ptr %.1596, align 4
-  br label %B924
+B5891:                                            ; preds = %B5879
+  store <16 x float> %.1294, ptr %arg.tail.4, align 4
+  %.1384847.not = icmp slt i64 %count.2.1, 1
+  br i1 %.1384847.not, label %B6091, label %B5931.if.lr.ph
 
-B924.loopexit.unr-lcssa:                          ; preds = %B656.if
-  %17 = and i64 %35, 1
-  %lcmp.mod.not.not = icmp eq i64 %17, 0
-  br i1 %lcmp.mod.not.not, label %B656.if.epil.preheader, label %B924
+B5931.if.lr.ph:                                   ; preds = %B5891
+  %.1453 = shl nsw i64 %j.2.0, 1
+  %14 = shl i64 %j.2.0, 3
+  %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %14
+  %.1451 = load float, ptr %arg.tail.4, align 4
+  %.1468 = icmp slt i64 %j.2.0, 0
+  %15 = select i1 %.1468, i64 %2, i64 0
+  %scevgep320 = getelementptr i8, ptr %scevgep316, i64 %15
+  store float %.1451, ptr %scevgep320, align 4
+  %.1451.1 = load float, ptr %sunkaddr12, align 4
+  %scevgep319 = getelementptr i8, ptr %scevgep320, i64 4
+  store float %.1451.1, ptr %scevgep319, align 4
+  %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
+  br i1 %exitcond1331.not.1, label %B6091, label %B5931.if.1
 
-B656.if.epil.preheader:                           ; preds = %B656.if.lr.ph, %B924.loopexit.unr-lcssa
-  %.1206861863.epil.init = phi i64 [ 0, %B656.if.lr.ph ], [ %.1213.1.1, %B924.loopexit.unr-lcssa ]
-  %sunkaddr516.epil = shl i64 %.1206861863.epil.init, 2
-  %sunkaddr517.epil = getelementptr i8, ptr %arg.tail.4, i64 %sunkaddr516.epil
-  %.1267.epil = load float, ptr %sunkaddr517.epil, align 4
-  %18 = add i64 %.1206861863.epil.init, %.1269
-  %.1284.epil = icmp slt i64 %18, 0
-  %19 = select i1 %.1284.epil, i64 %2, i64 0
-  %scevgep506.epil = getelementptr i8, ptr %scevgep502, i64 %19
-  %scevgep507.epil = getelementptr i8, ptr %scevgep506.epil, i64 %sunkaddr516.epil
-  store float %.1267.epil, ptr %scevgep507.epil, align 4
-  %sunkaddr520.epil = getelementptr i8, ptr %sunkaddr517.epil, i64 4
-  %.1267.1.epil = load float, ptr %sunkaddr520.epil, align 4
-  %scevgep505.epil = getelementptr i8, ptr %scevgep507.epil, i64 4
-  store float %.1267.1.epil, ptr %scevgep505.epil, align 4
-  br label %B924
+B6035:                                            ; preds = %B5879
+  %sunkaddr13 = shl i64 %j.2.0, 3
+  %sunkaddr14 = getelementptr i8, ptr %arg.second.4, i64 %sunkaddr13
+  br i1 %4, label %B6037, label %B6075
 
-B924:                                             ; preds = %B656.if.epil.preheader, %B924.loopexit.unr-lcssa, %B870, %B818, %B762, %B710, %B566, %B562
-  %.1609 = add nsw i64 %count.2.1, %j.2.0
-  %.1615 = icmp slt i64 %.1609, %arg.stop
-  br i1 %.1615, label %B152, label %common.ret
+B6037:                                            ; preds = %B6035
+  store <16 x float> %.1294, ptr %sunkaddr14, align 64, !nontemporal !123
+  br label %B6091
 
-common.ret:                                       ; preds = %B924, %entry
+B6075:                                            ; preds = %B6035
+  store <16 x float> %.1294, ptr %sunkaddr14, align 4
+  br label %B6091
+
+B6091:                                            ; preds = %B6037, %B6075, %B5931.if.6, %B5931.if.5, %B5931.if.4, %B5931.if.3, %B5931.if.2, %B5931.if.1, %B5931.if.lr.ph, %B5891, %B5875
+  %.1580 = add nsw i64 %count.2.1, %j.2.0
+  %.1586 = icmp slt i64 %.1580, %arg.stop
+  br i1 %.1586, label %B150, label %common.ret
+
+common.ret:                                       ; preds = %B6091, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
-B522.if.lr.ph:                                    ; preds = %B438
-  %.1009 = shl nsw i64 %j.2.0, 1
-  %20 = shl i64 %j.2.0, 3
-  %scevgep493 = getelementptr i8, ptr %arg.first.4, i64 %20
-  %.1007 = load float, ptr %arg.tail.4, align 4
-  %.1024 = icmp slt i64 %j.2.0, 0
-  %21 = select i1 %.1024, i64 %1, i64 0
-  %scevgep497 = getelementptr i8, ptr %scevgep493, i64 %21
-  store float %.1007, ptr %scevgep497, align 4
-  %.1007.1 = load float, ptr %sunkaddr31, align 4
-  %scevgep496 = getelementptr i8, ptr %scevgep497, i64 4
-  store float %.1007.1, ptr %scevgep496, align 4
-  %exitcond.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond.not.1, label %B562, label %B522.if.1
-
-B522.if.1:                                        ; preds = %B522.if.lr.ph
-  %.1007.11 = load float, ptr %sunkaddr32, align 4
-  %22 = add i64 %.1009, 2
-  %.1024.1 = icmp slt i64 %22, 0
-  %23 = select i1 %.1024.1, i64 %1, i64 0
-  %scevgep497.1 = getelementptr i8, ptr %scevgep493, i64 %23
-  %scevgep498.1 = getelementptr i8, ptr %scevgep497.1, i64 8
-  store float %.1007.11, ptr %scevgep498.1, align 4
-  %.1007.1.1 = load float, ptr %sunkaddr33, align 4
-  %scevgep496.1 = getelementptr i8, ptr %scevgep497.1, i64 12
-  store float %.1007.1.1, ptr %scevgep496.1, align 4
+B532.if.1:                                        ; preds = %B532.if.lr.ph
+  %.1056.11 = load float, ptr %sunkaddr17, align 4
+  %16 = add i64 %.1058, 2
+  %.1073.1 = icmp slt i64 %16, 0
+  %17 = select i1 %.1073.1, i64 %1, i64 0
+  %scevgep311.1 = getelementptr i8, ptr %scevgep307, i64 %17
+  %scevgep312.1 = getelementptr i8, ptr %scevgep311.1, i64 8
+  store float %.1056.11, ptr %scevgep312.1, align 4
+  %.1056.1.1 = load float, ptr %sunkaddr18, align 4
+  %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 12
+  store float %.1056.1.1, ptr %scevgep310.1, align 4
   %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond.not.1.1, label %B562, label %B522.if.2
+  br i1 %exitcond.not.1.1, label %B5875, label %B532.if.2
 
-B522.if.2:                                        ; preds = %B522.if.1
-  %.1007.2 = load float, ptr %sunkaddr34, align 4
-  %24 = add i64 %.1009, 4
-  %.1024.2 = icmp slt i64 %24, 0
-  %25 = select i1 %.1024.2, i64 %1, i64 0
-  %scevgep497.2 = getelementptr i8, ptr %scevgep493, i64 %25
-  %scevgep498.2 = getelementptr i8, ptr %scevgep497.2, i64 16
-  store float %.1007.2, ptr %scevgep498.2, align 4
-  %.1007.1.2 = load float, ptr %sunkaddr, align 4
-  %scevgep496.2 = getelementptr i8, ptr %scevgep497.2, i64 20
-  store float %.1007.1.2, ptr %scevgep496.2, align 4
+B532.if.2:                                        ; preds = %B532.if.1
+  %.1056.2 = load float, ptr %sunkaddr, align 4
+  %18 = add i64 %.1058, 4
+  %.1073.2 = icmp slt i64 %18, 0
+  %19 = select i1 %.1073.2, i64 %1, i64 0
+  %scevgep311.2 = getelementptr i8, ptr %scevgep307, i64 %19
+  %scevgep312.2 = getelementptr i8, ptr %scevgep311.2, i64 16
+  store float %.1056.2, ptr %scevgep312.2, align 4
+  %.1056.1.2 = load float, ptr %sunkaddr19, align 4
+  %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 20
+  store float %.1056.1.2, ptr %scevgep310.2, align 4
   %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond.not.1.2, label %B562, label %B522.if.3
+  br i1 %exitcond.not.1.2, label %B5875, label %B532.if.3
 
-B522.if.3:                                        ; preds = %B522.if.2
-  %.1007.3 = load float, ptr %sunkaddr35, align 4
-  %26 = add i64 %.1009, 6
-  %.1024.3 = icmp slt i64 %26, 0
-  %27 = select i1 %.1024.3, i64 %1, i64 0
-  %scevgep497.3 = getelementptr i8, ptr %scevgep493, i64 %27
-  %scevgep498.3 = getelementptr i8, ptr %scevgep497.3, i64 24
-  store float %.1007.3, ptr %scevgep498.3, align 4
-  %.1007.1.3 = load float, ptr %sunkaddr36, align 4
-  %scevgep496.3 = getelementptr i8, ptr %scevgep497.3, i64 28
-  store float %.1007.1.3, ptr %scevgep496.3, align 4
+B532.if.3:                                        ; preds = %B532.if.2
+  %.1056.3 = load float, ptr %sunkaddr20, align 4
+  %20 = add i64 %.1058, 6
+  %.1073.3 = icmp slt i64 %20, 0
+  %21 = select i1 %.1073.3, i64 %1, i64 0
+  %scevgep311.3 = getelementptr i8, ptr %scevgep307, i64 %21
+  %scevgep312.3 = getelementptr i8, ptr %scevgep311.3, i64 24
+  store float %.1056.3, ptr %scevgep312.3, align 4
+  %.1056.1.3 = load float, ptr %sunkaddr21, align 4
+  %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 28
+  store float %.1056.1.3, ptr %scevgep310.3, align 4
   %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond.not.1.3, label %B562, label %B522.if.4
+  br i1 %exitcond.not.1.3, label %B5875, label %B532.if.4
 
-B522.if.4:                                        ; preds = %B522.if.3
-  %.1007.4 = load float, ptr %sunkaddr37, align 4
-  %28 = add i64 %.1009, 8
-  %.1024.4 = icmp slt i64 %28, 0
-  %29 = select i1 %.1024.4, i64 %1, i64 0
-  %scevgep497.4 = getelementptr i8, ptr %scevgep493, i64 %29
-  %scevgep498.4 = getelementptr i8, ptr %scevgep497.4, i64 32
-  store float %.1007.4, ptr %scevgep498.4, align 4
-  %.1007.1.4 = load float, ptr %sunkaddr38, align 4
-  %scevgep496.4 = getelementptr i8, ptr %scevgep497.4, i64 36
-  store float %.1007.1.4, ptr %scevgep496.4, align 4
+B532.if.4:                                        ; preds = %B532.if.3
+  %.1056.4 = load float, ptr %sunkaddr22, align 4
+  %22 = add i64 %.1058, 8
+  %.1073.4 = icmp slt i64 %22, 0
+  %23 = select i1 %.1073.4, i64 %1, i64 0
+  %scevgep311.4 = getelementptr i8, ptr %scevgep307, i64 %23
+  %scevgep312.4 = getelementptr i8, ptr %scevgep311.4, i64 32
+  store float %.1056.4, ptr %scevgep312.4, align 4
+  %.1056.1.4 = load float, ptr %sunkaddr23, align 4
+  %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 36
+  store float %.1056.1.4, ptr %scevgep310.4, align 4
   %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond.not.1.4, label %B562, label %B522.if.5
+  br i1 %exitcond.not.1.4, label %B5875, label %B532.if.5
 
-B522.if.5:                                        ; preds = %B522.if.4
-  %.1007.5 = load float, ptr %sunkaddr39, align 4
-  %30 = add i64 %.1009, 10
-  %.1024.5 = icmp slt i64 %30, 0
-  %31 = select i1 %.1024.5, i64 %1, i64 0
-  %scevgep497.5 = getelementptr i8, ptr %scevgep493, i64 %31
-  %scevgep498.5 = getelementptr i8, ptr %scevgep497.5, i64 40
-  store float %.1007.5, ptr %scevgep498.5, align 4
-  %.1007.1.5 = load float, ptr %sunkaddr40, align 4
-  %scevgep496.5 = getelementptr i8, ptr %scevgep497.5, i64 44
-  store float %.1007.1.5, ptr %scevgep496.5, align 4
+B532.if.5:                                        ; preds = %B532.if.4
+  %.1056.5 = load float, ptr %sunkaddr24, align 4
+  %24 = add i64 %.1058, 10
+  %.1073.5 = icmp slt i64 %24, 0
+  %25 = select i1 %.1073.5, i64 %1, i64 0
+  %scevgep311.5 = getelementptr i8, ptr %scevgep307, i64 %25
+  %scevgep312.5 = getelementptr i8, ptr %scevgep311.5, i64 40
+  store float %.1056.5, ptr %scevgep312.5, align 4
+  %.1056.1.5 = load float, ptr %sunkaddr25, align 4
+  %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 44
+  store float %.1056.1.5, ptr %scevgep310.5, align 4
   %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond.not.1.5, label %B562, label %B522.if.6
+  br i1 %exitcond.not.1.5, label %B5875, label %B532.if.6
 
-B522.if.6:                                        ; preds = %B522.if.5
-  %.1007.6 = load float, ptr %sunkaddr41, align 4
-  %32 = add i64 %.1009, 12
-  %.1024.6 = icmp slt i64 %32, 0
-  %33 = select i1 %.1024.6, i64 %1, i64 0
-  %scevgep497.6 = getelementptr i8, ptr %scevgep493, i64 %33
-  %scevgep498.6 = getelementptr i8, ptr %scevgep497.6, i64 48
-  store float %.1007.6, ptr %scevgep498.6, align 4
-  %.1007.1.6 = load float, ptr %sunkaddr42, align 4
-  %scevgep496.6 = getelementptr i8, ptr %scevgep497.6, i64 52
-  store float %.1007.1.6, ptr %scevgep496.6, align 4
-  br label %B562
+B532.if.6:                                        ; preds = %B532.if.5
+  %.1056.6 = load float, ptr %sunkaddr26, align 4
+  %26 = add i64 %.1058, 12
+  %.1073.6 = icmp slt i64 %26, 0
+  %27 = select i1 %.1073.6, i64 %1, i64 0
+  %scevgep311.6 = getelementptr i8, ptr %scevgep307, i64 %27
+  %scevgep312.6 = getelementptr i8, ptr %scevgep311.6, i64 48
+  store float %.1056.6, ptr %scevgep312.6, align 4
+  %.1056.1.6 = load float, ptr %sunkaddr27, align 4
+  %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 52
+  store float %.1056.1.6, ptr %scevgep310.6, align 4
+  br label %B5875
 
-B656.if.lr.ph:                                    ; preds = %B566
-  %.1269 = shl i64 %j.2.0, 1
-  %34 = shl i64 %j.2.0, 3
-  %scevgep502 = getelementptr i8, ptr %arg.second.4, i64 %34
-  %35 = add nuw i64 %12, 9223372036854775807
-  %36 = icmp eq i64 %count.2.1, 1
-  br i1 %36, label %B656.if.epil.preheader, label %B656.if.lr.ph.new
+B5931.if.1:                                       ; preds = %B5931.if.lr.ph
+  %.1451.12 = load float, ptr %sunkaddr28, align 4
+  %28 = add i64 %.1453, 2
+  %.1468.1 = icmp slt i64 %28, 0
+  %29 = select i1 %.1468.1, i64 %2, i64 0
+  %scevgep320.1 = getelementptr i8, ptr %scevgep316, i64 %29
+  %scevgep321.1 = getelementptr i8, ptr %scevgep320.1, i64 8
+  store float %.1451.12, ptr %scevgep321.1, align 4
+  %.1451.1.1 = load float, ptr %sunkaddr29, align 4
+  %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 12
+  store float %.1451.1.1, ptr %scevgep319.1, align 4
+  %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
+  br i1 %exitcond1331.not.1.1, label %B6091, label %B5931.if.2
 
-B656.if.lr.ph.new:                                ; preds = %B656.if.lr.ph
-  %37 = and i64 %35, 9223372036854775807
-  %38 = add nuw i64 %37, 1
-  %39 = add i64 %.1269, 2
-  %40 = and i64 %38, -2
-  br label %B656.if
+B5931.if.2:                                       ; preds = %B5931.if.1
+  %.1451.2 = load float, ptr %sunkaddr30, align 4
+  %30 = add i64 %.1453, 4
+  %.1468.2 = icmp slt i64 %30, 0
+  %31 = select i1 %.1468.2, i64 %2, i64 0
+  %scevgep320.2 = getelementptr i8, ptr %scevgep316, i64 %31
+  %scevgep321.2 = getelementptr i8, ptr %scevgep320.2, i64 16
+  store float %.1451.2, ptr %scevgep321.2, align 4
+  %.1451.1.2 = load float, ptr %sunkaddr31, align 4
+  %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 20
+  store float %.1451.1.2, ptr %scevgep319.2, align 4
+  %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
+  br i1 %exitcond1331.not.1.2, label %B6091, label %B5931.if.3
 
-B656.if:                                          ; preds = %B656.if, %B656.if.lr.ph.new
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B656.if ], [ %40, %B656.if.lr.ph.new ]
-  %.1206861863 = phi i64 [ %.1213.1.1, %B656.if ], [ 0, %B656.if.lr.ph.new ]
-  %sunkaddr43 = shl i64 %.1206861863, 2
-  %sunkaddr44 = getelementptr i8, ptr %arg.tail.4, i64 %sunkaddr43
-  %.1267 = load float, ptr %sunkaddr44, align 4
-  %41 = add i64 %.1206861863, %.1269
-  %.1284 = icmp slt i64 %41, 0
-  %42 = select i1 %.1284, i64 %4, i64 4
-  %scevgep9 = getelementptr i8, ptr %scevgep502, i64 %42
-  %scevgep14 = getelementptr i8, ptr %scevgep9, i64 %sunkaddr43
-  %scevgep15 = getelementptr i8, ptr %scevgep14, i64 -4
-  store float %.1267, ptr %scevgep15, align 4
-  %sunkaddr47 = getelementptr i8, ptr %sunkaddr44, i64 4
-  %.1267.1 = load float, ptr %sunkaddr47, align 4
-  store float %.1267.1, ptr %scevgep14, align 4
-  %sunkaddr50 = getelementptr i8, ptr %sunkaddr44, i64 8
-  %.1267.13 = load float, ptr %sunkaddr50, align 4
-  %43 = add i64 %39, %.1206861863
-  %.1284.1 = icmp slt i64 %43, 0
-  %44 = select i1 %.1284.1, i64 %5, i64 12
-  %scevgep2 = getelementptr i8, ptr %scevgep502, i64 %44
-  %scevgep4 = getelementptr i8, ptr %scevgep2, i64 %sunkaddr43
-  %scevgep6 = getelementptr i8, ptr %scevgep4, i64 -4
-  store float %.1267.13, ptr %scevgep6, align 4
-  %.1213.1.1 = add i64 %.1206861863, 4
-  %sunkaddr51 = shl i64 %.1213.1.1, 2
-  %sunkaddr52 = getelementptr i8, ptr %arg.tail.4, i64 %sunkaddr51
-  %sunkaddr53 = getelementptr i8, ptr %sunkaddr52, i64 -4
-  %.1267.1.1 = load float, ptr %sunkaddr53, align 4
-  store float %.1267.1.1, ptr %scevgep4, align 4
-  %lsr.iv.next = add i64 %lsr.iv, -2
-  %niter.ncmp.1 = icmp eq i64 %lsr.iv.next, 0
-  br i1 %niter.ncmp.1, label %B924.loopexit.unr-lcssa, label %B656.if
+B5931.if.3:                                       ; preds = %B5931.if.2
+  %.1451.3 = load float, ptr %sunkaddr32, align 4
+  %32 = add i64 %.1453, 6
+  %.1468.3 = icmp slt i64 %32, 0
+  %33 = select i1 %.1468.3, i64 %2, i64 0
+  %scevgep320.3 = getelementptr i8, ptr %scevgep316, i64 %33
+  %scevgep321.3 = getelementptr i8, ptr %scevgep320.3, i64 24
+  store float %.1451.3, ptr %scevgep321.3, align 4
+  %.1451.1.3 = load float, ptr %sunkaddr33, align 4
+  %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 28
+  store float %.1451.1.3, ptr %scevgep319.3, align 4
+  %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
+  br i1 %exitcond1331.not.1.3, label %B6091, label %B5931.if.4
+
+B5931.if.4:                                       ; preds = %B5931.if.3
+  %.1451.4 = load float, ptr %sunkaddr34, align 4
+  %34 = add i64 %.1453, 8
+  %.1468.4 = icmp slt i64 %34, 0
+  %35 = select i1 %.1468.4, i64 %2, i64 0
+  %scevgep320.4 = getelementptr i8, ptr %scevgep316, i64 %35
+  %scevgep321.4 = getelementptr i8, ptr %scevgep320.4, i64 32
+  store float %.1451.4, ptr %scevgep321.4, align 4
+  %.1451.1.4 = load float, ptr %sunkaddr35, align 4
+  %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 36
+  store float %.1451.1.4, ptr %scevgep319.4, align 4
+  %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
+  br i1 %exitcond1331.not.1.4, label %B6091, label %B5931.if.5
+
+B5931.if.5:                                       ; preds = %B5931.if.4
+  %.1451.5 = load float, ptr %sunkaddr36, align 4
+  %36 = add i64 %.1453, 10
+  %.1468.5 = icmp slt i64 %36, 0
+  %37 = select i1 %.1468.5, i64 %2, i64 0
+  %scevgep320.5 = getelementptr i8, ptr %scevgep316, i64 %37
+  %scevgep321.5 = getelementptr i8, ptr %scevgep320.5, i64 40
+  store float %.1451.5, ptr %scevgep321.5, align 4
+  %.1451.1.5 = load float, ptr %sunkaddr37, align 4
+  %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 44
+  store float %.1451.1.5, ptr %scevgep319.5, align 4
+  %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
+  br i1 %exitcond1331.not.1.5, label %B6091, label %B5931.if.6
+
+B5931.if.6:                                       ; preds = %B5931.if.5
+  %.1451.6 = load float, ptr %sunkaddr38, align 4
+  %38 = add i64 %.1453, 12
+  %.1468.6 = icmp slt i64 %38, 0
+  %39 = select i1 %.1468.6, i64 %2, i64 0
+  %scevgep320.6 = getelementptr i8, ptr %scevgep316, i64 %39
+  %scevgep321.6 = getelementptr i8, ptr %scevgep320.6, i64 48
+  store float %.1451.6, ptr %scevgep321.6, align 4
+  %.1451.1.6 = load float, ptr %sunkaddr39, align 4
+  %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 52
+  store float %.1451.1.6, ptr %scevgep319.6, align 4
+  br label %B6091
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
+define internal fastcc void @inner_15(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, i64 %arg.stop, double %arg.factors.0, double %arg.factors.1, i64 range(i64 -1, 4) %arg.streamed, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #7 {
+entry:
+  %.122 = icmp sgt i64 %arg.stop, 0
+  br i1 %.122, label %B150.preheader, label %common.ret
+
+B150.preheader:                                   ; preds = %entry
+  %0 = icmp sgt i64 %arg.second.5.0, 0
+  %plus.2.0 = select i1 %0, double %arg.factors.0, double 1.000000e+00
+  %.1168 = fsub contract double 0.000000e+00, %arg.factors.1
+  %.6.i295 = insertelement <8 x double> poison, double %plus.2.0, i64 0
+  %.7.i296 = shufflevector <8 x double> %.6.i295, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i = insertelement <8 x double> poison, double %.1168, i64 0
+  %.7.i = shufflevector <8 x double> %.6.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i301 = insertelement <8 x double> poison, double %arg.factors.1, i64 0
+  %.7.i302 = shufflevector <8 x double> %.6.i301, <8 x double> poison, <8 x i32> zeroinitializer
+  %1 = shl i64 %arg.first.5.0, 3
+  %2 = shl i64 %arg.second.5.0, 3
+  %3 = icmp sgt i64 %arg.streamed, -1
+  %sunkaddr3 = getelementptr i8, ptr %arg.tail.4, i64 8
+  %sunkaddr34 = getelementptr i8, ptr %arg.tail.4, i64 16
+  %sunkaddr35 = getelementptr i8, ptr %arg.tail.4, i64 24
+  %sunkaddr = getelementptr i8, ptr %arg.tail.4, i64 32
+  %sunkaddr36 = getelementptr i8, ptr %arg.tail.4, i64 40
+  %sunkaddr37 = getelementptr i8, ptr %arg.tail.4, i64 48
+  %sunkaddr38 = getelementptr i8, ptr %arg.tail.4, i64 56
+  %sunkaddr39 = getelementptr i8, ptr %arg.tail.4, i64 64
+  %sunkaddr40 = getelementptr i8, ptr %arg.tail.4, i64 72
+  %sunkaddr41 = getelementptr i8, ptr %arg.tail.4, i64 80
+  %sunkaddr42 = getelementptr i8, ptr %arg.tail.4, i64 88
+  %sunkaddr43 = getelementptr i8, ptr %arg.tail.4, i64 96
+  %sunkaddr44 = getelementptr i8, ptr %arg.tail.4, i64 104
+  %4 = icmp sgt i64 %arg.streamed, -1
+  %sunkaddr31 = getelementptr i8, ptr %arg.tail.4, i64 8
+  %sunkaddr45 = getelementptr i8, ptr %arg.tail.4, i64 16
+  %sunkaddr46 = getelementptr i8, ptr %arg.tail.4, i64 24
+  %sunkaddr47 = getelementptr i8, ptr %arg.tail.4, i64 32
+  %sunkaddr48 = getelementptr i8, ptr %arg.tail.4, i64 40
+  %sunkaddr49 = getelementptr i8, ptr %arg.tail.4, i64 48
+  %sunkaddr50 = getelementptr i8, ptr %arg.tail.4, i64 56
+  %sunkaddr51 = getelementptr i8, ptr %arg.tail.4, i64 64
+  %sunkaddr52 = getelementptr i8, ptr %arg.tail.4, i64 72
+  %sunkaddr53 = getelementptr i8, ptr %arg.tail.4, i64 80
+  %sunkaddr54 = getelementptr i8, ptr %arg.tail.4, i64 88
+  %sunkaddr55 = getelementptr i8, ptr %arg.tail.4, i64 96
+  %sunkaddr56 = getelementptr i8, ptr %arg.tail.4, i64 104
+  br label %B150
+
+B150:                                             ; preds = %B6488, %B150.preheader
+  %j.2.0 = phi i64 [ %.1560, %B6488 ], [ 0, %B150.preheader ]
+  %.129 = sub nsw i64 %arg.stop, %j.2.0
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.129, i64 8)
+  %.169 = icmp slt i64 %j.2.0, %arg.streamed
+  %.13.i276 = tail call i64 @llvm.smin.i64(i64 %arg.streamed, i64 %.13.i)
+  %count.2.1 = select i1 %.169, i64 %.13.i276, i64 %.13.i
+  %.217 = getelementptr inbounds double, ptr %arg.phase.4, i64 %j.2.0
+  %.219 = load <8 x double>, ptr %.217, align 8
+  %.224 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.219, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
+  %.8.i = fadd contract <8 x double> %.224, splat (double 0xC338000000000000)
+  %.265 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i, <8 x double> splat (double 0xBFF921FB54442D18), <8 x double> %.219)
+  %.282 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i, <8 x double> splat (double 0xBC91A62633145C07), <8 x double> %.265)
+  %.6.i278 = fmul contract <8 x double> %.282, %.282
+  %.6.i279 = fmul contract <8 x double> %.282, %.6.i278
+  %.311 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
+  %.314 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.311, <8 x double> splat (double 0xBE5AE64567F544E4))
+  %.317 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.314, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.320 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.317, <8 x double> splat (double 0xBF2A01A01A01A01A))
+  %.323 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.320, <8 x double> splat (double 0x3F81111111111111))
+  %.326 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.323, <8 x double> splat (double 0xBFC5555555555555))
+  %.351 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279, <8 x double> %.326, <8 x double> %.282)
+  %.356 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> splat (double 0x3D2AE7F3E733B81F), <8 x double> splat (double 0xBDA93974A8C07C9D))
+  %.359 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.356, <8 x double> splat (double 0x3E21EED8EFF8D898))
+  %.362 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.359, <8 x double> splat (double 0xBE927E4FB7789F5C))
+  %.365 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.362, <8 x double> splat (double 0x3EFA01A01A01A01A))
+  %.368 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.365, <8 x double> splat (double 0xBF56C16C16C16C17))
+  %.371 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.368, <8 x double> splat (double 0x3FA5555555555555))
+  %.374 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.371, <8 x double> splat (double -5.000000e-01))
+  %.377 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278, <8 x double> %.374, <8 x double> splat (double 1.000000e+00))
+  %.378 = bitcast <8 x double> %.224 to <8 x i64>
+  %.379 = bitcast <8 x double> %.351 to <8 x i64>
+  %.380 = bitcast <8 x double> %.377 to <8 x i64>
+  %.6.i280 = xor <8 x i64> %.380, %.379
+  %.8.i281 = and <8 x i64> %.378, splat (i64 1)
+  %5 = icmp eq <8 x i64> %.8.i281, zeroinitializer
+  %.6.i283 = select <8 x i1> %5, <8 x i64> zeroinitializer, <8 x i64> %.6.i280
+  %.8.i284 = shl <8 x i64> %.378, splat (i64 62)
+  %.8.i285 = and <8 x i64> %.8.i284, splat (i64 -9223372036854775808)
+  %.8.i287 = add <8 x i64> %.8.i284, splat (i64 4611686018427387904)
+  %.8.i288 = and <8 x i64> %.8.i287, splat (i64 -9223372036854775808)
+  %6 = xor <8 x i64> %.8.i285, %.379
+  %.6.i290 = xor <8 x i64> %6, %.6.i283
+  %7 = bitcast <8 x i64> %.6.i290 to <8 x double>
+  %8 = xor <8 x i64> %.8.i288, %.380
+  %.6.i292 = xor <8 x i64> %8, %.6.i283
+  %9 = bitcast <8 x i64> %.6.i292 to <8 x double>
+  %.723 = getelementptr inbounds double, ptr %arg.amplitude.4, i64 %j.2.0
+  %.725 = load <8 x double>, ptr %.723, align 8
+  %.6.i293 = fmul contract <8 x double> %.725, %9
+  %.6.i294 = fmul contract <8 x double> %.725, %7
+  %.8.i297 = fmul contract <8 x double> %.7.i296, %.6.i293
+  %.8.i300 = fmul contract <8 x double> %.7.i296, %.6.i294
+  %.874 = icmp slt i64 %count.2.1, 8
+  br i1 %.874, label %B472, label %B6160
+
+B472:                                             ; preds = %B150
+  %.889 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  store <16 x double> %.889, ptr %arg.tail.4, align 4
+  %.979841.not = icmp slt i64 %count.2.1, 1
+  br i1 %.979841.not, label %B6272, label %B532.if.lr.ph
+
+B532.if.lr.ph:                                    ; preds = %B472
+  %.1048 = shl nsw i64 %j.2.0, 1
+  %10 = shl i64 %j.2.0, 4
+  %scevgep307 = getelementptr i8, ptr %arg.first.4, i64 %10
+  %.1046 = load double, ptr %arg.tail.4, align 8
+  %.1063 = icmp slt i64 %j.2.0, 0
+  %11 = select i1 %.1063, i64 %1, i64 0
+  %scevgep311 = getelementptr i8, ptr %scevgep307, i64 %11
+  store double %.1046, ptr %scevgep311, align 8
+  %.1046.1 = load double, ptr %sunkaddr3, align 8
+  %scevgep310 = getelementptr i8, ptr %scevgep311, i64 8
+  store double %.1046.1, ptr %scevgep310, align 8
+  %exitcond.not.1 = icmp eq i64 %count.2.1, 1
+  br i1 %exitcond.not.1, label %B6272, label %B532.if.1
+
+B6160:                                            ; preds = %B150
+  %.1121.idx = shl i64 %j.2.0, 4
+  %.1122 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %.1121.idx
+  br i1 %3, label %B6232, label %B6234
+
+B6232:                                            ; preds = %B6160
+  store <16 x double> %.1122, ptr %sunkaddr6, align 64, !nontemporal !123
+  br label %B6272
+
+B6234:                                            ; preds = %B6160
+  store <16 x double> %.1122, ptr %sunkaddr6, align 4
+  br label %B6272
+
+B6272:                                            ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B6234, %B6232
+  br i1 %0, label %B6276, label %B6488
+
+B6276:                                            ; preds = %B6272
+  %.8.i277 = fmul contract <8 x double> %.7.i, %.6.i294
+  %.8.i303 = fmul contract <8 x double> %.7.i302, %.6.i293
+  br i1 %.874, label %B6288, label %B6432
+
+B6288:                                            ; preds = %B6276
+  %.1278 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  store <16 x double> %.1278, ptr %arg.tail.4, align 4
+  %.1368847.not = icmp slt i64 %count.2.1, 1
+  br i1 %.1368847.not, label %B6488, label %B6328.if.lr.ph
+
+B6328.if.lr.ph:                                   ; preds = %B6288
+  %.1437 = shl nsw i64 %j.2.0, 1
+  %12 = shl i64 %j.2.0, 4
+  %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %12
+  %.1435 = load double, ptr %arg.tail.4, align 8
+  %.1452 = icmp slt i64 %j.2.0, 0
+  %13 = select i1 %.1452, i64 %2, i64 0
+  %scevgep320 = getelementptr i8, ptr %scevgep316, i64 %13
+  store double %.1435, ptr %scevgep320, align 8
+  %.1435.1 = load double, ptr %sunkaddr31, align 8
+  %scevgep319 = getelementptr i8, ptr %scevgep320, i64 8
+  store double %.1435.1, ptr %scevgep319, align 8
+  %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
+  br i1 %exitcond1331.not.1, label %B6488, label %B6328.if.1
+
+B6432:                                            ; preds = %B6276
+  %.1510.idx = shl i64 %j.2.0, 4
+  %.1511 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  %sunkaddr32 = getelementptr i8, ptr %arg.second.4, i64 %.1510.idx
+  br i1 %4, label %B6434, label %B6472
+
+B6434:                                            ; preds = %B6432
+  store <16 x double> %.1511, ptr %sunkaddr32, align 64, !nontemporal !123
+  br label %B6488
+
+B6472:                                            ; preds = %B6432
+  store <16 x double> %.1511, ptr %sunkaddr32, align 4
+  br label %B6488
+
+B6488:                                            ; preds = %B6434, %B6472, %B6328.if.6, %B6328.if.5, %B6328.if.4, %B6328.if.3, %B6328.if.2, %B6328.if.1, %B6328.if.lr.ph, %B6288, %B6272
+  %.1560 = add nsw i64 %count.2.1, %j.2.0
+  %.1566 = icmp slt i64 %.1560, %arg.stop
+  br i1 %.1566, label %B150, label %common.ret
+
+common.ret:                                       ; preds = %B6488, %entry
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B532.if.1:                                        ; preds = %B532.if.lr.ph
+  %.1046.11 = load double, ptr %sunkaddr34, align 8
+  %14 = add i64 %.1048, 2
+  %.1063.1 = icmp slt i64 %14, 0
+  %15 = select i1 %.1063.1, i64 %1, i64 0
+  %scevgep311.1 = getelementptr i8, ptr %scevgep307, i64 %15
+  %scevgep312.1 = getelementptr i8, ptr %scevgep311.1, i64 16
+  store double %.1046.11, ptr %scevgep312.1, align 8
+  %.1046.1.1 = load double, ptr %sunkaddr35, align 8
+  %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 24
+  store double %.1046.1.1, ptr %scevgep310.1, align 8
+  %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
+  br i1 %exitcond.not.1.1, label %B6272, label %B532.if.2
+
+B532.if.2:                                        ; preds = %B532.if.1
+  %.1046.2 = load double, ptr %sunkaddr, align 8
+  %16 = add i64 %.1048, 4
+  %.1063.2 = icmp slt i64 %16, 0
+  %17 = select i1 %.1063.2, i64 %1, i64 0
+  %scevgep311.2 = getelementptr i8, ptr %scevgep307, i64 %17
+  %scevgep312.2 = getelementptr i8, ptr %scevgep311.2, i64 32
+  store double %.1046.2, ptr %scevgep312.2, align 8
+  %.1046.1.2 = load double, ptr %sunkaddr36, align 8
+  %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 40
+  store double %.1046.1.2, ptr %scevgep310.2, align 8
+  %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
+  br i1 %exitcond.not.1.2, label %B6272, label %B532.if.3
+
+B532.if.3:                                        ; preds = %B532.if.2
+  %.1046.3 = load double, ptr %sunkaddr37, align 8
+  %18 = add i64 %.1048, 6
+  %.1063.3 = icmp slt i64 %18, 0
+  %19 = select i1 %.1063.3, i64 %1, i64 0
+  %scevgep311.3 = getelementptr i8, ptr %scevgep307, i64 %19
+  %scevgep312.3 = getelementptr i8, ptr %scevgep311.3, i64 48
+  store double %.1046.3, ptr %scevgep312.3, align 8
+  %.1046.1.3 = load double, ptr %sunkaddr38, align 8
+  %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 56
+  store double %.1046.1.3, ptr %scevgep310.3, align 8
+  %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
+  br i1 %exitcond.not.1.3, label %B6272, label %B532.if.4
+
+B532.if.4:                                        ; preds = %B532.if.3
+  %.1046.4 = load double, ptr %sunkaddr39, align 8
+  %20 = add i64 %.1048, 8
+  %.1063.4 = icmp slt i64 %20, 0
+  %21 = select i1 %.1063.4, i64 %1, i64 0
+  %scevgep311.4 = getelementptr i8, ptr %scevgep307, i64 %21
+  %scevgep312.4 = getelementptr i8, ptr %scevgep311.4, i64 64
+  store double %.1046.4, ptr %scevgep312.4, align 8
+  %.1046.1.4 = load double, ptr %sunkaddr40, align 8
+  %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 72
+  store double %.1046.1.4, ptr %scevgep310.4, align 8
+  %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
+  br i1 %exitcond.not.1.4, label %B6272, label %B532.if.5
+
+B532.if.5:                                        ; preds = %B532.if.4
+  %.1046.5 = load double, ptr %sunkaddr41, align 8
+  %22 = add i64 %.1048, 10
+  %.1063.5 = icmp slt i64 %22, 0
+  %23 = select i1 %.1063.5, i64 %1, i64 0
+  %scevgep311.5 = getelementptr i8, ptr %scevgep307, i64 %23
+  %scevgep312.5 = getelementptr i8, ptr %scevgep311.5, i64 80
+  store double %.1046.5, ptr %scevgep312.5, align 8
+  %.1046.1.5 = load double, ptr %sunkaddr42, align 8
+  %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 88
+  store double %.1046.1.5, ptr %scevgep310.5, align 8
+  %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
+  br i1 %exitcond.not.1.5, label %B6272, label %B532.if.6
+
+B532.if.6:                                        ; preds = %B532.if.5
+  %.1046.6 = load double, ptr %sunkaddr43, align 8
+  %24 = add i64 %.1048, 12
+  %.1063.6 = icmp slt i64 %24, 0
+  %25 = select i1 %.1063.6, i64 %1, i64 0
+  %scevgep311.6 = getelementptr i8, ptr %scevgep307, i64 %25
+  %scevgep312.6 = getelementptr i8, ptr %scevgep311.6, i64 96
+  store double %.1046.6, ptr %scevgep312.6, align 8
+  %.1046.1.6 = load double, ptr %sunkaddr44, align 8
+  %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 104
+  store double %.1046.1.6, ptr %scevgep310.6, align 8
+  br label %B6272
+
+B6328.if.1:                                       ; preds = %B6328.if.lr.ph
+  %.1435.12 = load double, ptr %sunkaddr45, align 8
+  %26 = add i64 %.1437, 2
+  %.1452.1 = icmp slt i64 %26, 0
+  %27 = select i1 %.1452.1, i64 %2, i64 0
+  %scevgep320.1 = getelementptr i8, ptr %scevgep316, i64 %27
+  %scevgep321.1 = getelementptr i8, ptr %scevgep320.1, i64 16
+  store double %.1435.12, ptr %scevgep321.1, align 8
+  %.1435.1.1 = load double, ptr %sunkaddr46, align 8
+  %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 24
+  store double %.1435.1.1, ptr %scevgep319.1, align 8
+  %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
+  br i1 %exitcond1331.not.1.1, label %B6488, label %B6328.if.2
+
+B6328.if.2:                                       ; preds = %B6328.if.1
+  %.1435.2 = load double, ptr %sunkaddr47, align 8
+  %28 = add i64 %.1437, 4
+  %.1452.2 = icmp slt i64 %28, 0
+  %29 = select i1 %.1452.2, i64 %2, i64 0
+  %scevgep320.2 = getelementptr i8, ptr %scevgep316, i64 %29
+  %scevgep321.2 = getelementptr i8, ptr %scevgep320.2, i64 32
+  store double %.1435.2, ptr %scevgep321.2, align 8
+  %.1435.1.2 = load double, ptr %sunkaddr48, align 8
+  %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 40
+  store double %.1435.1.2, ptr %scevgep319.2, align 8
+  %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
+  br i1 %exitcond1331.not.1.2, label %B6488, label %B6328.if.3
+
+B6328.if.3:                                       ; preds = %B6328.if.2
+  %.1435.3 = load double, ptr %sunkaddr49, align 8
+  %30 = add i64 %.1437, 6
+  %.1452.3 = icmp slt i64 %30, 0
+  %31 = select i1 %.1452.3, i64 %2, i64 0
+  %scevgep320.3 = getelementptr i8, ptr %scevgep316, i64 %31
+  %scevgep321.3 = getelementptr i8, ptr %scevgep320.3, i64 48
+  store double %.1435.3, ptr %scevgep321.3, align 8
+  %.1435.1.3 = load double, ptr %sunkaddr50, align 8
+  %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 56
+  store double %.1435.1.3, ptr %scevgep319.3, align 8
+  %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
+  br i1 %exitcond1331.not.1.3, label %B6488, label %B6328.if.4
+
+B6328.if.4:                                       ; preds = %B6328.if.3
+  %.1435.4 = load double, ptr %sunkaddr51, align 8
+  %32 = add i64 %.1437, 8
+  %.1452.4 = icmp slt i64 %32, 0
+  %33 = select i1 %.1452.4, i64 %2, i64 0
+  %scevgep320.4 = getelementptr i8, ptr %scevgep316, i64 %33
+  %scevgep321.4 = getelementptr i8, ptr %scevgep320.4, i64 64
+  store double %.1435.4, ptr %scevgep321.4, align 8
+  %.1435.1.4 = load double, ptr %sunkaddr52, align 8
+  %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 72
+  store double %.1435.1.4, ptr %scevgep319.4, align 8
+  %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
+  br i1 %exitcond1331.not.1.4, label %B6488, label %B6328.if.5
+
+B6328.if.5:                                       ; preds = %B6328.if.4
+  %.1435.5 = load double, ptr %sunkaddr53, align 8
+  %34 = add i64 %.1437, 10
+  %.1452.5 = icmp slt i64 %34, 0
+  %35 = select i1 %.1452.5, i64 %2, i64 0
+  %scevgep320.5 = getelementptr i8, ptr %scevgep316, i64 %35
+  %scevgep321.5 = getelementptr i8, ptr %scevgep320.5, i64 80
+  store double %.1435.5, ptr %scevgep321.5, align 8
+  %.1435.1.5 = load double, ptr %sunkaddr54, align 8
+  %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 88
+  store double %.1435.1.5, ptr %scevgep319.5, align 8
+  %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
+  br i1 %exitcond1331.not.1.5, label %B6488, label %B6328.if.6
+
+B6328.if.6:                                       ; preds = %B6328.if.5
+  %.1435.6 = load double, ptr %sunkaddr55, align 8
+  %36 = add i64 %.1437, 12
+  %.1452.6 = icmp slt i64 %36, 0
+  %37 = select i1 %.1452.6, i64 %2, i64 0
+  %scevgep320.6 = getelementptr i8, ptr %scevgep316, i64 %37
+  %scevgep321.6 = getelementptr i8, ptr %scevgep320.6, i64 96
+  store double %.1435.6, ptr %scevgep321.6, align 8
+  %.1435.1.6 = load double, ptr %sunkaddr56, align 8
+  %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 104
+  store double %.1435.1.6, ptr %scevgep319.6, align 8
+  br label %B6488
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: write)
@@ -6276,7 +6349,7 @@ B58.if.prol:                                      ; preds = %B58.if.prol, %B58.i
   store float 0.000000e+00, ptr %scevgep34, align 4
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next36, 0
-  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !127
+  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !124
 
 B58.if.prol.loopexit.loopexit:                    ; preds = %B58.if.prol
   %3 = sub i64 %arg.first.5.0, %.141.prol
@@ -6325,7 +6398,7 @@ B128.if.prol:                                     ; preds = %B128.if.prol, %B128
   store float 0.000000e+00, ptr %scevgep17, align 4
   %lsr.iv.next19 = add nsw i64 %lsr.iv18, -1
   %prol.iter3.cmp.not = icmp eq i64 %lsr.iv.next19, 0
-  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !128
+  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !125
 
 B128.if.prol.loopexit.loopexit:                   ; preds = %B128.if.prol
   %15 = sub i64 %arg.second.5.0, %.313.prol
@@ -6412,7 +6485,7 @@ B128.if:                                          ; preds = %B128.if, %B128.if.p
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: write)
-define internal fastcc void @inner_15(ptr noalias nonnull writeonly captures(none) %retptr, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.start) unnamed_addr #8 {
+define internal fastcc void @inner_16(ptr noalias nonnull writeonly captures(none) %retptr, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.start) unnamed_addr #8 {
 entry:
   %.83 = sub i64 %arg.first.5.0, %arg.start
   %.128135.not = icmp slt i64 %.83, 1
@@ -6439,7 +6512,7 @@ B58.if.prol:                                      ; preds = %B58.if.prol, %B58.i
   store double 0.000000e+00, ptr %scevgep34, align 8
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next36, 0
-  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !129
+  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !126
 
 B58.if.prol.loopexit.loopexit:                    ; preds = %B58.if.prol
   %3 = sub i64 %arg.first.5.0, %.141.prol
@@ -6488,7 +6561,7 @@ B128.if.prol:                                     ; preds = %B128.if.prol, %B128
   store double 0.000000e+00, ptr %scevgep17, align 8
   %lsr.iv.next19 = add nsw i64 %lsr.iv18, -1
   %prol.iter3.cmp.not = icmp eq i64 %lsr.iv.next19, 0
-  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !130
+  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !127
 
 B128.if.prol.loopexit.loopexit:                   ; preds = %B128.if.prol
   %15 = sub i64 %arg.second.5.0, %.312.prol
@@ -6622,13 +6695,13 @@ B150:                                             ; preds = %B64.if
   %.21.i = fadd contract double %.916, 1.000000e+00
   %.30.i = fdiv contract double 1.000000e+00, %.21.i
   %.25.i = fdiv contract double %.916, %.21.i
-  store double %.38.le.i, ptr %arg.scratch.4, align 8, !noalias !131
+  store double %.38.le.i, ptr %arg.scratch.4, align 8, !noalias !128
   %.72.i = tail call contract double @llvm.pow.f64(double %.706, double 4.000000e-01)
   %.73.i = fmul contract double %.25.i, %.72.i
-  store double %.73.i, ptr %sunkaddr8, align 8, !noalias !131
+  store double %.73.i, ptr %sunkaddr8, align 8, !noalias !128
   %.103.i = tail call contract double @llvm.pow.f64(double %.736, double 4.000000e-01)
   %.104.i = fmul contract double %.30.i, %.103.i
-  store double %.104.i, ptr %sunkaddr14, align 8, !noalias !131
+  store double %.104.i, ptr %sunkaddr14, align 8, !noalias !128
   %.134.i = fmul contract double %.25.i, %.646
   %.135.i = fmul contract double %.30.i, %.676
   %.136.i = fadd contract double %.134.i, %.135.i
@@ -6637,10 +6710,10 @@ B150:                                             ; preds = %B64.if
   %.139.i = fadd contract double %.646, %.676
   %.140.i = fmul contract double %.138.i, %.139.i
   %.141.i = fsub contract double %.136.i, %.140.i
-  store double %.141.i, ptr %sunkaddr25, align 8, !noalias !131
+  store double %.141.i, ptr %sunkaddr25, align 8, !noalias !128
   %.171.i = fsub contract double %.646, %.676
   %.172.i = fmul contract double %.171.i, 5.000000e-01
-  store double %.172.i, ptr %sunkaddr31, align 8, !noalias !131
+  store double %.172.i, ptr %sunkaddr31, align 8, !noalias !128
   br label %B310
 
 B310:                                             ; preds = %B282.if, %B150
@@ -7040,37 +7113,37 @@ B280.i:                                           ; preds = %B200.if.i, %B84.if.
   %_multiply_wide_v54_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
   %_multiply_wide_v54_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
   %_multiply_wide_v54_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
-  store <8 x double> %_multiply_wide_v54_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !131
   %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !131
   %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !131
   %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !131
   %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.152
-  store <8 x double> %_multiply_wide_v54_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !131
   %.827.i = getelementptr i8, ptr %.817.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !131
   %.838.i = getelementptr i8, ptr %.817.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !131
   %.849.i = getelementptr i8, ptr %.817.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !131
   %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.332
-  store <8 x double> %_multiply_wide_v54_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !131
   %.890.i = getelementptr i8, ptr %.880.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !131
   %.901.i = getelementptr i8, ptr %.880.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !131
   %.912.i = getelementptr i8, ptr %.880.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !131
   %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx814.i
-  store <8 x double> %_multiply_wide_v54_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !131
   %.960.i = getelementptr i8, ptr %.950.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !131
   %.971.i = getelementptr i8, ptr %.950.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !131
   %.982.i = getelementptr i8, ptr %.950.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !134
+  store <8 x double> %_multiply_wide_v54_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !131
   %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %35
   %.187.i = icmp sgt i64 %.186856868.i, 1
   br i1 %.187.i, label %B84.if.i, label %B354.else.i
@@ -7086,13 +7159,13 @@ B3459.i:                                          ; preds = %B356.if.i, %B3459.l
   %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B3459.loopexit.i ]
   %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B3459.loopexit.i ]
   %.1418.i = getelementptr inbounds double, ptr %.1663, i64 %.1135893899.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !134
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !131
   %.1434.i = getelementptr double, ptr %51, i64 %.1135893899.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !134
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !131
   %.1451.i = getelementptr double, ptr %52, i64 %.1135893899.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !134
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !131
   %.1470.i = getelementptr double, ptr %53, i64 %.1135893899.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !134
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !131
   %.1129.i = icmp sgt i64 %.1128892900.i, 1
   br i1 %.1129.i, label %B356.if.i, label %B662.endif.endif.endif.endif
 
@@ -7125,16 +7198,16 @@ B200.if.i:                                        ; preds = %B84.if.i, %B200.if.
   %_multiply_wide_v54_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
   %_multiply_wide_v54_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
   %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
-  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !134
+  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !131
   %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
-  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !134
+  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !131
   %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
-  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !134
-  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !134
+  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !131
+  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !131
   %47 = shl i64 %lsr.iv25, 3
   %scevgep33 = getelementptr i8, ptr %.1489, i64 %47
   %scevgep34 = getelementptr i8, ptr %scevgep33, i64 8
-  %.573.i = load double, ptr %scevgep34, align 8, !noalias !134
+  %.573.i = load double, ptr %scevgep34, align 8, !noalias !131
   %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
   %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a00.2.1823.i)
@@ -7143,7 +7216,7 @@ B200.if.i:                                        ; preds = %B84.if.i, %B200.if.
   %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a03.2.1826.i)
   %scevgep26 = getelementptr i8, ptr %43, i64 %47
   %scevgep27 = getelementptr i8, ptr %scevgep26, i64 8
-  %.610.i = load double, ptr %scevgep27, align 8, !noalias !134
+  %.610.i = load double, ptr %scevgep27, align 8, !noalias !131
   %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
   %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a10.2.1827.i)
@@ -7152,7 +7225,7 @@ B200.if.i:                                        ; preds = %B84.if.i, %B200.if.
   %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a13.2.1830.i)
   %scevgep20 = getelementptr i8, ptr %44, i64 %47
   %scevgep22 = getelementptr i8, ptr %scevgep20, i64 8
-  %.648.i = load double, ptr %scevgep22, align 8, !noalias !134
+  %.648.i = load double, ptr %scevgep22, align 8, !noalias !131
   %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
   %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a20.2.1831.i)
@@ -7161,7 +7234,7 @@ B200.if.i:                                        ; preds = %B84.if.i, %B200.if.
   %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a23.2.1834.i)
   %scevgep9 = getelementptr i8, ptr %45, i64 %47
   %scevgep10 = getelementptr i8, ptr %scevgep9, i64 8
-  %.686.i = load double, ptr %scevgep10, align 8, !noalias !134
+  %.686.i = load double, ptr %scevgep10, align 8, !noalias !131
   %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
   %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a30.2.1835.i)
@@ -7208,24 +7281,24 @@ B884.if.i:                                        ; preds = %B884.if.i, %B884.if
   %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
   %55 = shl i64 %lsr.iv28, 3
   %scevgep30 = getelementptr i8, ptr %scevgep.i, i64 %55
-  %.1318.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !134
+  %.1318.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !131
   %scevgep38 = getelementptr i8, ptr %.1489, i64 %lsr.iv28
-  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !134
+  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !131
   %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
   %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
   %scevgep37 = getelementptr i8, ptr %48, i64 %lsr.iv28
-  %.1352.i = load double, ptr %scevgep37, align 8, !noalias !134
+  %.1352.i = load double, ptr %scevgep37, align 8, !noalias !131
   %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
   %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
   %scevgep36 = getelementptr i8, ptr %49, i64 %lsr.iv28
-  %.1372.i = load double, ptr %scevgep36, align 8, !noalias !134
+  %.1372.i = load double, ptr %scevgep36, align 8, !noalias !131
   %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
   %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
   %scevgep35 = getelementptr i8, ptr %50, i64 %lsr.iv28
-  %.1392.i = load double, ptr %scevgep35, align 8, !noalias !134
+  %.1392.i = load double, ptr %scevgep35, align 8, !noalias !131
   %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
   %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
@@ -7504,19 +7577,16 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
 !119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
 !120 = !{!121}
-!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
-!123 = !{!124}
-!124 = distinct !{!124, !125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v195B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!125 = distinct !{!125, !"_ZN17bnserve_surrogate6kernel8_writing10to_complexB4v195B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx8UniTupleIdLi2EEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!126 = !{i32 1}
+!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!123 = !{i32 1}
+!124 = distinct !{!124, !52}
+!125 = distinct !{!125, !52}
+!126 = distinct !{!126, !52}
 !127 = distinct !{!127, !52}
-!128 = distinct !{!128, !52}
-!129 = distinct !{!129, !52}
-!130 = distinct !{!130, !52}
+!128 = !{!129}
+!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!130 = distinct !{!130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
 !131 = !{!132}
-!132 = distinct !{!132, !133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!133 = distinct !{!133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
-!134 = !{!135}
-!135 = distinct !{!135, !136, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!136 = distinct !{!136, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!132 = distinct !{!132, !133, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!133 = distinct !{!133, !"_ZN17bnserve_surrogate6kernel11_regression8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
