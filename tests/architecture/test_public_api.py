@@ -107,3 +107,14 @@ def test_the_error_of_a_quota_has_its_former_name_with_a_warning(package):
     with pytest.warns(DeprecationWarning, match="ShareExceeded is QuotaExceeded"):
         former = importlib.import_module(package).ShareExceeded
     assert former is bnserve_protocol.QuotaExceeded
+
+
+def test_what_imports_the_packages_of_an_extra_has_its_former_names_with_a_warning():
+    roq = importlib.import_module("bnserve_inference.roq")
+    with pytest.warns(DeprecationWarning, match="RoqPackageMissing is bnserve_protocol.PackageMissing"):
+        assert roq.RoqPackageMissing is bnserve_protocol.PackageMissing
+    with pytest.warns(DeprecationWarning, match="Import require from bnserve_protocol"):
+        former = roq.require
+    assert former("json") is importlib.import_module("json")
+    with pytest.raises(bnserve_protocol.PackageMissing, match=r"A basis.*no_such_package"):
+        former("no_such_package")

@@ -1,5 +1,6 @@
 """Reduced-order quadrature: bases of waveforms, and the frequencies that are enough."""
 
+import functools
 import typing
 import warnings
 
@@ -62,8 +63,11 @@ __all__ = [
 if not typing.TYPE_CHECKING:
 
     def __getattr__(name: str) -> typing.Any:
-        """The error's name of before 0.2, for one version."""
-        if name != "RoqPackageMissing":
-            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        warnings.warn("RoqPackageMissing is bnserve_protocol.PackageMissing.", DeprecationWarning, stacklevel=2)
-        return bnserve_protocol.PackageMissing
+        """Names of before 0.2 for what ``bnserve_protocol`` has, for one version."""
+        if name == "RoqPackageMissing":
+            warnings.warn("RoqPackageMissing is bnserve_protocol.PackageMissing.", DeprecationWarning, stacklevel=2)
+            return bnserve_protocol.PackageMissing
+        if name == "require":
+            warnings.warn("Import require from bnserve_protocol.", DeprecationWarning, stacklevel=2)
+            return functools.partial(bnserve_protocol.require, purpose="A basis", extra="roq")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
