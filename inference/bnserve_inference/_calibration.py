@@ -60,7 +60,7 @@ def calibration_splines(calibration: Calibration, frequencies: NDArray[np.float6
     cell = np.clip(np.floor(x).astype(np.int64), 0, nodes - 2)
     b = x - cell
     a = 1.0 - b
-    curvatures = _curvatures(nodes)
+    curvatures = cardinal_spline(np.arange(nodes, dtype=np.float64))
     unit = np.eye(nodes)
     return np.ascontiguousarray(
         a * unit[:, cell]
@@ -68,17 +68,6 @@ def calibration_splines(calibration: Calibration, frequencies: NDArray[np.float6
         + (a**3 - a) / 6.0 * curvatures[cell].T
         + (b**3 - b) / 6.0 * curvatures[cell + 1].T
     )
-
-
-def _curvatures(nodes: int) -> NDArray[np.float64]:
-    """Second derivatives at the nodes, per unit of node spacing, as a matrix that acts on the values."""
-    inner = np.arange(1, nodes - 1)
-    left, right = np.zeros((nodes, nodes)), np.zeros((nodes, nodes))
-    left[0, :3] = left[-1, -3:] = 1.0, -2.0, 1.0
-    for offset, value, difference in ((-1, 1.0 / 6.0, 1.0), (0, 2.0 / 3.0, -2.0), (1, 1.0 / 6.0, 1.0)):
-        left[inner, inner + offset] = value
-        right[inner, inner + offset] = difference
-    return np.asarray(np.linalg.solve(left, right), dtype=np.float64)
 
 
 class Envelope(NamedTuple):

@@ -8,7 +8,6 @@ from __future__ import annotations
 import ctypes
 import operator
 import threading
-from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -57,8 +56,7 @@ _ANY_MASS = 2.8
 _DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
 _TOTAL_MASS, _PHASE, _TIME = (PARAMETER_NAMES.index(name) for name in ("total_mass", "reference_phase", "time_shift"))
-Phases = Callable[[NDArray[np.float64], ParameterBatch], NDArray[np.float64]]
-"""Frequencies in Hz (n,) and N binaries to continuous phases in radians (N, n)."""
+Floats = NDArray[np.float64]
 
 
 class Answer(NamedTuple):
@@ -66,10 +64,10 @@ class Answer(NamedTuple):
 
     first: NDArray[Any]
     second: Any
-    plus: NDArray[np.float64]
+    plus: Floats
     cross: NDArray[np.complex128]
     status: NDArray[np.uint8]
-    estimates: NDArray[np.float64] | None
+    estimates: Floats | None
 
 
 class _OneRow(threading.local):
@@ -206,19 +204,36 @@ class Evaluator:
         return Answer(arrays[0], second, plus, cross, status, estimates)
 
     def _continue(
-        self,
-        phase: NDArray[np.float64],
-        f: NDArray[np.float64],
-        batch: ParameterBatch,
-        options: EvaluationOptions,
-        evaluated: NDArray[np.bool_],
+        self, phase: Floats, f: Floats, batch: ParameterBatch, options: EvaluationOptions, evaluated: NDArray[np.bool_]
     ) -> None:
-        """Phases above the band; what is evaluated for it ends at its top, and is not continued again."""
+        """Write into ``phase`` what stands above the band: the line with its value and slope at the top.
 
-        def phases(below: NDArray[np.float64], rows: ParameterBatch) -> NDArray[np.float64]:
-            return np.asarray(self._batch(self._grids.prepare(below), rows, options, Output.AMPLITUDE_PHASE).second)
-
-        continue_above(phase, f, batch, evaluated, self._mode.mf_band[1], self._mass, phases)
+        What is written at a frequency does not depend on the other frequencies. The line is found at one mass, at one
+        place for all rows, because a phase is a function of total mass times frequency but for its shifts. Rows that
+        were not ``evaluated``, (N,), are left as they are.
+        """
+        mass, values = self._mass, batch.values
+        top = self._mode.mf_band[1] / (mass * SOLAR_MASS_SECONDS)
+        if f[-1] * values[:, _TOTAL_MASS].max(initial=0.0) <= top * mass:  # nearly always, and quick
+            return
+        scale = values[:, _TOTAL_MASS] / mass
+        rows = np.flatnonzero(evaluated & (f[-1] * scale > top * (1.0 + EDGE)))
+        if not len(rows):
+            return
+        stencil = MergerStencil(top, from_below=True)
+        own, unshifted = values[rows], values[rows]
+        unshifted[:, _TOTAL_MASS] = mass
+        unshifted[:, [_PHASE, _TIME]] = 0.0
+        # This ends at the top of the band, and is not continued again.
+        grid = self._grids.prepare(stencil.frequencies)
+        below = self._batch(grid, ParameterBatch(unshifted), options, Output.AMPLITUDE_PHASE).second
+        slope = stencil.slope(below)
+        constant = below[:, -1] - slope * top + own[:, _PHASE]
+        gradient = slope * scale[rows] + 2.0 * np.pi * own[:, _TIME]
+        firsts = np.searchsorted(f, top * (1.0 + EDGE) / scale[rows], side="right")
+        for row, first, offset, factor in zip(rows, firsts, constant, gradient, strict=True):
+            line = np.multiply(f[first:], factor, out=phase[row, first:])
+            line += offset
 
     def _run(
         self, grid: PreparedGrid, batch: ParameterBatch, options: EvaluationOptions, outputs: Outputs, row_bytes: int
@@ -252,55 +267,3 @@ class Evaluator:
 def _policy(options: EvaluationOptions) -> int:
     below = Policy.BELOW_BAND_IS_ERROR if options.below_band == "error" else 0
     return below | (Policy.ABOVE_BAND_IS_ERROR if options.above_band == "error" else 0)
-
-
-def continue_above(
-    phase: NDArray[np.float64],
-    frequencies: NDArray[np.float64],
-    batch: ParameterBatch,
-    evaluated: NDArray[np.bool_],
-    mf_top: float,
-    mass: float,
-    phases: Phases,
-) -> None:
-    """Write into ``phase`` what stands above the band: the line with the phase's value and slope at its top.
-
-    What is written at a frequency does not depend on the other frequencies. The line is found at one mass,
-    at one place for all rows, because a phase is a function of total mass times frequency but for its shifts.
-
-    Parameters
-    ----------
-    phase
-        (N, M) radians, overwritten above the band.
-    frequencies
-        (M,) increasing, in Hz.
-    batch
-        The N binaries.
-    evaluated
-        (N,) whether the row has values; others are left as they are.
-    mf_top
-        The top of the band in M f (dimensionless).
-    mass
-        A total mass in the model's range, in solar masses.
-    phases
-        Evaluates phases with the alignment of ``phase``.
-    """
-    top = mf_top / (mass * SOLAR_MASS_SECONDS)
-    if frequencies[-1] * batch.values[:, _TOTAL_MASS].max(initial=0.0) <= top * mass:  # nearly always, and quick
-        return
-    scale = batch.values[:, _TOTAL_MASS] / mass
-    rows = np.flatnonzero(evaluated & (frequencies[-1] * scale > top * (1.0 + EDGE)))
-    if not len(rows):
-        return
-    stencil = MergerStencil(top, from_below=True)
-    unshifted = batch.values[rows]
-    unshifted[:, _TOTAL_MASS] = mass
-    unshifted[:, [_PHASE, _TIME]] = 0.0
-    below = phases(stencil.frequencies, ParameterBatch(unshifted))
-    slope, own = stencil.slope(below), batch.values[rows]
-    constant = below[:, -1] - slope * top + own[:, _PHASE]
-    gradient = slope * scale[rows] + 2.0 * np.pi * own[:, _TIME]
-    firsts = np.searchsorted(frequencies, top * (1.0 + EDGE) / scale[rows], side="right")
-    for row, first, offset, factor in zip(rows, firsts, constant, gradient, strict=True):
-        line = np.multiply(frequencies[first:], factor, out=phase[row, first:])
-        line += offset

@@ -5,12 +5,11 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 from bnserve_inference.roq._config import RoqConfiguration, TermSection
-from bnserve_inference.roq._cycles import corner_basis, enrich, preselect
+from bnserve_inference.roq._cycles import Cycles
 from bnserve_inference.roq._diagnostics import full_grid_figures, growth_figures, validation_figures
 from bnserve_inference.roq._family import Family
 from bnserve_inference.roq._frequency_grid import FrequencyGrid, thinned_grid
@@ -107,7 +106,7 @@ def build_basis(
         for family in (linear, quadratic):
             growth[family.term] = grown = _grow(configuration, family, checkpoints, workers, bars)
             clock.stage(family.term, f"{len(grown)} elements, worst of the last sweep {grown.sweeps[-1][3]:.2e}")
-        quadrature = _assembled(configuration, model, linear, quadratic, growth)
+        quadrature = _assembled(configuration, model, [linear, quadratic], growth)
         draws = Draws(prior, configuration.validation.count, (seed, _STAGES["validation"]))
         errors = validate(linear, quadrature, draws, workers, checkpoints, "validation", bars)
         edges = Draws(
@@ -117,7 +116,9 @@ def build_basis(
         clock.stage("validation", f"{draws.count} fresh binaries, {edges.count} that crowd at the edges of the prior")
         figures = {
             "grid": {"points": len(grid), "full": len(full), "gram_error": grid.gram_error},
-            **_errors_found(configuration, quadrature, linear, errors, edge_errors),
+            "validation": validation_figures(configuration, errors),
+            "edges": validation_figures(configuration, edge_errors),
+            "full_grid": full_grid_figures(configuration, quadrature, linear),
         }
         clock.stage("full grid", "errors compared with those on the thinned one")
     diagnostics = {**quadrature.diagnostics, **figures}
@@ -129,35 +130,29 @@ def _grow(
 ) -> Growth:
     """The pre-selection and all enrichment cycles of one term, from where an interrupted run had come."""
     section: TermSection = getattr(configuration, family.term)
-    elements, key = configuration.elements, (configuration.seed, _STAGES[family.term])
 
     def keep(growth: Growth, force: bool = False) -> None:
         checkpoints.keep(family.term, growth.arrays(), force)
 
+    key = configuration.seed, _STAGES[family.term]
+    cycles = Cycles(family, configuration.elements, section.most_elements, key, workers, keep, bars)
     kept = checkpoints.find(family.term)
-    growth = Growth.from_arrays(kept) if kept else corner_basis(family, elements)
-    growth = preselect(family, growth, section.preselection, elements, (*key, 0), workers, keep, bars)
-    for number in range(growth.cycle, len(configuration.cycles)):
-        cycle = configuration.cycles[number]
-        tolerance, where = section.tolerance * cycle.relative_tolerance, (*key, 1 + number)
-        grow = partial(enrich, cycle=cycle, tolerance=tolerance, most_elements=section.most_elements, key=where)
-        growth = grow(family, growth, elements=elements, workers=workers, keep=keep, progress=bars)
+    growth = Growth.from_arrays(kept) if kept else cycles.corner_basis()
+    growth = cycles.preselect(growth, section.preselection)
+    for cycle in configuration.cycles[growth.cycle :]:
+        growth = cycles.enrich(growth, cycle, section.tolerance * cycle.relative_tolerance)
     keep(growth, force=True)
     return growth
 
 
 def _assembled(
-    configuration: RoqConfiguration,
-    model: WaveformModel,
-    linear: Family,
-    quadratic: Family,
-    growth: dict[Term, Growth],
+    configuration: RoqConfiguration, model: WaveformModel, families: list[Family], growth: dict[Term, Growth]
 ) -> ReducedOrderQuadrature:
     """The quadrature without what validation says."""
     band, description = configuration.band, model.description
     diagnostics: dict[str, Any] = {"elements": configuration.elements, "seed": configuration.seed}
     interpolants = {}
-    for family in (linear, quadratic):
+    for family in families:
         grown = growth[family.term]
         interpolants[family.term], condition = finished_interpolant(family, grown, configuration.elements)
         diagnostics[family.term] = {**condition, **growth_figures(configuration, family.term, grown)}
@@ -174,21 +169,6 @@ def _assembled(
         model_digest=description.digest,
         diagnostics=diagnostics,
     )
-
-
-def _errors_found(
-    configuration: RoqConfiguration,
-    quadrature: ReducedOrderQuadrature,
-    linear: Family,
-    errors: FloatArray,
-    edge_errors: FloatArray,
-) -> dict[str, Any]:
-    """The diagnostics of validation."""
-    return {
-        "validation": validation_figures(configuration, errors),
-        "edges": validation_figures(configuration, edge_errors),
-        "full_grid": full_grid_figures(configuration, quadrature, linear),
-    }
 
 
 class _Clock:

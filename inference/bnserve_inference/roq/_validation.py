@@ -72,12 +72,12 @@ def validate(
     begin = kept["errors"].shape[1] // CHUNK_ROWS
     done = min(begin * CHUNK_ROWS, draws.count)
     errors[:, :done] = kept["errors"][:, :done]
-    with progress.bar(draws.count, name, done) as bar:
+    with progress.bar(draws.count, name, done) as show:
         for more in workers.map(task, range(begin, draws.chunks)):
             errors[:, done : done + more.shape[1]] = more
             done += more.shape[1]
             checkpoints.keep(name, {"errors": errors[:, :done]}, force=done == draws.count)
-            bar.show(done, f"worst of the last {more[0].max():.1e}, {more[1].max():.1e}")
+            show(done, f"worst of the last {more[0].max():.1e}, {more[1].max():.1e}")
     return errors
 
 

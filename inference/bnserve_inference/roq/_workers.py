@@ -12,6 +12,7 @@ from bnserve_surrogate.joblib_workers import RAY, RayWorkers, ending_with_parent
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
+Show = Callable[[int, str], None]
 _opened: dict[Any, WaveformModel] = {}
 """The models that this worker process has opened."""
 
@@ -86,19 +87,6 @@ class Workers:
             yield from self._pool(self._joblib.delayed(function)(item) for item in items)
 
 
-class Bar:
-    """A tqdm bar that is told where it stands."""
-
-    def __init__(self, bar: Any) -> None:
-        self._bar = bar
-
-    def show(self, done: int, note: str) -> None:
-        """So much is done, and a note about it."""
-        if self._bar is not None:
-            self._bar.set_postfix_str(note, refresh=False)
-            self._bar.update(done - self._bar.n)
-
-
 class Progress:
     """Where bars come from; ``shown=None`` shows them on a terminal alone."""
 
@@ -106,11 +94,16 @@ class Progress:
         self._shown = sys.stderr.isatty() if shown is None else shown
 
     @contextmanager
-    def bar(self, total: int, label: str, done: int = 0) -> Iterator[Bar]:
-        """A bar for the duration of the block."""
+    def bar(self, total: int, label: str, done: int = 0) -> Iterator[Show]:
+        """A bar for the duration of the block, which gives what is called with how much is done and a note about it."""
         if not self._shown:
-            yield Bar(None)
+            yield lambda done, note: None
             return
         tqdm = require("tqdm", "Building a basis", "roq").tqdm
         with tqdm(total=total, desc=label, initial=done, leave=False, dynamic_ncols=True) as bar:
-            yield Bar(bar)
+
+            def show(done: int, note: str) -> None:
+                bar.set_postfix_str(note, refresh=False)
+                bar.update(done - bar.n)
+
+            yield show
