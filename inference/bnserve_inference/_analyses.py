@@ -14,11 +14,10 @@ from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
 from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
 from bnserve_inference._rows import chirp_mass
-from bnserve_inference._search import Box
+from bnserve_inference._search import Box, middle, refuse_missing_ranges
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import time_table
 from bnserve_protocol import (
-    INTRINSIC_NAMES,
     Analysis,
     AnalysisInvalid,
     AnalysisKind,
@@ -109,10 +108,10 @@ def roq_analysis(
     options = band.timed(_covered(options, basis.prior))
     band.check(options)
     basis.check_model(model)
-    reference = _middle(basis.prior)
+    reference = middle(basis.prior)
     fitting = Fitting(band, model, basis.alignment, options, None)
     if options.calibration is not None or basis.tabulated:
-        _refuse_missing_ranges(options.prior)
+        refuse_missing_ranges(options.prior)
     weighted = fitted_quadrature(fitting, basis) if basis.tabulated else fitting.weighted(basis)
     if options.calibration is not None:
         around = reference or Box.of(options.prior, model).middle()
@@ -199,8 +198,7 @@ def _amplitudes(
         options = EvaluationOptions(alignment=alignment)
         at_linear = np.abs(model.predict_factored(f, reference, options=options).h[0])
         at_quadratic = np.abs(model.predict_factored(q, reference, options=options).h[0])
-    norms = np.abs(quadratic @ at_quadratic**2)
-    return at_linear / np.sqrt(norms)[:, None]
+    return at_linear / np.sqrt(np.abs(quadratic @ at_quadratic**2))[:, None]
 
 
 def _covered(options: LikelihoodOptions, ranges: Ranges) -> LikelihoodOptions:
@@ -220,27 +218,3 @@ def _covered(options: LikelihoodOptions, ranges: Ranges) -> LikelihoodOptions:
                 errors=[FieldError(reason="not covered by the basis", parameter=name)],
             )
     return replace(options, prior=prior)
-
-
-def _refuse_missing_ranges(prior: Ranges) -> None:
-    """Refuse a prior that does not say what binaries there are, as that of a basis of another program need not."""
-    missing = [name for name in INTRINSIC_NAMES if name not in prior]
-    if "chirp_mass" not in prior and "total_mass" not in prior:
-        missing.insert(0, "chirp_mass")
-    if missing:
-        raise AnalysisInvalid(
-            f"State the prior ranges of {', '.join(missing)}: the basis does not, and is held to the waveforms there.",
-            errors=[FieldError(reason="missing", parameter=name) for name in missing],
-        )
-
-
-def _middle(prior: Ranges) -> ParameterBatch | None:
-    """The binary in the middle of a basis' ranges, or None where they do not say which."""
-    centre = {name: 0.5 * (low + high) for name, (low, high) in prior.items()}
-    if "total_mass" not in centre and "chirp_mass" in centre and "mass_ratio" in centre:
-        q = centre["mass_ratio"]
-        centre["total_mass"] = centre.pop("chirp_mass") * ((1.0 + q) ** 2 / q) ** 0.6
-    wanted = ("mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "total_mass")
-    if any(name not in centre for name in wanted):
-        return None
-    return ParameterBatch.coerce({name: centre[name] for name in wanted} | {"distance_mpc": 100.0, "inclination": 0.0})

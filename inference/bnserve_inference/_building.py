@@ -11,7 +11,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._data import DetectorData, heaviest, refuse_short
+from bnserve_inference._data import DetectorData, heaviest, refuse_short, relative_power
 from bnserve_inference._earth import sidereal_time
 from bnserve_inference._units import real_ranges
 from bnserve_protocol import (
@@ -82,24 +82,6 @@ class LikelihoodOptions:
         object.__setattr__(self, "prior", real_ranges(self.prior))
 
 
-_MOST_POWER = 1e8
-"""Of strain over noise, a frequency, in the median; it is two for noise, and hundreds for the loudest signal."""
-
-
-def _power(name: str, strain: NDArray[np.complex128], density: NDArray[np.float64]) -> NDArray[np.float64]:
-    """4 / (T S) abs(d)**2; refuses strain that is no noise of that density, with whatever signal in it."""
-    with np.errstate(over="ignore"):
-        power = density * np.abs(strain) ** 2
-    typical = float(np.median(power[density > 0.0]))
-    if not typical <= _MOST_POWER:
-        raise AnalysisInvalid(
-            f"The strain of {name} is typically {np.sqrt(0.5 * typical):.2g} times as large as its noise: one of them "
-            "is in another unit. Give the Fourier transform of the strain in 1/Hz and the ASD in 1/sqrt(Hz).",
-            errors=[FieldError(reason="not of the noise's size", parameter="strain", value=str(typical))],
-        )
-    return np.asarray(power)
-
-
 class Band:
     """The data of a network in the band of an analysis.
 
@@ -127,7 +109,7 @@ class Band:
         self.data = []
         self.noise_log_likelihood = 0.0
         for detector, (strain, _), density in zip(data, checked, self.densities, strict=True):
-            power = _power(detector.name, strain, density)
+            power = relative_power(detector.name, strain, density)
             turn = np.exp(-2j * np.pi * self.frequencies * (trigger_time - detector.start_time))
             with np.errstate(over="ignore", invalid="ignore"):  # an analysis with such weights is refused
                 self.data.append(density * strain.conj() * turn)

@@ -18,6 +18,8 @@ from bnserve_protocol import SOLAR_MASS_SECONDS, AnalysisInvalid, FieldError
 LONGEST_SIGNAL = 2.5
 """So many times what the data hold before the coalescence may a signal last in the band. What begins before the data
 wraps around to their end: of a signal 2.5 times as long, all below 1.4 times the lowest frequency."""
+_MOST_POWER = 1e8
+"""Of strain over noise, a frequency, in the median; it is two for noise, and hundreds for the loudest signal."""
 _HEAVIEST = 1.75
 """Solar masses; the chirp mass of the heaviest neutron stars, and so of the shortest signals, where no prior says."""
 
@@ -146,6 +148,20 @@ def _vector(name: str, array: NDArray[Any], dtype: type) -> NDArray[Any]:
     if array.ndim != 1 or len(array) == 0:
         raise AnalysisInvalid(f"The {name} of a detector must be a vector; got shape {array.shape}.")
     return np.ascontiguousarray(array, dtype=dtype)
+
+
+def relative_power(name: str, strain: NDArray[np.complex128], density: NDArray[np.float64]) -> NDArray[np.float64]:
+    """4 / (T S) abs(d)**2; refuses strain that is no noise of that density, with whatever signal in it."""
+    with np.errstate(over="ignore"):
+        power = density * np.abs(strain) ** 2
+    typical = float(np.median(power[density > 0.0]))
+    if not typical <= _MOST_POWER:
+        raise AnalysisInvalid(
+            f"The strain of {name} is typically {np.sqrt(0.5 * typical):.2g} times as large as its noise: one of them "
+            "is in another unit. Give the Fourier transform of the strain in 1/Hz and the ASD in 1/sqrt(Hz).",
+            errors=[FieldError(reason="not of the noise's size", parameter="strain", value=str(typical))],
+        )
+    return np.asarray(power)
 
 
 def heaviest(prior: Mapping[str, tuple[float, float]]) -> float:

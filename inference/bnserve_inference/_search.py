@@ -83,6 +83,30 @@ class Box:
         return np.asarray((batch["total_mass"] < low) | (batch["total_mass"] > high))
 
 
+def refuse_missing_ranges(prior: Ranges) -> None:
+    """Refuse a prior that does not say what binaries there are, as that of a basis of another program need not."""
+    missing = [name for name in INTRINSIC_NAMES if name not in prior]
+    if "chirp_mass" not in prior and "total_mass" not in prior:
+        missing.insert(0, "chirp_mass")
+    if missing:
+        raise AnalysisInvalid(
+            f"State the prior ranges of {', '.join(missing)}: the basis does not, and is held to the waveforms there.",
+            errors=[FieldError(reason="missing", parameter=name) for name in missing],
+        )
+
+
+def middle(prior: Ranges) -> ParameterBatch | None:
+    """The binary in the middle of a basis' ranges, or None where they do not say which."""
+    centre = {name: 0.5 * (low + high) for name, (low, high) in prior.items()}
+    if "total_mass" not in centre and "chirp_mass" in centre and "mass_ratio" in centre:
+        q = centre["mass_ratio"]
+        centre["total_mass"] = centre.pop("chirp_mass") * ((1.0 + q) ** 2 / q) ** 0.6
+    wanted = ("mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "total_mass")
+    if any(name not in centre for name in wanted):
+        return None
+    return ParameterBatch.coerce({name: centre[name] for name in wanted} | {"distance_mpc": 100.0, "inclination": 0.0})
+
+
 def chirp_fraction(mass_ratio: Floats) -> Floats:
     """Chirp mass over total mass."""
     fraction: Floats = (mass_ratio / (1.0 + mass_ratio) ** 2) ** 0.6

@@ -160,6 +160,12 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
         return described
 
 
+def limits_of(ranges: list[ParameterDescription]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Lowest and highest value of every parameter, infinite where there is no limit."""
+    lowest = [-np.inf if entry.minimum is None else entry.minimum for entry in ranges]
+    return np.array(lowest), np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
+
+
 def read_modes(metadata: SurrogateMetadata, tensors: Mapping[str, NDArray[Any]]) -> dict[str, KernelModel]:
     """Check the tensors of every mode and arrange them for evaluation.
 
@@ -172,10 +178,7 @@ def read_modes(metadata: SurrogateMetadata, tensors: Mapping[str, NDArray[Any]])
     """
     reference = metadata.reference_mass * SOLAR_MASS_SECONDS
     band = (metadata.training_band[0] * reference, metadata.training_band[1] * reference)
-    ranges = metadata.parameters()
-    lowest = np.array([-np.inf if entry.minimum is None else entry.minimum for entry in ranges])
-    highest = np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
-    limits = (lowest, highest)
+    limits = limits_of(metadata.parameters())
     return {mode: _read_mode(mode, entry, tensors, band, limits) for mode, entry in metadata.modes.items()}
 
 

@@ -22,6 +22,7 @@ from bnserve_protocol import (
     ParameterDescription,
     RowStatus,
 )
+from bnserve_surrogate._artifact import limits_of
 from bnserve_surrogate.kernel import LEAST_MF, MOST_PHASE
 
 _MAX_ERRORS = 20
@@ -85,8 +86,7 @@ def refuse_rows(
                 FieldError(reason="too large", parameter=name, row=row) for name in ("reference_phase", "time_shift")
             ],
         )
-    minimum = np.array([-np.inf if entry.minimum is None else entry.minimum for entry in ranges])
-    maximum = np.array([np.inf if entry.maximum is None else entry.maximum for entry in ranges])
+    minimum, maximum = limits_of(ranges)
     inside = (values >= minimum) & (values <= maximum)
     if not inside.all():
         problems = _problems(~inside, values, ranges)
