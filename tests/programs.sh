@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
-#   bash tests/programs.sh bilby                    one or several of: bilby
+#   bash tests/programs.sh bilby                    one or several of: bilby beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -75,7 +75,7 @@ stop() {
 
 # bilby's own example, with two lines changed, at its newest release and at the oldest that works.
 
-rooms=(./protocol ./model_store ./surrogate "./inference[detectors]" ./service "./client[bilby]")
+rooms=(./protocol ./model_store ./surrogate ./inference ./service "./client[bilby]")
 
 bilby_example() { # a version; fetches the source distribution and sets $example
     local folder=$cache/bilby-$1-source
@@ -120,11 +120,32 @@ bilby() {
     stop
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby\n' >&2; exit 2; }
+# Nothing that others brought is replaced: the client, and what builds analyses, beside three programs.
+
+nothing_replaced() { # what is installed into $python's environment
+    local plan
+    plan=$("$(dirname "$python")/uv" pip install --dry-run --python "$python" "$@" 2>&1) || { echo "$plan"; return 1; }
+    echo "$plan"
+    ! grep -q '^ - ' <<<"$plan"
+}
+
+beside() {
+    local client=(./protocol ./client) analyses=(./protocol ./model_store ./surrogate ./inference) name
+    environment beside-gwfast "gwfast==1.1.2" "numpy<2" "scipy<1.14" # it imports what later ones do not have
+    check "client beside gwfast" nothing_replaced "${client[@]}"
+    check "analyses beside gwfast" nothing_replaced "${analyses[@]}"
+    for name in bilby pycbc; do
+        environment "beside-$name" "$name"
+        check "client beside $name" nothing_replaced "${client[@]}"
+        check "analyses beside $name" nothing_replaced "${analyses[@]}"
+    done
+}
+
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby) "$program" ;;
-        *) printf 'error: no program %s; there is bilby\n' "$program" >&2; exit 2 ;;
+        bilby | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 
