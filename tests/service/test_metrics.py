@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
+from bnserve_service.shared.metrics import SharedMetrics
+from bnserve_service.telemetry.metrics import Metrics
 from tests.service.asking import GW170817, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, until
 
@@ -54,6 +56,20 @@ def test_labels_do_not_grow_with_what_callers_invent(start):
     assert "invented" not in text
     labelled = {labels for name, labels in samples(text) if name == "bnserve_requests_total"}
     assert len(labelled) < 10
+
+
+def test_what_several_workers_have_counted_is_told_by_each(tmp_path):
+    workers = [Metrics(SharedMetrics(tmp_path, place)) for place in range(2)]
+    for place, worker in enumerate(workers):
+        worker.observe_request("/v1/models", "GET", 200, 0.003 + place)
+        worker.publish()
+    for worker in workers:
+        told = samples(worker.exposition().decode())
+        labels = {("route", "/v1/models"), ("method", "GET"), ("status", "200")}
+        assert told["bnserve_requests_total", frozenset(labels)] == 2
+        seconds = "bnserve_request_duration_seconds"
+        assert told[f"{seconds}_sum", frozenset({("route", "/v1/models")})] == pytest.approx(1.006)
+        assert told[f"{seconds}_bucket", frozenset({("route", "/v1/models"), ("le", "0.005")})] == 1
 
 
 def test_units_are_base_units(server):

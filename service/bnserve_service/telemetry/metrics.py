@@ -144,9 +144,12 @@ class Metrics:
         return generate_latest(together)
 
 
-class _Merged(list[Metric], Collector):
+class _Merged(Collector):
     """Metrics that were collected already."""
+
+    def __init__(self, metrics: list[Metric]) -> None:
+        self._metrics = metrics
 
     def collect(self) -> Iterator[Metric]:
         """What Prometheus reads."""
-        return iter(self)
+        yield from self._metrics
