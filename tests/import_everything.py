@@ -12,7 +12,19 @@ ROOMS = (
     "bnserve_service",
     "bnserve_client",
 )
-EXTRAS = {"EOBRun_module", "bilby", "joblib", "lal", "lalsimulation", "numba", "optuna", "ray", "scipy", "sklearn"}
+EXTRAS = {
+    "EOBRun_module",
+    "bilby",
+    "joblib",
+    "lal",
+    "lalsimulation",
+    "numba",
+    "optuna",
+    "ray",
+    "scipy",
+    "sklearn",
+    "tqdm",
+}
 """What only training, building bases, Ray and bilby import."""
 
 

@@ -14,17 +14,19 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
+import joblib
 import numpy as np
+from joblib.externals.loky import ProcessPoolExecutor
+from joblib.externals.loky.process_executor import TerminatedWorkerError
 from numpy.typing import NDArray
 
-from bnserve_protocol import PackageMissing, require
+from bnserve_protocol import PackageMissing
 from bnserve_surrogate.joblib_workers import RAY, RayWorkers, ending_with_parent
 from bnserve_surrogate.training.data.generators import AmplitudePhasePair, FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.residuals import log_amplitude_ratio, phase_difference
 from bnserve_surrogate.training.errors import DatasetUnwritable, GeneratorFailure, TrainingError, WorkersUnusable
 
 _NO_ROOM = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
-_NEEDED = "Training", "train"
 _CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
 
 
@@ -260,13 +262,13 @@ def _check_workers(n_jobs: int, backend: str) -> None:
     if backend.partition(":")[0] == RAY:
         return
     try:
-        require("joblib", *_NEEDED).Parallel(n_jobs=1, backend=backend)
+        joblib.Parallel(n_jobs=1, backend=backend)
     except ValueError as error:
         raise WorkersUnusable(f"The workers cannot be used: {error}; or 'ray:ADDRESS', a Ray cluster.") from error
 
 
 def _on_ray(tasks: list[ChunkTask], n_jobs: int, backend: str) -> Iterator[tuple[ChunkTask, Chunk]]:
-    with RayWorkers(require("joblib", *_NEEDED), backend, n_jobs) as workers:
+    with RayWorkers(joblib, backend, n_jobs) as workers:
         yield from zip(tasks, workers.map(compute_chunk, tasks, on_crash=one_by_one), strict=True)
 
 
@@ -299,7 +301,6 @@ def _parallel(
     pending: dict[int, ChunkTask], dispatched: list[int], n_jobs: int, backend: str
 ) -> Iterator[tuple[int, Chunk]]:
     """Results of the pending tasks; ``dispatched`` fills with what has been handed to the workers."""
-    joblib = require("joblib", *_NEEDED)
     if backend == "loky" and joblib.effective_n_jobs(n_jobs) == 1:
         yield from _in_one_process(pending, dispatched)
         return
@@ -331,7 +332,7 @@ def _labelled(task: ChunkTask) -> tuple[int, Chunk]:
 
 def _only_crashes(error: BrokenProcessPool) -> None:
     """Refuse to take for a crash of the generator what happens before it is called."""
-    if not isinstance(error, require("joblib.externals.loky.process_executor", *_NEEDED).TerminatedWorkerError):
+    if not isinstance(error, TerminatedWorkerError):
         reason = str(error.__cause__ or error).strip().splitlines()[-1]
         raise WorkersUnusable(
             f"The worker processes cannot load the generator ({reason.strip()}). It must be importable or picklable by "
@@ -340,7 +341,7 @@ def _only_crashes(error: BrokenProcessPool) -> None:
 
 
 def _new_executor() -> Any:
-    return require("joblib.externals.loky", *_NEEDED).ProcessPoolExecutor(max_workers=1, **ending_with_parent())
+    return ProcessPoolExecutor(max_workers=1, **ending_with_parent())
 
 
 def _attempt(executor: Any, single: ChunkTask) -> tuple[Chunk, bool]:

@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from tqdm import tqdm
 
-from bnserve_protocol import require
 from bnserve_surrogate.training.data.chunks import (
     Chunk,
     ChunkTask,
@@ -301,7 +301,7 @@ def _exclusive(folder: Path) -> Iterator[None]:
 
 def _progress_bar(count: int, progress: bool | None, purpose: str) -> Any:
     disable = None if progress is None else not progress
-    return require("tqdm", "Training", "train").tqdm(total=count, desc=purpose, unit="waveform", disable=disable)
+    return tqdm(total=count, desc=purpose, unit="waveform", disable=disable)
 
 
 def _array_digest(array: FloatArray) -> str:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
 
-from bnserve_protocol import require
 from bnserve_surrogate.training.data.generators import FloatArray, mass_seconds
 
 _ROWS_AT_ONCE = 8
@@ -97,11 +97,10 @@ def greedy_downsampling(frequencies: FloatArray, values: FloatArray, tolerance: 
 
 def reconstruction_error(frequencies: FloatArray, values: FloatArray, indices: NDArray[np.intp]) -> FloatArray:
     """Largest absolute error over the rows of ``values`` of cubic splines through the nodes, (n,)."""
-    spline = require("scipy.interpolate", "Training", "train").CubicSpline
     largest = np.zeros(frequencies.size)
     for start in range(0, values.shape[0], _ROWS_AT_ONCE):
         rows = values[start : start + _ROWS_AT_ONCE]
-        reconstructed = spline(frequencies[indices], rows[:, indices].T)(frequencies)
+        reconstructed = CubicSpline(frequencies[indices], rows[:, indices].T)(frequencies)
         np.maximum(largest, np.abs(reconstructed - rows.T).max(axis=1), out=largest)
     largest[indices] = 0.0
     return largest

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import functools
 import importlib.metadata
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -31,6 +33,12 @@ _ROUNDING = 1e-9
 """Relative width by which a frequency that was converted to M f may miss the first one."""
 _FIRST_MF = 5.0 * 2.0 / 2.8 * mass_seconds()
 """Where the band of the shipped models begins: 5 Hz at 2 solar masses."""
+
+
+@functools.cache
+def _code() -> ModuleType:
+    module: ModuleType = require("EOBRun_module", "TEOBResumS", "train")
+    return module
 
 
 @dataclass(frozen=True)
@@ -94,7 +102,7 @@ class TEOBResumSPA:
     @property
     def version(self) -> str:
         """Version of the distribution ``teobresums``."""
-        require("EOBRun_module", "TEOBResumS", "train")
+        _code()
         return importlib.metadata.version("teobresums")
 
     @property
@@ -129,7 +137,7 @@ class TEOBResumSPA:
             raise GeneratorFailure(
                 f"M f = {mf[0]:.6g} is below first_mf = {self.first_mf:.6g}, where the signal starts; lower first_mf."
             )
-        answer = require("EOBRun_module", "TEOBResumS", "train").EOBRunPy(self._request(theta, mf))
+        answer = _code().EOBRunPy(self._request(theta, mf))
         frequencies, modes, time_domain = answer[0], answer[5], answer[6]
         if len(frequencies) != mf.size or "1" not in modes or len(time_domain["t"]) == 0:
             raise GeneratorFailure(f"TEOBResumS returned no waveform for {describe_theta(theta)}.")
