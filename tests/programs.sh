@@ -93,7 +93,7 @@ bilby_run() { # a version, and arguments of tests/programs/bilby_example.py
 }
 
 bilby() {
-    local newest=2.8.2 oldest=2.0.0
+    local newest=2.8.2 oldest=1.4.1
     if [ -n "$short" ]; then
         python=${PYTHON:-python}
         serve
@@ -110,7 +110,7 @@ bilby() {
         bilby_run "$newest" --npool "$pool" --whole-prior
     done
     stop
-    # What it was made for: it imports what scipy 1.14, numpy 2.4 and dynesty 3 do not have.
+    # What it was made for: it imports what scipy 1.14, numpy 2.3 and dynesty 3 do not have. Earlier ones do not sample here.
     environment "bilby-$oldest" "bilby==$oldest" "numpy<2.3" "scipy<1.14" "dynesty<3" "${rooms[@]}"
     serve
     bilby_example "$oldest"

@@ -2,7 +2,8 @@
 # Set up a test environment (.venv-test) and run every check: format, lint, types, import contracts, tests, and that the
 # lowest versions of everything are enough (tests/lowest.sh).
 #
-#   bash tests/run.sh                      everything; needs Python >= 3.11 and installs missing system packages
+#   bash tests/run.sh                      everything; needs Python >= 3.11 and installs missing system packages; ends
+#                                          with the short form of tests/programs.sh
 #   bash tests/run.sh -k store -x          further arguments go to pytest
 #   PYTHON=python3.12 bash tests/run.sh    with another interpreter
 set -euo pipefail
@@ -106,6 +107,7 @@ if [ "$#" -eq 0 ]; then
     else
         summary+=("  lowest versions    not checked: there is no python3.11")
     fi
+    check programs env PYTHON="$PWD/.venv-test/bin/python" bash tests/programs.sh --short bilby
 fi
 
 say "Summary"

@@ -50,7 +50,7 @@ def local_part(name: Literal["models", "analyses"], purpose: str) -> Any:
 
 
 def chosen_model(
-    url: str | None = None,
+    url: str | tuple[str, ...] | None = None,
     name: str = "default",
     *,
     version: str = "stable",
@@ -77,7 +77,9 @@ def chosen_model(
 
 
 @functools.lru_cache(maxsize=16)
-def _kept(url: str | None, name: str, version: str, digest: str | None, timeout: float) -> WaveformModel:
+def _kept(
+    url: str | tuple[str, ...] | None, name: str, version: str, digest: str | None, timeout: float
+) -> WaveformModel:
     if url is not None:
         return Model.connect(url, name, version=version, digest=digest, timeout=timeout)
     purpose = f"No address of a service is given (nor is {URL_VARIABLE} set), and evaluating the model '{name}' here"

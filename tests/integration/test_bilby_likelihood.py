@@ -209,6 +209,8 @@ def test_what_cannot_be_is_refused_with_what_to_do(data, arguments, monkeypatch)
         ServiceLikelihood.from_bilby(data, priors(), waveform_arguments=arguments, distance_marginalization=True)
     with pytest.raises(InvalidRequest, match="leave out 'waveform_approximant'"):
         ServiceLikelihood.from_bilby(data, priors(), waveform_arguments=arguments | LALS, time_marginalization=True)
+    with pytest.raises(InvalidRequest, match="no 'geocent_time': give it"):
+        ServiceLikelihood.from_bilby(data, bilby.gw.prior.BNSPriorDict(), waveform_arguments=arguments)
     with pytest.raises(InvalidRequest, match="No frequency of the data"):
         ServiceLikelihood.from_bilby(data, priors(), waveform_arguments=arguments | {"minimum_frequency": 2000.0})
     changed = copy.deepcopy(data)

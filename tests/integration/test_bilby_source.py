@@ -191,6 +191,12 @@ def test_the_address_may_stand_in_the_environment(ours, monkeypatch):
     np.testing.assert_array_equal(strain(binary_neutron_star, {})["plus"], expected["plus"])
 
 
+def test_there_may_be_several_addresses(ours):
+    one = strain(binary_neutron_star, {}, **ours)
+    several = strain(binary_neutron_star, {}, bnserve_url=[ours["bnserve_url"]] * 2, maximum_frequency=None)
+    np.testing.assert_array_equal(several["plus"], one["plus"])
+
+
 def test_without_an_address_the_model_of_this_process_answers_with_the_same_bits(ours, monkeypatch):
     monkeypatch.delenv("BNSERVE_URL", raising=False)
     remote = strain(binary_neutron_star, {}, **ours)

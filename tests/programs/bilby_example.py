@@ -94,6 +94,7 @@ def sampled(chosen: argparse.Namespace) -> object:
             sys.exit("The two differ by too much.")
         result = original_sampler(
             likelihood=likelihood, priors=priors, sampler="dynesty", nlive=100, sample="rwalk", walks=10, nact=1,
+            maxmcmc=50,
             maxiter=chosen.iterations, npool=chosen.npool, check_point=False, resume=False, print_progress=False,
             use_ratio=True, outdir=outdir, label=f"npool_{chosen.npool}", injection_parameters=injection_parameters,
             conversion_function=given["conversion_function"],

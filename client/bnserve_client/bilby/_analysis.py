@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._chosen import local_part
+from bnserve_client.bilby._arguments import stated
 from bnserve_client.bilby._ranges import distance_prior, prior_ranges
 from bnserve_protocol import InvalidRequest, Likelihood, TimeMarginalisation, WaveformModel
 
@@ -64,7 +65,11 @@ def build_analysis(
 
 
 def _trigger(priors: Any) -> float:
-    time = priors["geocent_time"]
+    time = priors.get("geocent_time")
+    if time is None:
+        raise InvalidRequest(
+            "The priors have no 'geocent_time': give it a bilby.core.prior.Uniform, or give 'trigger_time'."
+        )
     if isinstance(time, int | float):
         return float(time)
     return 0.5 * (float(time.minimum) + float(time.maximum))
@@ -84,8 +89,8 @@ def _band(interferometers: Any, arguments: Mapping[str, Any]) -> tuple[float, fl
     """The frequencies of the data in which there is a waveform and a detector, in Hz."""
     grid = interferometers[0].frequency_array
     used = np.any([interferometer.frequency_mask for interferometer in interferometers], axis=0)
-    used &= (grid >= arguments.get("minimum_frequency", 20.0)) & (grid > 0.0)
-    used &= grid <= arguments.get("maximum_frequency", grid[-1])
+    used &= (grid >= stated(arguments, "minimum_frequency", 20.0)) & (grid > 0.0)
+    used &= grid <= stated(arguments, "maximum_frequency", grid[-1])
     if used.sum() < 2:
         raise InvalidRequest(
             "No frequency of the data is in a detector's band and in the waveform's: compare minimum_frequency and "

@@ -28,12 +28,18 @@ _KNOWN = _OWN.keys() | _THEIRS | _GRIDS
 class Choice(NamedTuple):
     """The model and the zero points that ``waveform_arguments`` ask for; hashable."""
 
-    url: str | None
+    url: str | tuple[str, ...] | None
     model: str
     version: str
     digest: str | None
     timeout: float
     zero_points: ZeroPoints
+
+
+def stated(arguments: Mapping[str, Any], name: str, default: float) -> float:
+    """A number among ``waveform_arguments``; None, as programs leave it, is not stated."""
+    value = arguments.get(name)
+    return default if value is None else float(value)
 
 
 def read_choice(arguments: Mapping[str, Any]) -> Choice:
@@ -55,7 +61,9 @@ def read_choice(arguments: Mapping[str, Any]) -> Choice:
         raise InvalidRequest(f"The model has the (2, 2) mode alone; 'mode_array' asks for {modes}. Leave it out.")
     orders = tuple((name, int(arguments[name])) for name in _ORDERS if name in arguments)
     zero_points = ZeroPoints(
-        float(arguments.get("reference_frequency", 50.0)), arguments.get("waveform_approximant"), orders
+        stated(arguments, "reference_frequency", 50.0), arguments.get("waveform_approximant"), orders
     )
     url, model, version, digest, timeout = (arguments.get(name, default) for name, default in _OWN.items())
+    if url is not None and not isinstance(url, str):
+        url = tuple(url)  # several replicas
     return Choice(url, model, version, digest, timeout, zero_points)

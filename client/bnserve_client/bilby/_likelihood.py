@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from bilby.gw.conversion import convert_to_lal_binary_neutron_star_parameters
+from bilby.gw.detector import InterferometerList
 from bilby.gw.likelihood import GravitationalWaveTransient
 from bilby.gw.waveform_generator import WaveformGenerator
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from bnserve_client._chosen import chosen_model
 from bnserve_client._together import Together
 from bnserve_client.bilby._analysis import Marginalised, build_analysis
-from bnserve_client.bilby._arguments import Choice, read_choice
+from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._binaries import binaries
 from bnserve_client.bilby._source import OPTIONS, binary_neutron_star
 from bnserve_protocol import DEFAULT_ERROR_BOUND, Likelihood, WaveformModel
@@ -84,6 +85,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         PackageMissing
             What builds analyses is not installed.
         """
+        interferometers = InterferometerList(interferometers)
         arguments = dict(waveform_arguments or {})
         choice = read_choice(arguments)
         model = chosen_model(
@@ -170,7 +172,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
 
     def _shifts(self, columns: dict[str, Floats]) -> tuple[Floats, Floats]:
         zero_points, grid = self._choice.zero_points, self.waveform_generator.frequency_array
-        last = self.waveform_generator.waveform_arguments.get("maximum_frequency", grid[-1])
+        last = stated(self.waveform_generator.waveform_arguments, "maximum_frequency", grid[-1])
         top = float(grid[np.searchsorted(grid, last, side="right") - 1])
         batch: dict[str, Any] = {**columns, "distance_mpc": 1.0, "inclination": 0.0}
         h = self._model.predict_factored(zero_points.frequencies(top), batch, options=OPTIONS).h

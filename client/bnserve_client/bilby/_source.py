@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._chosen import chosen_model
-from bnserve_client.bilby._arguments import Choice, read_choice
+from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._binaries import binaries
 from bnserve_client.bilby._zero_points import ZeroPoints
 from bnserve_protocol import EvaluationOptions
@@ -99,9 +99,9 @@ def binary_neutron_star(
 def _on_the_grid(
     source: _Source, binary: tuple[float, ...], factors: dict[str, Any], frequencies: Floats, arguments: dict[str, Any]
 ) -> Strain | None:
-    start = np.searchsorted(frequencies, arguments.get("minimum_frequency", 20.0))
+    start = np.searchsorted(frequencies, stated(arguments, "minimum_frequency", 20.0))
     start = max(start, np.searchsorted(frequencies, 0.0, side="right"))  # there is no waveform at zero
-    stop = np.searchsorted(frequencies, arguments.get("maximum_frequency", frequencies[-1]), side="right")
+    stop = np.searchsorted(frequencies, stated(arguments, "maximum_frequency", frequencies[-1]), side="right")
     band = slice(int(start), int(max(start, stop)))
     found = {name: np.zeros(len(frequencies), dtype=np.complex128) for name in factors}
     if band.stop == band.start:
