@@ -88,14 +88,16 @@ class Application(FastAPI):
         self.parts = parts
         self.wait_for_models = wait_for_models
         self.follow = follow
-        self._front = _front(parts, self._routers(), parts.kinds, HostCheck.of(parts.settings), parts.settings.tokens)
+        self.front = _front(parts, self._routers(), parts.kinds, HostCheck.of(parts.settings), parts.settings.tokens)
+        """What a server calls: HTTP is served by ourselves, the rest (the lifespan) by FastAPI."""
+        self.front.others = super().__call__
         self.metrics = _front(parts, [metrics_router(parts.metrics)], (), HostCheck.of_metrics(parts.settings), ())
         """The application of the metrics port, if there is one."""
-        self.fast_path = FastPath(parts.kinds, parts.evaluation, parts.lifecycle, self._front)
+        self.fast_path = FastPath(parts.kinds, parts.evaluation, parts.lifecycle, self.front)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Serve: HTTP by ourselves, the rest (the lifespan) by FastAPI."""
-        await (self._front if scope["type"] == "http" else super().__call__)(scope, receive, send)
+        """Serve, in a server of somebody else's."""
+        await self.front(scope, receive, send)
 
     def _routers(self) -> list[APIRouter]:
         """The routers of all paths but those of evaluations, which FastAPI describes and does not serve.

@@ -64,7 +64,7 @@ class BnserveServer:
         """Where the metrics are, when they have a port of their own."""
         self.ready = threading.Event()
         """Set when models are served."""
-        self._uvicorn = UvicornServer(_configuration(app, self._settings, app.fast_path))
+        self._uvicorn = UvicornServer(_configuration(app.front, self._settings, app.fast_path))
 
     @property
     def accepts(self) -> bool:

@@ -105,6 +105,8 @@ class Front:
         log_requests: bool,
     ) -> None:
         self._places = places
+        self.others: ASGIApp | None = None
+        """Who serves what is not HTTP, if anybody."""
         self.hosts = hosts
         self.tokens = tokens
         self._turn = turn
@@ -114,6 +116,10 @@ class Front:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
+        if scope["type"] != "http":
+            assert self.others is not None, "what serves metrics has no lifespan"
+            await self.others(scope, receive, send)
+            return
         context = scope[CONTEXT] = new_context(header_fields(scope["headers"]))
 
         async def send_with_headers(message: Message) -> None:
