@@ -68,6 +68,7 @@ from bnserve_protocol._errors import (
     UntrustedAnswer,
     VersionExists,
 )
+from bnserve_protocol._given import NotNumbers, as_numbers, as_real_number, as_real_numbers
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
 from bnserve_protocol._likelihood import (
     InvalidRows,
@@ -103,7 +104,6 @@ from bnserve_protocol._model import (
     check_model_digest,
     check_options,
 )
-from bnserve_protocol._numbers import NotNumbers, as_numbers, as_real_number, as_real_numbers
 from bnserve_protocol._packages import PackageMissing, require
 from bnserve_protocol._parameters import (
     INTRINSIC_NAMES,

@@ -25,8 +25,8 @@ from numpy.typing import NDArray
 from bnserve_protocol._analysis_checks import check_arrays, check_settings
 from bnserve_protocol._analysis_settings import AnalysisSettings, canonical, encode_settings, time_steps, with_step
 from bnserve_protocol._errors import AnalysisInvalid, FieldError, InvalidRequest
+from bnserve_protocol._given import NotNumbers, as_numbers
 from bnserve_protocol._model import ModelDescription, ModelIdentity
-from bnserve_protocol._numbers import NotNumbers, as_numbers
 from bnserve_protocol.wire._arrays import decode_array, encode_array
 from bnserve_protocol.wire._envelope import MSGPACK, UNREADABLE, read_map, read_maps, undecodable
 

@@ -9,8 +9,8 @@ import msgspec
 import numpy as np
 
 from bnserve_protocol._errors import AnalysisInvalid, FieldError
+from bnserve_protocol._given import NotNumbers, as_real_number
 from bnserve_protocol._grids import UniformGrid
-from bnserve_protocol._numbers import NotNumbers, as_real_number
 
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
 

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidFrequencies, TooLarge
-from bnserve_protocol._names import suggesting
-from bnserve_protocol._numbers import NotNumbers, as_real_number, as_real_numbers
+from bnserve_protocol._given import NotNumbers, as_real_number, as_real_numbers, suggesting
 
 
 @suggesting

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
-from bnserve_protocol._names import suggesting
+from bnserve_protocol._given import suggesting
 from bnserve_protocol._parameters import (
     FLOATS,
     PARAMETER_NAMES,

@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
-from bnserve_protocol._names import nearest, suggesting
-from bnserve_protocol._numbers import NotNumbers, as_real_number, as_real_numbers
+from bnserve_protocol._given import NotNumbers, as_real_number, as_real_numbers, nearest, suggesting
 
 
 @suggesting

@@ -1,4 +1,4 @@
-"""What counts as numbers, wherever a user gives some: units are converted, and nothing is dropped without a word.
+"""What a user gives: what counts as numbers, with units converted, and which known name an unknown one may mean.
 
 numpy takes much for numbers that is none or is more: it reads text and truth values, and drops units, masks and
 imaginary parts. Here, what carries a unit (an astropy ``Quantity``, or what looks like one: ``unit`` and ``to_value``)
@@ -8,10 +8,16 @@ that are numbers, and whatever else numpy makes numbers of, are taken; the rest 
 
 from __future__ import annotations
 
-from typing import Any
+import difflib
+import functools
+import inspect
+from collections.abc import Collection
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from bnserve_protocol._errors import FieldError, InvalidParameters
 
 _REAL = frozenset("iuf")
 _PLAIN = frozenset({float, int, np.float64, np.float32, np.int64, np.int32})
@@ -19,6 +25,7 @@ _PLAIN = frozenset({float, int, np.float64, np.float32, np.int64, np.int32})
 _FLOAT64 = np.dtype(np.float64)
 _WHY = {"b": "holds truth values", "U": "holds text", "S": "holds text", "T": "holds text", "c": "is complex"}
 """By kind of a dtype, what is refused: completes "it ..."."""
+_C = TypeVar("_C", bound=type[Any])
 
 
 class NotNumbers(ValueError):
@@ -142,3 +149,44 @@ def _unmasked(value: Any) -> Any:
     if np.any(mask):
         raise NotNumbers("has masked entries: leave them out or fill them")
     return data
+
+
+class UnknownKeyword(InvalidParameters, TypeError):
+    """A keyword that a class does not take; also a ``TypeError``, as Python's own is."""
+
+
+def nearest(name: object, known: Collection[str]) -> str:
+    """What an unknown name may have meant: ``Did you mean 'mass_ratio'?``, or all names that are known.
+
+    Parameters
+    ----------
+    name:
+        Of anybody; no more than its beginning is compared, which takes seconds and gigabytes for megabytes.
+    known:
+        The names there are.
+    """
+    near = difflib.get_close_matches(str(name)[:80], known, n=1, cutoff=0.5)
+    return f"Did you mean '{near[0]}'?" if near else f"Known names: {', '.join(known)}."
+
+
+def suggesting(cls: _C) -> _C:
+    """The same class, whose misspelt keywords are :class:`UnknownKeyword` that names the nearest one it takes."""
+    plain = cls.__init__
+    known = tuple(inspect.signature(plain).parameters)[1:]
+
+    @functools.wraps(plain)
+    def init(self: Any, *values: Any, **named: Any) -> None:
+        try:
+            plain(self, *values, **named)
+        except TypeError as error:
+            unknown = next((name for name in named if name not in known), None)
+            if unknown is None:
+                raise
+            hint = nearest(unknown, known)
+            raise UnknownKeyword(
+                f"{cls.__name__} takes no '{unknown[:80]}'. {hint}",
+                errors=[FieldError(reason=f"unknown. {hint}", parameter=unknown[:80])],
+            ) from error
+
+    cls.__init__ = init
+    return cls
