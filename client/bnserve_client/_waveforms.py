@@ -72,6 +72,7 @@ _SAMPLES: dict[OutputName, tuple[str, ...]] = {
 _FACTORS: dict[str, np.dtype[Any]] = {"plus": np.dtype("<f8"), "cross": np.dtype("<c16")}
 _OF_A_ROW: dict[str, np.dtype[Any]] = {"status": np.dtype("|u1"), "estimated_mismatch": np.dtype("<f8")}
 """Arrays of an answer beside its samples; the second only from models that estimate their error."""
+_KEPT = {"h", "plus", "cross", "amplitude", "phase", *_OF_A_ROW}
 
 
 _IN_FULL_ONCE = 512
@@ -319,8 +320,7 @@ def _check_arrays(arrays: Arrays, output: OutputName, dtype: DtypeName, rows: in
 
 def own(arrays: Arrays) -> Arrays:
     """All arrays that belong to a result, writable; copies of those that are not."""
-    known = {"h", "plus", "cross", "amplitude", "phase", *_OF_A_ROW}
-    return {name: array if array.flags.writeable else _copy(array) for name, array in arrays.items() if name in known}
+    return {name: array if array.flags.writeable else _copy(array) for name, array in arrays.items() if name in _KEPT}
 
 
 def _copy(array: NDArray[Any]) -> NDArray[Any]:
@@ -337,5 +337,5 @@ def multiply_out(arrays: Arrays) -> Arrays:
     h = arrays["h"]
     factored = Factored(h=h, plus=arrays["plus"], cross=arrays["cross"], status=arrays["status"])
     plus = h if h.flags.writeable else result_memory.like(h)
-    plus, cross = factored.polarizations(plus=plus, cross=result_memory.like(h))
-    return {"plus": plus, "cross": cross, **own(of_a_row)}
+    both = factored.polarizations(plus=plus, cross=result_memory.like(h))
+    return {"plus": both.plus, "cross": both.cross, **own(of_a_row)}
