@@ -31,8 +31,8 @@ from bnserve_protocol import (
 )
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
-from bnserve_surrogate._prepared_grid import GridCache, PreparedGrid
 from bnserve_surrogate.kernel import EDGE, KernelModel, Output, Outputs, Policy, evaluate
+from bnserve_surrogate.kernel._evaluate import GridCache, PreparedGrid
 
 _ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
 _KINDS = {"complex128": Output.POLARIZATIONS, "complex64": Output.POLARIZATIONS_SINGLE}

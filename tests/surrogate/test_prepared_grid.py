@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from bnserve_surrogate._prepared_grid import GridCache
+from bnserve_surrogate.kernel._evaluate import GridCache
 
 FREQUENCIES = np.linspace(20.0, 1000.0, 99)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -107,22 +108,22 @@ def build_basis(
             growth[family.term] = grown = _grow(configuration, family, checkpoints, workers, bars)
             clock.stage(family.term, f"{len(grown)} elements, worst of the last sweep {grown.sweeps[-1][3]:.2e}")
         quadrature = _assembled(configuration, model, [linear, quadratic], growth)
-        draws = Draws(prior, configuration.validation.count, (seed, _STAGES["validation"]))
-        errors = validate(linear, quadrature, draws, workers, checkpoints, "validation", bars)
-        edges = Draws(
-            replace(prior, arcsine_fraction=1.0), configuration.validation.edge_count, (seed, _STAGES["edges"])
-        )
-        edge_errors = validate(linear, quadrature, edges, workers, checkpoints, "edges", bars)
-        clock.stage("validation", f"{draws.count} fresh binaries, {edges.count} that crowd at the edges of the prior")
+        fresh, edges = configuration.validation.count, configuration.validation.edge_count
+        checks = {
+            "validation": Draws(prior, fresh, (seed, _STAGES["validation"])),
+            "edges": Draws(replace(prior, arcsine_fraction=1.0), edges, (seed, _STAGES["edges"])),
+        }
+        validated = partial(validate, linear, quadrature, workers=workers, checkpoints=checkpoints, progress=bars)
+        errors = {name: validated(draws, name=name) for name, draws in checks.items()}
+        clock.stage("validation", f"{fresh} fresh binaries, {edges} that crowd at the edges of the prior")
         figures = {
             "grid": {"points": len(grid), "full": len(full), "gram_error": grid.gram_error},
-            "validation": validation_figures(configuration, errors),
-            "edges": validation_figures(configuration, edge_errors),
+            **{name: validation_figures(configuration, found) for name, found in errors.items()},
             "full_grid": full_grid_figures(configuration, quadrature, linear),
         }
         clock.stage("full grid", "errors compared with those on the thinned one")
     diagnostics = {**quadrature.diagnostics, **figures}
-    return BuiltBasis(replace(quadrature, diagnostics=diagnostics), growth, errors, grid, clock.seconds)
+    return BuiltBasis(replace(quadrature, diagnostics=diagnostics), growth, errors["validation"], grid, clock.seconds)
 
 
 def _grow(

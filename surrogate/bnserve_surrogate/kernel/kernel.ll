@@ -1,4 +1,4 @@
-; sources: 9a21eac30258ce2500ffeb2facb19d639b7bb7a9b8f42571c461d3e05adb2885
+; sources: 57f606a3e13c6fad5cb19dfed330da4a09f2711b3975c1b23aedf629f234609f
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -7546,8 +7546,8 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
 !88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !89 = !{!90, !87}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline11_point_mass20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !92 = !{!93, !87}
 !93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
 !94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
