@@ -26,6 +26,7 @@ from gunicorn.workers.base import Worker
 
 from bnserve_protocol import BnserveError
 from bnserve_service.app import create_app
+from bnserve_service.models.loading import loader_of
 from bnserve_service.models.registry import Registry
 from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
 from bnserve_service.process.listening import address_of, listening, open_metrics_listener
@@ -35,7 +36,7 @@ from bnserve_service.server import BnserveServer
 from bnserve_service.settings import Settings
 from bnserve_service.shared.folder import REPORT, SharedFolder, SharedLoads, models_file
 from bnserve_service.workers.acceptor import FairAcceptor
-from bnserve_service.workers.worker import Models
+from bnserve_service.workers.worker import load_models
 
 BEAT_SECONDS = 0.5
 HOPELESS = 5
@@ -77,7 +78,7 @@ class Manager(BaseApplication):
         threads = settings.threads or max(1, available_cpus() // settings.workers)
         self.settings = settings.model_copy(update={"threads": threads})
         self.listener, self.metrics = listener, metrics
-        self.models = Models(self.settings)
+        self.registry = Registry()
         self.board = Board(4 * settings.workers + 2)
         self.shared = self._new_folder()
         super().__init__()
@@ -101,7 +102,7 @@ class Manager(BaseApplication):
 
     def load(self) -> Registry:
         """What gunicorn calls the application."""
-        return self.models.registry
+        return self.registry
 
     def _new_folder(self) -> SharedFolder:
         folder = SharedFolder.create(self.settings.max_grid_bytes + self.settings.max_analyses_bytes)
@@ -116,7 +117,7 @@ class Manager(BaseApplication):
         if greeter == 0:
             _end_with(lambda: _serve(self, self.board.places[-1], None, lambda: None))
         try:
-            self.models.load()
+            load_models(self.settings, self.registry, loader_of(self.settings, self.registry))
         finally:
             os.kill(greeter, signal.SIGTERM)
             os.waitpid(greeter, 0)
@@ -201,7 +202,7 @@ class BnserveWorker(Worker):
         failures = manager.board.get(self.place, FAILURES)
         if failures > 1:
             time.sleep(min(5.0, 0.1 * 2 ** min(failures - 2, 16)))
-        _end_with(lambda: _serve(manager, self.place, manager.models.registry, self.notify, self.ppid))
+        _end_with(lambda: _serve(manager, self.place, manager.registry, self.notify, self.ppid))
 
 
 def _end_with(work: Callable[[], int]) -> NoReturn:

@@ -7,7 +7,7 @@ with one rename, so that no count is ever there twice or not at all.
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import TypeAlias
 
@@ -61,15 +61,12 @@ class SharedMetrics:
         self._place = place
         self._file = shared / f"metrics-{place}.json"
         self._publishing = threading.Lock()
-        before = _read(self._file)
+        before = _read(self._file) or Publication([])
+        self._described = {family.name: family for family in before.families if family.kind in _ADDED}
         self._before = {
             (family.name, name, _key(labels)): value
-            for family in (before.families if before is not None else [])
-            if family.kind in _ADDED
+            for family in self._described.values()
             for name, labels, value in family.samples
-        }
-        self._described = {
-            family.name: family for family in (before.families if before is not None else []) if family.kind in _ADDED
         }
 
     def publish(self, metrics: Iterable[Metric]) -> None:
@@ -82,19 +79,36 @@ class SharedMetrics:
             fresh.write_bytes(_encode(Publication(families)))
             fresh.replace(self._file)
 
-    def merged(self, largest: Iterable[str] = ()) -> list[Metric]:
+    def merged(self, largest: Collection[str] = ()) -> list[Metric]:
         """The sums over all workers; of the gauges named in ``largest``, the largest value instead."""
+        described: dict[str, Family] = {}
+        values: dict[str, dict[tuple[str, Labels], float]] = {}
+        for family in self._published():
+            described.setdefault(family.name, family)
+            of_family = values.setdefault(family.name, {})
+            together = max if family.name in largest or family.kind == "info" else float.__add__
+            for name, labels, value in family.samples:
+                key = name, _key(labels)
+                of_family[key] = together(of_family[key], value) if key in of_family else value
+        found = []
+        for family in described.values():
+            metric = Metric(family.name, family.description, family.kind)
+            for (sample, labelled), value in values[family.name].items():
+                metric.add_sample(sample, dict(labelled), value)
+            found.append(metric)
+        return found
+
+    def _published(self) -> Iterator[Family]:
+        """What all have written down; of a place where nobody is now, what outlives a process."""
         report = _read(self._folder / REPORT)
-        sums = _Sums(frozenset(largest))
         for path in sorted(self._folder.glob("metrics-*.json")):
+            place = int(path.stem.partition("-")[2])
+            is_there = report is None or report.places is None or place in report.places or place == self._place
             publication = _read(path)
             if publication is not None:
-                place = int(path.stem.partition("-")[2])
-                is_there = report is None or report.places is None or place in report.places or place == self._place
-                sums.add(publication.families, is_there)
+                yield from (family for family in publication.families if is_there or family.kind in _ADDED)
         if report is not None:
-            sums.add(report.families, True)
-        return sums.metrics()
+            yield from report.families
 
     def _add_before(self, family: Family) -> Family:
         if family.kind in _ADDED and self._before:
@@ -104,37 +118,6 @@ class SharedMetrics:
                     samples[name, key] = samples.get((name, key), 0.0) + value
             family.samples = [(name, dict(key), value) for (name, key), value in samples.items()]
         return family
-
-
-class _Sums:
-    """Values of one instrument after the other, added up."""
-
-    def __init__(self, largest: frozenset[str]) -> None:
-        self._largest = largest
-        self._described: dict[str, Family] = {}
-        self._values: dict[str, dict[tuple[str, Labels], float]] = {}
-
-    def add(self, families: Iterable[Family], is_there: bool) -> None:
-        """Add what one process published; of one that is gone, what outlives it."""
-        for family in families:
-            if family.kind not in _ADDED and not is_there:
-                continue
-            self._described.setdefault(family.name, family)
-            values = self._values.setdefault(family.name, {})
-            for name, labels, value in family.samples:
-                key = name, _key(labels)
-                together = max if family.name in self._largest or family.kind == "info" else float.__add__
-                values[key] = together(values[key], value) if key in values else value
-
-    def metrics(self) -> list[Metric]:
-        """In the form that ``prometheus_client`` writes."""
-        found = []
-        for name, family in self._described.items():
-            metric = Metric(name, family.description, family.kind)
-            for (sample, labels), value in self._values[name].items():
-                metric.add_sample(sample, dict(labels), value)
-            found.append(metric)
-        return found
 
 
 def _family(metric: Metric, place: int) -> Family:

@@ -96,25 +96,28 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _serve(supervisor: Channel, descriptors: Descriptors) -> int:
+    from bnserve_service.models.loading import loader_of
+    from bnserve_service.models.registry import Registry
     from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
-    from bnserve_service.workers.worker import Inheritance, Models, work
+    from bnserve_service.workers.worker import Inheritance, load_models, work
 
     keep_freed_memory()
     inheritance = Inheritance.opened(descriptors)
-    models = Models(inheritance.settings)
+    registry = Registry()
+    loader = loader_of(inheritance.settings, registry)
 
     def obey(message: dict[str, Any], ends: list[int]) -> None:
         if "refresh" in message:
-            models.look_at_stores()
+            loader.refresh(force=True)
             forget_what_is_imported()
         if ends:
-            registry = None if message["placeholder"] else models.registry
+            models = None if message["placeholder"] else registry
             place, shared = message["fork"], Path(message["shared"])
-            _fork(supervisor, ends[0], lambda end: work(end, place, inheritance, shared, registry))
+            _fork(supervisor, ends[0], lambda end: work(end, place, inheritance, shared, models))
 
     with contextlib.suppress(BlockingIOError):
         obey(*supervisor.receive())  # the one that says meanwhile that the models are being loaded
-    models.load()
+    load_models(inheritance.settings, registry, loader)
     forget_what_is_imported()
     supervisor.send({"loaded": True})
     supervisor.wait()

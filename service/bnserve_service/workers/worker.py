@@ -13,7 +13,7 @@ from typing import Self
 
 from bnserve_protocol import BnserveError
 from bnserve_service.app import Application, create_app
-from bnserve_service.models.loading import Loader, RefreshReport, loader_of
+from bnserve_service.models.loading import Loader
 from bnserve_service.models.registry import Registry
 from bnserve_service.process.system import available_cpus, name_process
 from bnserve_service.server import BnserveServer, models_missing
@@ -55,39 +55,21 @@ class Inheritance:
         )
 
 
-class Models:
-    """The models that workers begin with, loaded without any thread.
+def load_models(settings: Settings, registry: Registry, loader: Loader) -> None:
+    """Load the models that workers begin with, and all that evaluating them needs, without any thread.
 
-    Parameters
-    ----------
-    settings:
-        Which.
+    Raises
+    ------
+    StoreUnknown, ModelUnknown, ModelLoading
+        There is nothing to serve.
     """
+    import bnserve_inference  # noqa: F401  # so that workers share it
 
-    def __init__(self, settings: Settings) -> None:
-        self.registry = Registry()
-        self._settings = settings
-        self._loader: Loader = loader_of(settings, self.registry)
-
-    def load(self) -> None:
-        """Load them, and all that evaluating them needs.
-
-        Raises
-        ------
-        StoreUnknown, ModelUnknown, ModelLoading
-            There is nothing to serve.
-        """
-        import bnserve_inference  # noqa: F401  # so that workers share it
-
-        self._loader.list_source()
-        report = self._loader.refresh()
-        create_app(self._settings, registry=self.registry, follow=False)  # what it makes once and keeps, too
-        if not self.registry.catalogue.models:
-            raise models_missing(report)
-
-    def look_at_stores(self) -> RefreshReport:
-        """Follow the stores; what cannot be loaded leaves what there is as it is."""
-        return self._loader.refresh(force=True)
+    loader.list_source()
+    report = loader.refresh()
+    create_app(settings, registry=registry, follow=False)  # what it makes once and keeps, too
+    if not registry.catalogue.models:
+        raise models_missing(report)
 
 
 def work(channel: Channel, place: int, inheritance: Inheritance, folder: Path, registry: Registry | None) -> int:
