@@ -275,6 +275,8 @@ class Session:
                     response = yield Send(retries.address, sent, self.settings.silence, retries.deadline, max_bytes)
                 answer = read(response, retries.address.text)
             except BnserveError as error:
+                if isinstance(error, Unauthorized):
+                    self._token = None  # there may be another by the next question
                 pause = retries.pause_after(error)
             else:
                 retries.succeeded()

@@ -66,6 +66,18 @@ def test_asynchronous_models_take_it_too(address, given):
     assert SECRET.encode() not in travelled
 
 
+def test_a_token_that_the_environment_has_later_is_found_after_a_refusal(start_server, connect, monkeypatch):
+    monkeypatch.delenv("BNSERVE_TOKEN", raising=False)
+    service = LikelihoodReference()
+    model = connect(start_server(service).address)
+    assert ask(model)
+    service.token = SECRET
+    with pytest.raises(Unauthorized):
+        ask(model)
+    monkeypatch.setenv("BNSERVE_TOKEN", SECRET)
+    assert ask(model)
+
+
 @pytest.mark.parametrize("protocol", range(pickle.HIGHEST_PROTOCOL + 1))
 def test_no_pickle_holds_it(address, connect, given, protocol):
     model = connect(address, token=given)
