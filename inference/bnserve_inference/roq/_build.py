@@ -108,13 +108,9 @@ def build_basis(
             growth[family.term] = grown = _grow(configuration, family, checkpoints, workers, bars)
             clock.stage(family.term, f"{len(grown)} elements, worst of the last sweep {grown.sweeps[-1][3]:.2e}")
         quadrature = _assembled(configuration, model, [linear, quadratic], growth)
-        fresh, edges = configuration.validation.count, configuration.validation.edge_count
-        checks = {
-            "validation": Draws(prior, fresh, (seed, _STAGES["validation"])),
-            "edges": Draws(replace(prior, arcsine_fraction=1.0), edges, (seed, _STAGES["edges"])),
-        }
         validated = partial(validate, linear, quadrature, workers=workers, checkpoints=checkpoints, progress=bars)
-        errors = {name: validated(draws, name=name) for name, draws in checks.items()}
+        errors = {name: validated(draws, name=name) for name, draws in _validation_draws(configuration, prior).items()}
+        fresh, edges = configuration.validation.count, configuration.validation.edge_count
         clock.stage("validation", f"{fresh} fresh binaries, {edges} that crowd at the edges of the prior")
         figures = {
             "grid": {"points": len(grid), "full": len(full), "gram_error": grid.gram_error},
@@ -124,6 +120,15 @@ def build_basis(
         clock.stage("full grid", "errors compared with those on the thinned one")
     diagnostics = {**quadrature.diagnostics, **figures}
     return BuiltBasis(replace(quadrature, diagnostics=diagnostics), growth, errors["validation"], grid, clock.seconds)
+
+
+def _validation_draws(configuration: RoqConfiguration, prior: Prior) -> dict[str, Draws]:
+    """Fresh binaries, uniform in the prior and crowded at its edges, by the names of the two validations."""
+    counts, crowded = configuration.validation, replace(prior, arcsine_fraction=1.0)
+    return {
+        "validation": Draws(prior, counts.count, (configuration.seed, _STAGES["validation"])),
+        "edges": Draws(crowded, counts.edge_count, (configuration.seed, _STAGES["edges"])),
+    }
 
 
 def _grow(
