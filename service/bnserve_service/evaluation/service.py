@@ -50,6 +50,8 @@ class Packed:
 Outcome: TypeAlias = Packed | Evaluated
 EvaluationJob: TypeAlias = Job[Question, Outcome]
 
+_NO_MEMORY = "There is no memory for this answer now; ask for fewer rows."
+
 
 class Evaluator:
     """Evaluates groups of questions that share a key; what a :class:`~bnserve_service.admission.queue.WorkQueue` calls.
@@ -70,7 +72,7 @@ class Evaluator:
             arrays = questions[0].kind.evaluate(questions)
         except Exception as error:
             if len(questions) == 1:
-                return [_told(error)]
+                return [Overloaded(_NO_MEMORY) if isinstance(error, MemoryError) else error]
             return [outcome for question in questions for outcome in self([question])]  # only the culprit is refused
         seconds = time.monotonic() - started
         self._metrics.evaluation.observe(seconds)
@@ -84,19 +86,13 @@ class Evaluator:
         return answers
 
 
-def _told(error: Exception) -> Exception:
-    if isinstance(error, MemoryError):
-        return Overloaded("There is no memory for this answer now; ask for fewer rows.")
-    return error
-
-
 def pack(question: Question, evaluated: Evaluated) -> Packed:
     """The answer as buffers, with their digest."""
     begun = time.monotonic()
     parts = question.kind.encode(question, evaluated.arrays)
     digest = content_digest(parts, question.digest).encode()
-    length = sum(map(len, parts))
-    return Packed(parts, digest, length, evaluated.started, evaluated.seconds, time.monotonic() - begun)
+    seconds = time.monotonic() - begun
+    return Packed(parts, digest, sum(map(len, parts)), evaluated.started, evaluated.seconds, seconds)
 
 
 def join(question: Question, outcomes: Sequence[Outcome]) -> Packed:

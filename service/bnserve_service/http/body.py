@@ -24,8 +24,6 @@ UNCOUNTED = 2**16
 which are smaller, pass however many large bodies are on their way."""
 OFF_LOOP = 2**17
 """Bodies above this are hashed and decoded in a thread: 128 KiB take about as long as the hand-over costs."""
-_THREADS = 2
-"""One for uploads and one for questions, which so do not wait for the largest of analyses."""
 _MOMENT = 1.0
 """Seconds after which another body may have been read and decoded."""
 
@@ -45,7 +43,7 @@ class BodyReader:
 
     def __init__(self, capacity: int, timeout: float) -> None:
         self.timeout = timeout
-        self._threads = ThreadPoolExecutor(_THREADS, thread_name_prefix="bnserve-bodies")
+        self._threads = ThreadPoolExecutor(2, thread_name_prefix="bnserve-bodies")  # for uploads, and for questions
         self._held = Capacity(capacity)
         self._bodies: dict[IncomingBody, None] = {}
         """Those that take room, in the order in which they began to."""

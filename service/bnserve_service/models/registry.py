@@ -113,10 +113,6 @@ class _Offer(msgspec.Struct):
     labels: dict[str, list[str]]
 
 
-_encode = msgspec.json.Encoder().encode
-_decode = msgspec.json.Decoder(_Offer).decode
-
-
 class SharedModels:
     """Which models the workers of one server have: while they follow a store, some are a moment ahead of the others.
 
@@ -137,7 +133,7 @@ class SharedModels:
         offer = _Offer(models, {name: list(labels) for name, labels in catalogue.labels.items()})
         fresh = self._file.with_suffix(".new")
         with suppress(OSError):  # no room: then callers are told that there is no such model, for a moment
-            fresh.write_bytes(_encode(offer))
+            fresh.write_bytes(msgspec.json.encode(offer))
             fresh.replace(self._file)
 
     def have(self, name: str, wanted: str) -> bool:
@@ -145,7 +141,7 @@ class SharedModels:
         for path in self._file.parent.glob("models-*.json"):
             if path != self._file:
                 with suppress(OSError, msgspec.MsgspecError):
-                    offer = _decode(path.read_bytes())
+                    offer = msgspec.json.decode(path.read_bytes(), type=_Offer)
                     known = [(version, digest) for model, version, digest in offer.models if model == name]
                     if wanted in offer.labels.get(name, []) or any(wanted in versions for versions in known):
                         return True
