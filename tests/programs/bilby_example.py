@@ -9,7 +9,9 @@ with the service's waveforms by 0.05.
 """
 
 import argparse
+import copy
 import inspect
+import math
 import multiprocessing
 import os
 import runpy
@@ -32,6 +34,7 @@ CHANGES = {
 """What a user changes; the address of the server is in ``BNSERVE_URL``."""
 LEAST_FINITE = 0.01
 MOST_APART = 0.05
+NEAR_CHIRP_MASS = bilby.core.prior.Uniform(1.205, 1.225)
 NOTHING = -1e300
 """bilby's -inf is the largest negative number."""
 
@@ -78,6 +81,36 @@ def agreement(likelihood: object, priors: dict, injection: dict, waveforms: dict
     return found
 
 
+def print_times(likelihood: object, injection: dict) -> None:
+    """What a log-likelihood of this data costs: the best of several, each of another binary."""
+    waveforms = likelihood.waveform_generator.waveform_arguments
+    lals = copy.deepcopy(likelihood)
+    lals.waveform_generator.frequency_domain_source_model = bilby.gw.source.lal_binary_neutron_star
+    plain = {name: value for name, value in waveforms.items() if name != "waveform_approximant"}
+    narrow = bilby.gw.prior.BNSPriorDict(dictionary={**bilby.gw.prior.BNSPriorDict(), "chirp_mass": NEAR_CHIRP_MASS})
+    narrow["geocent_time"] = injection["geocent_time"]
+    binned = ServiceLikelihood.from_bilby(
+        likelihood.interferometers, narrow, waveform_arguments=plain, fiducial_parameters=injection,
+        phase_marginalization=True,
+    )  # fmt: skip
+    batch = [injection | {"lambda_1": injection["lambda_1"] + 0.01 * n} for n in range(1000)]
+    rows = {
+        f"bilby, LAL's {waveforms['waveform_approximant']}": lambda n: value_of(lals, batch[n]),
+        "bilby, bnserve_client.bilby.binary_neutron_star": lambda n: value_of(likelihood, batch[n]),
+        "the same, another phase of the last binary": lambda n: value_of(likelihood, batch[n] | {"phase": 0.1 * n}),
+        "ServiceLikelihood, relative binning, one": lambda n: binned.log_likelihood_ratios(batch[n : n + 1]),
+        "ServiceLikelihood, relative binning, in 1000": lambda n: binned.log_likelihood_ratios(batch),
+    }
+    best = dict.fromkeys(rows, math.inf)
+    for n in range(1, 41):
+        for name, ask in rows.items():  # in turn: a busy machine is as busy for all of them
+            started = time.perf_counter()
+            ask(n)
+            best[name] = min(best[name], time.perf_counter() - started)
+    for name, seconds in best.items():
+        print(f"  {name:<56} {1e3 * seconds / (1000 if '1000' in name else 1):8.3f} ms")
+
+
 def sampled(chosen: argparse.Namespace) -> object:
     """What takes the place of ``bilby.run_sampler`` in the example."""
 
@@ -92,6 +125,7 @@ def sampled(chosen: argparse.Namespace) -> object:
         waveforms = likelihood.waveform_generator.waveform_arguments
         if agreement(likelihood, priors, injection_parameters, waveforms) > MOST_APART:
             sys.exit("The two differ by too much.")
+        print_times(likelihood, injection_parameters)
         result = original_sampler(
             likelihood=likelihood, priors=priors, sampler="dynesty", nlive=100, sample="rwalk", walks=10, nact=1,
             maxmcmc=50,
