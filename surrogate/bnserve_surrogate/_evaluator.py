@@ -32,7 +32,7 @@ from bnserve_protocol import (
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
 from bnserve_surrogate.kernel import EDGE, KernelModel, Output, Outputs, Policy, evaluate
-from bnserve_surrogate.kernel._evaluate import GridCache, PreparedGrid
+from bnserve_surrogate.kernel._evaluate import GridCache, PreparedGrid, is_list
 
 _ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
 _KINDS = {"complex128": Output.POLARIZATIONS, "complex64": Output.POLARIZATIONS_SINGLE}
@@ -89,10 +89,6 @@ class _OneRow(threading.local):
         self.results_at = address_of(wide)
 
 
-def _is_list(frequencies: NDArray[Any]) -> bool:
-    return frequencies.dtype == np.float64 and frequencies.ndim == 1
-
-
 class Evaluator:
     """One mode on prepared grids.
 
@@ -125,7 +121,7 @@ class Evaluator:
         """One waveform on a grid that is prepared already, the shortest way; None if anything about it is unusual."""
         name = dtype if isinstance(dtype, str) else ""
         kind = _KINDS.get(name)
-        if kind is None or type(options) is not EvaluationOptions or not _is_list(frequencies):
+        if kind is None or type(options) is not EvaluationOptions or not is_list(frequencies):
             return None
         points = len(frequencies)
         grid = self._grids.candidate(frequencies)

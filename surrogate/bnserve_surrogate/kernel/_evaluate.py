@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from collections import OrderedDict
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import NamedTuple, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
@@ -116,6 +116,11 @@ class PreparedGrid:
         )
 
 
+def is_list(grid: GridLike) -> TypeGuard[NDArray[np.float64]]:
+    """Whether a grid is a vector of float64 already, though perhaps not one of frequencies."""
+    return type(grid) is np.ndarray and grid.dtype == np.float64 and grid.ndim == 1 and grid.size > 0
+
+
 class GridCache:
     """The grids used last. A hit is decided by comparing all frequencies, so a changed array is a different grid."""
 
@@ -132,7 +137,7 @@ class GridCache:
         InvalidFrequencies
             They are not positive and increasing.
         """
-        plain = plain_grid(grid)
+        plain = grid if is_list(grid) else plain_grid(grid)
         key, known = self._find(plain)
         if known is not None:
             return known
@@ -147,7 +152,7 @@ class GridCache:
 
     def candidate(self, grid: NDArray[np.float64]) -> PreparedGrid | None:
         """The prepared grid that this one probably is: same length, first, middle and last frequency."""
-        return self._grids.get(self._key(grid)) if grid.size else None
+        return self._grids.get(self._key(grid))
 
     def _find(self, grid: UniformGrid | NDArray[np.float64]) -> tuple[object, PreparedGrid | None]:
         if isinstance(grid, UniformGrid):
