@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeVar
 
 from numpy.typing import DTypeLike
 
-from bnserve_client._asynchronous import AsyncConnections, run_async
+from bnserve_client._asynchronous import AsyncConnections
 from bnserve_client._likelihoods import AsyncLikelihood
-from bnserve_client._messages import Conversation
 from bnserve_client._pinned import Pinned, connecting
 from bnserve_client._settings import Settings, Token, TokenLike, settings_from
 from bnserve_client._transport_factory import AsyncTransportLike, TransportFactory
@@ -27,8 +25,6 @@ from bnserve_protocol import (
     Polarizations,
     RunManifest,
 )
-
-_T = TypeVar("_T")
 
 
 class AsyncModel(ConnectedModel):
@@ -66,7 +62,7 @@ class AsyncModel(ConnectedModel):
         factory = None if transport is None else TransportFactory(transport)
         connections = AsyncConnections(factory)
         try:
-            pinned = await run_async(connecting(settings, name, version, digest), connections.send)
+            pinned = await connections.run(connecting(settings, name, version, digest))
         except BaseException:
             await connections.close()
             raise
@@ -76,7 +72,7 @@ class AsyncModel(ConnectedModel):
 
     async def manifest(self) -> RunManifest:
         """What the appendix of a paper needs; see :meth:`.Model.manifest`."""
-        return await self._run(self._remote.evaluator.session.manifest())
+        return await self._connections.run(self._remote.evaluator.session.manifest())
 
     async def predict(
         self,
@@ -87,7 +83,7 @@ class AsyncModel(ConnectedModel):
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """One waveform; see :meth:`.Model.predict`."""
-        return await self._run(self._remote.predict(frequencies, parameters, options, dtype))
+        return await self._connections.run(self._remote.predict(frequencies, parameters, options, dtype))
 
     async def predict_batch(
         self,
@@ -98,7 +94,7 @@ class AsyncModel(ConnectedModel):
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """N waveforms on one grid; see :meth:`.Model.predict_batch`."""
-        return await self._run(self._remote.predict_batch(frequencies, batch, options, dtype))
+        return await self._connections.run(self._remote.predict_batch(frequencies, batch, options, dtype))
 
     async def predict_factored(
         self,
@@ -109,22 +105,22 @@ class AsyncModel(ConnectedModel):
         dtype: DTypeLike = "complex128",
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out; see :meth:`.Model.predict_factored`."""
-        return await self._run(self._remote.predict_factored(frequencies, batch, options, dtype))
+        return await self._connections.run(self._remote.predict_factored(frequencies, batch, options, dtype))
 
     async def predict_amplitude_phase(
         self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
     ) -> AmplitudePhase:
         """Amplitude and phase; see :meth:`.Model.predict_amplitude_phase`."""
-        return await self._run(self._remote.predict_amplitude_phase(frequencies, batch, options))
+        return await self._connections.run(self._remote.predict_amplitude_phase(frequencies, batch, options))
 
     async def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
-        return await self._run(self._remote.time_until_merger(frequency, parameters))
+        return await self._connections.run(self._remote.time_until_merger(frequency, parameters))
 
     async def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> AsyncLikelihood:
         """The likelihood of an analysis; see :meth:`.Model.likelihood`."""
         likelihood = AsyncLikelihood(self, analysis, invalid_rows)
-        await self._run(likelihood._introducing())
+        await self._connections.run(likelihood._introducing())
         return likelihood
 
     async def close(self) -> None:
@@ -136,6 +132,3 @@ class AsyncModel(ConnectedModel):
 
     async def __aexit__(self, *_: object) -> None:
         await self.close()
-
-    async def _run(self, conversation: Conversation[_T]) -> _T:
-        return await run_async(conversation, self._connections.send)

@@ -143,6 +143,10 @@ class AsyncConnections:
             transports[send.address] = self._new(send.address)
         return await transports[send.address].send(send)
 
+    async def run(self, conversation: Conversation[_T]) -> _T:
+        """Hold a conversation on these connections."""
+        return await run_async(conversation, self.send)
+
     async def close(self) -> None:
         """Close the connections of this event loop."""
         if self._process == os.getpid():

@@ -223,6 +223,10 @@ class Connections:
             transport = transports.setdefault(send.address, self._new(send.address))
         return transport.send(send)
 
+    def run(self, conversation: Conversation[_T]) -> _T:
+        """Hold a conversation on these connections."""
+        return run(conversation, self.send)
+
     def close(self) -> None:
         """Close the connections; the next call would open new ones."""
         for transport in self._of_process.pop(os.getpid(), {}).values():

@@ -203,7 +203,7 @@ class Likelihood(_Remote):
 
     def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
         """As :meth:`log_likelihood`, with the :class:`.RowStatus` of every row, uint8 ``(N,)``; rows never raise."""
-        values: LikelihoodValues = self._model._run(self._evaluating(batch))
+        values: LikelihoodValues = self._model._connections.run(self._evaluating(batch))
         return values
 
 
@@ -216,5 +216,5 @@ class AsyncLikelihood(_Remote):
 
     async def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
         """As :meth:`Likelihood.evaluate`."""
-        values: LikelihoodValues = await self._model._run(self._evaluating(batch))
+        values: LikelihoodValues = await self._model._connections.run(self._evaluating(batch))
         return values

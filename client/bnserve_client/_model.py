@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TypeVar
 
 from numpy.typing import DTypeLike
 
-from bnserve_client._blocking import Connections, run
+from bnserve_client._blocking import Connections
 from bnserve_client._likelihoods import Likelihood
-from bnserve_client._messages import Conversation
 from bnserve_client._pinned import Pinned, connecting
 from bnserve_client._settings import Settings, Token, TokenLike, settings_from
 from bnserve_client._transport_factory import TransportFactory, TransportLike
@@ -27,8 +25,6 @@ from bnserve_protocol import (
     Polarizations,
     RunManifest,
 )
-
-_T = TypeVar("_T")
 
 
 class Model(ConnectedModel):
@@ -115,7 +111,7 @@ class Model(ConnectedModel):
         factory = None if transport is None else TransportFactory(transport)
         connections = Connections(factory)
         try:
-            pinned = run(connecting(settings, name, version, digest), connections.send)
+            pinned = connections.run(connecting(settings, name, version, digest))
         except BaseException:
             connections.close()
             raise
@@ -131,7 +127,7 @@ class Model(ConnectedModel):
         Unavailable, AccessDenied, UntrustedAnswer
             No replica answers now, the token is refused, or what answers cannot be trusted.
         """
-        return self._run(self._remote.evaluator.session.manifest())
+        return self._connections.run(self._remote.evaluator.session.manifest())
 
     def predict(
         self,
@@ -154,7 +150,7 @@ class Model(ConnectedModel):
         TooLarge, Unavailable, UntrustedAnswer, ModelUnknown, AccessDenied, InternalError
             What a service can add to that, after the retries.
         """
-        return self._run(self._remote.predict(frequencies, parameters, options, dtype))
+        return self._connections.run(self._remote.predict(frequencies, parameters, options, dtype))
 
     def predict_batch(
         self,
@@ -165,7 +161,7 @@ class Model(ConnectedModel):
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
         """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
-        return self._run(self._remote.predict_batch(frequencies, batch, options, dtype))
+        return self._connections.run(self._remote.predict_batch(frequencies, batch, options, dtype))
 
     def predict_factored(
         self,
@@ -176,7 +172,7 @@ class Model(ConnectedModel):
         dtype: DTypeLike = "complex128",
     ) -> Factored:
         """N waveforms before the polarisations are multiplied out. ``dtype`` and errors as :meth:`predict`."""
-        return self._run(self._remote.predict_factored(frequencies, batch, options, dtype))
+        return self._connections.run(self._remote.predict_factored(frequencies, batch, options, dtype))
 
     def predict_amplitude_phase(
         self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
@@ -185,11 +181,11 @@ class Model(ConnectedModel):
 
         Raises as :meth:`predict`.
         """
-        return self._run(self._remote.predict_amplitude_phase(frequencies, batch, options))
+        return self._connections.run(self._remote.predict_amplitude_phase(frequencies, batch, options))
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger; ``OutOfBand`` above the band."""
-        return self._run(self._remote.time_until_merger(frequency, parameters))
+        return self._connections.run(self._remote.time_until_merger(frequency, parameters))
 
     def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:
         """The likelihood of an analysis, evaluated where the model is: eight bytes per sample travel back.
@@ -211,7 +207,7 @@ class Model(ConnectedModel):
             Larger than the service takes.
         """
         likelihood = Likelihood(self, analysis, invalid_rows)
-        self._run(likelihood._introducing())
+        self._connections.run(likelihood._introducing())
         return likelihood
 
     def close(self) -> None:
@@ -223,6 +219,3 @@ class Model(ConnectedModel):
 
     def __exit__(self, *_: object) -> None:
         self.close()
-
-    def _run(self, conversation: Conversation[_T]) -> _T:
-        return run(conversation, self._connections.send)
