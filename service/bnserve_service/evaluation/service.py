@@ -36,13 +36,12 @@ class Evaluated:
 
 @dataclass(slots=True, eq=False)
 class Packed:
-    """An answer ready for the socket, and the seconds it took."""
+    """An answer ready for the socket, and the seconds it took, as of :class:`Evaluated`."""
 
     parts: list[Buffer]
     digest: bytes
     length: int
     started: float
-    """As of :class:`Evaluated`; so is ``evaluated``."""
     evaluated: float
     packed: float
 
