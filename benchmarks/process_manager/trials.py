@@ -74,13 +74,8 @@ def published() -> str:
             return f"a killed worker is replaced after {time.monotonic() - began:.1f} s"
 
 
-def _workers(server: Server) -> set[int]:
-    names = {pid: Path(f"/proc/{pid}/comm") for pid in server.processes()}
-    return {pid for pid, name in names.items() if name.exists() and name.read_text().startswith("bnserve-work")}
-
-
 def _whole(server: Server, gone: set[int], count: int = WORKERS) -> set[int]:
     """Wait until all are there and serve, without those that are gone."""
-    while len(found := _workers(server) - gone) != count or metric(server.address, "bnserve_workers_serving") != count:
+    while len(found := server.workers() - gone) != count or metric(server.address, "bnserve_workers_serving") != count:
         time.sleep(0.1)
     return found

@@ -47,7 +47,7 @@ def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
             began = time.monotonic()
             under_way = load.begin(server.address, _streams(server), SECONDS, timeout=SECONDS, seed=number)
             time.sleep(1.0)
-            victim, struck = draw.choice(_workers(server)), time.monotonic()
+            victim, struck = draw.choice(sorted(server.workers())), time.monotonic()
             os.kill(victim, fault)
             back[fault].append(_replaced(server, victim, SECONDS))
             came = under_way.result().values()
@@ -81,17 +81,11 @@ def _streams(server: Server) -> list[Stream]:
     ]
 
 
-def _workers(server: Server) -> list[int]:
-    """The worker processes."""
-    names = {pid: Path(f"/proc/{pid}/comm") for pid in server.processes()}
-    return [pid for pid, name in names.items() if name.exists() and name.read_text().startswith("bnserve-work")]
-
-
 def _wait_for_workers(server: Server, timeout: float) -> None:
     until = time.monotonic() + timeout
-    while len(_workers(server)) != WORKERS or metric(server.address, "bnserve_workers_serving") != WORKERS:
+    while len(server.workers()) != WORKERS or metric(server.address, "bnserve_workers_serving") != WORKERS:
         if time.monotonic() > until:
-            raise ServerFailed(f"The server has {len(_workers(server))} workers, and should have {WORKERS}.")
+            raise ServerFailed(f"The server has {len(server.workers())} workers, and should have {WORKERS}.")
         time.sleep(0.1)
 
 
@@ -99,7 +93,7 @@ def _replaced(server: Server, victim: int, timeout: float) -> float:
     """Seconds until the victim is gone and as many as before serve; ``timeout`` if that does not happen."""
     began = time.monotonic()
     while (seconds := time.monotonic() - began) < timeout:
-        workers = _workers(server)
+        workers = server.workers()
         complete = victim not in workers and len(workers) == WORKERS
         if complete and metric(server.address, "bnserve_workers_serving") == WORKERS:
             return time.monotonic() - began

@@ -57,6 +57,15 @@ class Server:
                     known += [int(child) for child in (task / "children").read_text().split()]
         return found
 
+    def workers(self) -> set[int]:
+        """The numbers of its worker processes, when it has several."""
+        found = set()
+        for pid in self.processes():
+            with contextlib.suppress(OSError):  # it has just ended
+                if Path(f"/proc/{pid}/comm").read_text().startswith("bnserve-work"):
+                    found.add(pid)
+        return found
+
     def rss(self) -> int:
         """Resident memory of all its processes, bytes; what they share counts for each."""
         return sum(resident(pid) for pid in self.processes())

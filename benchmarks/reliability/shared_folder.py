@@ -52,7 +52,7 @@ def run(short: bool, log: Log, injected: str | None = None) -> Outcome:
         with serve as server, Callers([server.url] * count, Task(options=options, pause=0.01)) as callers:
             for number in range(times):
                 time.sleep(pause)
-                workers = _workers(server)
+                workers = server.workers()
                 shutil.rmtree(_folder(server))
                 removed = time.monotonic()
                 unready.append(_seconds_until(lambda: status_of(server.address, "/v2/health/ready") == 503, removed))
@@ -105,18 +105,9 @@ def _folder(server: Server) -> Path:
     raise FileNotFoundError("the supervisor has no folder")
 
 
-def _workers(server: Server) -> set[int]:
-    found = set()
-    for pid in server.processes():
-        with contextlib.suppress(OSError):
-            if Path(f"/proc/{pid}/comm").read_text().startswith("bnserve-work"):
-                found.add(pid)
-    return found
-
-
 def _is_whole(server: Server, before: set[int]) -> bool:
     """Whether all workers are others, and ready."""
-    workers = _workers(server)
+    workers = server.workers()
     if workers & before or len(workers) != WORKERS:
         return False
     return metric(server.address, "bnserve_workers_serving") == WORKERS
