@@ -50,6 +50,7 @@ from bnserve_protocol import (
     UniformGrid,
     UntrustedAnswer,
     __version__,
+    convert,
 )
 
 __all__ = [
@@ -58,7 +59,7 @@ __all__ = [
     "InvalidParameters", "InvalidRequest", "Likelihood", "LikelihoodBatch", "LikelihoodParameters", "Model",
     "ModelDescription", "ModelUnknown", "NotBnserve", "OutOfBand", "OutOfDomain", "ParameterBatch",
     "ParametersWithExtrinsic", "Polarizations", "QuotaExceeded", "RowStatus", "RunManifest", "Together", "TooLarge",
-    "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer", "__version__",
+    "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer", "__version__", "convert",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

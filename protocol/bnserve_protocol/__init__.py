@@ -27,6 +27,7 @@ from bnserve_protocol._analysis_settings import (
     time_steps,
 )
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
+from bnserve_protocol._conversion import convert
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,
     AccessDenied,
@@ -135,8 +136,8 @@ __all__ = [
     "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists",
     "WaveformModel", "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_dtype",
     "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
-    "check_settings", "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples",
-    "plain_grid", "printable", "refuse_rows", "require", "time_steps", "time_until_merger",
+    "check_settings", "convert", "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes",
+    "likelihood_samples", "plain_grid", "printable", "refuse_rows", "require", "time_steps", "time_until_merger",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

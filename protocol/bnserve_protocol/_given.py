@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
+from bnserve_protocol._foreign import hint_for
 
 _REAL = frozenset("iuf")
 _PLAIN = frozenset({float, int, np.float64, np.float32, np.int64, np.int32})
@@ -158,6 +159,8 @@ class UnknownKeyword(InvalidParameters, TypeError):
 def nearest(name: object, known: Collection[str]) -> str:
     """What an unknown name may have meant: ``Did you mean 'mass_ratio'?``, or all names that are known.
 
+    For a name that other programs have, what to give in its place.
+
     Parameters
     ----------
     name:
@@ -165,6 +168,9 @@ def nearest(name: object, known: Collection[str]) -> str:
     known:
         The names there are.
     """
+    hint = hint_for(str(name), known)
+    if hint is not None:
+        return hint
     near = difflib.get_close_matches(str(name)[:80], known, n=1, cutoff=0.5)
     return f"Did you mean '{near[0]}'?" if near else f"Known names: {', '.join(known)}."
 

@@ -1,0 +1,62 @@
+"""Names that other programs have for what a binary is, and what to give in their place."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+SAME = {
+    "luminosity_distance": "distance_mpc",
+    "theta_jn": "inclination",
+    "iota": "inclination",
+    "ra": "right_ascension",
+    "dec": "declination",
+    "psi": "polarization_angle",
+    "spin_1z": "chi_1",
+    "spin_2z": "chi_2",
+    "spin1z": "chi_1",
+    "spin2z": "chi_2",
+    "lambda1": "lambda_1",
+    "lambda2": "lambda_2",
+}
+"""By names of others, ours of the same quantity in the same unit. (``theta_jn`` is the inclination where spins are
+aligned, which they are.)"""
+
+_MASSES = (
+    "mass_ratio = mass_1 / mass_2, the heavier over the lighter, and total_mass = mass_1 + mass_2, both redshifted"
+)
+_TIDES = (
+    "lambda_1 and lambda_2 follow from lambda_tilde and delta_lambda_tilde together (Wade et al. 2014, eqs. 5 and 6), "
+    "which convert() solves"
+)
+FORMULAS = (
+    dict.fromkeys(("mass_1", "mass_2", "mass1", "mass2", "m1", "m2"), _MASSES)
+    | {
+        "chirp_mass": "total_mass = chirp_mass * ((1 + q)**2 / q)**0.6 with q = mass_ratio",
+        "symmetric_mass_ratio": "mass_ratio = (1 - 2 eta + sqrt(1 - 4 eta)) / (2 eta)",
+        "eta": "mass_ratio = (1 - 2 eta + sqrt(1 - 4 eta)) / (2 eta)",
+    }
+    | dict.fromkeys(("lambda_tilde", "delta_lambda_tilde"), _TIDES)
+    | {
+        f"{name}_{star}": f"chi_{star} = a_{star} * cos(tilt_{star}); spins in the orbital plane are not in the model"
+        for name in ("a", "tilt", "cos_tilt")
+        for star in (1, 2)
+    }
+    | dict.fromkeys(
+        ("phase", "coa_phase", "phi_ref"),
+        "reference_phase is a phase of the (2, 2) mode, at the alignment and not at f_ref: see the page on conventions",
+    )
+    | dict.fromkeys(
+        ("geocent_time", "tc", "geocentric_end_time"),
+        "coalescence_time of a likelihood is in seconds from its trigger; time_shift moves a waveform",
+    )
+    | {"redshift": "total_mass is that of the detector's frame: (1 + redshift) times the source's"}
+)
+"""What to give in place of names that are not ours."""
+
+
+def hint_for(name: str, known: Collection[str]) -> str | None:
+    """What to give in place of a name that other programs have, where ``known`` are taken; None if it is not such."""
+    ours = SAME.get(name)
+    if ours is not None and ours in known:
+        return f"'{ours}' is the same, in the same unit."
+    return f"Here, {FORMULAS[name]}." if name in FORMULAS else None
