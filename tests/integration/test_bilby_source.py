@@ -3,6 +3,7 @@
 import copy
 import multiprocessing
 import pickle
+import sys
 
 import bilby
 import numpy as np
@@ -174,6 +175,28 @@ def test_a_spin_that_is_zero_may_point_anywhere(ours):
 
 
 # What it is told
+
+
+def test_a_program_may_insist_on_an_approximant(ours):
+    named = strain(binary_neutron_star, {}, waveform_approximant="bnserve", pn_spin_order=None, **ours)
+    np.testing.assert_array_equal(named["plus"], strain(binary_neutron_star, {}, **ours)["plus"])
+
+
+@pytest.mark.parametrize("approximant", ["IMRPhenomPv2", "nonsense"])
+def test_an_approximant_without_tides_has_no_phase_to_take(ours, approximant):
+    with pytest.raises(InvalidRequest, match=f"LAL has no waveform by '{approximant}' with tides"):
+        strain(binary_neutron_star, {}, waveform_approximant=approximant, **ours)
+
+
+def test_lals_phase_and_time_are_not_guessed_from_the_lowest_frequencies(ours):
+    with pytest.raises(InvalidRequest, match="cannot be found from frequencies up to 30 Hz alone"):
+        strain(binary_neutron_star, {}, waveform_approximant="TaylorF2", frequencies=np.array([20.0, 30.0]), **ours)
+
+
+def test_without_lal_an_approximant_says_what_to_install(ours, monkeypatch):
+    monkeypatch.setitem(sys.modules, "lalsimulation", None)
+    with pytest.raises(PackageMissing, match=r"needs the package 'lalsimulation'.*pip install '\.\[bilby\]'"):
+        strain(binary_neutron_star, {"lambda_1": 402.0}, waveform_approximant="TaylorF2", **ours)
 
 
 def test_a_waveform_argument_that_is_none_is_refused(ours):

@@ -6,8 +6,9 @@ import difflib
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from bnserve_client._chosen import chosen_model
 from bnserve_client.bilby._zero_points import ZeroPoints
-from bnserve_protocol import InvalidRequest
+from bnserve_protocol import InvalidRequest, WaveformModel
 
 _OWN: dict[str, Any] = {
     "bnserve_url": None,
@@ -16,6 +17,8 @@ _OWN: dict[str, Any] = {
     "bnserve_digest": None,
     "bnserve_timeout": 300.0,
 }
+OWN_ZERO_POINTS = "bnserve"
+"""For ``waveform_approximant`` where a program insists on one."""
 _ORDERS = ("pn_spin_order", "pn_tidal_order", "pn_phase_order", "pn_amplitude_order")
 """Of LAL's models; ours has none."""
 _THEIRS = {"minimum_frequency", "maximum_frequency", "reference_frequency", "waveform_approximant", "mode_array",
@@ -34,6 +37,10 @@ class Choice(NamedTuple):
     digest: str | None
     timeout: float
     zero_points: ZeroPoints
+
+    def find(self) -> WaveformModel:
+        """The model; raises as :func:`chosen_model`."""
+        return chosen_model(self.url, self.model, version=self.version, digest=self.digest, timeout=self.timeout)
 
 
 def stated(arguments: Mapping[str, Any], name: str, default: float) -> float:
@@ -59,10 +66,11 @@ def read_choice(arguments: Mapping[str, Any]) -> Choice:
     modes = arguments.get("mode_array")
     if modes is not None and {(abs(l), abs(m)) for l, m in modes} != {(2, 2)}:  # noqa: E741  (the field's letter)
         raise InvalidRequest(f"The model has the (2, 2) mode alone; 'mode_array' asks for {modes}. Leave it out.")
-    orders = tuple((name, int(arguments[name])) for name in _ORDERS if name in arguments)
-    zero_points = ZeroPoints(
-        stated(arguments, "reference_frequency", 50.0), arguments.get("waveform_approximant"), orders
-    )
+    orders = tuple((name, int(arguments[name])) for name in _ORDERS if arguments.get(name) is not None)
+    approximant = arguments.get("waveform_approximant")
+    if approximant == OWN_ZERO_POINTS:
+        approximant = None
+    zero_points = ZeroPoints(stated(arguments, "reference_frequency", 50.0), approximant, orders)
     url, model, version, digest, timeout = (arguments.get(name, default) for name, default in _OWN.items())
     if url is not None and not isinstance(url, str):
         url = tuple(url)  # several replicas

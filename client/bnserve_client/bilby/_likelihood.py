@@ -12,7 +12,6 @@ from bilby.gw.likelihood import GravitationalWaveTransient
 from bilby.gw.waveform_generator import WaveformGenerator
 from numpy.typing import NDArray
 
-from bnserve_client._chosen import chosen_model
 from bnserve_client._together import Together
 from bnserve_client.bilby._analysis import Marginalised, build_analysis
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
@@ -88,9 +87,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         interferometers = InterferometerList(interferometers)
         arguments = dict(waveform_arguments or {})
         choice = read_choice(arguments)
-        model = chosen_model(
-            choice.url, choice.model, version=choice.version, digest=choice.digest, timeout=choice.timeout
-        )
+        model = choice.find()
         marginalised = Marginalised(time_marginalization, phase_marginalization, distance_marginalization)
         fiducial = None if fiducial_parameters is None else parameter_conversion(dict(fiducial_parameters))[0]
         bound = build_analysis(

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_client._chosen import chosen_model
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._binaries import binaries
 from bnserve_client.bilby._zero_points import ZeroPoints
@@ -60,8 +59,8 @@ def binary_neutron_star(
         ``bnserve_model`` (``"default"``), ``bnserve_version`` (``"stable"``), ``bnserve_digest``, ``bnserve_timeout``
         (seconds that an outage may last). The token is that of ``BNSERVE_TOKEN``.
         ``minimum_frequency`` (20 Hz), ``maximum_frequency`` (the last one), ``reference_frequency`` (50 Hz);
-        ``waveform_approximant``: the model of LAL that says what ``phase`` and ``geocent_time`` mean, see
-        ``docs/guides/samplers.md``.
+        ``waveform_approximant``: the model of LAL that says what ``phase`` and ``geocent_time`` mean; without it, or
+        as ``"bnserve"``, they have the meaning that LAL documents: see ``docs/guides/samplers.md``.
         ``frequencies``; ``frequency_nodes_linear`` and ``frequency_nodes_quadratic``; ``fiducial`` and
         ``frequency_bin_edges``: as bilby's likelihoods set them.
 
@@ -152,9 +151,7 @@ class _Source:
     """A model whose waveforms have the zero points that were chosen; it keeps the last one."""
 
     def __init__(self, choice: Choice) -> None:
-        self._model = chosen_model(
-            choice.url, choice.model, version=choice.version, digest=choice.digest, timeout=choice.timeout
-        )
+        self._model = choice.find()
         self._zero_points = choice.zero_points
         self._grids: tuple[_Grid, ...] = ()
         self._last: tuple[_Grid, tuple[float, ...], Complex | None] | None = None

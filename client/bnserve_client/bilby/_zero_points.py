@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import InvalidRequest
+from bnserve_protocol import InvalidRequest, require
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -29,6 +29,9 @@ _AT_REFERENCE = 1.25 * np.pi
 """-exp(i pi / 4): the sign of LAL's polarisations, and the quarter of pi of the stationary phase."""
 _NODES = np.geomspace(20.0, 512.0, 128)
 """Hz; the phases of two models whose mergers are 35 ms apart can still be followed from node to node."""
+
+_LEAST_TOP = 40.0
+"""Hz; less than an octave is not enough to tell a phase from a time."""
 
 
 def _sensitivity() -> Floats:
@@ -61,9 +64,20 @@ class ZeroPoints:
     orders: tuple[tuple[str, int], ...] = ()
 
     def frequencies(self, top: float) -> Floats:
-        """Where a waveform up to ``top`` Hz must be known to shift it, in Hz, ``(K,)``."""
+        """Where a waveform up to ``top`` Hz must be known to shift it, in Hz, ``(K,)``.
+
+        Raises
+        ------
+        InvalidRequest
+            Too low for a model of LAL.
+        """
         if self.approximant is None:
             return np.array([self.reference_frequency])
+        if top < _LEAST_TOP:
+            raise InvalidRequest(
+                f"Phase and time of LAL's {self.approximant} cannot be found from frequencies up to {top:g} Hz alone: "
+                f"ask up to {_LEAST_TOP:g} Hz, or leave out 'waveform_approximant'."
+            )
         return np.append(_NODES[top > _NODES], top)
 
     def shifts(self, strain: Complex, columns: dict[str, Floats], top: float) -> tuple[Floats, Floats]:
@@ -81,11 +95,13 @@ class ZeroPoints:
         Raises
         ------
         InvalidRequest
-            The model has no strain at the reference frequency.
+            The model has no strain at the reference frequency, or LAL no such waveform.
+        PackageMissing
+            LAL is not installed.
         """
         if self.approximant is not None:
             nodes = self.frequencies(top)
-            return _least_squares(nodes, self._of_lal(columns, nodes) * strain.conj())
+            return _least_squares(nodes, self._of_lal(columns, nodes, np.isfinite(strain[:, 0])) * strain.conj())
         if (strain == 0.0).any():
             raise InvalidRequest(
                 f"The model's waveforms end below the 'reference_frequency' of {self.reference_frequency:g} Hz; take "
@@ -93,10 +109,20 @@ class ZeroPoints:
             )
         return _AT_REFERENCE - np.angle(strain[:, 0]), np.zeros(len(strain))
 
-    def _of_lal(self, columns: dict[str, Floats], nodes: Floats) -> Complex:
-        """The approximant's strain at the nodes, ``(N, K)``, at phase zero, seen face on."""
-        rows = zip(*_ordered(columns), strict=True)
-        return np.array([self._of_one(nodes, *(float(value) for value in row)) for row in rows])
+    def _of_lal(self, columns: dict[str, Floats], nodes: Floats, wanted: NDArray[np.bool_]) -> Complex:
+        """The approximant's strain at the nodes, ``(N, K)``, at phase zero, seen face on; NaN where not wanted."""
+        require("lalsimulation", f"Phase and time of LAL's {self.approximant} ('waveform_approximant')", "bilby")
+        found = np.full((len(wanted), len(nodes)), complex(np.nan, np.nan))
+        rows = np.column_stack(_ordered(columns))
+        for row in np.flatnonzero(wanted):
+            try:
+                found[row] = self._of_one(nodes, *rows[row].tolist())
+            except RuntimeError as error:  # LAL's only kind
+                raise InvalidRequest(
+                    f"LAL has no waveform by '{self.approximant}' with tides, or not here ({error}; it prints why): "
+                    "name a model that it has as 'waveform_approximant', or leave it out."
+                ) from error
+        return found
 
     def _of_one(
         self, nodes: Floats, m1: float, m2: float, chi_1: float, chi_2: float, lambda_1: float, lambda_2: float
@@ -110,7 +136,7 @@ class ZeroPoints:
             lambda_1=lambda_1, lambda_2=lambda_2, frequencies=nodes, catch_waveform_errors=True,
             waveform_approximant=self.approximant, reference_frequency=self.reference_frequency, **dict(self.orders),
         )  # fmt: skip
-        return np.full(len(nodes), np.nan + 0j) if found is None else found["plus"]
+        return np.nan if found is None else found["plus"]
 
 
 def _ordered(columns: dict[str, Floats]) -> tuple[Floats, ...]:
