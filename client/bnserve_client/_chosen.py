@@ -31,9 +31,9 @@ def local_part(name: Literal["models", "analyses"], purpose: str) -> Any:
 
     Parameters
     ----------
-    name:
+    name
         ``"models"`` or ``"analyses"``.
-    purpose:
+    purpose
         What needs it, as the beginning of a sentence: ``"Building an analysis"``.
 
     Raises
@@ -63,7 +63,7 @@ def chosen_model(
 
     Parameters
     ----------
-    url, name, version, digest, timeout:
+    url, name, version, digest, timeout
         As in :meth:`.Model.connect`; the token is that of ``BNSERVE_TOKEN``.
 
     Raises

@@ -129,9 +129,9 @@ def exchange(message: bytes, max_bytes: int) -> Exchange:
 
     Parameters
     ----------
-    message:
+    message
         From :func:`encode_request`.
-    max_bytes:
+    max_bytes
         The largest body to accept.
 
     Returns

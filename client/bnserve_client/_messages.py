@@ -47,13 +47,13 @@ class Send:
 
     Parameters
     ----------
-    address, request:
+    address, request
         Where and what.
-    silence:
+    silence
         Seconds without a byte from the server after which the attempt has failed.
-    deadline:
+    deadline
         ``time.monotonic()`` at which it has failed in any case.
-    max_bytes:
+    max_bytes
         The largest body that can be an answer to this request.
 
     Raises

@@ -61,35 +61,35 @@ class Model(ConnectedModel):
 
         Parameters
         ----------
-        address:
+        address
             ``"http://host:8000"``, ``"https://host/prefix"`` or ``"unix:/path/to/socket"``; several replicas as a list
             or separated by commas: requests take turns, and one that fails is tried on another.
-        name, version:
+        name, version
             Which model; a label is resolved now, once.
-        digest:
+        digest
             ``"sha256:..."``, as ``description.digest`` of an earlier run says it: every request names this digest, so
             that the answers come from this very artifact or not at all, whatever the label stands for by then.
             A ``version`` that is not a label must be the one with this digest.
-        token:
+        token
             Sent as ``Authorization: Bearer``: the token, a ``pathlib.Path`` of a file that holds it, or a module-level
             function that returns it. None for that of the environment variable ``BNSERVE_TOKEN``, where there is one.
             A pickled model holds the path or the function, never the token, and takes it from there; a token that was
             given itself is taken from ``BNSERVE_TOKEN`` in other processes.
-        timeout:
+        timeout
             Seconds that one request may take with all its retries. A sampler that is to outlive an outage of ten
             minutes wants more than 600.
-        silence:
+        silence
             Seconds without a byte from the server after which an attempt has failed.
-        retries:
+        retries
             How often a request is tried again (in the first contact at most 3 times); None for as often as fits into
             ``timeout``. Waiting times grow to 5 s, are jittered, and honour ``Retry-After``.
-        parallel:
+        parallel
             Chunks of one large batch that are under way at the same time.
-        chunk_samples:
+        chunk_samples
             Rows times frequencies of a chunk (2**21 are 32 MiB); the service's limits may make it smaller.
-        progress:
+        progress
             Show a progress bar for batches of several chunks (needs tqdm).
-        transport:
+        transport
             An httpx client or transport, for authentication, proxies or TLS of your own, or for tests; or a function
             that makes one, which is needed where the model is pickled or used after a fork.
 
@@ -194,9 +194,9 @@ class Model(ConnectedModel):
 
         Parameters
         ----------
-        analysis:
+        analysis
             Built by ``bnserve_inference``.
-        invalid_rows:
+        invalid_rows
             ``"flag"``: rows outside the prior's or the model's range are -inf and counted. ``"error"``: they raise.
 
         Raises

@@ -40,9 +40,9 @@ class Resolver:
 
     Parameters
     ----------
-    given:
+    given
         As the user wrote them.
-    names:
+    names
         Those of them to look up.
     """
 
@@ -125,9 +125,9 @@ class Replicas:
 
     Parameters
     ----------
-    addresses:
+    addresses
         As the user gave them.
-    resolver:
+    resolver
         Turns names that stand for several hosts into these; None asks no name service.
     """
 

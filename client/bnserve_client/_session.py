@@ -161,11 +161,11 @@ def trusted_body(response: HttpResponse, where: str, asked: str | None) -> bytes
 
     Parameters
     ----------
-    response:
+    response
         What came back.
-    where:
+    where
         The address, for messages.
-    asked:
+    asked
         The :func:`bnserve_protocol.wire.request_digest` of the question; None for a GET.
 
     Raises
@@ -247,7 +247,7 @@ class Session:
 
         Parameters
         ----------
-        max_bytes:
+        max_bytes
             More than any right answer can have.
         """
         request = HttpRequest("POST", path, self._post_headers, body)

@@ -36,7 +36,7 @@ class Token:
 
     Parameters
     ----------
-    given:
+    given
         As the user gave it.
 
     Raises

@@ -22,14 +22,14 @@ class Together:
 
     Parameters
     ----------
-    evaluate:
+    evaluate
         Takes a list of questions and returns as many log-likelihoods.
-    size:
+    size
         Threads, which is the most questions in a request.
 
     Attributes
     ----------
-    requests:
+    requests
         How often ``evaluate`` was called.
     """
 

@@ -27,7 +27,7 @@ class TransportFactory:
 
     Parameters
     ----------
-    given:
+    given
         An ``httpx.Client``, an ``httpx.BaseTransport`` or their asynchronous sisters, which the user also closes and
         which work in this process alone; or a function without arguments that returns one.
     """

@@ -37,9 +37,9 @@ class Analysis:
 
     Parameters
     ----------
-    settings:
+    settings
         All that is not an array.
-    arrays:
+    arrays
         By name; copied unless they are read-only, C-contiguous float64 or complex128. For every
         detector ``X``: ``response/X`` float64 ``(3, 3)`` and ``location/X`` float64 ``(3,)`` in metres (Earth-fixed
         frame), ``linear_weights/X`` complex128 ``(T, L)`` and ``quadratic_weights/X`` float64 ``(Q,)``. For ``"roq"``

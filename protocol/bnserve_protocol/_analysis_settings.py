@@ -97,32 +97,32 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
 
     Parameters
     ----------
-    kind:
+    kind
         ``"full"``, ``"roq"`` or ``"relative_binning"``.
-    detectors:
+    detectors
         Names such as ``("H1", "L1", "V1")``; the arrays of a detector are called ``<array>/<detector>``.
-    f_min, f_max, duration:
+    f_min, f_max, duration
         Band in Hz and length of the data in seconds: the grid is ``f_min, f_min + 1 / duration, ..., f_max``.
-    trigger_time:
+    trigger_time
         GPS seconds; all other times are relative to it.
-    sidereal_time, sidereal_rate:
+    sidereal_time, sidereal_rate
         Greenwich mean sidereal time at the trigger in radians, and its rate in radians per second.
-    alignment:
+    alignment
         Of the waveform's time and phase, as in :class:`EvaluationOptions`.
-    prior:
+    prior
         Ranges ``(minimum, maximum)`` by name, outside of which the log-likelihood is -inf: waveform parameters,
         ``chirp_mass`` and ``coalescence_time``. What a basis covers is here.
-    time_grid:
+    time_grid
         Where the linear weights depend on the time of arrival; None where they do not.
-    phase_marginalisation, time_marginalisation, distance_marginalisation:
+    phase_marginalisation, time_marginalisation, distance_marginalisation
         What is integrated over its prior; the parameter is then ignored.
-    calibration:
+    calibration
         None for perfectly calibrated detectors.
-    model_digest:
+    model_digest
         The only model this analysis may be evaluated with (a basis belongs to one), or None for any.
-    noise_log_likelihood:
+    noise_log_likelihood
         Log-likelihood of no signal, -<d|d>/2 summed over detectors. Answers are ratios to it.
-    error_bound:
+    error_bound
         By how much ln L of an approximate analysis may differ from that on the full grid; not written where it is
         :data:`DEFAULT_ERROR_BOUND`.
     """

@@ -35,7 +35,7 @@ def convert(given: Mapping[str, Any]) -> dict[str, Any]:
 
     Parameters
     ----------
-    given:
+    given
         Numbers and vectors ``(N,)`` by name, in the units of those programs, which are ours.
 
     Returns

@@ -76,13 +76,13 @@ class BnserveError(Exception):
 
     Parameters
     ----------
-    detail:
+    detail
         What is wrong and what to do about it, in one or two sentences for the user.
-    errors:
+    errors
         The individual problems, when there are several or when they have a position.
-    retry_after:
+    retry_after
         Seconds after which trying again may help, or None.
-    request_id:
+    request_id
         The service's name for the request, or None for local errors.
     """
 

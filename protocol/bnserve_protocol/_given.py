@@ -38,9 +38,9 @@ def as_real_numbers(value: Any, unit: str | None) -> NDArray[np.float64]:
 
     Parameters
     ----------
-    value:
+    value
         Numbers, with or without a unit.
-    unit:
+    unit
         That they are wanted in, as astropy writes it, ``"1"`` for a pure number; None where no unit can be converted.
 
     Raises
@@ -163,9 +163,9 @@ def nearest(name: object, known: Collection[str]) -> str:
 
     Parameters
     ----------
-    name:
+    name
         Of anybody; no more than its beginning is compared, which takes seconds and gigabytes for megabytes.
-    known:
+    known
         The names there are.
     """
     hint = hint_for(str(name), known)

@@ -34,18 +34,18 @@ class LikelihoodParameters:
 
     Parameters
     ----------
-    mass_ratio, lambda_1, lambda_2, chi_1, chi_2, inclination, total_mass, reference_phase:
+    mass_ratio, lambda_1, lambda_2, chi_1, chi_2, inclination, total_mass, reference_phase
         As in :class:`ParametersWithExtrinsic`.
-    right_ascension, declination:
+    right_ascension, declination
         Of the source, equatorial, in radians.
-    polarization_angle:
+    polarization_angle
         psi in radians, as in LAL.
-    distance_mpc:
+    distance_mpc
         Luminosity distance in Mpc; may be left out where it is marginalised.
-    coalescence_time:
+    coalescence_time
         Seconds at the centre of the Earth, relative to the trigger time of the analysis; may be left out where it is
         marginalised.
-    calibration_amplitude, calibration_phase:
+    calibration_amplitude, calibration_phase
         By detector: relative amplitude errors and phase errors (radians) at the calibration nodes; none is zero.
 
     Raises
@@ -94,11 +94,11 @@ class LikelihoodBatch:
 
     Attributes
     ----------
-    values:
+    values
         ``(N, 13)``.
-    calibration_amplitude, calibration_phase:
+    calibration_amplitude, calibration_phase
         ``{detector: (N, nodes)}``; both have the same detectors and shapes.
-    absent:
+    absent
         Names that were left out, as marginalised parameters may be; their columns are NaN.
     """
 
@@ -155,7 +155,7 @@ class LikelihoodBatch:
 
         Parameters
         ----------
-        batch:
+        batch
             A :class:`LikelihoodBatch`, one or a sequence of :class:`LikelihoodParameters`, or a mapping from names to
             scalars and vectors of one common length N (a scalar counts for all rows), with ``calibration_amplitude``
             and ``calibration_phase`` as mappings from detectors to arrays ``(N, nodes)`` or ``(nodes,)``.

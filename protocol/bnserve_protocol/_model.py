@@ -73,17 +73,17 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
 
     Parameters
     ----------
-    out_of_domain:
+    out_of_domain
         ``"error"``: a row outside the trained range is an error; ``"flag"``: such rows come back NaN, with a
         :class:`RowStatus`.
-    below_band:
+    below_band
         ``"extend"`` continues the waveform with the post-Newtonian baseline at every frequency below the band;
         ``"error"``: a frequency below it is an error (``OutOfBand``). So low that double precision
         leaves nothing of the phase (M f below 1e-9), a frequency is an error in any case.
-    above_band:
+    above_band
         ``"zero"`` returns zeros at every frequency above the band, also where the whole grid is; ``"error"``: a
         frequency above it is an error (``OutOfBand``). Neither depends on what else is asked for at the same time.
-    alignment:
+    alignment
         ``"post_newtonian"``: time and phase of the TaylorF2 baseline, as in the paper. ``"merger"``: the merger is
         at t = 0, as in TEOBResumS.
     """
@@ -176,7 +176,7 @@ class Factored(LikeTuple[NDArray[Any]]):
 
         Parameters
         ----------
-        plus, cross:
+        plus, cross
             Where to put them, ``(N, M)`` of the type of ``h``; by default new arrays. ``plus`` may be ``h`` itself.
         """
         new_cross = np.multiply(self.h, self.cross.astype(self.h.dtype)[:, None], out=cross)

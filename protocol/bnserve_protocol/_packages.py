@@ -20,11 +20,11 @@ def require(module: str, purpose: str, extra: str = "") -> Any:
 
     Parameters
     ----------
-    module:
+    module
         Its full name: of the package, or of a module of bnserve that imports it.
-    purpose:
+    purpose
         What needs it, as the beginning of a sentence: ``"Training"``.
-    extra:
+    extra
         The extra of the repository that installs it; without one, the repository itself does.
 
     Raises

@@ -26,21 +26,21 @@ class ParametersWithExtrinsic:
 
     Parameters
     ----------
-    mass_ratio:
+    mass_ratio
         q = m1 / m2 >= 1.
-    lambda_1, lambda_2:
+    lambda_1, lambda_2
         Quadrupolar tidal polarisabilities of the heavier and the lighter star.
-    chi_1, chi_2:
+    chi_1, chi_2
         Dimensionless spins along the orbital angular momentum.
-    distance_mpc:
+    distance_mpc
         Luminosity distance in Mpc.
-    inclination:
+    inclination
         Angle between the orbital angular momentum and the line of sight, in radians.
-    total_mass:
+    total_mass
         Detector-frame total mass in solar masses.
-    reference_phase:
+    reference_phase
         Added to the phase at every frequency, in radians.
-    time_shift:
+    time_shift
         2 pi f time_shift is added to the phase, in seconds; see ``docs/explanations/conventions.md``.
 
     Raises
@@ -152,7 +152,7 @@ class ParameterBatch:
 
         Parameters
         ----------
-        batch:
+        batch
             A :class:`ParameterBatch`, one or a sequence of :class:`ParametersWithExtrinsic`, or a mapping from names
             to scalars and vectors of one common length N (a scalar counts for all rows). Those that carry a unit are
             converted to the parameter's.

@@ -11,9 +11,9 @@ def printable(text: str, keep: str = "") -> str:
 
     Parameters
     ----------
-    text:
+    text
         Of anybody.
-    keep:
+    keep
         Characters that stay as they are all the same.
     """
     if text.isprintable():

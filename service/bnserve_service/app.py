@@ -67,11 +67,11 @@ class Application(FastAPI):
 
     Parameters
     ----------
-    parts:
+    parts
         What it serves with.
-    wait_for_models:
+    wait_for_models
         Whether start-up waits for the models; a server listens at once and says ``model-loading`` meanwhile.
-    follow:
+    follow
         Whether it looks at the stores at all.
     """
 
@@ -175,25 +175,25 @@ def create_app(
 
     Parameters
     ----------
-    settings:
+    settings
         By default, those of :class:`Settings`.
-    source:
+    source
         Where models come from; by default the stores of the settings and the models shipped with bnserve.
-    factory:
+    factory
         Builds a model from what the source loads; by default ``bnserve_surrogate.Model.from_artifact``. Any
         ``WaveformModel`` that has ``warm_up`` and ``self_check`` can be served.
-    bind:
+    bind
         Makes the likelihood of an analysis with a model; by default ``bnserve_inference.likelihood``.
-    wait_for_models:
+    wait_for_models
         Whether start-up (the ASGI lifespan) waits until the models are loaded.
-    shared:
+    shared
         A folder, in memory where there is such a thing, that all worker processes of one server share and that outlives
         each of them; None for a server of one process.
-    worker:
+    worker
         Which of those processes this is; it goes on counting where the one with the same number before it ended.
-    registry:
+    registry
         Models that are there already.
-    follow:
+    follow
         Whether the stores are looked at; otherwise there are no models but those of ``registry``.
     """
     settings, registry = settings or Settings(), registry or Registry()

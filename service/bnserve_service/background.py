@@ -20,9 +20,9 @@ class BackgroundServer:
 
     Parameters
     ----------
-    settings:
+    settings
         How; port 0 is a good choice.
-    **parts:
+    **parts
         ``source``, ``factory`` and ``bind`` of :func:`bnserve_service.create_app`.
 
     Raises

@@ -45,9 +45,9 @@ def read_text(path: Path, what: str) -> Content:
 
     Parameters
     ----------
-    path:
+    path
         Where it is.
-    what:
+    what
         Its name in errors: ``"settings file"``.
 
     Raises

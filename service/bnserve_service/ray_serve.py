@@ -48,7 +48,7 @@ class PicklableBodies:
 
     Parameters
     ----------
-    inner:
+    inner
         The application.
     """
 

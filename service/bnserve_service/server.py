@@ -35,13 +35,13 @@ class BnserveServer:
 
     Parameters
     ----------
-    app:
+    app
         What to serve.
-    announce:
+    announce
         Called with one line when the server listens, and with another when its models are ready.
-    beside:
+    beside
         What else runs on its event loop, from before it listens until it has drained.
-    acceptor:
+    acceptor
         Who takes the connections; by default, uvicorn.
     """
 
@@ -78,11 +78,11 @@ class BnserveServer:
 
         Parameters
         ----------
-        listener:
+        listener
             Where callers connect to.
-        with_signals:
+        with_signals
             Whether signals are listened to; only possible in the main thread.
-        metrics_listener:
+        metrics_listener
             Where the metrics are, when they have a port of their own.
 
         Raises
@@ -212,11 +212,11 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
 
     Parameters
     ----------
-    settings:
+    settings
         How.
-    announce:
+    announce
         Gets a line with the address when the server listens, and one with the models when it is ready.
-    **parts:
+    **parts
         ``source``, ``factory`` and ``bind`` of :func:`bnserve_service.create_app`.
 
     Raises

@@ -40,7 +40,7 @@ def build_analysis(
 
     Parameters
     ----------
-    fiducial:
+    fiducial
         One binary, as ``binaries`` makes it: by relative binning around it; None for the full grid.
     """
     parts = local_part("analyses", "Building an analysis of bilby's data")

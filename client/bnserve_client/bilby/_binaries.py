@@ -26,7 +26,7 @@ def binaries(theirs: Mapping[str, Any]) -> dict[str, Floats]:
 
     Parameters
     ----------
-    theirs:
+    theirs
         ``mass_1``, ``mass_2`` (solar masses, detector frame), ``lambda_1``, ``lambda_2``, and ``a_1``, ``tilt_1``,
         ``a_2``, ``tilt_2`` as :func:`bilby.gw.conversion.convert_to_lal_binary_neutron_star_parameters` makes them.
 

@@ -56,23 +56,23 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
 
         Parameters
         ----------
-        interferometers:
+        interferometers
             bilby's, with strain and noise; their bands, notches and geometry are kept.
-        priors:
+        priors
             bilby's, in whatever it can convert: chirp mass and mass ratio, component masses, symmetric mass ratio,
             Lambda-tilde. As in bilby, what is integrated over is fixed in them.
-        waveform_arguments:
+        waveform_arguments
             As of :func:`binary_neutron_star`.
-        fiducial_parameters:
+        fiducial_parameters
             A binary near the maximum, by bilby's names: the likelihood is then by relative binning, right to
             ``error_bound``. Without it, it is that on the full grid.
-        trigger_time:
+        trigger_time
             GPS seconds near the merger; None for the middle of the prior of ``geocent_time``.
-        time_marginalization, phase_marginalization, distance_marginalization:
+        time_marginalization, phase_marginalization, distance_marginalization
             As in bilby. Time and distance are integrated exactly, over priors that are uniform and a power.
-        error_bound:
+        error_bound
             By how much ln L by relative binning may differ from that on the full grid.
-        parameter_conversion:
+        parameter_conversion
             From the priors' parameters to bilby's source model's.
 
         Raises
@@ -138,7 +138,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
 
         Parameters
         ----------
-        samples:
+        samples
             A list of dictionaries, or a dictionary (or data frame) of vectors and numbers.
         """
         values = self._bound.log_likelihood(self._columns(samples))

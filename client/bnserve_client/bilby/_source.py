@@ -48,13 +48,13 @@ def binary_neutron_star(
 
     Parameters
     ----------
-    frequency_array:
+    frequency_array
         Hz, increasing, ``(M,)``.
-    mass_1, mass_2, luminosity_distance, a_1, tilt_1, a_2, tilt_2, theta_jn, phase, lambda_1, lambda_2:
+    mass_1, mass_2, luminosity_distance, a_1, tilt_1, a_2, tilt_2, theta_jn, phase, lambda_1, lambda_2
         As in bilby: solar masses in the detector frame, Mpc, radians. Spins are aligned: tilts are 0 or pi.
-    phi_12, phi_jl:
+    phi_12, phi_jl
         Angles of spins that are not aligned; they have no meaning here.
-    waveform_arguments:
+    waveform_arguments
         ``bnserve_url`` (or the environment variable ``BNSERVE_URL``; without both, a model of this process),
         ``bnserve_model`` (``"default"``), ``bnserve_version`` (``"stable"``), ``bnserve_digest``, ``bnserve_timeout``
         (seconds that an outage may last). The token is that of ``BNSERVE_TOKEN``.

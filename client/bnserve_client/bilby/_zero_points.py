@@ -51,11 +51,11 @@ class ZeroPoints:
 
     Parameters
     ----------
-    reference_frequency:
+    reference_frequency
         Hz.
-    approximant:
+    approximant
         The model of LAL whose zero points they are; None for those of bnserve.
-    orders:
+    orders
         What LAL is told beside that: the post-Newtonian orders that bilby names.
     """
 
@@ -85,11 +85,11 @@ class ZeroPoints:
 
         Parameters
         ----------
-        strain:
+        strain
             h of N binaries at :meth:`frequencies`, ``(N, K)``, aligned at the merger and with zero phase.
-        columns:
+        columns
             The binaries, as :func:`~bnserve_client.bilby._binaries.binaries` makes them. NaN where LAL refuses one.
-        top:
+        top
             Hz, as for :meth:`frequencies`.
 
         Raises

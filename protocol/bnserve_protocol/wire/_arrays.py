@@ -42,9 +42,9 @@ class _Lease:
 
     Parameters
     ----------
-    block:
+    block
         The memory; ``np.asarray(lease)`` is the array over it.
-    give_back:
+    give_back
         Called when nobody looks at it any more.
     """
 
@@ -163,7 +163,7 @@ def decode_array(raw: bytes | msgspec.Raw) -> NDArray[Any]:
 
     Parameters
     ----------
-    raw:
+    raw
         The MessagePack bytes of one array.
 
     Returns
@@ -260,11 +260,11 @@ class Template:
 
     Parameters
     ----------
-    body:
+    body
         A message that was read in full.
-    arrays:
+    arrays
         Its arrays, views of ``body``, none of them empty: where nothing is has no address.
-    meaning:
+    meaning
         What else was read from it.
     """
 

@@ -156,9 +156,9 @@ def refuse_repeated_keys(text: bytes | memoryview, *objects: bytes | memoryview 
 
     Parameters
     ----------
-    text:
+    text
         A valid text.
-    objects:
+    objects
         All objects in it, if they are few and known; saves reading it again.
 
     Raises

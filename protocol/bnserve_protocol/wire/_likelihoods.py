@@ -57,13 +57,13 @@ class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=T
 
     Parameters
     ----------
-    parameters:
+    parameters
         A map of named numbers or vectors, or with 'names' one [N, P] array. What is marginalised may be left out.
-    names:
+    names
         Of the columns of 'parameters', where it is an array.
-    analysis:
+    analysis
         Repeats the digest of the path, as 'sha256:...'.
-    calibration_amplitude, calibration_phase:
+    calibration_amplitude, calibration_phase
         By detector, [N, nodes]: errors at the calibration nodes of the analysis, relative and in radians.
     """
 
@@ -79,10 +79,10 @@ class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
 
     Parameters
     ----------
-    log_likelihood:
+    log_likelihood
         [N]: natural logarithm of the ratio to the likelihood of no signal. -inf, in JSON null, wherever 'status' is
         not 0.
-    status:
+    status
         [N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band, 4 out of the analysis' prior.
     """
 
@@ -122,9 +122,9 @@ def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
 
     Parameters
     ----------
-    analysis:
+    analysis
         The digest of the analysis.
-    batch:
+    batch
         What to evaluate; its parameters travel as one ``[N, 13]`` array with names, without what was left out.
     """
     names = [name for name in LIKELIHOOD_NAMES if name not in batch.absent]
@@ -149,12 +149,12 @@ def decode_likelihood_request(
 
     Parameters
     ----------
-    body:
+    body
         The bytes of the body: ``parameters`` is one array ``[N, P]`` with ``names``, or without them a map of named
         numbers and vectors; calibration errors are arrays ``[N, nodes]`` by detector.
-    media_type:
+    media_type
         :data:`MSGPACK` or :data:`JSON`.
-    max_rows:
+    max_rows
         Larger batches are refused before they take memory.
 
     Raises

@@ -70,16 +70,16 @@ class WaveformBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=Tru
 
     Parameters
     ----------
-    parameters:
+    parameters
         A map of named numbers or vectors, or with 'names' one [N, P] array.
-    grid:
+    grid
         One of its three forms: uniform, its frequencies in Hz, or the digest of one that was uploaded.
-    names:
+    names
         Of the columns of 'parameters', where it is an array.
-    output:
+    output
         'modes': h_22 is the mode at the given distance, without the factors of the inclination; 'factored':
         h_plus = plus * h and h_cross = cross * h.
-    dtype:
+    dtype
         complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square underflows in
         single precision: convert to double precision, or multiply by 1e22, before squaring. Amplitude and phase are
         float64 in any case.
@@ -136,11 +136,11 @@ def decode_request(body: bytes | memoryview, media_type: str = MSGPACK, max_rows
 
     Parameters
     ----------
-    body:
+    body
         The bytes of the body.
-    media_type:
+    media_type
         :data:`MSGPACK` or :data:`JSON`.
-    max_rows:
+    max_rows
         Larger batches are refused before they take memory: one column of them would become ten.
 
     Raises

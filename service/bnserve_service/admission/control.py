@@ -67,7 +67,7 @@ class Capacity:
 
     Parameters
     ----------
-    size:
+    size
         That of the room.
     """
 
@@ -123,9 +123,9 @@ class Backlog(Capacity):
 
     Parameters
     ----------
-    size:
+    size
         The largest sum of costs.
-    workers:
+    workers
         How many work at the same time.
     """
 

@@ -43,7 +43,7 @@ class LoopTurns(Generic[J]):
 
     Parameters
     ----------
-    evaluate:
+    evaluate
         Called with the jobs of one turn.
     """
 
@@ -158,15 +158,15 @@ class WorkQueue(Generic[P, R]):
 
     Parameters
     ----------
-    function:
+    function
         Called with the payloads of one group; returns a result or an exception for each, in order.
-    workers:
+    workers
         Threads; as many as processors, because the evaluation releases the interpreter.
-    capacity:
+    capacity
         The largest sum of costs that may wait or run. What does not fit is refused at once.
-    group_cost:
+    group_cost
         Groups stop growing at this cost; a group has at least one job.
-    metrics:
+    metrics
         Where to count.
     """
 
@@ -217,18 +217,18 @@ class WorkQueue(Generic[P, R]):
 
         Parameters
         ----------
-        key:
+        key
             Jobs with equal keys may be evaluated together.
-        cost:
+        cost
             Its work in samples.
-        payload:
+        payload
             What the function gets.
-        deadline:
+        deadline
             ``time.monotonic()`` after which the answer is of no use.
-        quick:
+        quick
             Its evaluation takes less time than handing it to a worker: it is done on the event loop, together with
             the others that this turn of the loop brought in.
-        owner:
+        owner
             Who asks; every owner gets a fair share of the workers and of the queue.
 
         Raises

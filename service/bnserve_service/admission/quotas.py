@@ -139,9 +139,9 @@ def rate_quotas(tokens: Sequence[Token], shared: Path | None = None) -> dict[str
 
     Parameters
     ----------
-    tokens:
+    tokens
         The tokens of the settings.
-    shared:
+    shared
         A folder that the processes of one server share; None for one process.
     """
     limited = [token for token in tokens if token.is_limited]

@@ -134,11 +134,11 @@ class WorkerPool(Generic[J]):
 
     Parameters
     ----------
-    evaluate:
+    evaluate
         Called in a thread with jobs of one key; what it returns is called on the event loop.
-    threads:
+    threads
         As many as processors, because the evaluation releases the interpreter.
-    group_cost:
+    group_cost
         Jobs that are taken together cost at most this; it is at least one job.
     """
 

@@ -26,7 +26,7 @@ class Questions:
 
     Parameters
     ----------
-    description:
+    description
         Of the model: every parameter with a range is drawn uniformly from it, but the total mass, which is the
         reference mass, so that the band is the same for all.
     """

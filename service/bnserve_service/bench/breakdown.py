@@ -29,13 +29,13 @@ def local_breakdown(model: WaveformModel, questions: Questions, points: int, epo
 
     Parameters
     ----------
-    model:
+    model
         A local one.
-    questions:
+    questions
         For it.
-    points:
+    points
         Of the grid.
-    epochs:
+    epochs
         Of every call.
 
     Returns

@@ -20,13 +20,13 @@ def measure_local(name: str, version: str, store: Path | None, sizes: Sizes, say
 
     Parameters
     ----------
-    name, version:
+    name, version
         Of the model.
-    store:
+    store
         A folder that is searched before the shipped models, or None.
-    sizes:
+    sizes
         How much.
-    say:
+    say
         Gets what is being measured.
 
     Returns

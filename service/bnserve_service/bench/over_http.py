@@ -17,15 +17,15 @@ def measure_remote(url: str, name: str, version: str, token: str | None, sizes: 
 
     Parameters
     ----------
-    url:
+    url
         ``http://host:8000``, ``https://host/prefix`` or ``unix:/path/to/socket``.
-    name, version:
+    name, version
         Of the model.
-    token:
+    token
         Where the server wants one.
-    sizes:
+    sizes
         How much.
-    say:
+    say
         Gets what is being measured.
 
     Returns

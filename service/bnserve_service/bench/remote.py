@@ -31,9 +31,9 @@ class RawClient:
 
     Parameters
     ----------
-    target:
+    target
         The server.
-    model:
+    model
         The same server through the client, which knows model and version.
     """
 

@@ -13,17 +13,17 @@ class Sizes:
 
     Parameters
     ----------
-    grids:
+    grids
         Points of the grids that the linear fit is made from.
-    batches, batch_grids:
+    batches, batch_grids
         Rows of batches, and points that each is evaluated on.
-    clients:
+    clients
         How many ask at the same time.
-    epochs:
+    epochs
         How often each case is timed.
-    load_seconds:
+    load_seconds
         How long many clients ask.
-    points:
+    points
         Of the waveform whose time is broken down.
     """
 

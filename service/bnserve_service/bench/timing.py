@@ -62,13 +62,13 @@ def shuffled(
 
     Parameters
     ----------
-    cases:
+    cases
         For each case a function that returns the seconds of one or several calls.
-    epochs:
+    epochs
         How often all of them.
-    seed:
+    seed
         Of the orders.
-    after_epoch:
+    after_epoch
         Called with the number of epochs done, to show progress.
 
     Returns

@@ -18,9 +18,9 @@ def like_gw170817(count: int, seed: int = SEED) -> ParameterBatch:
 
     Parameters
     ----------
-    count:
+    count
         How many.
-    seed:
+    seed
         The same seed gives the same binaries.
     """
     random = np.random.default_rng(seed)

@@ -48,9 +48,9 @@ def evaluate_chirp(model: WaveformModel, parameters: ParametersWithExtrinsic) ->
 
     Parameters
     ----------
-    model:
+    model
         Local or remote.
-    parameters:
+    parameters
         Its ``time_shift`` counts as 0.
     """
     centred = dataclasses.replace(parameters, time_shift=0.0)

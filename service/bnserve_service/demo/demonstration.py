@@ -35,11 +35,11 @@ def demonstrate(output: Path, binaries: int, say: Callable[[str], None]) -> bool
 
     Parameters
     ----------
-    output:
+    output
         The picture.
-    binaries:
+    binaries
         Size of the batch.
-    say:
+    say
         Gets every line of the report as soon as it is known.
 
     Returns

@@ -19,7 +19,7 @@ class Report:
 
     Parameters
     ----------
-    say:
+    say
         Gets them one by one.
     """
 

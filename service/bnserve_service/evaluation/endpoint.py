@@ -43,13 +43,13 @@ class EvaluationEndpoint:
 
     Parameters
     ----------
-    kind:
+    kind
         Which.
-    service:
+    service
         The use case.
-    settings:
+    settings
         Limits of size.
-    bodies:
+    bodies
         Reads the bodies.
     """
 
@@ -138,13 +138,13 @@ class FastPath:
 
     Parameters
     ----------
-    kinds:
+    kinds
         Of questions.
-    service:
+    service
         The use case.
-    lifecycle:
+    lifecycle
         While draining, it is closed.
-    front:
+    front
         Knows who is let in, and what every answer has in common.
     """
 

@@ -59,13 +59,13 @@ class Likelihoods(Kind[LikelihoodQuestion]):
 
     Parameters
     ----------
-    analyses:
+    analyses
         Those that were uploaded.
-    limits:
+    limits
         Of one request.
-    metrics:
+    metrics
         Where to count.
-    bind:
+    bind
         Makes the likelihood of an analysis with a model.
     """
 

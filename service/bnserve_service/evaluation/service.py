@@ -57,7 +57,7 @@ class Evaluator:
 
     Parameters
     ----------
-    metrics:
+    metrics
         Where to count.
     """
 
@@ -109,13 +109,13 @@ class EvaluationService:
 
     Parameters
     ----------
-    settings:
+    settings
         The limits, and how many threads evaluate: a large question may be divided among all of them.
-    registry, lifecycle:
+    registry, lifecycle
         Where models are, and whether new work is accepted.
-    bodies:
+    bodies
         Who works through large bodies.
-    metrics:
+    metrics
         Where to count.
     """
 

@@ -48,11 +48,11 @@ class Waveforms(Kind[WaveformQuestion]):
 
     Parameters
     ----------
-    grids:
+    grids
         Those that were uploaded.
-    limits:
+    limits
         Of one request.
-    metrics:
+    metrics
         Where to count.
     """
 

@@ -41,7 +41,7 @@ class HostCheck:
 
     Parameters
     ----------
-    names:
+    names
         The hosts that this server is called by beside those of the loopback interface; None answers to every host.
     """
 
@@ -105,9 +105,9 @@ class TokenCheck:
 
     Parameters
     ----------
-    tokens:
+    tokens
         The tokens that are let in.
-    quotas:
+    quotas
         By digest: the quotas of those tokens that have limits.
     """
 

@@ -35,9 +35,9 @@ class BodyReader:
 
     Parameters
     ----------
-    capacity:
+    capacity
         Bytes of all together that are on their way or not decoded yet, beyond :data:`UNCOUNTED` of each.
-    timeout:
+    timeout
         Seconds that one body may take.
     """
 
@@ -135,9 +135,9 @@ class IncomingBody:
 
     Parameters
     ----------
-    reader:
+    reader
         Who reads it.
-    context:
+    context
         Of the request.
     """
 

@@ -54,10 +54,10 @@ def places_of(evaluations: Mapping[str, ASGIApp], routes: Iterable[Route]) -> li
 
     Parameters
     ----------
-    evaluations:
+    evaluations
         ASGI applications by the templates of their paths, such as ``/v1/models/{name}/waveforms``, for POST. They are
         called as they are: what FastAPI's routes have around them takes 100 us for each request.
-    routes:
+    routes
         All others.
     """
     places: dict[str, dict[str, ASGIApp]] = {path: {"POST": endpoint} for path, endpoint in evaluations.items()}
@@ -82,15 +82,15 @@ class Front:
 
     Parameters
     ----------
-    places:
+    places
         Who answers where.
-    hosts, tokens:
+    hosts, tokens
         Under which names; and who is let in, None for everybody.
-    turn:
+    turn
         Waits until it is the turn of a token, by its digest.
-    metrics, lifecycle:
+    metrics, lifecycle
         Where to count, and whether connections are still kept open.
-    log_requests:
+    log_requests
         Write one line per request to the logger ``bnserve.access``.
     """
 

@@ -22,9 +22,9 @@ async def serving_metrics(
 
     Parameters
     ----------
-    connection:
+    connection
         Makes the protocol of a new connection, to an application that has the metrics alone.
-    listener:
+    listener
         None where they have no port of their own.
     """
     if listener is None:

@@ -20,11 +20,11 @@ class Pace:
 
     Parameters
     ----------
-    transport:
+    transport
         Of the connection; what it holds unsent is what the peer has not taken.
-    timeout:
+    timeout
         In seconds.
-    rate:
+    rate
         In bytes per second.
     """
 

@@ -59,11 +59,11 @@ class Loader:
 
     Parameters
     ----------
-    registry:
+    registry
         Where the models are served from.
-    source, factory:
+    source, factory
         Where they come from and how they are built.
-    selection:
+    selection
         Which of them.
     """
 

@@ -31,13 +31,13 @@ class Health:
 
     Parameters
     ----------
-    settings:
+    settings
         How often the models are checked, and which evaluation will not come back.
-    registry, lifecycle:
+    registry, lifecycle
         What is served, and whether the server is stopping.
-    longest_evaluation:
+    longest_evaluation
         Seconds that the slowest worker has been busy.
-    missing:
+    missing
         Says what this server cannot do without and has lost.
     """
 
@@ -107,9 +107,9 @@ class Maintenance:
 
     Parameters
     ----------
-    loader, registry, health, metrics:
+    loader, registry, health, metrics
         Who does the work and where it shows.
-    settings:
+    settings
         How often.
     """
 

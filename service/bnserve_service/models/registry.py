@@ -118,9 +118,9 @@ class SharedModels:
 
     Parameters
     ----------
-    shared:
+    shared
         The folder of the server.
-    place:
+    place
         Of this worker.
     """
 

@@ -81,7 +81,7 @@ class SocketFile:
 
     Parameters
     ----------
-    path:
+    path
         Where it is.
     """
 

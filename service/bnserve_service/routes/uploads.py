@@ -28,9 +28,9 @@ class Receiver:
 
     Parameters
     ----------
-    bodies:
+    bodies
         Reads it.
-    quotas:
+    quotas
         How much each token may keep.
     """
 

@@ -22,11 +22,11 @@ class Counters:
 
     Parameters
     ----------
-    count:
+    count
         How many.
-    shared:
+    shared
         A folder that the processes of one server share, and that outlives each of them; None for one process.
-    name:
+    name
         What the numbers are for: processes that give the same name and count share them.
     """
 

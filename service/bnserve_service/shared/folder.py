@@ -34,7 +34,7 @@ class SharedFolder:
 
     Parameters
     ----------
-    path:
+    path
         A folder that :meth:`create` made.
     """
 
@@ -49,9 +49,9 @@ class SharedFolder:
 
         Parameters
         ----------
-        needed:
+        needed
             Bytes that should fit: the first place that has them free is taken, or else the one that has most.
-        places:
+        places
             Where it may be; by default in memory, else where temporary files are.
 
         Raises
@@ -106,9 +106,9 @@ class SharedLoads:
 
     Parameters
     ----------
-    shared:
+    shared
         The folder of the server.
-    places:
+    places
         How many there are, when the file has to be made; nobody is there then.
     """
 

@@ -50,9 +50,9 @@ class SharedMetrics:
 
     Parameters
     ----------
-    shared:
+    shared
         The folder of the server.
-    place:
+    place
         Of this worker; only one process at a time has it.
     """
 

@@ -36,9 +36,9 @@ class Complaints:
 
         Parameters
         ----------
-        peer:
+        peer
             Address and port; None on a Unix socket.
-        reason:
+        reason
             In a sentence.
         """
         now = time.monotonic()

@@ -38,7 +38,7 @@ class Metrics:
 
     Parameters
     ----------
-    shared:
+    shared
         What the other workers of this server have counted; None for a server of one process.
     """
 

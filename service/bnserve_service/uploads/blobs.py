@@ -106,9 +106,9 @@ class BlobStore:
 
     Parameters
     ----------
-    folder:
+    folder
         Where; it is made.
-    bounds:
+    bounds
         How much is kept; less when there is no room.
     """
 

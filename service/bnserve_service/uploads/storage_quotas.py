@@ -85,7 +85,7 @@ class SharedRecords(Records):
 
     Parameters
     ----------
-    folder:
+    folder
         Where; it is made when it is needed.
     """
 
@@ -130,11 +130,11 @@ class StorageQuotas:
 
     Parameters
     ----------
-    tokens:
+    tokens
         The tokens of the settings.
-    uploads:
+    uploads
         Where they are, by kind.
-    shared:
+    shared
         A folder that the processes of one server share; None for one process.
     """
 

@@ -53,9 +53,9 @@ class UploadStore(ABC, Generic[T]):
 
     Parameters
     ----------
-    bounds:
+    bounds
         How much is kept.
-    folder:
+    folder
         Where all workers of one server keep it; None for a server of one process.
     """
 
@@ -202,9 +202,9 @@ class GridStore(UploadStore[NDArray[np.float64]]):
 
     Parameters
     ----------
-    settings:
+    settings
         The limits.
-    shared:
+    shared
         The folder that the workers of one server share; None for a server of one process.
     """
 
@@ -241,9 +241,9 @@ class StoredAnalysis:
 
     Parameters
     ----------
-    analysis:
+    analysis
         The analysis.
-    nbytes:
+    nbytes
         Its size as uploaded; its arrays are views of those bytes.
     """
 
@@ -272,11 +272,11 @@ class AnalysisStore(UploadStore[StoredAnalysis]):
 
     Parameters
     ----------
-    settings:
+    settings
         The limits.
-    decode:
+    decode
         Turns a body into an analysis, or refuses it.
-    shared:
+    shared
         The folder that the workers of one server share; None for a server of one process.
     """
 

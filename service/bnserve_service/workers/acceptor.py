@@ -26,13 +26,13 @@ class FairAcceptor:
 
     Parameters
     ----------
-    listener:
+    listener
         A listening socket.
-    protocol:
+    protocol
         Makes the protocol of a connection.
-    connections:
+    connections
         How many this worker has.
-    loads, place:
+    loads, place
         How many the others have, and which one this is.
     """
 

@@ -50,7 +50,7 @@ class Channel:
 
     Parameters
     ----------
-    end:
+    end
         A Unix socket of type ``SOCK_SEQPACKET``.
     """
 

@@ -27,9 +27,9 @@ class ForkServer:
 
     Parameters
     ----------
-    descriptors:
+    descriptors
         What it passes on.
-    now:
+    now
         The time (``time.monotonic()``).
     """
 

@@ -29,14 +29,14 @@ class WorkerPool:
 
     Parameters
     ----------
-    events:
+    events
         What they say comes through these.
-    shared:
+    shared
         The folder of the server at this time.
-    wanted:
+    wanted
         How many there should be. There are twice as many places, since one that drains keeps its own; the last is that
         of the placeholder.
-    on_ready, on_change, on_failure:
+    on_ready, on_change, on_failure
         Called when a worker gets ready, with what it serves; when it serves other models than before; and when it ended
         before it got ready, with what it said.
     """

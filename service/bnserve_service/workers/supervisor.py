@@ -49,13 +49,13 @@ class Supervisor:
 
     Parameters
     ----------
-    settings:
+    settings
         Those of the server, as JSON gives them.
-    descriptors:
+    descriptors
         What the workers get.
-    shared:
+    shared
         The folder that they share; when somebody removes it, another is made.
-    announce:
+    announce
         Gets a line when the first worker is ready.
     """
 
@@ -222,9 +222,9 @@ def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> No
 
     Parameters
     ----------
-    settings:
+    settings
         How; ``workers`` is at least two.
-    announce:
+    announce
         Gets a line with the address.
 
     Raises

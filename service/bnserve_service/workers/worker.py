@@ -77,15 +77,15 @@ def work(channel: Channel, place: int, inheritance: Inheritance, folder: Path, r
 
     Parameters
     ----------
-    channel:
+    channel
         To the supervisor.
-    place:
+    place
         Its place among the workers; it goes on counting where the one before it ended.
-    inheritance:
+    inheritance
         What it works with.
-    folder:
+    folder
         What it shares with the others.
-    registry:
+    registry
         Models that are loaded already; None for a placeholder, which only says that they are being loaded.
     """
     name_process(f"bnserve-work-{place}")
