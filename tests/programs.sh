@@ -93,7 +93,7 @@ bilby_run() { # a version, and arguments of tests/programs/bilby_example.py
 }
 
 bilby() {
-    local newest=2.8.2 oldest=1.4.1
+    local newest=2.8.2 oldest=2.0.0
     if [ -n "$short" ]; then
         python=${PYTHON:-python}
         serve
@@ -110,7 +110,8 @@ bilby() {
         bilby_run "$newest" --npool "$pool" --whole-prior
     done
     stop
-    # What it was made for: it imports what scipy 1.14, numpy 2.3 and dynesty 3 do not have. Earlier ones do not sample here.
+    # What it was made for: it imports what scipy 1.14, numpy 2.3 and dynesty 3 do not have. Before it, bilby takes the
+    # weights of dynesty 2 for none, or does not run on Python 3.11.
     environment "bilby-$oldest" "bilby==$oldest" "numpy<2.3" "scipy<1.14" "dynesty<3" "${rooms[@]}"
     serve
     bilby_example "$oldest"

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from bnserve_client._together import Together
 from bnserve_client.bilby._analysis import Marginalised, build_analysis
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
-from bnserve_client.bilby._binaries import binaries
-from bnserve_client.bilby._source import OPTIONS, binary_neutron_star
+from bnserve_client.bilby._source import OPTIONS, binaries, binary_neutron_star
 from bnserve_protocol import DEFAULT_ERROR_BOUND, Likelihood, WaveformModel
 
 Floats = NDArray[np.float64]

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
-from bnserve_client.bilby._binaries import binaries
 from bnserve_client.bilby._zero_points import ZeroPoints
-from bnserve_protocol import EvaluationOptions
+from bnserve_protocol import EvaluationOptions, convert
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -93,6 +93,21 @@ def binary_neutron_star(
         strain = source.strain(np.asarray(frequencies, dtype=np.float64), binary)
         return None if strain is None else {name: factor * strain for name, factor in factors.items()}
     return _on_the_grid(source, binary, factors, np.asarray(frequency_array, dtype=np.float64), waveform_arguments)
+
+
+def binaries(theirs: Mapping[str, Any]) -> dict[str, Floats]:
+    """Mass ratio, total mass, spins and tides, each ``(N,)``, of N binaries by the names of bilby's source models.
+
+    Where ``mass_1 < mass_2`` the stars change places. (The (2, 2) mode does not see the half turn of the orbit that it
+    is.) What is no binary, a negative mass or NaN, is left to the model to refuse.
+
+    Raises
+    ------
+    InvalidParameters
+        A spin with a component in the orbital plane.
+    """
+    ours = convert({name: theirs[name] for name in _INTRINSIC})
+    return dict(zip(ours, np.broadcast_arrays(*map(np.atleast_1d, ours.values())), strict=True))
 
 
 def _on_the_grid(

@@ -88,7 +88,7 @@ class ZeroPoints:
         strain
             h of N binaries at :meth:`frequencies`, ``(N, K)``, aligned at the merger and with zero phase.
         columns
-            The binaries, as :func:`~bnserve_client.bilby._binaries.binaries` makes them. NaN where LAL refuses one.
+            The binaries, by our names, each ``(N,)``. NaN where LAL refuses one.
         top
             Hz, as for :meth:`frequencies`.
 
