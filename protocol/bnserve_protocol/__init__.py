@@ -89,17 +89,12 @@ from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunM
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
     DEFAULT_OPTIONS,
-    AmplitudePhase,
-    ComplexArray,
     DtypeName,
     EvaluationOptions,
-    Factored,
     Limits,
     ModelDescription,
     ModelIdentity,
     ParameterDescription,
-    Polarizations,
-    RowStatus,
     WaveformModel,
     check_dtype,
     check_model_digest,
@@ -117,6 +112,7 @@ from bnserve_protocol._parameters import (
 )
 from bnserve_protocol._printable import printable
 from bnserve_protocol._prior_checks import PRIOR_NAMES, check_prior
+from bnserve_protocol._results import AmplitudePhase, ComplexArray, Factored, Polarizations, RowStatus
 from bnserve_protocol._version import __version__
 
 __all__ = [

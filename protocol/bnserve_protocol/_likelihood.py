@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from bnserve_protocol._analyses import Analysis
 from bnserve_protocol._errors import FieldError, InvalidRequest, OutOfDomain
 from bnserve_protocol._likelihood_parameters import LikelihoodBatchLike
-from bnserve_protocol._model import RowStatus
+from bnserve_protocol._results import RowStatus
 
 InvalidRows: TypeAlias = Literal["flag", "error"]
 """What becomes of rows outside the prior's or the model's range: -inf and counted, or an error."""

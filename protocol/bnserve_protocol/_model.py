@@ -2,22 +2,19 @@
 
 from __future__ import annotations
 
-import enum
 import inspect
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Any, ClassVar, Generic, Literal, Protocol, TypeAlias, TypeVar, get_args, overload, runtime_checkable
+from typing import Any, Literal, Protocol, TypeAlias, get_args, runtime_checkable
 
 import msgspec
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
 
 from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
 from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
+from bnserve_protocol._results import AmplitudePhase, Factored, Polarizations
 
-ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
 DtypeName: TypeAlias = Literal["complex128", "complex64"]
 _DTYPES: tuple[DtypeName, ...] = get_args(DtypeName)
 
@@ -57,17 +54,6 @@ def check_options(options: EvaluationOptions) -> None:
         )
 
 
-class RowStatus(enum.IntEnum):
-    """Why a row of a flagged batch is NaN, or a log-likelihood -inf."""
-
-    OK = 0
-    NOT_FINITE = 1
-    OUT_OF_DOMAIN = 2
-    OUT_OF_BAND = 3
-    OUT_OF_PRIOR = 4
-    """Of likelihoods: outside the ranges that the analysis is made for."""
-
-
 class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """How to treat what lies outside the trained box and band.
 
@@ -103,107 +89,6 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
 _OPTION_KINDS = inspect.get_annotations(EvaluationOptions, eval_str=True)
 _OPTION_VALUES = {name: get_args(kind) for name, kind in _OPTION_KINDS.items()}
 DEFAULT_OPTIONS = EvaluationOptions()
-
-
-_Part = TypeVar("_Part")
-
-
-class LikeTuple(Generic[_Part]):
-    """Unpacks, has a length and is indexed and sliced like the tuple of its :attr:`parts`.
-
-    What else a result has (``status``, ``estimated_mismatch``) is reached by name alone.
-    """
-
-    __slots__ = ()
-
-    parts: ClassVar[tuple[str, ...]]
-    """The names of the attributes that are the entries of the tuple, in order."""
-
-    def __iter__(self) -> Iterator[_Part]:
-        return iter(self._entries())
-
-    def __len__(self) -> int:
-        return len(self.parts)
-
-    @overload
-    def __getitem__(self, index: int) -> _Part: ...
-    @overload
-    def __getitem__(self, index: slice) -> tuple[_Part, ...]: ...
-    def __getitem__(self, index: int | slice) -> _Part | tuple[_Part, ...]:
-        return self._entries()[index]
-
-    def _entries(self) -> tuple[_Part, ...]:
-        entries: tuple[Any, ...] = tuple(getattr(self, name) for name in self.parts)
-        return entries
-
-
-@dataclass(frozen=True, slots=True)
-class Polarizations(LikeTuple[ComplexArray]):
-    """Plus and cross polarisation in 1/Hz; unpacks as ``hp, hc = ...``, and is otherwise like that tuple, too.
-
-    For one waveform the arrays have shape ``(M,)``, for a batch ``(N, M)``; ``status`` is uint8, ``(N,)``.
-    ``estimated_mismatch``, float64 ``(N,)``, is the model's own estimate of its mismatch to the generator it was
-    trained on; at most one binary in a hundred exceeds three times it. None where a model has no such estimate.
-    """
-
-    plus: ComplexArray
-    cross: ComplexArray
-    status: NDArray[np.uint8]
-    estimated_mismatch: NDArray[np.float64] | None = None
-
-    parts: ClassVar[tuple[str, ...]] = ("plus", "cross")
-
-
-@dataclass(frozen=True, slots=True)
-class Factored(LikeTuple[NDArray[Any]]):
-    """A batch of a model with one mode: ``hp = plus[:, None] * h`` and ``hc = cross[:, None] * h``; unpacks as
-    ``h, plus, cross = ...``.
-
-    ``h`` is complex ``(N, M)`` in 1/Hz; ``plus`` float64 and ``cross`` complex128, ``(N,)``; ``status`` uint8 ``(N,)``;
-    ``estimated_mismatch`` as in :class:`Polarizations`.
-    """
-
-    h: ComplexArray
-    plus: NDArray[np.float64]
-    cross: NDArray[np.complex128]
-    status: NDArray[np.uint8]
-    estimated_mismatch: NDArray[np.float64] | None = None
-
-    parts: ClassVar[tuple[str, ...]] = ("h", "plus", "cross")
-
-    def polarizations(self, *, plus: ComplexArray | None = None, cross: ComplexArray | None = None) -> Polarizations:
-        """Multiply out; the one place where it is done, so that every path gives the same bits.
-
-        Parameters
-        ----------
-        plus, cross
-            Where to put them, ``(N, M)`` of the type of ``h``; by default new arrays. ``plus`` may be ``h`` itself.
-        """
-        new_cross = np.multiply(self.h, self.cross.astype(self.h.dtype)[:, None], out=cross)
-        return Polarizations(
-            plus=np.multiply(self.h, self.plus.astype(self.h.real.dtype)[:, None], out=plus),
-            cross=new_cross,
-            status=self.status,
-            estimated_mismatch=self.estimated_mismatch,
-        )
-
-
-@dataclass(frozen=True, slots=True)
-class AmplitudePhase(LikeTuple[NDArray[np.float64]]):
-    """Amplitude (1/Hz) and continuous phase (radians) of h = amplitude * exp(i phase); unpacks as ``amp, phi = ...``,
-    and is otherwise like that tuple, too.
-
-    ``(M,)`` for one waveform, ``(N, M)`` for a batch. Above a surrogate's band the amplitude is zero and the phase a
-    straight line with the slope that it has at the top. The polarisations are h times (1 + cos^2 iota) / 2 and
-    h times -i cos iota.
-    """
-
-    amplitude: NDArray[np.float64]
-    phase: NDArray[np.float64]
-    status: NDArray[np.uint8]
-    estimated_mismatch: NDArray[np.float64] | None = None
-
-    parts: ClassVar[tuple[str, ...]] = ("amplitude", "phase")
 
 
 class ParameterDescription(msgspec.Struct, frozen=True, kw_only=True):
