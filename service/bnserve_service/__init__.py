@@ -12,11 +12,12 @@ from typing import Any
 from bnserve_service._version import __version__
 
 if typing.TYPE_CHECKING:
+    from bnserve_service.admission.tokens import Token
     from bnserve_service.app import Application, create_app
     from bnserve_service.background import BackgroundServer
     from bnserve_service.models.registry import ModelFactory, ModelSource, ServedModel
     from bnserve_service.server import serve
-    from bnserve_service.settings import ServiceLimits, Settings, Token, load_settings
+    from bnserve_service.settings import ServiceLimits, Settings, load_settings
 
 _HOMES = {
     "Application": "app",
@@ -26,7 +27,7 @@ _HOMES = {
     "ServedModel": "models.registry",
     "ServiceLimits": "settings",
     "Settings": "settings",
-    "Token": "settings",
+    "Token": "admission.tokens",
     "create_app": "app",
     "load_settings": "settings",
     "serve": "server",

@@ -18,6 +18,7 @@ from bnserve_protocol import BnserveError, Unavailable, decode_analysis
 from bnserve_service.admission.control import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.quotas import rate_quotas
+from bnserve_service.admission.tokens import Token
 from bnserve_service.evaluation.endpoint import EvaluationEndpoint, FastPath
 from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
 from bnserve_service.evaluation.questions import Kind, Question
@@ -34,7 +35,7 @@ from bnserve_service.reference.openapi import openapi_document
 from bnserve_service.routes.models import model_router
 from bnserve_service.routes.operations import health_router, metrics_router, reload_router
 from bnserve_service.routes.uploads import Receiver, analysis_router, grid_router
-from bnserve_service.settings import Settings, Token
+from bnserve_service.settings import Settings
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.telemetry.metrics import Metrics
 from bnserve_service.uploads.blobs import gone

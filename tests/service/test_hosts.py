@@ -10,10 +10,11 @@ import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import Forbidden
+from bnserve_service.admission.tokens import Token
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.http.access import HostCheck
 from bnserve_service.process.listening import is_loopback, open_listener
-from bnserve_service.settings import Settings, Token, load_settings
+from bnserve_service.settings import Settings, load_settings
 from tests.service.asking import MSGPACK, ask, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel, QuickChirpModel
 

@@ -17,7 +17,8 @@ from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, enco
 from bnserve_service import BackgroundServer, Settings, Token
 from bnserve_service.shared.folder import SharedFolder, SharedLoads
 from bnserve_service.shared.metrics import SharedMetrics
-from bnserve_service.uploads.blobs import BlobStore, Bounds
+from bnserve_service.uploads.blobs import BlobStore
+from bnserve_service.uploads.bounds import Bounds
 from bnserve_service.uploads.stores import AnalysisStore, GridStore
 from tests.architecture.rooms import room_environment
 from tests.service.asking import ask, evaluate, question

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from bnserve_protocol import QuotaExceeded, Unavailable
-from bnserve_service.settings import Token
+from bnserve_service.admission.tokens import Token
 from bnserve_service.shared.counters import Counters, name_of
 
 _BALANCE, _CHANGED, _UNDER_WAY = range(3)

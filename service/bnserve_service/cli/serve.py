@@ -78,9 +78,9 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def _tokens(options: argparse.Namespace) -> list[Any]:
+    from bnserve_service.admission.tokens import Token
     from bnserve_service.errors import SettingsInvalid
     from bnserve_service.guarded_files import read_text
-    from bnserve_service.settings import Token
 
     texts = list(options.token or ())
     if options.token_file is not None:

@@ -9,7 +9,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from bnserve_service.settings import Token
+    from bnserve_service.admission.tokens import Token
 
 PREFIX = "bns_"
 """So that programs that look for leaked secrets can know one."""
@@ -44,8 +44,8 @@ def new_token(options: argparse.Namespace) -> int:
 def _token(text: str, options: argparse.Namespace) -> Token:
     from pydantic import ValidationError
 
+    from bnserve_service.admission.tokens import USUAL_SCOPES, Token
     from bnserve_service.errors import SettingsInvalid
-    from bnserve_service.settings import USUAL_SCOPES, Token
 
     limits = {
         name: value

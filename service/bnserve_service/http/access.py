@@ -16,10 +16,11 @@ from ipaddress import ip_address
 
 from bnserve_protocol import Forbidden, Unauthorized
 from bnserve_service.admission.quotas import RateQuota
+from bnserve_service.admission.tokens import Scope as TokenScope
+from bnserve_service.admission.tokens import Token
 from bnserve_service.http.requests import Header, RequestContext
 from bnserve_service.process.listening import is_loopback
-from bnserve_service.settings import ANY_HOST, Settings, Token
-from bnserve_service.settings import Scope as TokenScope
+from bnserve_service.settings import ANY_HOST, Settings
 
 _AUTHORITY = re.compile(rb"(?:\[([0-9A-Fa-f:.]{2,45})\]|([A-Za-z0-9._-]{1,253}))(?::[0-9]{0,5})?")
 _HEALTH = "/v2/"

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 from bnserve_protocol import QuotaExceeded, TooLarge
-from bnserve_service.settings import Token
+from bnserve_service.admission.tokens import Token
 from bnserve_service.uploads.blobs import DIGEST, gone, locked
 from bnserve_service.uploads.stores import UploadStore
 

@@ -29,7 +29,8 @@ from bnserve_protocol import (
 )
 from bnserve_service.models.registry import LoadedModel
 from bnserve_service.settings import Settings
-from bnserve_service.uploads.blobs import Blob, BlobStore, Bounds, no_room, size_of
+from bnserve_service.uploads.blobs import BlobStore, no_room
+from bnserve_service.uploads.bounds import Blob, Bounds, size_of
 
 LikelihoodFactory: TypeAlias = Callable[[WaveformModel, Analysis], Likelihood]
 """Makes the likelihood of an analysis with a model; ``bnserve_inference.likelihood`` is one."""

@@ -1,0 +1,80 @@
+"""Bearer tokens: what they may do, and how much."""
+
+from __future__ import annotations
+
+import hashlib
+from typing import Any, Literal, TypeAlias
+
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+
+from bnserve_service.errors import SettingsInvalid
+
+Scope: TypeAlias = Literal["evaluate", "upload", "admin"]
+USUAL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")
+"""What a sampler needs. ``admin`` is for operators: metrics, and looking at the stores now."""
+
+_SHORTEST_TOKEN = 16
+"""Characters: shorter ones can be tried out. Those of ``bnserve tokens new`` have 47."""
+_NO_SECRETS = frozenset(hashlib.sha256(bytes(text)).hexdigest() for text in ([], *([code] for code in range(128))))
+"""Digests of no text at all, which a caller without a token would have, and of a single character."""
+
+
+class Token(BaseModel):
+    """A bearer token, known by the SHA-256 of its text only."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    name: str = "token"
+    sha256: str = Field(pattern=r"^[0-9a-f]{64}$")
+    scopes: tuple[Scope, ...] = USUAL_SCOPES
+    rows_per_second: float | None = Field(default=None, gt=0.0, allow_inf_nan=False)
+    """Rows evaluated per second in the long run; None for no limit."""
+    burst_rows: float | None = Field(default=None, ge=1.0, allow_inf_nan=False)
+    """Rows that may be saved up for a burst; None for those of one second."""
+    max_concurrent: int | None = Field(default=None, ge=1)
+    """Requests under way at the same time."""
+    max_stored_bytes: int | None = Field(default=None, ge=1024)
+    """Uploaded grids and analyses together."""
+
+    @field_validator("sha256")
+    @classmethod
+    def _is_of_a_secret(cls, sha256: str) -> str:
+        if sha256 in _NO_SECRETS:
+            raise ValueError("this is the digest of an empty text or of one character; `bnserve tokens new` makes one")
+        return sha256
+
+    @model_validator(mode="after")
+    def _burst_has_a_rate(self) -> Token:
+        if self.burst_rows is not None and self.rows_per_second is None:
+            raise ValueError("burst_rows says how many rows may be saved up; rows_per_second must say how fast")
+        return self
+
+    @property
+    def burst(self) -> float:
+        """Rows that may be saved up; at least one, or nothing could ever be let through."""
+        return self.burst_rows if self.burst_rows is not None else max(1.0, self.rows_per_second or 1.0)
+
+    @property
+    def is_limited(self) -> bool:
+        """Whether its requests have to be counted."""
+        return self.rows_per_second is not None or self.max_concurrent is not None
+
+    @classmethod
+    def of(cls, text: str, name: str = "token", scopes: tuple[Scope, ...] = USUAL_SCOPES, **limits: Any) -> Token:
+        """The token whose text is ``text``; the text itself is not kept.
+
+        Raises
+        ------
+        SettingsInvalid
+            No client could send it, or it is so short that it can be guessed.
+        """
+        if not (text.isascii() and text.isprintable() and text.strip() == text != ""):
+            raise SettingsInvalid(
+                "A token is printable ASCII without blanks at its ends; `bnserve tokens new` makes one."
+            )
+        if len(text) < _SHORTEST_TOKEN:
+            raise SettingsInvalid(
+                f"A token has at least {_SHORTEST_TOKEN} characters, and this one has {len(text)}: it can be guessed. "
+                "`bnserve tokens new` makes one."
+            )
+        return cls(name=name, sha256=hashlib.sha256(text.encode()).hexdigest(), scopes=scopes, **limits)
