@@ -20,12 +20,13 @@ EXTRAS = {
     "lalsimulation",
     "numba",
     "optuna",
+    "pycbc",
     "ray",
     "scipy",
     "sklearn",
     "tqdm",
 }
-"""What only training, building bases, Ray and bilby import."""
+"""What only training, building bases, Ray, bilby and PyCBC import."""
 
 
 def main() -> int:

@@ -7,16 +7,20 @@ the package that builds analyses.
 
 from __future__ import annotations
 
+import difflib
 import functools
 import os
+from collections.abc import Iterable, Mapping
 from importlib.metadata import entry_points
 from typing import Any, Literal
 
 from bnserve_client._model import Model
-from bnserve_protocol import PackageMissing, WaveformModel
+from bnserve_protocol import InvalidRequest, PackageMissing, WaveformModel
 
 GROUP = "bnserve.local"
-URL_VARIABLE = "BNSERVE_URL"
+URL_VARIABLE, MODEL_VARIABLE = "BNSERVE_URL", "BNSERVE_MODEL"
+ARGUMENTS = ("bnserve_url", "bnserve_model", "bnserve_version", "bnserve_digest", "bnserve_timeout")
+"""By which users of other programs choose a model; see :func:`chosen_model`."""
 
 _ROOMS = {
     "models": "./protocol ./model_store ./surrogate",
@@ -49,9 +53,30 @@ def local_part(name: Literal["models", "analyses"], purpose: str) -> Any:
     )
 
 
+def read_arguments(
+    given: Mapping[str, Any],
+) -> tuple[str | tuple[str, ...] | None, str | None, str, str | None, float]:
+    """What :func:`chosen_model` takes, of those of the :data:`ARGUMENTS` that are given and not None; hashable."""
+    url, model, version, digest, timeout = (given.get(name) for name in ARGUMENTS)
+    return (
+        url if url is None or isinstance(url, str) else tuple(map(str, url)),  # several replicas
+        None if model is None else str(model),
+        "stable" if version is None else str(version),
+        None if digest is None else str(digest),
+        300.0 if timeout is None else float(timeout),
+    )
+
+
+def unknown_argument(name: str, known: Iterable[str]) -> InvalidRequest:
+    """The error of a waveform argument that is none."""
+    near = difflib.get_close_matches(name[:80], known, n=1)
+    hint = f"did you mean '{near[0]}'?" if near else f"known are {', '.join(sorted(known))}."
+    return InvalidRequest(f"Unknown waveform argument '{name[:80]}': {hint}")
+
+
 def chosen_model(
     url: str | tuple[str, ...] | None = None,
-    name: str = "default",
+    name: str | None = None,
     *,
     version: str = "stable",
     digest: str | None = None,
@@ -59,7 +84,7 @@ def chosen_model(
 ) -> WaveformModel:
     """The model of a service; without an address here and in ``BNSERVE_URL``, the one of this name in this process.
 
-    It is looked for once in a process, and kept.
+    It is looked for once in a process, and kept. Without a name here and in ``BNSERVE_MODEL``, it is ``"default"``.
 
     Parameters
     ----------
@@ -73,6 +98,7 @@ def chosen_model(
     ConnectionFailed, NotBnserve, ModelUnknown, DigestUnknown, Unauthorized, InvalidRequest
         As :meth:`.Model.connect`.
     """
+    name = name or os.environ.get(MODEL_VARIABLE) or "default"
     return _kept(url or os.environ.get(URL_VARIABLE) or None, name, version, digest, timeout)
 
 

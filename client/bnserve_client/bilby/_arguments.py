@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from bnserve_client._chosen import chosen_model
+from bnserve_client._chosen import ARGUMENTS, chosen_model, read_arguments, unknown_argument
+from bnserve_client._lal_meaning import refuse_other_modes
 from bnserve_client.bilby._zero_points import ZeroPoints
-from bnserve_protocol import InvalidRequest, WaveformModel
+from bnserve_protocol import WaveformModel
 
-_OWN: dict[str, Any] = {
-    "bnserve_url": None,
-    "bnserve_model": "default",
-    "bnserve_version": "stable",
-    "bnserve_digest": None,
-    "bnserve_timeout": 300.0,
-}
 OWN_ZERO_POINTS = "bnserve"
 """For ``waveform_approximant`` where a program insists on one."""
 _ORDERS = ("pn_spin_order", "pn_tidal_order", "pn_phase_order", "pn_amplitude_order")
@@ -25,14 +18,14 @@ _THEIRS = {"minimum_frequency", "maximum_frequency", "reference_frequency", "wav
            "catch_waveform_errors", *_ORDERS}  # fmt: skip
 _GRIDS = {"frequencies", "frequency_nodes", "linear_indices", "quadratic_indices", "frequency_nodes_linear",
           "frequency_nodes_quadratic", "frequency_bin_edges", "fiducial"}  # fmt: skip
-_KNOWN = _OWN.keys() | _THEIRS | _GRIDS
+_KNOWN = _THEIRS.union(_GRIDS, ARGUMENTS)
 
 
 class Choice(NamedTuple):
     """The model and the zero points that ``waveform_arguments`` ask for; hashable."""
 
     url: str | tuple[str, ...] | None
-    model: str
+    model: str | None
     version: str
     digest: str | None
     timeout: float
@@ -59,19 +52,11 @@ def read_choice(arguments: Mapping[str, Any]) -> Choice:
     """
     unknown = arguments.keys() - _KNOWN
     if unknown:
-        name = min(unknown)
-        near = difflib.get_close_matches(name[:80], _KNOWN, n=1)
-        hint = f"did you mean '{near[0]}'?" if near else f"known are {', '.join(sorted(_KNOWN))}."
-        raise InvalidRequest(f"Unknown waveform argument '{name[:80]}': {hint}")
-    modes = arguments.get("mode_array")
-    if modes is not None and {(abs(l), abs(m)) for l, m in modes} != {(2, 2)}:  # noqa: E741  (the field's letter)
-        raise InvalidRequest(f"The model has the (2, 2) mode alone; 'mode_array' asks for {modes}. Leave it out.")
+        raise unknown_argument(min(unknown), _KNOWN)
+    refuse_other_modes(arguments.get("mode_array"))
     orders = tuple((name, int(arguments[name])) for name in _ORDERS if arguments.get(name) is not None)
     approximant = arguments.get("waveform_approximant")
     if approximant == OWN_ZERO_POINTS:
         approximant = None
     zero_points = ZeroPoints(stated(arguments, "reference_frequency", 50.0), approximant, orders)
-    url, model, version, digest, timeout = (arguments.get(name, default) for name, default in _OWN.items())
-    if url is not None and not isinstance(url, str):
-        url = tuple(url)  # several replicas
-    return Choice(url, model, version, digest, timeout, zero_points)
+    return Choice(*read_arguments(arguments), zero_points)

@@ -56,8 +56,9 @@ def binary_neutron_star(
         Angles of spins that are not aligned; they have no meaning here.
     waveform_arguments
         ``bnserve_url`` (or the environment variable ``BNSERVE_URL``; without both, a model of this process),
-        ``bnserve_model`` (``"default"``), ``bnserve_version`` (``"stable"``), ``bnserve_digest``, ``bnserve_timeout``
-        (seconds that an outage may last). The token is that of ``BNSERVE_TOKEN``.
+        ``bnserve_model`` (or ``BNSERVE_MODEL``; ``"default"``), ``bnserve_version`` (``"stable"``),
+        ``bnserve_digest``, ``bnserve_timeout`` (seconds that an outage may last). The token is that of
+        ``BNSERVE_TOKEN``.
         ``minimum_frequency`` (20 Hz), ``maximum_frequency`` (the last one), ``reference_frequency`` (50 Hz);
         ``waveform_approximant``: the model of LAL that says what ``phase`` and ``geocent_time`` mean; without it, or
         as ``"bnserve"``, they have the meaning that LAL documents: see ``docs/guides/samplers.md``.

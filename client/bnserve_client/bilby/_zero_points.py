@@ -1,8 +1,7 @@
 """Where the phase and the time of a waveform are zero: a choice, which bilby leaves to each waveform model.
 
 By itself a model of bnserve has the meanings that LAL documents: ``geocent_time`` is the merger, and ``phase`` the
-orbital phase at ``reference_frequency``. In the stationary-phase approximation the (2, 2) mode there is
-``-exp(i pi / 4) exp(2 i phase)`` times a positive number, as in LAL's TaylorF2 and IMRPhenomX models.
+orbital phase at ``reference_frequency`` (:func:`~bnserve_client._lal_meaning.phase_of_the_orbit`).
 
 LAL's models differ: in IMRPhenomPv2_NRTidal ``phase`` does not belong to a frequency, in IMRPhenomD_NRTidalv2 the
 constant is missing and the time is that of black holes, milliseconds off. Where ``waveform_approximant`` names one of
@@ -20,13 +19,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_client._lal_meaning import phase_of_the_orbit
 from bnserve_protocol import InvalidRequest, require
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-_AT_REFERENCE = 1.25 * np.pi
-"""-exp(i pi / 4): the sign of LAL's polarisations, and the quarter of pi of the stationary phase."""
 _NODES = np.geomspace(20.0, 512.0, 128)
 """Hz; the phases of two models whose mergers are 35 ms apart can still be followed from node to node."""
 
@@ -102,12 +100,8 @@ class ZeroPoints:
         if self.approximant is not None:
             nodes = self.frequencies(top)
             return _least_squares(nodes, self._of_lal(columns, nodes, np.isfinite(strain[:, 0])) * strain.conj())
-        if (strain == 0.0).any():
-            raise InvalidRequest(
-                f"The model's waveforms end below the 'reference_frequency' of {self.reference_frequency:g} Hz; take "
-                "a lower one, such as bilby's 50 Hz."
-            )
-        return _AT_REFERENCE - np.angle(strain[:, 0]), np.zeros(len(strain))
+        phase = phase_of_the_orbit(strain[:, 0], self.reference_frequency, "reference_frequency")
+        return phase, np.zeros(len(strain))
 
     def _of_lal(self, columns: dict[str, Floats], nodes: Floats, wanted: NDArray[np.bool_]) -> Complex:
         """The approximant's strain at the nodes, ``(N, K)``, at phase zero, seen face on; NaN where not wanted."""
