@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
-#   bash tests/programs.sh bilby                    one or several of: bilby beside
+#   bash tests/programs.sh bilby                    one or several of: bilby pycbc beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -121,6 +121,19 @@ bilby() {
     stop
 }
 
+# PyCBC's waveforms and pycbc_inference with another name; it leaves out six, and dynesty 3 and emcee 3 are not for it.
+
+pycbc() {
+    environment pycbc-2.11.0 pycbc==2.11.0 six "dynesty<3" "pytest>=8.4" ./protocol ./model_store ./surrogate ./inference \
+        ./service ./client
+    serve
+    export BNSERVE_URL=$address
+    check "pycbc 2.11.0" "$python" -m pytest -q -rP --noconftest -p no:cacheprovider tests/programs/pycbc_checks.py
+    check "pycbc 2.11.0, times" "$python" -W ignore tests/programs/pycbc_times.py
+    unset BNSERVE_URL
+    stop
+}
+
 # Nothing that others brought is replaced: the client, and what builds analyses, beside three programs.
 
 nothing_replaced() { # what is installed into $python's environment
@@ -142,11 +155,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby pycbc beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, beside\n' "$program" >&2; exit 2 ;;
+        bilby | pycbc | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, pycbc, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 

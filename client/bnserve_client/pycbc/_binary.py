@@ -30,9 +30,9 @@ def read_model(parameters: Mapping[str, Any]) -> WaveformModel:
     PackageMissing, ConnectionFailed, ...
         As :func:`~bnserve_client._chosen.chosen_model`.
     """
-    for name in parameters:
-        if name.startswith("bnserve_") and name not in ARGUMENTS:
-            raise unknown_argument(name, ARGUMENTS)
+    unknown = [name for name in parameters if name.startswith("bnserve_") and name not in ARGUMENTS]
+    if unknown:
+        raise unknown_argument(unknown[0], ARGUMENTS)
     url, name, version, digest, timeout = read_arguments(parameters)
     return chosen_model(url, name, version=version, digest=digest, timeout=timeout)
 
