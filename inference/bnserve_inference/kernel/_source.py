@@ -8,20 +8,26 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
 from bnserve_inference.kernel._layout import BLOCK, Argument, Sky
-from bnserve_surrogate.kernel._layout import LANES
+from bnserve_inference.kernel._sums import (
+    Floats,
+    Integers,
+    add_terms,
+    calibrate,
+    errors_at,
+    fixed_products,
+    gather,
+    lane_sum,
+    products_at,
+    spline_at,
+)
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
-from bnserve_surrogate.kernel._simd import floats_at, floats_in, from_bits, integers_at, padded
-
-Floats = NDArray[np.float64]
-Integers = NDArray[np.int64]
+from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
+from bnserve_surrogate.kernel._simd import from_bits
 
 LIGHT_SPEED = 299792458.0
-_TWO_PI = 2.0 * np.pi
 _COLUMNS = len(Sky)
 
 
@@ -60,114 +66,6 @@ def _geometry(sky: Floats, sidereal: Floats, responses: Floats, locations: Float
         factors[3 * d + 2] = -(n0 * place[0] + n1 * place[1] + sin_d * place[2]) / LIGHT_SPEED
 
 
-@njit(**JIT_OPTIONS)
-def _lane_sum(values: Floats) -> float:
-    """Sum of whole lanes, in a fixed order that the compiler can vectorise."""
-    s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = 0.0
-    for j in range(values.shape[0] // LANES):
-        at = LANES * j
-        s0 += values[at]
-        s1 += values[at + 1]
-        s2 += values[at + 2]
-        s3 += values[at + 3]
-        s4 += values[at + 4]
-        s5 += values[at + 5]
-        s6 += values[at + 6]
-        s7 += values[at + 7]
-    return ((s0 + s1) + (s2 + s3)) + ((s4 + s5) + (s6 + s7))
-
-
-@njit(**JIT_OPTIONS)
-def _errors_at(nodes: Floats, spline: Floats, stride: int, first: int, out: Floats) -> None:
-    """A calibration spline at some frequencies: values at its nodes times the nodes' cardinal functions."""
-    count = out.shape[0]
-    for j in range(count):
-        out[j] = 0.0
-    for k in range(nodes.shape[0]):
-        row = spline[k * stride + first : k * stride + first + count]
-        value = nodes[k]
-        for j in range(count):
-            out[j] += value * row[j]
-
-
-@njit(**JIT_OPTIONS)
-def _calibrate(amplitude: Floats, phase: Floats, hr: Floats, hi: Floats, kr: Floats, ki: Floats) -> None:
-    """Strain times (1 + dA) (2 + i dphi) / (2 - i dphi)."""
-    for j in range(hr.shape[0]):
-        p = phase[j]
-        scale = (1.0 + amplitude[j]) / (4.0 + p * p)
-        c = scale * (4.0 - p * p)
-        s = scale * (4.0 * p)
-        kr[j] = hr[j] * c - hi[j] * s
-        ki[j] = hr[j] * s + hi[j] * c
-
-
-@njit(**JIT_OPTIONS)
-def _products(
-    f: Floats, time: float, kr: Floats, ki: Floats, weights: Floats, rows: Any, spline: Any, pr: Floats, pi: Floats
-) -> None:
-    """Strain, moved to ``time``, times the weights at that time: a sum of six rows of B-spline coefficients.
-
-    ``rows``: where the first row of real parts begins, how far it is to the next row, and to its imaginary parts.
-    """
-    n = f.shape[0]
-    first, row, imaginary = rows
-    b0, b1, b2, b3, b4, b5 = spline
-    r0, i0 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
-    first += row
-    r1, i1 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
-    first += row
-    r2, i2 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
-    first += row
-    r3, i3 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
-    first += row
-    r4, i4 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
-    first += row
-    r5, i5 = weights[first : first + n], weights[first + imaginary : first + imaginary + n]
-    turn = -_TWO_PI * time
-    for j in range(n):
-        s, c = sincos(f[j] * turn)
-        hr = kr[j] * c - ki[j] * s
-        hi = kr[j] * s + ki[j] * c
-        wr = b0 * r0[j] + b1 * r1[j] + b2 * r2[j] + b3 * r3[j] + b4 * r4[j] + b5 * r5[j]
-        wi = b0 * i0[j] + b1 * i1[j] + b2 * i2[j] + b3 * i3[j] + b4 * i4[j] + b5 * i5[j]
-        pr[j] = wr * hr - wi * hi
-        pi[j] = wr * hi + wi * hr
-
-
-@njit(**JIT_OPTIONS)
-def _fixed_products(
-    f: Floats, time: float, kr: Floats, ki: Floats, wr: Floats, wi: Floats, pr: Floats, pi: Floats
-) -> None:
-    """As :func:`_products`, of weights that do not depend on time."""
-    turn = -_TWO_PI * time
-    for j in range(f.shape[0]):
-        s, c = sincos(f[j] * turn)
-        hr = kr[j] * c - ki[j] * s
-        hi = kr[j] * s + ki[j] * c
-        pr[j] = wr[j] * hr - wi[j] * hi
-        pi[j] = wr[j] * hi + wi[j] * hr
-
-
-@njit(**JIT_OPTIONS)
-def _knots(time: float, knots: Floats, rows: int, width: int, first: int) -> Any:
-    """Which six coefficient rows, and the values of the six quintic B-splines, at a time."""
-    u = (time - knots[0]) / knots[1]
-    cell = int(np.floor(u))
-    cell = min(max(cell, 2), rows - 4)
-    x = u - cell
-    y = 1.0 - x
-    spline = (
-        y * y * y * y * y / 120.0,
-        (26.0 + x * (-50.0 + x * (20.0 + x * (20.0 + x * (-20.0 + 5.0 * x))))) / 120.0,
-        (66.0 + x * x * (-60.0 + x * x * (30.0 - 10.0 * x))) / 120.0,
-        (66.0 + y * y * (-60.0 + y * y * (30.0 - 10.0 * y))) / 120.0,
-        (26.0 + y * (-50.0 + y * (20.0 + y * (20.0 + y * (-20.0 + 5.0 * y))))) / 120.0,
-        x * x * x * x * x / 120.0,
-    )
-    return (2 * width * (cell - 2) + first, 2 * width, width), spline
-
-
 @njit(inline="always")
 def _views(scratch: Floats, detectors: int) -> Any:
     """Working memory, which ``_layout.scratch_size`` counts: of the detectors, and pairs of blocks of nodes for strain,
@@ -185,17 +83,6 @@ def _views(scratch: Floats, detectors: int) -> Any:
 @njit(inline="always")
 def _first_of(pair: Any, size: int) -> Any:
     return floats_in(pair[0], 0, size), floats_in(pair[1], 0, size)
-
-
-@njit(**JIT_OPTIONS)
-def _gather(wave: Floats, places: Integers, filled: int, hr: Floats, hi: Floats) -> None:
-    """Strain at the ``filled`` nodes of a block, and zero beyond them."""
-    for j in range(filled):
-        hr[j] = wave[2 * places[j]]
-        hi[j] = wave[2 * places[j] + 1]
-    for j in range(filled, hr.shape[0]):
-        hr[j] = 0.0
-        hi[j] = 0.0
 
 
 @njit(inline="always")
@@ -218,20 +105,13 @@ def _add_times(
         time = (arrival + k * step) + delay
         if knots == 1:
             wr, wi = floats_in(table, first, size), floats_in(table, width + first, size)
-            _fixed_products(f, time, strain[0], strain[1], wr, wi, product[0], product[1])
+            fixed_products(f, time, strain[0], strain[1], wr, wi, product[0], product[1])
         else:
-            rows, spline = _knots(time, grid, knots, width, first)
-            _products(f, time, strain[0], strain[1], table, rows, spline, product[0], product[1])
-        zr, zi = _lane_sum(product[0]), _lane_sum(product[1])
+            rows, spline = spline_at(time, grid, knots, width, first)
+            products_at(f, time, strain[0], strain[1], table, rows, spline, product[0], product[1])
+        zr, zi = lane_sum(product[0]), lane_sum(product[1])
         out[2 * k] += factor[0] * zr - factor[1] * zi
         out[2 * k + 1] += factor[0] * zi + factor[1] * zr
-
-
-@njit(**JIT_OPTIONS)
-def _add_terms(pr: Floats, pi: Floats, cr: float, ci: float, line: Floats) -> None:
-    for j in range(line.shape[0] // 2):
-        line[2 * j] += cr * pr[j] - ci * pi[j]
-        line[2 * j + 1] += cr * pi[j] + ci * pr[j]
 
 
 @njit(**JIT_OPTIONS)
@@ -251,15 +131,15 @@ def _contract_linear(row: int, arguments: Integers, arrival: float, wave: Floats
         size = min(BLOCK, width - first)
         filled = min(size, n_linear - first)
         h, product = _first_of(plain, size), _first_of(products, size)
-        _gather(wave, places[first:], filled, h[0], h[1])
+        gather(wave, places[first:], filled, h[0], h[1])
         for d in range(detectors):
             strain = h
             if nodes > 0:
                 strain, error = _first_of(calibrated, size), _first_of(errors, size)
                 at = row * detectors + d
-                _errors_at(_errors_of(arguments, Argument.AMPLITUDE_ERRORS, at), splines, width, first, error[0])
-                _errors_at(_errors_of(arguments, Argument.PHASE_ERRORS, at), splines, width, first, error[1])
-                _calibrate(error[0], error[1], h[0], h[1], strain[0], strain[1])
+                errors_at(_errors_of(arguments, Argument.AMPLITUDE_ERRORS, at), splines, width, first, error[0])
+                errors_at(_errors_of(arguments, Argument.PHASE_ERRORS, at), splines, width, first, error[1])
+                calibrate(error[0], error[1], h[0], h[1], strain[0], strain[1])
             table = floats_at(arguments[Argument.LINEAR_WEIGHTS] + 8 * table_size * d, table_size)
             factor, delay = (factors[3 * d], factors[3 * d + 1]), factors[3 * d + 2]
             block = floats_in(f, first, size)
@@ -268,7 +148,7 @@ def _contract_linear(row: int, arguments: Integers, arrival: float, wave: Floats
                 line = floats_at(arguments[Argument.SPECTRUM] + 16 * (row * n_linear + first), 2 * filled)
                 if d == 0:
                     line[:] = 0.0
-                _add_terms(product[0], product[1], factor[0], factor[1], line)
+                add_terms(product[0], product[1], factor[0], factor[1], line)
 
 
 @njit(**JIT_OPTIONS)
@@ -296,14 +176,14 @@ def _contract_quadratic(row: int, arguments: Integers, wave: Floats, factors: Fl
             q = floats_at(arguments[Argument.QUADRATIC_WEIGHTS] + 8 * (width * d + first), size)
             if nodes > 0:
                 amplitudes = _errors_of(arguments, Argument.AMPLITUDE_ERRORS, row * detectors + d)
-                _errors_at(amplitudes, splines, width, first, error)
+                errors_at(amplitudes, splines, width, first, error)
                 for j in range(size):
                     product[j] = power[j] * q[j] * ((1.0 + error[j]) * (1.0 + error[j]))
             else:
                 for j in range(size):
                     product[j] = power[j] * q[j]
             cr, ci = factors[3 * d], factors[3 * d + 1]
-            norm += (cr * cr + ci * ci) * _lane_sum(product)
+            norm += (cr * cr + ci * ci) * lane_sum(product)
     return norm
 
 

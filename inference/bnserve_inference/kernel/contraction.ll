@@ -1,4 +1,4 @@
-; sources: b2c73c1009e2458b598a7c172bfb2f0bb726f33e8afea684f3782fb2110a6051
+; sources: f57d55ed5243c97c1f5c7ac6bfcd715ffd42e9051a94a008560cbb321bddc382
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -861,7 +861,7 @@ B546.if.i.i.i:                                    ; preds = %B0.endif.endif.endi
   br i1 %exitcond.not.i6.i.i, label %B1762.i.i, label %B546.if.i.i.i
 
 B1762.i.i:                                        ; preds = %B546.if.i.i.i, %B78.if.i.i.i, %B0.endif.endif.endif.endi...endif.11.endif.endif.i.i.i, %B1672.i.i
-  br i1 %64, label %_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i, label %B104.if.i.i.i
+  br i1 %64, label %_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i, label %B104.if.i.i.i
 
 B104.if.i.i.i:                                    ; preds = %B1762.i.i, %B104.if.i.i.i
   %lsr.iv9.i.i.i = phi i64 [ %lsr.iv.next.i.i.i, %B104.if.i.i.i ], [ %.60.1.i.i.i, %B1762.i.i ]
@@ -902,7 +902,7 @@ B104.if.i.i.i:                                    ; preds = %B1762.i.i, %B104.if
   %exitcond.not.i.i.i = icmp eq i64 %lsr.iv.next.i.i.i, 0
   br i1 %exitcond.not.i.i.i, label %B104.if.i494.i.i, label %B104.if.i.i.i
 
-B1766.i.i:                                        ; preds = %_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i, %B1264.i.i
+B1766.i.i:                                        ; preds = %_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i, %B1264.i.i
   %.4651.i.i = load i64, ptr %sunkaddr71.i.i, align 8, !noalias !7
   %.4652.not.i.i = icmp eq i64 %.4651.i.i, 0
   br i1 %.4652.not.i.i, label %B2247.i.i, label %B2039.i.i
@@ -1460,8 +1460,8 @@ B1552.if.lr.ph.i.i:                               ; preds = %B1264.i.i
   %sunkaddr69.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 8
   br label %B1552.if.i.i
 
-B1552.if.i.i:                                     ; preds = %_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i, %B1552.if.lr.ph.i.i
-  %.387824512459.i.i = phi i64 [ 0, %B1552.if.lr.ph.i.i ], [ %.3885.i.i, %_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i ]
+B1552.if.i.i:                                     ; preds = %_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i, %B1552.if.lr.ph.i.i
+  %.387824512459.i.i = phi i64 [ 0, %B1552.if.lr.ph.i.i ], [ %.3885.i.i, %_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i ]
   %.3885.i.i = add nuw nsw i64 %.387824512459.i.i, 1
   %.3915.i.i = uitofp nneg i64 %.387824512459.i.i to double
   %.3916.i.i = fmul contract double %.37562200.i.i, %.3915.i.i
@@ -1558,7 +1558,7 @@ B348.loopexit.i531.i.i:                           ; preds = %B104.if.i494.i.i
   %97 = fadd contract double %.454.i525.i.i, %.489.i527.i.i
   %98 = fadd contract double %96, %97
   %99 = fadd contract double %95, %98
-  br label %_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i
+  br label %_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i
 
 B104.if.i494.i.i:                                 ; preds = %B104.if.i.i.i, %B104.if.i494.i.i
   %lsr.iv9.i495.i.i = phi i64 [ %lsr.iv.next.i529.i.i, %B104.if.i494.i.i ], [ %.60.1.i.i.i, %B104.if.i.i.i ]
@@ -1599,7 +1599,7 @@ B104.if.i494.i.i:                                 ; preds = %B104.if.i.i.i, %B10
   %exitcond.not.i530.i.i = icmp eq i64 %lsr.iv.next.i529.i.i, 0
   br i1 %exitcond.not.i530.i.i, label %B348.loopexit.i531.i.i, label %B104.if.i494.i.i
 
-_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i: ; preds = %B348.loopexit.i531.i.i, %B1762.i.i
+_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE.exit533.i.i: ; preds = %B348.loopexit.i531.i.i, %B1762.i.i
   %s0.2.0.lcssa.i3.i.i = phi double [ %92, %B348.loopexit.i531.i.i ], [ 0.000000e+00, %B1762.i.i ]
   %s0.2.0.lcssa.i532.i.i = phi double [ %99, %B348.loopexit.i531.i.i ], [ 0.000000e+00, %B1762.i.i ]
   %.idx271.i.i = shl i64 %.387824512459.i.i, 4
@@ -2165,45 +2165,45 @@ attributes #2 = { mustprogress nocallback nocreateundeforpoison nofree nosync no
 !9 = distinct !{!9, !"_ZN17bnserve_inference6kernel7_source16_contract_linearB3v26B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEE"}
 !10 = !{!"branch_weights", i32 1, i32 99}
 !11 = !{!12, !8, !1}
-!12 = distinct !{!12, !13, !"_ZN17bnserve_inference6kernel7_source6_knotsB3v62B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx: %retptr"}
-!13 = distinct !{!13, !"_ZN17bnserve_inference6kernel7_source6_knotsB3v62B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx"}
+!12 = distinct !{!12, !13, !"_ZN17bnserve_inference6kernel5_sums9spline_atB3v62B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx: %retptr"}
+!13 = distinct !{!13, !"_ZN17bnserve_inference6kernel5_sums9spline_atB3v62B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx"}
 !14 = !{!15, !8, !1}
-!15 = distinct !{!15, !16, !"_ZN17bnserve_inference6kernel7_source9_productsB3v65B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!16 = distinct !{!16, !"_ZN17bnserve_inference6kernel7_source9_productsB3v65B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!15 = distinct !{!15, !16, !"_ZN17bnserve_inference6kernel5_sums11products_atB3v65B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!16 = distinct !{!16, !"_ZN17bnserve_inference6kernel5_sums11products_atB3v65B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !17 = !{!18, !8, !1}
-!18 = distinct !{!18, !19, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!19 = distinct !{!19, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE"}
+!18 = distinct !{!18, !19, !"_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!19 = distinct !{!19, !"_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE"}
 !20 = !{!"branch_weights", i32 101, i32 99}
 !21 = !{!22, !8, !1}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_inference6kernel7_source10_add_termsB3v68B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_inference6kernel7_source10_add_termsB3v68B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_inference6kernel5_sums9add_termsB3v68B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_inference6kernel5_sums9add_termsB3v68B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25, !8, !1}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_inference6kernel7_source7_gatherB3v57B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_inference6kernel7_source7_gatherB3v57B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_inference6kernel5_sums6gatherB3v57B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_inference6kernel5_sums6gatherB3v57B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28, !8, !1}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_inference6kernel7_source10_errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_inference6kernel7_source10_errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_inference6kernel5_sums9errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_inference6kernel5_sums9errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31, !8, !1}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_inference6kernel7_source10_errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_inference6kernel7_source10_errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_inference6kernel5_sums9errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_inference6kernel5_sums9errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !33 = !{!34, !8, !1}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_inference6kernel7_source10_calibrateB3v59B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_inference6kernel7_source10_calibrateB3v59B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_inference6kernel5_sums9calibrateB3v59B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_inference6kernel5_sums9calibrateB3v59B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !36 = !{!37, !8, !1}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_inference6kernel7_source15_fixed_productsB3v60B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_inference6kernel7_source15_fixed_productsB3v60B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_inference6kernel5_sums14fixed_productsB3v60B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_inference6kernel5_sums14fixed_productsB3v60B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !39 = !{!40, !8, !1}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43, !1}
 !43 = distinct !{!43, !44, !"_ZN17bnserve_inference6kernel7_source19_contract_quadraticB3v69B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEE: %retptr"}
 !44 = distinct !{!44, !"_ZN17bnserve_inference6kernel7_source19_contract_quadraticB3v69B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEE"}
 !45 = distinct !{!45, !46}
 !46 = !{!"llvm.loop.unroll.disable"}
 !47 = !{!48, !43, !1}
-!48 = distinct !{!48, !49, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!49 = distinct !{!49, !"_ZN17bnserve_inference6kernel7_source9_lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE"}
+!48 = distinct !{!48, !49, !"_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!49 = distinct !{!49, !"_ZN17bnserve_inference6kernel5_sums8lane_sumB3v67B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE"}
 !50 = !{!"branch_weights", i32 -973078528, i32 33554432}
 !51 = !{!52, !43, !1}
-!52 = distinct !{!52, !53, !"_ZN17bnserve_inference6kernel7_source10_errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!53 = distinct !{!53, !"_ZN17bnserve_inference6kernel7_source10_errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!52 = distinct !{!52, !53, !"_ZN17bnserve_inference6kernel5_sums9errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!53 = distinct !{!53, !"_ZN17bnserve_inference6kernel5_sums9errors_atB3v58B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}

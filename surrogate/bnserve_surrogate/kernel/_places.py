@@ -7,7 +7,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
-from bnserve_surrogate.kernel._simd import at
+from bnserve_surrogate.kernel._memory import at
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from bnserve_surrogate.baseline import FREEZING_END, FREEZING_START
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential, sincos
-from bnserve_surrogate.kernel._simd import at, fma, load, splat, store
+from bnserve_surrogate.kernel._memory import at, load, store
+from bnserve_surrogate.kernel._simd import fma, splat
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

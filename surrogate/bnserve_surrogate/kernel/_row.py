@@ -12,6 +12,7 @@ from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate._freezing import FREEZING_END, FREEZING_START
 from bnserve_surrogate.kernel._layout import BLOCK, DENSE, EDGE, LANES, Argument, Column, Entry, Output
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
+from bnserve_surrogate.kernel._memory import at, floats_at, floats_in, integers_at, integers_in, padded
 from bnserve_surrogate.kernel._places import find_ends, first_not_below, locate
 from bnserve_surrogate.kernel._points import (
     amplitudes,
@@ -25,7 +26,6 @@ from bnserve_surrogate.kernel._points import (
     two_splines,
 )
 from bnserve_surrogate.kernel._series import fill_series
-from bnserve_surrogate.kernel._simd import at, floats_at, floats_in, integers_at, integers_in, padded
 from bnserve_surrogate.kernel._writing import write_block
 
 Floats = NDArray[np.float64]

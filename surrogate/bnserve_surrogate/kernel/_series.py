@@ -21,7 +21,7 @@ from bnserve_surrogate.baseline import (
 )
 from bnserve_surrogate.kernel._layout import Column
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
-from bnserve_surrogate.kernel._simd import floats_in
+from bnserve_surrogate.kernel._memory import floats_in
 
 Floats = NDArray[np.float64]
 

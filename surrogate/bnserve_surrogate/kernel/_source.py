@@ -27,9 +27,8 @@ from bnserve_surrogate.kernel._layout import (
     Policy,
 )
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
-from bnserve_surrogate.kernel._regression import multiply, regress
-from bnserve_surrogate.kernel._row import ANY, evaluate_row
-from bnserve_surrogate.kernel._simd import (
+from bnserve_surrogate.kernel._matrices import multiply
+from bnserve_surrogate.kernel._memory import (
     bytes_at,
     finish_streams,
     floats_at,
@@ -38,6 +37,8 @@ from bnserve_surrogate.kernel._simd import (
     padded,
     singles_at,
 )
+from bnserve_surrogate.kernel._regression import regress
+from bnserve_surrogate.kernel._row import ANY, evaluate_row
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_surrogate.kernel._layout import CACHE_LINE, LANES, STREAMED, Argument, Output
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
-from bnserve_surrogate.kernel._simd import (
+from bnserve_surrogate.kernel._memory import (
     floats_at,
     load,
     rounded_to,

@@ -28,7 +28,10 @@ TOOLCHAIN_PREFIX = "; built by: "
 
 
 _PACKAGE = Path(__file__).parents[1]
-_KERNEL = ("layout", "math", "places", "points", "regression", "row", "series", "simd", "source", "writing")
+_KERNEL = (
+    "layout", "math", "matrices", "memory", "places", "points", "regression", "row", "series", "simd", "source",
+    "writing",
+)  # fmt: skip
 
 
 def sources() -> list[Path]:
@@ -106,7 +109,7 @@ def _detach(entry: Any, entry_point: str) -> str:
     return _shorten(str(module))
 
 
-_APART = r"bnserve_surrogate6kernel\d+_(points|source|regression|row|series|places|writing)\d"
+_APART = r"bnserve_surrogate6kernel\d+_(points|source|regression|matrices|row|series|places|writing)\d"
 
 
 def _internal(definition: re.Match[str]) -> str:
