@@ -232,10 +232,10 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     """
     check_one_process(settings)
     with contextlib.ExitStack() as stack:
+        app = create_app(settings, wait_for_models=False, **parts)
+        app.parts.maintenance.source_is_there()  # before anybody connects to what will not serve
         listener = stack.enter_context(listening(settings))
         metrics_listener = open_metrics_listener(settings)
         if metrics_listener is not None:
             stack.enter_context(metrics_listener)
-        app = create_app(settings, wait_for_models=False, **parts)
-        app.parts.maintenance.source_is_there()
         BnserveServer(app, announce).run(listener, metrics_listener=metrics_listener)

@@ -1,5 +1,8 @@
 """The command: errors are sentences with exit code 2, and nothing heavy is imported to print the help."""
 
+import argparse
+import json
+import shutil
 import socket
 import subprocess
 import sys
@@ -9,6 +12,7 @@ import pytest
 
 import bnserve_store
 from bnserve_service.cli import build_parser, main
+from bnserve_service.cli.places import server_address
 from bnserve_service.process.system import ONE_THREAD
 from bnserve_store import ModelStore
 from tests.architecture.rooms import room_environment
@@ -178,3 +182,131 @@ def test_a_place_that_cannot_be_written_is_found_before_the_work(tmp_path, monke
     assert f"Cannot write {place}" in printed.err
     assert printed.out == ""
     assert [path.name for path in tmp_path.iterdir()] == ["file"]
+
+
+def parsers(parser=None):
+    """Every parser of the command, by the words that lead to it."""
+    parser = parser or build_parser()
+    found = {parser.prog: parser}
+    for action in parser._actions:
+        if isinstance(action, argparse._SubParsersAction):
+            for sub in action.choices.values():
+                found |= parsers(sub)
+    return found
+
+
+@pytest.mark.parametrize("prog", list(parsers()))
+def test_help_is_plain_text(prog):
+    text = parsers()[prog].format_help()
+    assert "``" not in text
+    assert ":class:" not in text
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("sevre", "There is no command 'sevre'. Did you mean 'serve'?"),
+        ("models labl", "There is no action 'labl'. Did you mean 'label'?"),
+        ("serve --prot 1", "There is no option '--prot'. Did you mean '--port'?"),
+        ("tokens new --nam --name a --scop=x", "--name"),
+        ("models show default --stroe=x", "There is no option '--stroe'. Did you mean '--store'?"),
+        ("tokens new --name a --scope evalute", "There is no scope 'evalute'. Did you mean 'evaluate'?"),
+        ("serve here", "Nothing here takes the argument 'here'"),
+        ("xyzzy", "there are demo"),
+        ("models", "required: ACTION"),
+    ],
+)
+def test_what_is_not_understood_is_one_sentence_with_the_nearest_that_is(capsys, line, says):
+    with pytest.raises(SystemExit, match="2"):
+        main(line.split())
+    told = capsys.readouterr()
+    assert told.out == ""
+    assert says in told.err
+    assert told.err.count("\n") == 1
+    assert "--help` lists what there is." in told.err
+
+
+@pytest.mark.parametrize("workers", ["1", "2"])
+@pytest.mark.parametrize("version", ["9.9.9", "stable"])
+def test_a_version_that_is_not_there_is_found_before_anybody_can_connect(capsys, version, workers):
+    with socket.socket() as taken:  # whoever tries to listen first complains about the port
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        line = ["serve", "--port", str(taken.getsockname()[1]), "--model", f"default@{version}", "--workers", workers]
+        done = run(*line)
+    assert done.returncode == 2
+    assert f"Model 'default' has no version '{version}' to serve; there are 1.0.0." in done.stderr
+    assert "in use" not in done.stderr
+
+
+def printed_json(capsys, *arguments, status=0):
+    assert main(list(arguments)) == status
+    return json.loads(capsys.readouterr().out)
+
+
+@pytest.fixture
+def copied_store(tmp_path):
+    """A store of one's own with a copy of the shipped model, which may be damaged."""
+    shutil.copytree(bnserve_store.SHIPPED_MODELS / "fast", tmp_path / "store" / "fast")
+    return tmp_path / "store"
+
+
+def test_models_for_machines(capsys, copied_store):
+    listed = printed_json(capsys, "models", "list", "--json")
+    assert {"name": "default", "version": "1.0.0", "labels": ["stable"]} in listed
+    assert printed_json(capsys, "models", "show", "fast")["digest"].startswith("sha256:")
+    store = ["--store", str(copied_store)]
+    [good] = printed_json(capsys, "models", "verify", "fast", "--json", *store)
+    assert (good["version"], good["fine"], good["reason"]) == ("1.0.0", True, None)
+    assert printed_json(capsys, "models", "label", "fast", "trial", "--json", *store) == {
+        "name": "fast", "label": "trial", "version": "1.0.0", "before": None,
+    }  # fmt: skip
+    manifest = printed_json(capsys, "models", "manifest", "fast")
+    assert manifest["models"][0]["name"] == "fast"
+    tensors = copied_store / "fast" / "1.0.0" / "tensors.safetensors"
+    tensors.write_bytes(tensors.read_bytes()[:-1] + b"\1")
+    [bad] = printed_json(capsys, "models", "verify", "fast", "--json", *store, status=1)
+    assert (bad["fine"], bad["name"]) == (False, "fast")
+    assert bad["reason"]
+
+
+def test_label_and_verify_say_which_version_they_mean(capsys, copied_store):
+    store = ["--store", str(copied_store)]
+    assert main(["models", "label", "fast", "trial", *store]) == 0
+    assert capsys.readouterr().out == f"fast: trial is version 1.0.0 now (it is new), in {copied_store}\n"
+    assert main(["models", "label", "fast@trial", "trial", *store]) == 0
+    assert "trial is version 1.0.0 now (as before)" in capsys.readouterr().out
+    assert main(["models", "verify", "fast@trial", *store]) == 0
+    assert capsys.readouterr().out.startswith("fast 1.0.0 (stable, trial): fine (")
+
+
+def test_a_basis_that_comes_with_the_package_is_shown_by_its_name(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["roq", "show", "gw170817_fine"]) == 0
+    assert "model       default 1.0.0" in capsys.readouterr().out
+    known = printed_json(capsys, "roq", "show", "gw170817", "--json")
+    assert known["linear_nodes"] > known["quadratic_nodes"] > 0
+    assert known["prior"]["chirp_mass"][0] < known["prior"]["chirp_mass"][1]
+    assert main(["roq", "show", "gw17081"]) == 2
+    assert "there are gw170817, gw170817_fine" in capsys.readouterr().err
+    assert main(["roq", "show", "gw170817.h5"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("given", "address"),
+    [
+        ("localhost:8000", "http://localhost:8000"),
+        ("10.0.0.1", "http://10.0.0.1"),
+        ("[::1]:8000", "http://[::1]:8000"),
+        ("https://host/prefix", "https://host/prefix"),
+        ("unix:/run/bnserve", "unix:/run/bnserve"),
+        ("/run/bnserve", "unix:/run/bnserve"),
+    ],
+)
+def test_the_address_of_a_server_may_be_short(given, address):
+    assert server_address(given) == address
+
+
+def test_a_server_is_measured_by_host_and_port(capsys):
+    assert main(["bench", "--short", "--url", "127.0.0.1:9"]) == 2
+    assert "http://127.0.0.1:9" in capsys.readouterr().err

@@ -1,6 +1,7 @@
 """``bnserve tokens new``: the token once on stderr, on stdout the lines that let it in."""
 
 import hashlib
+import json
 import tomllib
 
 import pytest
@@ -41,3 +42,12 @@ def test_a_token_that_cannot_be_is_one_sentence(capsys, wrong):
     told = capsys.readouterr()
     assert told.out == ""
     assert told.err.startswith("bnserve: There can be no such token: ")
+
+
+def test_a_token_for_machines(capsys):
+    assert main(["tokens", "new", "--name", "a", "--max-concurrent", "3", "--json"]) == 0
+    told = capsys.readouterr()
+    made = json.loads(told.out)
+    assert told.err == ""
+    assert made["settings"]["sha256"] == hashlib.sha256(made["token"].encode()).hexdigest()
+    assert made["settings"]["max_concurrent"] == 3

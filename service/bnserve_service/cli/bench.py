@@ -34,9 +34,11 @@ def add_parser(subparsers: Any) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Measure, print, draw."""
-    from bnserve_service.cli.places import check_place
+    from bnserve_service.cli.places import check_place, server_address
 
     _check(options)
+    if options.url:
+        options.url = server_address(options.url)
     if options.plot:
         check_place(options.plot / "bench.png", "--plot")
     plots = _part("plots") if options.plot else None  # what is missing is said before anything is measured
@@ -67,14 +69,16 @@ def _part(name: str) -> Any:
 
 
 def _measure(options: argparse.Namespace) -> dict[str, Any]:
+    from bnserve_service.cli.places import name_and_version
+
     sizes = _part("sizes").Sizes.of(options.short, options.points, options.epochs)
-    name, _, version = options.model.partition("@")
+    name, version = name_and_version(options.model)
     progress = _progress if sys.stderr.isatty() else _silent
     if options.url:
         token = options.token or os.environ.get("BNSERVE_TOKEN")
-        found = _part("over_http").measure_remote(options.url, name, version or "stable", token, sizes, progress)
+        found = _part("over_http").measure_remote(options.url, name, version, token, sizes, progress)
     else:
-        found = _part("local").measure_local(name, version or "stable", options.store, sizes, progress)
+        found = _part("local").measure_local(name, version, options.store, sizes, progress)
     return {"setup": _setup(found.pop("model"), options, sizes)} | found
 
 

@@ -8,6 +8,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+BASIS_HELP = "a file that `bnserve roq build` wrote, or the name of a basis that comes with bnserve, as gw170817_fine"
+
 
 def add_parser(subparsers: Any) -> None:
     """Add the subcommand and its own subcommands."""
@@ -45,8 +47,9 @@ def _add_build(actions: Any) -> None:
 
 
 def _add_show(actions: Any) -> None:
-    show = actions.add_parser("show", help="describe a basis", description="Print what a compact file holds.")
-    show.add_argument("basis", type=Path, metavar="FILE.h5")
+    show = actions.add_parser("show", help="describe a basis", description="Print what a basis holds.")
+    show.add_argument("basis", metavar="BASIS", help=BASIS_HELP)
+    show.add_argument("--json", action="store_true", help="print one JSON object")
     show.set_defaults(run=run_show)
 
 
@@ -57,10 +60,11 @@ def _add_validate(actions: Any) -> None:
         description="Interpolation errors, squared and relative, of fresh uniform draws from the basis' prior, summed "
         "over the full grid.",
     )
-    validate.add_argument("basis", type=Path, metavar="FILE.h5")
+    validate.add_argument("basis", metavar="BASIS", help=BASIS_HELP)
     validate.add_argument("--count", type=int, default=64, metavar="N", help="binaries (64)")
     validate.add_argument("--seed", type=int, default=2024, metavar="N", help="of the draws (2024)")
     validate.add_argument("--store", type=Path, action="append", metavar="DIR", help="of the basis' model")
+    validate.add_argument("--json", action="store_true", help="print one JSON object")
     validate.set_defaults(run=run_validate)
 
 
@@ -71,7 +75,7 @@ def _add_export(actions: Any) -> None:
         description="Tabulate a compact basis on its full grid: for bilby one *.hdf5 file, for bajes a directory. "
         "Either takes about a gigabyte for GW170817.",
     )
-    export.add_argument("basis", type=Path, metavar="FILE.h5")
+    export.add_argument("basis", metavar="BASIS", help=BASIS_HELP)
     export.add_argument("format", choices=("bilby", "bajes"))
     export.add_argument("output", type=Path, metavar="PATH")
     export.add_argument("--store", type=Path, action="append", metavar="DIR", help="of the basis' model")
@@ -113,33 +117,60 @@ def run_build(options: argparse.Namespace) -> int:
 
 def run_show(options: argparse.Namespace) -> int:
     """Describe."""
-    from bnserve_inference.roq import describe, load_basis
+    from bnserve_inference.roq import describe
 
-    print(describe(load_basis(options.basis)))
+    basis = _basis(options.basis)
+    if not options.json:
+        print(describe(basis))
+        return 0
+    from bnserve_service.cli.places import print_json
+
+    names = ("model_name", "model_version", "model_digest", "f_min", "f_max", "duration", "alignment")
+    known = {name: getattr(basis, name) for name in names} | {
+        "frequencies": len(basis.grid),
+        "prior": {name: [*map(float, bounds)] for name, bounds in basis.prior.items()},
+        "linear_nodes": len(basis.linear_nodes),
+        "quadratic_nodes": len(basis.quadratic_nodes),
+        "diagnostics": basis.diagnostics,
+    }
+    print_json(known)
     return 0
 
 
 def run_validate(options: argparse.Namespace) -> int:
     """Measure, print."""
-    from bnserve_inference.roq import load_basis, validate_basis
+    from bnserve_inference.roq import validate_basis
+    from bnserve_service.cli.places import print_json
 
-    basis = load_basis(options.basis)
+    basis = _basis(options.basis)
     model = _open_model(basis.model_name, basis.model_version, options.store)
-    for term, figures in validate_basis(basis, model, options.count, options.seed).items():
+    found = validate_basis(basis, model, options.count, options.seed)
+    if options.json:
+        print_json({term: {name: float(value) for name, value in figures.items()} for term, figures in found.items()})
+        return 0
+    for term, figures in found.items():
         print(f"{term:10}" + "".join(f"  {name} {value:.3g}" for name, value in figures.items()))
     return 0
 
 
 def run_export(options: argparse.Namespace) -> int:
     """Convert."""
-    from bnserve_inference.roq import load_basis, save_bajes, save_bilby
+    from bnserve_inference.roq import save_bajes, save_bilby
 
-    basis = load_basis(options.basis)
+    basis = _basis(options.basis)
     model = _open_model(basis.model_name, basis.model_version, options.store)
     save = {"bilby": save_bilby, "bajes": save_bajes}[options.format]
     save(options.output, basis, model)
     print(f"Wrote {options.output}")
     return 0
+
+
+def _basis(given: str) -> Any:
+    """A basis from its file, or by name one of those that come with the package; a file in the way counts."""
+    from bnserve_inference.roq import load_basis, load_shipped_basis
+
+    is_name = "/" not in given and "." not in given
+    return load_shipped_basis(given) if is_name and not Path(given).exists() else load_basis(given)
 
 
 def _open_model(name: str, version: str, stores: list[Path] | None) -> Any:

@@ -13,7 +13,12 @@ from bnserve_service.process.system import compute_in_one_thread
 
 def add_parser(subparsers: Any) -> None:
     """Add the subcommand."""
-    parser: argparse.ArgumentParser = subparsers.add_parser("serve", help="run the service", description=__doc__)
+    parser: argparse.ArgumentParser = subparsers.add_parser(
+        "serve",
+        help="run the service",
+        description="Run the service until SIGTERM or Ctrl-C; it finishes what is under way then. It prints where it "
+        "listens, and when it is ready.",
+    )
     add = parser.add_argument
     add("--config", type=Path, metavar="FILE", help="settings in TOML; options given here count more")
     add("--host", help="address to listen on (127.0.0.1)")
@@ -43,6 +48,10 @@ def run(options: argparse.Namespace) -> int:
     logging.getLogger("uvicorn").setLevel(logging.WARNING)
     settings = load_settings(options.config, _overrides(options))
     if settings.workers > 1:
+        from bnserve_service.models.loading import loader_of
+        from bnserve_service.models.registry import Registry
+
+        loader_of(settings, Registry()).list_source()  # what is not there is said before anybody can connect
         from bnserve_service.workers.supervisor import become_supervisor
 
         become_supervisor(settings, announce=announce)

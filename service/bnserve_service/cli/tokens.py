@@ -18,7 +18,8 @@ SCOPES = ("evaluate", "upload", "admin")
 
 def add_parser(subparsers: Any) -> None:
     """Add the subcommand and its action."""
-    parser = subparsers.add_parser("tokens", help="make tokens for callers", description=__doc__)
+    about = "Make bearer tokens; the settings know their digests alone."
+    parser = subparsers.add_parser("tokens", help="make tokens for callers", description=about)
     actions = parser.add_subparsers(title="actions", metavar="ACTION", required=True)
     text = "print a new token once, on stderr, and on stdout the lines of the settings file that let it in"
     new = actions.add_parser("new", help=text, description=text)
@@ -29,13 +30,18 @@ def add_parser(subparsers: Any) -> None:
     add("--burst-rows", type=float, metavar="N", help="rows that may be saved up (those of one second)")
     add("--max-concurrent", type=int, metavar="N", help="requests under way at the same time")
     add("--max-stored-bytes", type=int, metavar="N", help="uploaded grids and analyses")
+    add("--json", action="store_true", help="print one JSON object instead, with the token in it")
     parser.set_defaults(run=new_token)
 
 
 def new_token(options: argparse.Namespace) -> int:
     """Make a token; its text is printed and kept nowhere."""
     text = PREFIX + secrets.token_urlsafe(32)
-    lines = toml_lines(_token(text, options))
+    token = _token(text, options)
+    if options.json:
+        print(json.dumps({"token": text, "settings": token.model_dump(mode="json", exclude_none=True)}))
+        return 0
+    lines = toml_lines(token)
     print(f"The token of {options.name}, shown this once: {text}", file=sys.stderr)
     print("\n".join(lines))
     return 0

@@ -32,13 +32,14 @@ def add_parser(subparsers: Any) -> None:
     )
     parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
     parser.add_argument("--output", type=Path, metavar="FILE.json", help="also save the figures and every mismatch")
+    parser.add_argument("--json", action="store_true", help="print the figures and every mismatch as one JSON object")
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Validate, print, save."""
     from bnserve_protocol import require
-    from bnserve_service.cli.places import check_place
+    from bnserve_service.cli.places import check_place, name_and_version, print_json
     from bnserve_store import ModelStore
 
     fresh, report = (
@@ -46,8 +47,7 @@ def run(options: argparse.Namespace) -> int:
     )
     if options.output:
         check_place(options.output, "--output")
-    name, _, version = options.model.partition("@")
-    artifact = ModelStore.default(options.store or ()).load(name, version or "stable")
+    artifact = ModelStore.default(options.store or ()).load(*name_and_version(options.model))
     validations = fresh.validate_artifact(
         artifact,
         options.work,
@@ -59,10 +59,15 @@ def run(options: argparse.Namespace) -> int:
         n_jobs=options.jobs,
         own_function=options.generator,
     )
-    print(f"{artifact.manifest.name} {artifact.manifest.version} ({artifact.manifest.digest})")
-    print(report.table(validations))
+    figures = {kind: report.as_json(validation) for kind, validation in validations.items()}
+    document = {"digest": artifact.manifest.digest, **figures}
+    if options.json:
+        print_json(document)
+    else:
+        print(f"{artifact.manifest.name} {artifact.manifest.version} ({artifact.manifest.digest})")
+        print(report.table(validations))
     if options.output:
-        document = {kind: report.as_json(validation) for kind, validation in validations.items()}
-        report.write_text(options.output, json.dumps({"digest": artifact.manifest.digest, **document}, indent=1))
-        print(f"Saved {options.output}")
+        report.write_text(options.output, json.dumps(document, indent=1))
+        if not options.json:
+            print(f"Saved {options.output}")
     return 0

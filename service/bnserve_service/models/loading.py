@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any
 
-from bnserve_protocol import ArtifactCorrupted, BnserveError, ModelIdentity
+from bnserve_protocol import ArtifactCorrupted, BnserveError, ModelIdentity, ModelUnknown
 from bnserve_service.models.registry import Catalogue, LoadedModel, ModelFactory, ModelSource, Registry
 from bnserve_service.settings import Settings
 
@@ -33,10 +33,14 @@ class Selection:
 
     def versions(self, name: str, available: Sequence[str]) -> list[str]:
         """The selected versions of a selected model."""
-        wanted = {entry.partition("@")[2] for entry in self.entries if entry.partition("@")[0] == name}
+        wanted = self.wanted(name)
         return (
             list(available) if not wanted or "" in wanted else [version for version in available if version in wanted]
         )
+
+    def wanted(self, name: str) -> set[str]:
+        """What the entries of a model say of its versions; "" for all of them."""
+        return {entry.partition("@")[2] for entry in self.entries if entry.partition("@")[0] == name}
 
 
 @dataclass(slots=True)
@@ -78,12 +82,17 @@ class Loader:
         self._lock = threading.Lock()
 
     def list_source(self) -> list[str]:
-        """The selected names; raises ``StoreUnknown`` when the source cannot be listed, ``ModelUnknown`` for a name
-        that is not there.
+        """The selected names; raises ``StoreUnknown`` when the source cannot be listed, ``ModelUnknown`` for a name or
+        a version that is not there.
         """
         names = self._selection.names(self._source.names())
         for name in names:
-            self._source.versions(name)
+            versions = self._source.versions(name)
+            for wanted in self._selection.wanted(name) - {"", *versions}:
+                raise ModelUnknown(
+                    f"Model '{name}' has no version '{wanted[:80]}' to serve; there are {', '.join(versions)}. A label "
+                    f"is no version: it moves. '{name}' alone serves all versions and labels."
+                )
         return names
 
     def refresh(self, force: bool = False) -> RefreshReport:
