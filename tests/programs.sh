@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
-#   bash tests/programs.sh bilby                    one or several of: bilby pycbc beside
+#   bash tests/programs.sh bilby                    one or several of: bilby pycbc bajes beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -134,6 +134,22 @@ pycbc() {
     stop
 }
 
+# bajes' own MLGW-BNS with bnserve in the place of mlgw_bns, beside mlgw_bns itself in an environment of its own.
+
+bajes() {
+    # What it ships was trained and stored with these; the metadata of its wheel ask for what it does not run with.
+    environment mlgw_bns-0.12.1 numpy==1.23.5 scikit-learn==1.1.3 scipy==1.10.1 numba==0.57.1 joblib==1.2.0 h5py==3.9 \
+        optuna==2.10.1 sqlalchemy==1.4.54 toml dacite PyYAML sortedcontainers tqdm plotly "setuptools<81"
+    "$python" -m pip install --quiet --no-deps --ignore-requires-python mlgw-bns==0.12.1
+    check "mlgw_bns 0.12.1" "$python" -W ignore tests/programs/mlgw_bns_waveforms.py "$cache/mlgw_bns.npz"
+    # It imports matplotlib without saying so, and scipy.misc.derivative, which scipy 1.12 has no more.
+    environment bajes-1.3.0 bajes==1.3.0 matplotlib "scipy<1.12" ./protocol ./model_store ./surrogate ./inference \
+        ./service ./client
+    serve
+    check "bajes 1.3.0" "$python" tests/programs/bajes_waveform.py "$address" "$cache/mlgw_bns.npz"
+    stop
+}
+
 # Nothing that others brought is replaced: the client, and what builds analyses, beside three programs.
 
 nothing_replaced() { # what is installed into $python's environment
@@ -155,11 +171,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby pycbc beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby pycbc bajes beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | pycbc | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, pycbc, beside\n' "$program" >&2; exit 2 ;;
+        bilby | pycbc | bajes | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, pycbc, bajes, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 

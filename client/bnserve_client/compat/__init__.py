@@ -1,0 +1,50 @@
+"""bnserve under the names of other waveform packages, for programs that import them.
+
+::
+
+    import bnserve_client.compat
+
+    bnserve_client.compat.register()  # from mlgw_bns import Model is bnserve's from here on
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.metadata
+import sys
+
+from bnserve_protocol import InvalidRequest
+
+_NAME = "mlgw_bns"
+
+
+def register(*, replace: bool = False) -> None:
+    """Let ``mlgw_bns`` be :mod:`bnserve_client.compat.mlgw_bns` in this process, before a program imports it.
+
+    ``mlgw_bns.model`` is it, too. Processes that are forked have it; where a pool starts new interpreters, call it at
+    the top of the script, outside of ``if __name__ == "__main__"``. A second call changes nothing.
+
+    Parameters
+    ----------
+    replace:
+        Take the place of an mlgw_bns that is installed or imported, in this process.
+
+    Raises
+    ------
+    InvalidRequest
+        There is an mlgw_bns, and ``replace`` is not set: nobody is given another's waveforms unasked.
+    """
+    ours = importlib.import_module(f"{__name__}.{_NAME}")
+    if sys.modules.get(_NAME) is not ours and not replace:
+        try:
+            found: str | None = f"{importlib.metadata.version(_NAME)} is installed"
+        except importlib.metadata.PackageNotFoundError:
+            found = "is imported" if _NAME in sys.modules else None
+        if found:
+            raise InvalidRequest(
+                f"mlgw_bns {found} here, and would be hidden: bnserve_client.compat.register(replace=True) takes its "
+                "place in this process, or uninstall it."
+            )
+    for name in [name for name in sys.modules if name.startswith(f"{_NAME}.")]:
+        del sys.modules[name]
+    sys.modules[_NAME] = sys.modules[f"{_NAME}.model"] = ours
