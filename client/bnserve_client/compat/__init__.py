@@ -47,4 +47,4 @@ def register(*, replace: bool = False) -> None:
             )
     for name in [name for name in sys.modules if name.startswith(f"{_NAME}.")]:
         del sys.modules[name]
-    sys.modules[_NAME] = sys.modules[f"{_NAME}.model"] = ours
+    sys.modules[_NAME] = sys.modules[f"{_NAME}.model"] = vars(ours)["model"] = ours
