@@ -15,6 +15,8 @@ import sys
 
 from bnserve_protocol import InvalidRequest
 
+__all__ = ["register"]
+
 _NAME = "mlgw_bns"
 
 
