@@ -11,7 +11,7 @@ from bnserve_protocol.wire import (
     decode_answer,
     encode_answer,
 )
-from bnserve_protocol.wire._arrays import Template
+from bnserve_protocol.wire._waveform_answers import Template
 
 MODEL = ModelIdentity(name="default", version="1.0.0", digest="sha256:0")
 

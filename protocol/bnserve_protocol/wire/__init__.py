@@ -8,6 +8,7 @@ from bnserve_protocol.wire._arrays import (
     encode_array,
     result_memory,
 )
+from bnserve_protocol.wire._bodies import LikelihoodAnswerBody, LikelihoodBody, OutputName, WaveformBody
 from bnserve_protocol.wire._envelope import (
     JSON,
     MSGPACK,
@@ -23,8 +24,6 @@ from bnserve_protocol.wire._envelope import (
 )
 from bnserve_protocol.wire._likelihoods import (
     LikelihoodAnswer,
-    LikelihoodAnswerBody,
-    LikelihoodBody,
     LikelihoodRequest,
     decode_likelihood_answer,
     decode_likelihood_request,
@@ -32,19 +31,8 @@ from bnserve_protocol.wire._likelihoods import (
     encode_likelihood_answer_json,
     encode_likelihood_request,
 )
-from bnserve_protocol.wire._waveforms import (
-    Grid,
-    GridDigest,
-    OutputName,
-    WaveformAnswer,
-    WaveformBody,
-    WaveformRequest,
-    decode_answer,
-    decode_request,
-    encode_answer,
-    encode_answer_json,
-    encode_request,
-)
+from bnserve_protocol.wire._waveform_answers import WaveformAnswer, decode_answer, encode_answer, encode_answer_json
+from bnserve_protocol.wire._waveforms import Grid, GridDigest, WaveformRequest, decode_request, encode_request
 
 __all__ = [
     "JSON", "MSGPACK", "MSGPACK_BYTES", "PROBLEM_JSON", "WANTED_DIGEST", "DigestName", "Grid", "GridDigest",

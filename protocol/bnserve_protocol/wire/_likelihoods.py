@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from types import ModuleType
-from typing import Annotated, TypeAlias
 
 import msgspec
 import numpy as np
@@ -19,6 +18,7 @@ from bnserve_protocol._likelihood_parameters import (
 from bnserve_protocol._model import ModelIdentity
 from bnserve_protocol._parameters import check_names
 from bnserve_protocol.wire._arrays import ArrayKeys, decode_array, decode_real, encode_array, is_array, raw_array
+from bnserve_protocol.wire._bodies import LikelihoodAnswerBody, LikelihoodBody, NamedArrays
 from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, read_map, undecodable
 
 
@@ -42,54 +42,11 @@ class LikelihoodAnswer(msgspec.Struct, frozen=True, kw_only=True):
     analysis: str
 
 
-_MOST_NAMES = 64
-"""Parameters, or detectors: more are a mistake or an attack, and would take a hundred times the memory of the body."""
 _MOST_PLAIN_BYTES = 2**20
 """Of numbers that do not travel as an array: decoded one by one they take up to sixty times as much."""
 
 _ALL_NAMES = list(LIKELIHOOD_NAMES)
 _MAPS = (*CALIBRATION_NAMES, "parameters")
-_Named: TypeAlias = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)]
-
-
-class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
-    """A batch, as it travels.
-
-    Parameters
-    ----------
-    parameters
-        A map of named numbers or vectors, or with 'names' one [N, P] array. What is marginalised may be left out.
-    names
-        Of the columns of 'parameters', where it is an array.
-    analysis
-        Repeats the digest of the path, as 'sha256:...'.
-    calibration_amplitude, calibration_phase
-        By detector, [N, nodes]: errors at the calibration nodes of the analysis, relative and in radians.
-    """
-
-    parameters: msgspec.Raw
-    names: Annotated[list[str], msgspec.Meta(max_length=_MOST_NAMES)] | None = None
-    analysis: str | None = None
-    calibration_amplitude: _Named = {}
-    calibration_phase: _Named = {}
-
-
-class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
-    """The log-likelihoods of a batch, as they travel.
-
-    Parameters
-    ----------
-    log_likelihood
-        [N]: natural logarithm of the ratio to the likelihood of no signal. -inf, in JSON null, wherever 'status' is
-        not 0.
-    status
-        [N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band, 4 out of the analysis' prior.
-    """
-
-    model: ModelIdentity
-    analysis: str
-    log_likelihood: msgspec.Raw
-    status: msgspec.Raw
 
 
 class _Reader:
@@ -97,7 +54,7 @@ class _Reader:
 
     def __init__(self, module: ModuleType, arrays: bool) -> None:
         self.request = module.Decoder(LikelihoodBody)
-        self.columns = module.Decoder(_Named)
+        self.columns = module.Decoder(NamedArrays)
         self.numbers = module.Decoder(float | list[float | list[float]])
         self.arrays = arrays
 

@@ -1,33 +1,26 @@
-"""A request for waveforms, in MessagePack and JSON, and its answer: arrays by name, and the model that made them."""
+"""A request for waveforms, in MessagePack and JSON."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from types import ModuleType
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, TypeAlias
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge, UndecodableBody
+from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge
 from bnserve_protocol._grids import UniformGrid, as_frequencies
-from bnserve_protocol._model import DtypeName, EvaluationOptions, ModelIdentity
+from bnserve_protocol._model import DtypeName, EvaluationOptions
 from bnserve_protocol._parameters import PARAMETER_NAMES, ParameterBatch, check_names
 from bnserve_protocol.wire._arrays import (
-    ArrayKeys,
-    Template,
-    address_of,
-    array_header,
-    decode_array,
     decode_real,
     encode_array,
     is_array,
     raw_array,
 )
-from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, read_map, undecodable
-
-OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
+from bnserve_protocol.wire._bodies import MOST_NAMES, GridBody, NamedArrays, OutputName, WaveformBody
+from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, undecodable
 
 
 class GridDigest(msgspec.Struct, frozen=True):
@@ -51,55 +44,10 @@ class WaveformRequest(msgspec.Struct, frozen=True, kw_only=True):
     options: EvaluationOptions = EvaluationOptions()
 
 
-_MOST_NAMES = 64
-"""More names than a request has parameters, so that the answer can still say which of them is unknown."""
-
-
-class GridBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
-    """A grid as it travels; each of its forms has fields of its own."""
-
-    f_min: float | None = None
-    f_max: float | None = None
-    delta_f: float | None = None
-    frequencies: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
-    sha256: str | None = None
-
-
-class WaveformBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
-    """A batch on a grid, and what to return, as it travels; the options are those of ``EvaluationOptions``.
-
-    Parameters
-    ----------
-    parameters
-        A map of named numbers or vectors, or with 'names' one [N, P] array.
-    grid
-        One of its three forms: uniform, its frequencies in Hz, or the digest of one that was uploaded.
-    names
-        Of the columns of 'parameters', where it is an array.
-    output
-        'modes': h_22 is the mode at the given distance, without the factors of the inclination; 'factored':
-        h_plus = plus * h and h_cross = cross * h.
-    dtype
-        complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square underflows in
-        single precision: convert to double precision, or multiply by 1e22, before squaring. Amplitude and phase are
-        float64 in any case.
-    """
-
-    parameters: msgspec.Raw
-    grid: GridBody
-    names: Annotated[list[str], msgspec.Meta(max_length=_MOST_NAMES)] | None = None
-    output: OutputName = "polarizations"
-    dtype: DtypeName = "complex128"
-    out_of_domain: Literal["error", "flag"] = "error"
-    below_band: Literal["extend", "error"] = "extend"
-    above_band: Literal["zero", "error"] = "zero"
-    alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
-
-
 _MOST_NUMBERS = 2**20
 """Numbers in one list: as objects they take thirty times the bytes in which they travel. Arrays have no such bound."""
 _Vector: TypeAlias = Annotated[list[float], msgspec.Meta(max_length=_MOST_NUMBERS)]
-_Row: TypeAlias = Annotated[list[float], msgspec.Meta(max_length=_MOST_NAMES)]
+_Row: TypeAlias = Annotated[list[float], msgspec.Meta(max_length=MOST_NAMES)]
 _Rows: TypeAlias = Annotated[list[_Row], msgspec.Meta(max_length=_MOST_NUMBERS // 10)]
 
 
@@ -108,7 +56,7 @@ class _Reader:
 
     def __init__(self, module: ModuleType, arrays: bool) -> None:
         self.request = module.Decoder(WaveformBody)
-        self.columns = module.Decoder(Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=_MOST_NAMES)])
+        self.columns = module.Decoder(NamedArrays)
         self.column = module.Decoder(float | _Vector)
         self.rows = module.Decoder(_Rows)
         self.vector = module.Decoder(_Vector)
@@ -119,6 +67,7 @@ class _Reader:
         return decode_real(raw) if self.arrays and is_array(raw) else None
 
 
+_encode = msgspec.msgpack.Encoder().encode
 _READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
 
 _ONE_ROW = msgspec.msgpack.encode("parameters") + bytes(encode_array(np.zeros((1, len(PARAMETER_NAMES))))[0])
@@ -268,126 +217,3 @@ def _wire_grid(grid: Grid) -> GridBody:
     if isinstance(grid, UniformGrid):
         return GridBody(f_min=grid.f_min, f_max=grid.f_max, delta_f=grid.delta_f)
     return GridBody(frequencies=raw_array(grid))
-
-
-ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
-"""The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
-cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm ``[N, M]``; always status ``[N]``,
-and estimated_mismatch ``[N]`` from models that have it."""
-
-ALIGNMENT = 64
-"""Of large arrays within the body: a cache line, and what the widest vector instructions like."""
-LARGE = 2**16
-"""Smaller arrays are cheaper to copy than to align."""
-
-_encode = msgspec.msgpack.Encoder().encode
-
-
-class WaveformAnswer(msgspec.Struct, frozen=True):
-    """A decoded answer."""
-
-    arrays: dict[str, Any]
-    model: ModelIdentity
-
-
-_identity = msgspec.msgpack.Decoder(ModelIdentity)
-_MOST_TEMPLATES = 128
-_templates: dict[int, Template] = {}
-"""Of the small answers met last, by their length."""
-
-
-def encode_answer(
-    arrays: Mapping[str, NDArray[Any]], model: ModelIdentity, keys: ArrayKeys = "text"
-) -> list[bytes | memoryview]:
-    """Write an answer as buffers, which joined are one MessagePack map; the memory of large arrays is not copied.
-
-    The data of a large array begins at a multiple of 64 bytes, behind a field of zeros named ``pad_`` and its name: a
-    reader who puts the body into aligned memory can use the array where it is.
-    """
-    large = sum(array.nbytes >= LARGE for array in arrays.values())
-    start = b"%c" % (0x80 + 1 + len(arrays) + large) + _encode("model") + _encode(model)
-    parts: list[bytes | memoryview] = []
-    position = 0
-    for name, array in arrays.items():
-        if array.nbytes < LARGE:
-            head, dtype = array_header(array.dtype, array.shape, keys)
-            start += _encode(name) + head + array.astype(dtype, copy=False).tobytes()
-            continue
-        header, data = encode_array(array, keys)
-        start += _padded(name, header, position + len(start))
-        parts += [start, data]
-        position += len(start) + len(data)
-        start = b""
-    return [*parts, start] if start else parts
-
-
-def _padded(name: str, header: bytes | memoryview, position: int) -> bytes:
-    """A field up to its data, with zeros before it so that the data is aligned when it is put at ``position``."""
-    field = _encode(name) + bytes(header)
-    filler = _encode(f"pad_{name}") + b"\xc4"
-    missing = -(position + len(filler) + 1 + len(field)) % ALIGNMENT
-    return filler + bytes([missing]) + bytes(missing) + field
-
-
-def encode_answer_json(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> bytes:
-    """Write an answer as JSON: complex arrays as ``{"re": ..., "im": ...}``, NaN as null."""
-    return msgspec.json.encode({"model": model} | {name: _json_value(array) for name, array in arrays.items()})
-
-
-def _json_value(array: NDArray[Any]) -> Any:
-    if np.iscomplexobj(array):
-        return {"re": array.real.tolist(), "im": array.imag.tolist()}
-    return array.tolist()
-
-
-def decode_answer(body: bytes | memoryview) -> WaveformAnswer:
-    """Read an answer; its arrays are views of ``body``. Unknown fields are ignored.
-
-    The views are read-only, but for those of large arrays in a writable ``body``.
-
-    Raises
-    ------
-    UndecodableBody
-        Not such a message.
-    """
-    small = body if isinstance(body, bytes) and len(body) <= LARGE else b""
-    template = _templates.get(len(small))
-    if template is not None and (known := template.read(small)) is not None:
-        return WaveformAnswer(arrays=known, model=template.meaning)
-    answer = _decode_answer(body)
-    if small and all(array.size for array in answer.arrays.values()):
-        if len(_templates) >= _MOST_TEMPLATES:
-            _templates.clear()
-        _templates[len(small)] = Template(small, answer.arrays, answer.model)
-    return answer
-
-
-def _decode_answer(body: bytes | memoryview) -> WaveformAnswer:
-    try:
-        fields = read_map(body)
-        read_map(fields["model"])
-        model = _identity.decode(fields["model"])
-    except (*UNREADABLE, KeyError) as error:
-        raise UndecodableBody("The answer is not a waveform answer of bnserve.") from error
-    arrays = {name: decode_array(fields[name]) for name in ARRAY_NAMES if name in fields}
-    if not _fit_together(arrays):
-        raise UndecodableBody("The arrays of the answer do not fit together.")
-    if isinstance(body, memoryview) and not body.readonly:
-        arrays = {name: array if array.nbytes < LARGE else _same_in(body, array) for name, array in arrays.items()}
-    return WaveformAnswer(arrays=arrays, model=model)
-
-
-def _same_in(body: memoryview, array: NDArray[Any]) -> NDArray[Any]:
-    """An array over the same bytes, which are a part of ``body``, that can be written to as ``body`` can."""
-    start = address_of(np.frombuffer(body, np.uint8))
-    return np.ndarray(array.shape, array.dtype, body, address_of(array) - start)
-
-
-def _fit_together(arrays: Mapping[str, NDArray[Any]]) -> bool:
-    """Whether there is a uint8 status of N rows, and all else has N rows and one number of columns, if any."""
-    status = arrays.get("status")
-    if status is None or status.ndim != 1 or status.dtype != np.uint8:
-        return False
-    rows = {len(array) for array in arrays.values()}
-    columns = {array.shape[1] for array in arrays.values() if array.ndim == 2}
-    return len(rows) == 1 and len(columns) <= 1

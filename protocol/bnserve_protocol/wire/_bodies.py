@@ -1,0 +1,96 @@
+"""Requests and answers as they travel: the fields of their messages, and what each means."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypeAlias
+
+import msgspec
+
+from bnserve_protocol._model import DtypeName, ModelIdentity
+
+OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
+MOST_NAMES = 64
+"""Parameters, or detectors: more than a request has, so that the answer can still say which of them is unknown; still
+more are a mistake or an attack, and would take a hundred times the memory of the body."""
+NamedArrays: TypeAlias = Annotated[dict[str, msgspec.Raw], msgspec.Meta(max_length=MOST_NAMES)]
+
+
+class GridBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True):
+    """A grid as it travels; each of its forms has fields of its own."""
+
+    f_min: float | None = None
+    f_max: float | None = None
+    delta_f: float | None = None
+    frequencies: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    sha256: str | None = None
+
+
+class WaveformBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+    """A batch on a grid, and what to return, as it travels; the options are those of ``EvaluationOptions``.
+
+    Parameters
+    ----------
+    parameters
+        A map of named numbers or vectors, or with 'names' one [N, P] array.
+    grid
+        One of its three forms: uniform, its frequencies in Hz, or the digest of one that was uploaded.
+    names
+        Of the columns of 'parameters', where it is an array.
+    output
+        'modes': h_22 is the mode at the given distance, without the factors of the inclination; 'factored':
+        h_plus = plus * h and h_cross = cross * h.
+    dtype
+        complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square underflows in
+        single precision: convert to double precision, or multiply by 1e22, before squaring. Amplitude and phase are
+        float64 in any case.
+    """
+
+    parameters: msgspec.Raw
+    grid: GridBody
+    names: Annotated[list[str], msgspec.Meta(max_length=MOST_NAMES)] | None = None
+    output: OutputName = "polarizations"
+    dtype: DtypeName = "complex128"
+    out_of_domain: Literal["error", "flag"] = "error"
+    below_band: Literal["extend", "error"] = "extend"
+    above_band: Literal["zero", "error"] = "zero"
+    alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
+
+
+class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+    """A batch, as it travels.
+
+    Parameters
+    ----------
+    parameters
+        A map of named numbers or vectors, or with 'names' one [N, P] array. What is marginalised may be left out.
+    names
+        Of the columns of 'parameters', where it is an array.
+    analysis
+        Repeats the digest of the path, as 'sha256:...'.
+    calibration_amplitude, calibration_phase
+        By detector, [N, nodes]: errors at the calibration nodes of the analysis, relative and in radians.
+    """
+
+    parameters: msgspec.Raw
+    names: Annotated[list[str], msgspec.Meta(max_length=MOST_NAMES)] | None = None
+    analysis: str | None = None
+    calibration_amplitude: NamedArrays = {}
+    calibration_phase: NamedArrays = {}
+
+
+class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
+    """The log-likelihoods of a batch, as they travel.
+
+    Parameters
+    ----------
+    log_likelihood
+        [N]: natural logarithm of the ratio to the likelihood of no signal. -inf, in JSON null, wherever 'status' is
+        not 0.
+    status
+        [N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band, 4 out of the analysis' prior.
+    """
+
+    model: ModelIdentity
+    analysis: str
+    log_likelihood: msgspec.Raw
+    status: msgspec.Raw
