@@ -91,7 +91,7 @@ def _texts(*structs: type) -> dict[str, str]:
     found: dict[str, str] = {}
     for struct in structs:
         section = (inspect.getdoc(struct) or "").partition("Parameters\n----------\n")[2].partition("\n\n")[0]
-        for names, text in re.findall(r"^(\w[\w, ]*):\n((?:    .*\n?)+)", section, re.MULTILINE):
+        for names, text in re.findall(r"^(\w[\w, ]*)\n((?:    .*\n?)+)", section, re.MULTILINE):
             plain = re.sub(r":\w+:`([^`]*)`", r"\1", " ".join(text.split()))
             if not plain.startswith("As in "):
                 found |= dict.fromkeys(names.split(", "), plain)
