@@ -36,8 +36,6 @@ from bnserve_client.pycbc import length
 from bnserve_protocol import EvaluationOptions, InvalidFrequencies
 from bnserve_surrogate import Model
 
-pytestmark = pytest.mark.filterwarnings("default")  # of PyCBC and what it imports
-
 ADDRESS = os.environ["BNSERVE_URL"]
 HERE = Path(__file__).parent
 MERGER = EvaluationOptions(alignment="merger")
@@ -195,12 +193,21 @@ def test_the_default_of_no_tides_is_refused_with_the_smallest_that_there_is(give
         ({"phase_order": 7}, "no 'phase_order'"),
         ({"mode_array": [(3, 3)]}, r"\(2, 2\) mode alone"),
         ({"f_ref": 1e4}, "'f_ref' of 10000 Hz"),
+        ({"delta_f": 0.0}, "'delta_f' must be positive"),
+        ({"mass1": np.array([1.5, 1.6])}, "'mass1' must be one finite number; got array"),
+        ({"f_lower": np.nan}, "'f_lower' must be one finite number; got nan"),
         ({"bnserve_ulr": ADDRESS}, "'bnserve_ulr': did you mean 'bnserve_url'"),
     ],
 )
 def test_what_the_model_does_not_have_is_refused_in_a_sentence(given, said):
     with pytest.raises(InvalidRequest, match=said):
         series(**given)
+
+
+@pytest.mark.parametrize("points", [[30.0, 20.0], [20.0, 0.0, 30.0], [np.nan, 20.0], [20.0, 20.0]])
+def test_samples_in_no_order_are_refused(points):
+    with pytest.raises(InvalidFrequencies):
+        get_fd_waveform_sequence(approximant="bnserve", sample_points=points, **BINARY)
 
 
 def test_an_empty_band_is_refused():
