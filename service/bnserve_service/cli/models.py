@@ -113,6 +113,8 @@ def show_run(options: argparse.Namespace) -> int:
 
 def verify_models(options: argparse.Namespace) -> int:
     """Check versions; exit code 1 when one must not be used."""
+    from bnserve_service.doctor.stores import what_is_wrong
+
     store = _open(options)
     chosen = [(name, store.resolve(name, version)) for name, version in map(name_and_version, options.model)] or [
         (name, version) for name in store.names() for version in store.versions(name)
@@ -132,18 +134,6 @@ def verify_models(options: argparse.Namespace) -> int:
 
 
 FINE = "fine (digest and shapes are right, and it gives the answer stored with it)"
-
-
-def what_is_wrong(store: ModelStore, name: str, version: str) -> str | None:
-    """Why a version must not be used, or None."""
-    from bnserve_protocol import ArtifactError
-    from bnserve_surrogate import Model
-
-    try:
-        model = Model.from_artifact(store.load(name, version))
-    except ArtifactError as error:
-        return error.detail
-    return None if model.self_check() else "does not reproduce the answer stored with it; do not use it"
 
 
 def publish_model(options: argparse.Namespace) -> int:

@@ -59,14 +59,14 @@ class SharedFolder:
         FileNotFoundError
             Nothing can be written anywhere.
         """
-        where = [place for place in places or _usual_places() if os.access(place, os.W_OK)]
+        where = [place for place in places or usual_places() if os.access(place, os.W_OK)]
         if not where:
             raise FileNotFoundError(
                 "workers share a folder, and neither /dev/shm nor a temporary folder can be written"
             )
         for place in where:
             _remove_ruins(place)
-        roomy = [place for place in where if _free_bytes(place) >= needed] or sorted(where, key=_free_bytes)[-1:]
+        roomy = [place for place in where if free_bytes(place) >= needed] or sorted(where, key=free_bytes)[-1:]
         while True:
             folder = cls(Path(tempfile.mkdtemp(prefix=_PREFIX, dir=roomy[0])))  # mkdtemp lets nobody else in
             if (folder.path / _LOCK).exists():
@@ -135,14 +135,16 @@ class SharedLoads:
         os.close(self._file)
 
 
-def _usual_places() -> list[Path]:
+def usual_places() -> list[Path]:
+    """Where the folder may be, the best first."""
     try:
         return [_IN_MEMORY, Path(tempfile.gettempdir())]
     except FileNotFoundError:  # a container that is read-only
         return [_IN_MEMORY]
 
 
-def _free_bytes(place: Path) -> int:
+def free_bytes(place: Path) -> int:
+    """Room that is left there; none where it cannot be told."""
     try:
         room = os.statvfs(place)
     except OSError:

@@ -12,7 +12,7 @@ from bnserve_surrogate.kernel._layout import (
     Policy,
     padded,
 )
-from bnserve_surrogate.kernel._loader import Workspace, kernel_bytes, load_assembly
+from bnserve_surrogate.kernel._loader import Workspace, kernel_bytes, load_assembly, load_kernel
 from bnserve_surrogate.kernel._mode import KernelModel, build_kernel_model
 
 __all__ = [
@@ -31,5 +31,6 @@ __all__ = [
     "evaluate",
     "kernel_bytes",
     "load_assembly",
+    "load_kernel",
     "padded",
 ]

@@ -1,0 +1,1 @@
+"""What ``bnserve doctor`` looks at: installation, stores, machine, and a server."""
