@@ -128,8 +128,7 @@ pycbc() {
         ./service ./client
     serve
     export BNSERVE_URL=$address
-    check "pycbc 2.11.0" "$python" -m pytest -q -rP --noconftest -p no:cacheprovider --disable-warnings \
-        -o filterwarnings=default tests/programs/pycbc_checks.py # the warnings are PyCBC's
+    check "pycbc 2.11.0" "$python" -m pytest -q -rP --noconftest -p no:cacheprovider tests/programs/pycbc_checks.py
     check "pycbc 2.11.0, times" "$python" -W ignore tests/programs/pycbc_times.py
     unset BNSERVE_URL
     stop

@@ -33,6 +33,7 @@ class Settings(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     host: str = "127.0.0.1"
+    """Address to listen on: this machine alone, unless told otherwise."""
     port: int = Field(default=8000, ge=0, le=65535)
     """0 takes a free port, which is printed."""
     uds: Path | None = None
@@ -56,6 +57,7 @@ class Settings(BaseModel):
     tokens: tuple[Token, ...] = ()
     """Empty: no authentication."""
     access_log: bool = False
+    """One line per request on standard error."""
 
     max_body_bytes: int = Field(default=16 * 2**20, ge=1024)
     """A full grid (8 MiB) and a full batch (320 KiB) fit twice."""
@@ -67,9 +69,13 @@ class Settings(BaseModel):
     """Memory of all bodies of one worker process that are on their way or not decoded yet, beyond the first 64 KiB of
     each; None for four of the largest."""
     max_rows: int = Field(default=4096, ge=1)
+    """Binaries in one request; our client divides larger batches."""
     max_frequencies: int = Field(default=2**20, ge=1)
+    """Of one grid: those of 512 s up to 2048 Hz."""
     max_samples: int = Field(default=2**24, ge=1)
+    """Rows times frequencies of one answer: 256 MiB of complex128 for each polarisation."""
     max_grids: int = Field(default=256, ge=1)
+    """Uploaded grids that are kept; what was not used for longest goes first."""
     max_grid_bytes: int = Field(default=512 * 2**20, ge=2**20)
     """Memory of all uploaded grids together."""
     max_analysis_bytes: int = Field(default=64 * 2**20, ge=1024)
@@ -77,6 +83,7 @@ class Settings(BaseModel):
     max_analyses: int = Field(default=256, ge=1)
     """Uploaded analyses that are kept for one owner (a token; without tokens, everybody)."""
     max_owner_analyses_bytes: int = Field(default=512 * 2**20, ge=1024)
+    """Memory of the analyses of one owner: half of that of all, so that nobody takes it whole."""
     max_analyses_bytes: int = Field(default=1024 * 2**20, ge=1024)
     """Memory of the analyses of all owners together."""
 
@@ -88,7 +95,9 @@ class Settings(BaseModel):
     """Memory of answers being computed or not yet taken by their clients."""
 
     header_timeout: float = Field(default=10.0, gt=0)
+    """A request line and headers have to arrive within this: longer is a client that holds connections."""
     body_timeout: float = Field(default=30.0, gt=0)
+    """A body has to arrive within this: the largest analysis does at 18 Mbit/s."""
     write_timeout: float = Field(default=30.0, gt=0)
     """A client that takes nothing for this long is cut off."""
     write_rate: int = Field(default=2**19, ge=1)

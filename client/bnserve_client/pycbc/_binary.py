@@ -37,34 +37,13 @@ def read_model(parameters: Mapping[str, Any]) -> WaveformModel:
     return chosen_model(url, name, version=version, digest=digest, timeout=timeout)
 
 
-def number(parameters: Mapping[str, Any], name: str, default: float = 0.0) -> float:
-    """One of PyCBC's parameters; None, as its defaults are, stands for ours.
-
-    Raises
-    ------
-    InvalidParameters
-        It is not one finite number.
-    """
-    value = parameters.get(name)
-    try:
-        found = default if value is None else float(value)
-    except (TypeError, ValueError):
-        found = math.nan
-    if not math.isfinite(found):
-        raise InvalidParameters(
-            f"'{name}' must be one finite number; got {value!r:.80}.",
-            errors=[FieldError(reason="not one finite number", parameter=name)],
-        )
-    return found
-
-
 def read_binary(parameters: Mapping[str, Any], model: WaveformModel) -> ParametersWithExtrinsic:
     """The binary that PyCBC's parameters describe, with ``reference_phase`` and ``time_shift`` zero.
 
     Raises
     ------
     InvalidParameters
-        A spin is not aligned, a tide is missing, a parameter is set that the model does not have, or is no number.
+        A spin is not aligned, a tide is missing, or a parameter is set that the model does not have.
     InvalidRequest
         Other modes are asked for than the model's.
     """
@@ -79,18 +58,18 @@ def read_binary(parameters: Mapping[str, Any], model: WaveformModel) -> Paramete
     stars: dict[str, float] = {}
     for star in ("1", "2"):
         _refuse_precession(star, parameters)
-        stars[f"mass_{star}"] = number(parameters, f"mass{star}")
-        stars[f"chi_{star}"] = number(parameters, f"spin{star}z")
+        stars[f"mass_{star}"] = parameters[f"mass{star}"]
+        stars[f"chi_{star}"] = parameters.get(f"spin{star}z", 0.0)
         stars[f"lambda_{star}"] = _tide(f"lambda{star}", parameters, model)
     return ParametersWithExtrinsic(
-        distance_mpc=number(parameters, "distance", 1.0),
-        inclination=number(parameters, "inclination"),
+        distance_mpc=float(parameters.get("distance", 1.0)),
+        inclination=float(parameters.get("inclination", 0.0)),
         **{name: float(value) for name, value in convert(stars).items()},
     )
 
 
 def _refuse_precession(star: str, parameters: Mapping[str, Any]) -> None:
-    in_plane = math.hypot(number(parameters, f"spin{star}x"), number(parameters, f"spin{star}y"))
+    in_plane = math.hypot(parameters.get(f"spin{star}x", 0.0), parameters.get(f"spin{star}y", 0.0))
     if in_plane > _MOST_IN_PLANE:
         raise InvalidParameters(
             f"The model has spins along the orbital angular momentum alone, and spin {star} has {in_plane:.3g} in the "
@@ -101,7 +80,7 @@ def _refuse_precession(star: str, parameters: Mapping[str, Any]) -> None:
 
 def _tide(name: str, parameters: Mapping[str, Any], model: WaveformModel) -> float:
     """A star's tidal polarisability; PyCBC's default, None or 0, is no tide, which the model has to have."""
-    value = number(parameters, name)
+    value = parameters.get(name) or 0.0
     ranges = {found.name: found for found in model.description.parameters}
     least = max(float(ranges[star].minimum or 0.0) for star in ("lambda_1", "lambda_2"))
     if value == 0.0 and least > 0.0:
@@ -110,7 +89,7 @@ def _tide(name: str, parameters: Mapping[str, Any], model: WaveformModel) -> flo
             f"'{model.description.name}' is {least:g}: give {name}={least:g} or more.",
             errors=[FieldError(reason=f"below {least:g}", parameter=name, value=0.0)],
         )
-    return value
+    return float(value)
 
 
 @functools.cache

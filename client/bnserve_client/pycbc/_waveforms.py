@@ -13,11 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._lal_meaning import phase_of_the_orbit
-from bnserve_client.pycbc._binary import number, read_binary, read_model
+from bnserve_client.pycbc._binary import read_binary, read_model
 from bnserve_protocol import (
     EvaluationOptions,
     InvalidFrequencies,
-    InvalidParameters,
     OutOfDomain,
     ParametersWithExtrinsic,
     Polarizations,
@@ -65,22 +64,20 @@ def frequency_series(**parameters: Any) -> tuple[Any, Any]:
     Raises
     ------
     InvalidParameters
-        A spin is not aligned, a tide is missing, a parameter is set that the model does not have, or is no number.
+        A spin is not aligned, a tide is missing, or a parameter is set that the model does not have.
     OutOfDomain
         The binary is outside the model's range. It is a ``NoWaveformError`` of PyCBC, too, whose likelihoods are -inf
         there.
     InvalidFrequencies
-        The step is not positive, or no frequency is left between the first and the last.
+        No frequency is left between the first and the last.
     PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
         As :func:`bnserve_client.Model.connect`, and without an address where no models are installed.
     """
     from pycbc.types import FrequencySeries
 
     model = read_model(parameters)
-    step, lowest = number(parameters, "delta_f"), number(parameters, "f_lower")
-    if step <= 0.0:
-        raise InvalidFrequencies(f"'delta_f' must be positive; got {step:g} Hz.")
-    highest = number(parameters, "f_final") or end_frequency(**parameters)
+    step, lowest = float(parameters["delta_f"]), float(parameters["f_lower"])
+    highest = float(parameters.get("f_final") or 0.0) or end_frequency(**parameters)
     first, last = max(1, math.ceil(lowest / step - _ROUNDING)), int(highest / step + _ROUNDING)
     if last < first:
         raise InvalidFrequencies(
@@ -88,7 +85,7 @@ def frequency_series(**parameters: Any) -> tuple[Any, Any]:
             f"({highest:g} Hz): lower the first or raise the last."
         )
     series = []
-    for part in _polarizations(model, _multiples(first, last, step), parameters, lowest or step):
+    for part in _polarizations(model, _multiples(first, last, step), parameters, lowest):
         whole = np.zeros(last + 1, dtype=np.complex128)
         whole[first:] = part
         series.append(FrequencySeries(whole, delta_f=step, epoch=-1.0 / step, copy=False))
@@ -116,8 +113,7 @@ def samples(**parameters: Any) -> tuple[Any, Any]:
 
     model = read_model(parameters)
     points = np.asarray(parameters["sample_points"].numpy(), dtype=np.float64)
-    asked = ~(points <= 0.0)  # NaN, too, which the model refuses
-    first = int(np.argmax(asked)) if asked.any() else len(points)
+    first = int(np.searchsorted(points, 0.0, side="right"))
     plus, cross = np.zeros((2, len(points)), dtype=np.complex128)
     if first < len(points):
         plus[first:], cross[first:] = _polarizations(model, points[first:], parameters, float(points[first]))
@@ -131,7 +127,7 @@ def length(**parameters: Any) -> float:
     """
     model = read_model(parameters)
     with _out_of_domain_is_no_waveform():
-        return model.time_until_merger(number(parameters, "f_lower"), read_binary(parameters, model))
+        return model.time_until_merger(float(parameters["f_lower"]), read_binary(parameters, model))
 
 
 def end_frequency(**parameters: Any) -> float:
@@ -140,9 +136,7 @@ def end_frequency(**parameters: Any) -> float:
     Parameters and errors are those of :func:`frequency_series`; masses alone matter.
     """
     description = read_model(parameters).description
-    total_mass = number(parameters, "mass1") + number(parameters, "mass2")
-    if total_mass <= 0.0:
-        raise InvalidParameters(f"'mass1' and 'mass2' must be positive; their sum is {total_mass:g} solar masses.")
+    total_mass = float(parameters["mass1"]) + float(parameters["mass2"])
     return description.training_band[1] * description.reference_mass / total_mass
 
 
@@ -152,11 +146,11 @@ for _function in (frequency_series, samples):
 
 def _polarizations(model: WaveformModel, grid: Grid, parameters: dict[str, Any], lowest: float) -> Polarizations:
     binary = read_binary(parameters, model)
-    reference = number(parameters, "f_ref") or lowest
+    reference = float(parameters.get("f_ref") or 0.0) or lowest
     with _out_of_domain_is_no_waveform():
         face_on = dataclasses.replace(binary, distance_mpc=1.0, inclination=0.0)
         phase = _phase_of_the_orbit(model, face_on, reference)  # type: ignore[arg-type]  # one model equals itself
-        phase += 2.0 * number(parameters, "coa_phase")
+        phase += 2.0 * float(parameters.get("coa_phase", 0.0))
         return model.predict(grid, dataclasses.replace(binary, reference_phase=phase), options=OPTIONS)
 
 

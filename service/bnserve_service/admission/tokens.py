@@ -25,8 +25,11 @@ class Token(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     name: str = "token"
+    """Who has it: shown in logs."""
     sha256: str = Field(pattern=r"^[0-9a-f]{64}$")
+    """Of its text; `bnserve tokens new` prints both."""
     scopes: tuple[Scope, ...] = USUAL_SCOPES
+    """What it may do; `admin` is for operators."""
     rows_per_second: float | None = Field(default=None, gt=0.0, allow_inf_nan=False)
     """Rows evaluated per second in the long run; None for no limit."""
     burst_rows: float | None = Field(default=None, ge=1.0, allow_inf_nan=False)

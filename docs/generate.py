@@ -1,0 +1,399 @@
+"""The pages of reference that are made from the code: settings, metrics, commands, errors, HTTP; and `bnserve.toml`.
+
+    python docs/generate.py            # writes them
+    python docs/generate.py --check    # says which are not what the code says; exit status 1
+
+The reference of Python is made when the site is built (``docs/hooks.py``), from the docstrings.
+"""
+
+from __future__ import annotations
+
+import argparse
+import ast
+import inspect
+import json
+import re
+import sys
+import textwrap
+from collections.abc import Iterator
+from itertools import pairwise
+from pathlib import Path
+from typing import Any, get_args, get_origin
+
+from prometheus_client.registry import Collector
+
+import bnserve_protocol
+from bnserve_service import Settings, Token, create_app
+from bnserve_service.app import Application
+from bnserve_service.cli import build_parser
+from bnserve_service.errors import status_of
+from bnserve_service.reference.openapi import openapi_document
+from bnserve_service.workers import pool
+
+ROOT = Path(__file__).parents[1]
+REFERENCE = Path("docs/reference")
+ROOMS = ("protocol", "client", "model_store", "surrogate", "inference", "service")
+SAMPLE = Path("examples/bnserve.toml")
+HEAD = "<!-- Made from the code by `python docs/generate.py`. -->"
+WIDTH = 120
+
+
+def pages() -> dict[Path, str]:
+    """Every page that is made from the code, by its path in the repository."""
+    app = create_app(Settings(), wait_for_models=False)
+    made = {
+        "settings": settings_page(),
+        "metrics": metrics_page(app),
+        "commands": commands_page(),
+        "errors": errors_page(),
+        "http": http_page(app),
+    }
+    return {REFERENCE / f"{name}.md": text for name, text in made.items()} | {SAMPLE: sample()}
+
+
+def _cell(text: str) -> str:
+    return re.sub(r":\w+:`([^`]*)`", r"`\1`", " ".join(text.replace("``", "`").split())).replace("|", r"\|")
+
+
+def _table(heading: str, rows: list[tuple[str, ...]]) -> str:
+    rule = "|".join(["---"] * (heading.count("|") + 1))
+    return "\n".join([f"| {heading} |", f"|{rule}|", *(f"| {' | '.join(map(_cell, row))} |" for row in rows)]) + "\n"
+
+
+# Settings
+
+
+def reasons(model: type) -> dict[str, str]:
+    """What the docstring below each field of a class says."""
+    body = ast.parse(textwrap.dedent(inspect.getsource(model))).body[0].body
+    return {
+        field.target.id: _cell(text.value.value)
+        for field, text in pairwise(body)
+        if isinstance(field, ast.AnnAssign) and isinstance(text, ast.Expr) and isinstance(text.value, ast.Constant)
+    }
+
+
+def _kind(annotation: Any) -> str:
+    """A type in words."""
+    if get_origin(annotation) is tuple:
+        return f"list of {_kind(get_args(annotation)[0])}"
+    options = [option for option in get_args(annotation) if option is not type(None)]
+    if options and all(isinstance(option, str) for option in options):
+        return " or ".join(f"`{option}`" for option in options)
+    if options:
+        return _kind(options[0])
+    names = {str: "text", int: "whole number", float: "number", bool: "true or false", Path: "path", Token: "table"}
+    return names[annotation]
+
+
+def _bounds(field: Any) -> str:
+    """The kind of a field and its limits."""
+    limits = {
+        name: _number(getattr(item, name))
+        for item in field.metadata
+        for name in ("ge", "gt", "le")
+        if getattr(item, name, None) is not None
+    }
+    kind = _kind(field.annotation)
+    if "ge" in limits and "le" in limits:
+        return f"{kind}, {limits['ge']} to {limits['le']}"
+    words = {"ge": "from {} on", "gt": "above {}", "le": "at most {}"}
+    return ", ".join([kind, *(words[name].format(limit) for name, limit in limits.items())])
+
+
+def _number(value: float) -> str:
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def _default(value: Any) -> str:
+    return "not set" if value is None else f"`{_toml(list(value) if isinstance(value, tuple) else value)}`"
+
+
+def _toml(value: Any) -> str:
+    """A value as TOML has it; large numbers in groups."""
+    return f"{value:_}" if type(value) is int and value >= 2**16 else json.dumps(value)
+
+
+def _settings_table(model: type) -> str:
+    why = reasons(model)
+    rows = [
+        (f"`{name}`", _bounds(field), "must be given" if field.is_required() else _default(field.default), why[name])
+        for name, field in model.model_fields.items()
+    ]
+    return _table("Setting | Value | Default | What it is, and why that much", rows)
+
+
+def settings_page() -> str:
+    """Every setting."""
+    return f"""# Settings
+
+{HEAD}
+
+Of `bnserve serve --config FILE`, in TOML; options of the [command line](commands.md#bnserve-serve) count more. A name
+that is unknown is an error that suggests the nearest. Times are in seconds, sizes in bytes; what is not set is None.
+[`bnserve.toml`](../../examples/bnserve.toml) has all of them with their defaults.
+
+{_settings_table(Settings)}
+## Tokens
+
+Each is a table `[[tokens]]`, as `bnserve tokens new` prints it ([guide](../guides/tokens.md)).
+
+{_settings_table(Token)}"""
+
+
+EXAMPLES = {"uds": "/run/bnserve/http.sock", "metrics_port": 9090, "threads": 4, "max_incoming_bytes": 268_435_456}
+"""Of settings that are not set."""
+TOKEN_EXAMPLES = {"name": "alice", "rows_per_second": 20000.0, "burst_rows": 100000.0, "max_concurrent": 8,
+                  "max_stored_bytes": 268_435_456, "sha256": "0" * 63 + "1"}  # fmt: skip
+
+
+def sample() -> str:
+    """A file of settings that says what holds without it."""
+    lines = [
+        "# Every setting of bnserve, with its default: `bnserve serve --config bnserve.toml`.",
+        "# Times are in seconds, sizes in bytes. What is commented out is not set. Made by docs/generate.py.",
+    ]
+    for name, text in reasons(Settings).items():
+        if name == "tokens":
+            continue
+        default = Settings.model_fields[name].default
+        default = list(default) if isinstance(default, tuple) else default
+        line = f"{name} = {_toml(default)}" if default is not None else f"# {name} = {_toml(EXAMPLES[name])}"
+        lines += ["", *_comment(text), line]
+    lines += ["", *_comment(f"Who may ask. {reasons(Settings)['tokens']}"), "# [[tokens]]"]
+    for name, text in reasons(Token).items():
+        value = TOKEN_EXAMPLES.get(name, Token.model_fields[name].default)
+        lines += [*_comment(text, "#     "), f"# {name} = {_toml(list(value) if isinstance(value, tuple) else value)}"]
+    return "\n".join(lines) + "\n"
+
+
+def _comment(text: str, indent: str = "# ") -> list[str]:
+    return textwrap.wrap(text.replace("`", ""), WIDTH, initial_indent=indent, subsequent_indent=indent)
+
+
+# Metrics
+
+
+def metrics(app: Application) -> dict[str, tuple[str, str, str]]:
+    """Kind, labels and description of every metric of a server, by the name that Prometheus shows."""
+    registry = app.parts.metrics.registry
+    collectors: list[Collector] = list(registry._collector_to_names)
+    found = {}
+    for collector in collectors:
+        labels = ", ".join(f"`{label}`" for label in getattr(collector, "_labelnames", ()))
+        for family in getattr(collector, "describe", collector.collect)() or collector.collect():
+            found[_shown(family.name, family.type)] = (family.type, labels, family.documentation)
+    for call in ast.walk(ast.parse(inspect.getsource(pool))):
+        if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "_family":
+            name, kind, text = (argument.value for argument in call.args[:3])
+            found[_shown(name, kind)] = (kind, "`reason`" if kind == "counter" else "", text)
+    return dict(sorted(found.items()))
+
+
+def _shown(name: str, kind: str) -> str:
+    return name + {"counter": "_total", "info": "_info"}.get(kind, "")
+
+
+def metrics_page(app: Application) -> str:
+    """Every metric."""
+    rows = [(f"`{name}`", *described) for name, described in metrics(app).items()]
+    return f"""# Metrics
+
+{HEAD}
+
+Of `/metrics`. A histogram has `_bucket`, `_sum`, `_count` and `_created`; a counter has `_created`, too. How those of
+several workers become one, and what is worth an alert, is in [Operate it](../guides/operations.md#metrics).
+`bnserve_workers_serving` and `bnserve_worker_restarts_total` are there with several workers.
+
+{_table("Metric | Kind | Labels | What it says", rows)}"""
+
+
+# Commands
+
+
+def commands() -> Iterator[tuple[str, argparse.ArgumentParser]]:
+    """Every command and its parser, actions of commands included."""
+
+    def below(parser: argparse.ArgumentParser) -> Iterator[tuple[str, argparse.ArgumentParser]]:
+        yield parser.prog, parser
+        for action in parser._actions:
+            if isinstance(action, argparse._SubParsersAction):
+                for child in action.choices.values():
+                    yield from below(child)
+
+    return below(build_parser())
+
+
+def _option(action: argparse.Action) -> str:
+    names = ", ".join(action.option_strings)
+    choices = "{" + ",".join(map(str, action.choices)) + "}" if action.choices is not None else ""
+    value = "" if action.nargs == 0 else action.metavar or choices or (names and action.dest.upper()) or action.dest
+    return " ".join(f"`{word}`" for word in (names, value) if word)
+
+
+def commands_page() -> str:
+    """Every command with all its options."""
+    parts = [f"# Commands\n\n{HEAD}\n\nWhat went wrong is one sentence on standard error, with exit status 2.\n"]
+    for name, parser in commands():
+        shown = [
+            action for action in parser._actions
+            if not isinstance(action, argparse._HelpAction | argparse._SubParsersAction | argparse._VersionAction)
+        ]  # fmt: skip
+        text = re.sub(r"^`[^`]*`: ", "", _prose(parser.description or ""))
+        parts.append(f"## {name}\n\n{text[:1].upper()}{text[1:]}\n")
+        if shown:
+            rows = [(_option(action), (action.help or "") % (vars(action) | {"prog": name})) for action in shown]
+            parts.append(_table("Option | What it does", rows))
+    return "\n".join(parts).rstrip() + "\n"
+
+
+def _prose(text: str) -> str:
+    return text.replace("``", "`").strip()
+
+
+# Errors
+
+
+def errors() -> Iterator[tuple[str, ast.ClassDef]]:
+    """Code and definition of every error of all rooms, wherever it is; those of the protocol first."""
+    for file in [file for room in ROOMS for file in sorted((ROOT / room).glob("bnserve_*/**/*.py"))]:
+        for node in ast.walk(ast.parse(file.read_text())):
+            if isinstance(node, ast.ClassDef):
+                code = re.search(r"^    code(?:: ClassVar\[str\])? = '([a-z-]+)'$", ast.unparse(node), re.MULTILINE)
+                if code:
+                    yield code[1], node
+
+
+NEVER_SAID = (
+    bnserve_protocol.ArtifactError, bnserve_protocol.ConnectionFailed, bnserve_protocol.PackageMissing,
+    bnserve_protocol.UntrustedAnswer,
+)  # fmt: skip
+"""Errors of the protocol that no server answers with."""
+
+
+def errors_page() -> str:
+    """Every error with its code."""
+    rows = []
+    for code, node in errors():
+        known = getattr(bnserve_protocol, node.name, None)
+        is_said = known is not None and not issubclass(known, NEVER_SAID)
+        meaning = (ast.get_docstring(node) or "").partition("\n\n")[0]
+        parents = ", ".join(f"`{ast.unparse(base).rpartition('.')[2]}`" for base in node.bases)
+        again = _yes(known is not None and known.retryable)
+        rows.append(
+            (f"`{code}`", str(status_of(known(""))) if is_said else "", f"`{node.name}`", parents, again, meaning)
+        )
+    return f"""# Errors
+
+{HEAD}
+
+All derive from `BnserveError`. Those with a status a server answers with ([how](wire.md#errors)); they are in
+`bnserve_protocol`, and local and remote models raise the same ones. Those without are raised where you are: by the
+client, by model stores, by `bnserve_inference.roq`, by training and by the commands.
+
+{_table("Code | Status | Class | Is also a | Ask again? | Meaning", rows)}"""
+
+
+def _yes(value: bool) -> str:
+    return "yes" if value else ""
+
+
+# HTTP
+
+
+def http_page(app: Application) -> str:
+    """Every path, and the fields of all that travels."""
+    operations = {path: kind.operation for kind in app.parts.kinds for path in kind.paths}
+    document = openapi_document(app, operations, with_tokens=True)
+    parts = [
+        f"# HTTP\n\n{HEAD}\n\nFrom the OpenAPI document, which a server has under `/openapi.json` and draws under "
+        "`/docs`. [On the wire](wire.md) says it in words.\n"
+    ]
+    for path, item in sorted(document["paths"].items()):
+        for method, operation in item.items():
+            parts.append(f"## {method.upper()} `{path}`\n\n{_sentence(operation)}\n")
+            parts += _asked(operation)
+            rows = [
+                (status, answer["description"], _content(answer))
+                for status, answer in sorted(operation["responses"].items(), key=lambda item: str(item[0]))
+            ]
+            parts.append(_table("Status | Meaning | Body", rows))
+    parts.append("# What travels\n")
+    for name, schema in sorted(document["components"]["schemas"].items()):
+        parts.append(f"## {name}\n\n{_prose(schema.get('description', ''))}\n")
+        rows = [
+            (f"`{field}`", _form(form), _yes(field in schema.get("required", ())), form.get("description", ""))
+            for field, form in schema.get("properties", {}).items()
+        ]
+        parts.append(_table("Field | Form | Must be there | What it is", rows) if rows else f"{_form(schema)}\n")
+    return "\n".join(parts).rstrip().replace("\n\n\n", "\n\n") + "\n"
+
+
+def _sentence(operation: dict[str, Any]) -> str:
+    return _prose(operation.get("description") or operation.get("summary", "")).rstrip(".") + "."
+
+
+def _asked(operation: dict[str, Any]) -> list[str]:
+    """The parameters and the body of a request."""
+    parts = []
+    rows = [
+        (f"`{item['name']}`", item["in"], _form(item["schema"]), item.get("description", ""))
+        for item in operation.get("parameters", ())
+    ]
+    if rows:
+        parts.append(_table("Parameter | Where | Form | What it is", rows))
+    body = operation.get("requestBody")
+    if body:
+        parts.append(f"The body is {_content(body)}. {body.get('description', '')}".strip() + "\n")
+    return parts
+
+
+def _content(answer: dict[str, Any]) -> str:
+    content = answer.get("content", {})
+    forms = dict.fromkeys(_form(item["schema"]) for item in content.values())
+    return f"{' or '.join(forms)}, as {' or '.join(f'`{kind}`' for kind in content)}" if content else ""
+
+
+def _form(schema: dict[str, Any]) -> str:
+    """A schema in a few words."""
+    if "$ref" in schema:
+        name = schema["$ref"].rpartition("/")[2]
+        return f"[{name}](#{name.lower()})"
+    for key in ("oneOf", "anyOf", "allOf"):
+        if key in schema:
+            return " or ".join(dict.fromkeys(map(_form, schema[key])))
+    if "enum" in schema:
+        return " or ".join(f"`{value}`" for value in schema["enum"])
+    if "const" in schema:
+        return f"`{json.dumps(schema['const'])}`"
+    kind = schema.get("type", "anything")
+    if isinstance(kind, list):
+        return " or ".join(kind)
+    if kind == "array" and isinstance(schema.get("items"), dict):
+        return f"list of {_form(schema['items'])}"
+    if kind == "object" and isinstance(schema.get("additionalProperties"), dict):
+        return f"map to {_form(schema['additionalProperties'])}"
+    if kind == "object" and schema.get("properties"):
+        return "`{" + ", ".join(schema["properties"]) + "}`"
+    return {"string": "bytes" if schema.get("format") == "binary" else "text"}.get(kind, kind)
+
+
+def main() -> int:
+    """Write the pages, or say which are not what the code says."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    check = parser.parse_args().check
+    stale = []
+    for path, text in pages().items():
+        file = ROOT / path
+        if not file.exists() or file.read_text() != text:
+            stale.append(str(path))
+            if not check:
+                file.write_text(text)
+    if stale:
+        print(f"{'Stale' if check else 'Written'}: {', '.join(stale)}")
+    return int(check and bool(stale))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
