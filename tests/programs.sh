@@ -110,9 +110,9 @@ bilby() {
         bilby_run "$newest" --npool "$pool" --whole-prior
     done
     stop
-    # What it was made for: it imports what scipy 1.14, numpy 2.3 and dynesty 3 do not have. Before it, bilby takes the
-    # weights of dynesty 2 for none, or does not run on Python 3.11.
-    environment "bilby-$oldest" "bilby==$oldest" "numpy<2.3" "scipy<1.14" "dynesty<3" "${rooms[@]}"
+    # What it was made for: it imports what scipy 1.14, numpy 2.3 and dynesty 2.1 do not have. Earlier ones do not sample
+    # with a dynesty that runs here.
+    environment "bilby-$oldest" "bilby==$oldest" "numpy<2.3" "scipy<1.14" "dynesty<2.1" "${rooms[@]}"
     serve
     bilby_example "$oldest"
     for pool in 1 2; do

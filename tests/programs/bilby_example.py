@@ -63,11 +63,16 @@ def counted(self: object, parameters: dict | None = None) -> float:
 
 
 def value_of(likelihood: object, parameters: dict | None) -> float:
-    """ln L; bilby before 2.5 hands parameters over as an attribute."""
+    """ln L; earlier releases hand parameters over as an attribute."""
     if "parameters" in inspect.signature(original_value).parameters:
         return original_value(likelihood, parameters)
-    likelihood.parameters.update(parameters or {})
-    return original_value(likelihood)
+    if parameters is None:
+        return original_value(likelihood)
+    before, likelihood.parameters = likelihood.parameters, dict(parameters)
+    try:
+        return original_value(likelihood)
+    finally:
+        likelihood.parameters = before
 
 
 def agreement(likelihood: object, priors: dict, injection: dict, waveforms: dict) -> float:
