@@ -10,6 +10,7 @@ from typing import Any
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
+from pymdownx.slugs import slugify
 
 ROOT = Path(__file__).parents[1]
 ROOMS = ("client", "protocol", "surrogate", "inference", "model_store", "service")
@@ -50,6 +51,7 @@ def on_config(config: MkDocsConfig) -> None:
         return {title: opened(part) for title, part in item.items()}
 
     config.nav = opened(config.nav)
+    config.mdx_configs["toc"]["slugify"] = slugify(case="lower")  # anchors are those that code hosts make
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:

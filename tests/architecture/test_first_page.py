@@ -62,3 +62,9 @@ def test_an_invented_figure_is_found():
 def test_its_links_lead_somewhere():
     links = re.findall(r"\]\((?!https?:)([^)#]+)", PAGE)
     assert [link for link in links if not (ROOT / link).exists()] == []
+
+
+def test_the_index_names_every_page():
+    docs = ROOT / "docs"
+    pages = {str(path.relative_to(docs)) for path in docs.glob("[!d]*/*.md")} | {"tutorial.md"}
+    assert pages - set(re.findall(r"\]\(([^)#]+)", (docs / "index.md").read_text())) == set()

@@ -17,7 +17,7 @@ from tests.architecture.rooms import ROOT, room_environment, tracked_files
 
 RUN = [
     "README.md", "docs/tutorial.md", "docs/guides/client.md", "docs/guides/http.md", "docs/guides/likelihoods.md",
-    "docs/guides/deployment.md", "docs/guides/roq.md",
+    "docs/guides/deployment.md", "docs/guides/roq.md", "docs/guides/mlgw_bns.md",
 ]  # fmt: skip
 NOT_RUN = re.compile(r"<!-- not run: \S.*-->")
 PAGE_NOT_RUN = re.compile(r"<!-- blocks not run: \S[^>]*-->")
@@ -67,8 +67,9 @@ def test_the_blocks_of_a_page_run(name, bnserve_server, tmp_path):
     file = tmp_path / "blocks_of_a_page.py"
     file.write_text(program)
     command = [sys.executable, "-W", WARNINGS.get(name, "error"), file]
+    environment = room_environment() | {"BNSERVE_URL": bnserve_server.address}
     done = subprocess.run(
-        command, cwd=tmp_path, env=room_environment(), capture_output=True, text=True, check=False, timeout=300
+        command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False, timeout=300
     )
     assert done.returncode == 0, done.stdout + done.stderr
 
