@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
-#   bash tests/programs.sh bilby                    one or several of: bilby pycbc bajes beside
+#   bash tests/programs.sh bilby                    one or several of: bilby pycbc bajes gwfish beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -150,6 +150,23 @@ bajes() {
     stop
 }
 
+# GWFish's Fisher matrices, from a checkout of its repository: what the index has by its name is empty.
+
+gwfish() {
+    if [ ! -e "${GWFISH:-}/GWFish/modules/waveforms.py" ]; then
+        say "gwfish: no checkout of GWFish at '${GWFISH:-}': git clone https://github.com/janosch314/GWFish, and give its"
+        echo "   path: GWFISH=path/of/GWFish bash tests/programs.sh gwfish"
+        summary+=("  gwfish                                       left out")
+        return
+    fi
+    # Of its pyproject.toml; numpy 2 has no trapz.
+    environment gwfish "numpy<2" "pandas>=1.4.1" astropy scipy matplotlib tqdm sympy lalsuite jplephem PyYAML \
+        ./protocol ./model_store ./surrogate ./inference ./service ./client
+    serve
+    check "gwfish" env PYTHONPATH="$GWFISH" "$python" tests/programs/gwfish_fisher.py "$address"
+    stop
+}
+
 # Nothing that others brought is replaced: the client, and what builds analyses, beside three programs.
 
 nothing_replaced() { # what is installed into $python's environment
@@ -171,11 +188,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby pycbc bajes beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby pycbc bajes gwfish beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | pycbc | bajes | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, pycbc, bajes, beside\n' "$program" >&2; exit 2 ;;
+        bilby | pycbc | bajes | gwfish | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, pycbc, bajes, gwfish, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 

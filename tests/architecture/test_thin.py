@@ -37,6 +37,7 @@ BANNED = {
     "import bnserve_store": SERVING | TRAINING | {"httpx", "bnserve_surrogate"},
     "import bnserve_client": SERVING | TRAINING | NUMERICS | OTHER_ROOMS | {"bilby", "pycbc"},
     "import bnserve_client.compat.mlgw_bns": SERVING | TRAINING | NUMERICS | OTHER_ROOMS,
+    "import bnserve_client.gwfish": SERVING | TRAINING | NUMERICS | OTHER_ROOMS | {"GWFish"},
     "import bnserve_client.pycbc": SERVING | TRAINING | NUMERICS | OTHER_ROOMS | {"bilby", "pycbc"},
     "import bnserve_surrogate": SERVING | TRAINING | {"bnserve_client", "bnserve_service", "httpx"},
     "import bnserve_service": TRAINING,

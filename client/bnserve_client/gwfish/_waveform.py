@@ -1,0 +1,88 @@
+"""A model of bnserve as a waveform class of GWFish."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_client.gwfish._neighbours import neighbours
+
+_DEFAULTS = dict.fromkeys(
+    ("mass_1", "mass_2", "luminosity_distance", "redshift", "theta_jn", "phase", "geocent_time", "a_1", "tilt_1",
+     "phi_12", "a_2", "tilt_2", "phi_jl", "lambda_1", "lambda_2"), 0.0,
+)  # fmt: skip
+"""GWFish's, of parameters that are not given."""
+_REFERENCE = 50.0
+"""Hz; GWFish's ``DEFAULT_F_REF``."""
+
+
+class Waveform:
+    """A binary neutron star for GWFish's ``waveform_class``; a class of GWFish by what it does, not by inheritance.
+
+    The derivatives of a Fisher matrix ask for waveforms one by one, most of them many times. Here the first step of a
+    derivative brings all others in one batch, with the bits that each has alone, and they are kept until the next
+    binary. Distance, orientation, time and phase are factors.
+
+    Parameters
+    ----------
+    name
+        The model of the service at ``BNSERVE_URL`` (or of this process, without one): GWFish's ``waveform_model``.
+    gw_params
+        GWFish's parameters, in its names and units: masses in any of its ways, ``a_1``, ``tilt_1``, ``lambda_1``, ...
+    data_params
+        ``frequencyvector``, Hz, ``(M,)`` or ``(M, 1)``; ``f_ref``, Hz, at which ``phase`` is that of the orbit.
+
+    Attributes
+    ----------
+    gw_params : dict
+        All parameters, with ``mass_1`` and ``mass_2``.
+    frequencyvector : numpy.ndarray
+        ``(M,)``.
+    """
+
+    def __init__(self, name: str, gw_params: Mapping[str, Any], data_params: Mapping[str, Any]) -> None:
+        self.name, self.data_params = name, data_params
+        self.frequencyvector: NDArray[np.float64] = np.squeeze(data_params["frequencyvector"])
+        self._given: dict[str, Any] = {}
+        self.update_gw_params(gw_params)
+
+    def update_gw_params(self, new_gw_params: Mapping[str, Any]) -> None:
+        """Take other values of parameters; those that are not named stay."""
+        from GWFish.modules.auxiliary import check_and_convert_to_mass_1_mass_2
+
+        self._given |= dict(new_gw_params)
+        self.gw_params: dict[str, Any] = _DEFAULTS | check_and_convert_to_mass_1_mass_2(self._given)
+
+    @property
+    def t_of_f(self) -> Any:
+        """GPS seconds at which the signal passes each frequency, ``(M,)``; GWFish's own."""
+        from GWFish.modules.waveforms import t_of_f_PN
+
+        return t_of_f_PN(self.gw_params, self.frequencyvector)
+
+    @property
+    def frequency_domain_strain(self) -> NDArray[np.complex128]:
+        """The polarisations, ``(M, 2)``, in 1/Hz, with GWFish's sign: the complex conjugate of LAL's.
+
+        Raises
+        ------
+        OutOfDomain
+            Outside the range of the model; GWFish's default, no tides, may be so.
+        InvalidParameters
+            A spin is not aligned.
+        PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
+            As :func:`bnserve_client.Model.connect`, and without an address where no models are installed.
+        """
+        given, cosine = self.gw_params, np.cos(self.gw_params["theta_jn"])
+        around = neighbours(self.name, float(self.data_params.get("f_ref", _REFERENCE)), self.frequencyvector)
+        strain = around.strain(self._given).conj()
+        strain *= np.exp(2j * (np.pi * given["geocent_time"] * self.frequencyvector - given["phase"]))
+        strain /= given["luminosity_distance"]
+        return np.stack((0.5 * (1.0 + cosine**2) * strain, 1j * cosine * strain), axis=1)
+
+    def __call__(self) -> NDArray[np.complex128]:
+        """As :attr:`frequency_domain_strain`."""
+        return self.frequency_domain_strain
