@@ -84,6 +84,35 @@ def test_a_bad_version_is_refused_with_a_reason_and_the_good_one_goes_on(registr
         registry.find("chirp", "2.0.0")
 
 
+@pytest.mark.parametrize("published", [True, False])
+def test_the_stable_version_is_served_until_the_next_one_is_although_it_was_removed(registry, source, published):
+    """Whoever removes versions as soon as one of several servers has the next, or removes one that is being read."""
+    following = loader(registry, source)
+    following.refresh()
+    good = registry.find("chirp")
+    source.add(ChirpModel(version="2.0.0", digest="sha256:2"))
+    source.broken["chirp", "2.0.0"] = ArtifactCorrupted("It was removed.")
+    if not published:  # when the versions were listed
+        source.label_table["chirp"]["stable"] = "3.0.0"
+    del source.models["chirp", "1.0.0"]
+    assert not following.refresh().dropped
+    assert registry.find("chirp") is registry.find("chirp", "1.0.0") is good
+    source.broken.clear()
+    source.label_table["chirp"]["stable"] = "2.0.0"
+    assert [identity.version for identity in following.refresh(force=True).dropped] == ["1.0.0"]
+    assert registry.find("chirp").identity.version == "2.0.0"
+
+
+def test_a_version_that_a_label_still_names_is_dropped_when_it_is_removed(registry, source):
+    following = loader(registry, source)
+    source.add(ChirpModel(version="1.1.0", digest="sha256:2"))
+    following.refresh()
+    del source.models["chirp", "1.1.0"]
+    assert [identity.version for identity in following.refresh().dropped] == ["1.1.0"]
+    with pytest.raises(ModelUnknown):
+        registry.find("chirp")
+
+
 def test_a_repaired_version_is_served_after_a_poke(registry, source):
     following = loader(registry, source)
     source.broken["chirp", "1.0.0"] = ArtifactCorrupted("A digest is wrong.")

@@ -59,7 +59,8 @@ class Loader:
 
     A version is verified, built, warmed up and checked before it is served; one that fails is left out, and what was
     served before goes on being served: also a version of the same name whose files were damaged since, and all
-    versions while the source cannot be read. What was removed from a readable source is dropped.
+    versions while the source cannot be read. What was removed from a readable source is dropped, unless a label has
+    moved from it to what is not served yet.
 
     Parameters
     ----------
@@ -143,6 +144,9 @@ class Loader:
         own: dict[str, str] = {}
         for label, version in self._source.labels(name).items():
             target = version if version in served else before.get(label)
+            kept = old.models.get((name, target or ""))
+            if target not in served and target != version and kept is not None:  # or nobody would have an answer
+                served = {kept.identity.version: kept} | served
             if target in served:
                 own[label] = target
         return served, own
