@@ -26,6 +26,7 @@ class Content(NamedTuple):
         Raises
         ------
         SettingsInvalid
+            Others than its owner can write it.
         """
         if self.mode & (stat.S_IWGRP | stat.S_IWOTH):
             raise SettingsInvalid(

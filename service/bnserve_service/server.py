@@ -200,6 +200,7 @@ def check_one_process(settings: Settings) -> None:
     Raises
     ------
     SettingsInvalid
+        ``workers`` is more than one.
     """
     if settings.workers > 1:
         raise SettingsInvalid(

@@ -40,6 +40,7 @@ class RateQuota:
         Raises
         ------
         QuotaExceeded
+            There is no row in the account.
         """
         if self._rate is not None:
             self._refuse_in_debt(self._balance())

@@ -87,6 +87,9 @@ async def wait_for(jobs: Sequence[EvaluationJob], receive: Receive, service: Eva
     Raises
     ------
     ClientDisconnected
+        Nobody waits any more.
+    BnserveError
+        One of the jobs failed.
     """
     loop = asyncio.get_running_loop()
     watcher: list[asyncio.Task[None]] = []

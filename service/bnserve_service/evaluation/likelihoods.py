@@ -106,7 +106,16 @@ class Likelihoods(Kind[LikelihoodQuestion]):
 
         Raises
         ------
-        AnalysisUnknown, AnalysisInvalid, UndecodableBody, InvalidParameters, InvalidRequest, TooLarge
+        AnalysisUnknown
+            Who asks has not uploaded it, or it was dropped since.
+        AnalysisInvalid
+            It was made for another model.
+        UndecodableBody, InvalidParameters
+            The body cannot be read, or some of its parameters are none.
+        InvalidRequest
+            It names another analysis than the path.
+        TooLarge
+            It has more rows, or more work, than one request may have.
         """
         stored = self._analyses.get(request.owner, self.subject(request))
         analysis = stored.analysis

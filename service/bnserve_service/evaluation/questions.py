@@ -79,7 +79,12 @@ class Kind(ABC, Generic[Q]):
 
         Raises
         ------
-        UndecodableBody, InvalidRequest, NotFound, TooLarge
+        UndecodableBody, InvalidRequest
+            The body cannot be read, or asks for what there is not.
+        NotFound
+            It names what was not uploaded.
+        TooLarge
+            It is more than one request may ask for.
         """
 
     @abstractmethod

@@ -149,6 +149,7 @@ class EvaluationService:
         Raises
         ------
         Overloaded, QuotaExceeded, DeadlineExceeded
+            As :meth:`submit`, for what bodies of this size have cost.
         """
         cost = self._cost_estimates.cost((request.owner, kind.subject(request)), size)
         if cost is not None:
@@ -159,7 +160,12 @@ class EvaluationService:
 
         Raises
         ------
-        Draining, NotFound, ModelLoading, UndecodableBody, InvalidRequest, TooLarge
+        Draining
+            No new work is accepted.
+        ModelUnknown, ModelLoading
+            The model is not here, or not yet.
+        UndecodableBody, InvalidRequest, NotFound, TooLarge
+            As :meth:`Kind.read <bnserve_service.evaluation.questions.Kind.read>`.
         """
         model = self._find(request)
         size = len(body) + kind.bytes_to_load(request)
@@ -208,6 +214,7 @@ class EvaluationService:
         Raises
         ------
         Overloaded, QuotaExceeded, DeadlineExceeded
+            As :meth:`WorkQueue.submit <bnserve_service.admission.queue.WorkQueue.submit>`.
         """
         jobs: list[EvaluationJob] = []
         try:

@@ -83,7 +83,12 @@ class Waveforms(Kind[WaveformQuestion]):
 
         Raises
         ------
-        UndecodableBody, InvalidParameters, InvalidFrequencies, GridUnknown, TooLarge
+        UndecodableBody, InvalidParameters, InvalidFrequencies
+            The body cannot be read, or some of its parameters or frequencies are none.
+        GridUnknown
+            It names a grid that was not uploaded, or dropped since.
+        TooLarge
+            It has more rows, frequencies or samples than one request may have.
         """
         asked = decode_request(body, request.media_type, self._limits.max_rows)
         grid, grid_key = self._grid(asked.grid, request.owner)

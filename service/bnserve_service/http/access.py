@@ -121,7 +121,10 @@ class TokenCheck:
 
         Raises
         ------
-        Unauthorized, Forbidden
+        Unauthorized
+            There is no token, several, or none that is known.
+        Forbidden
+            The token lacks the scope.
         """
         token = self._find(headers)
         context.caller, context.owner = token.name, token.sha256

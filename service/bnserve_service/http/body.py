@@ -73,6 +73,7 @@ class BodyReader:
         Raises
         ------
         Overloaded, QuotaExceeded
+            There is no room for so much.
         """
         if not (self._held.fits(size) or self._held.may_displace(owner, size)):
             raise self.refusal(owner)
@@ -82,7 +83,10 @@ class BodyReader:
 
         Raises
         ------
-        Overloaded, QuotaExceeded
+        Overloaded
+            There is no room for it.
+        QuotaExceeded
+            Nor is there, and others have bodies on their way, too.
         """
         if body.displaced or size <= 0:
             return
@@ -173,6 +177,7 @@ class IncomingBody:
         BodyTooSlow
             It did not arrive in time; the connection ends with the answer.
         ClientDisconnected
+            The caller is gone.
         """
         declared = self._context.headers.get(b"content-length", b"")
         if declared.isdigit():

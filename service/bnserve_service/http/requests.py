@@ -86,6 +86,7 @@ class RequestContext:
         Raises
         ------
         QuotaExceeded
+            The quota of rows is used up.
         """
         if self.quota is not None and self.pays:
             self.quota.check()
@@ -96,6 +97,7 @@ class RequestContext:
         Raises
         ------
         QuotaExceeded
+            As many as allowed are.
         """
         return _FREE if self.quota is None else self.quota.under_way()
 
@@ -105,6 +107,7 @@ class RequestContext:
         Raises
         ------
         QuotaExceeded
+            It is used up.
         """
         return _FREE if self.quota is None else self.quota.paying(rows)
 
@@ -138,7 +141,10 @@ def negotiate(headers: Mapping[bytes, bytes]) -> tuple[str, str, DigestName]:
 
     Raises
     ------
-    UnsupportedMediaType, NotAcceptable
+    UnsupportedMediaType
+        The body is none that is read here: :func:`request_media_type`.
+    NotAcceptable
+        The caller accepts no answer that is given here.
     """
     media_type = request_media_type(headers)
     return media_type, answer_media_type(headers, preferred=media_type), answer_digest(headers)
@@ -175,6 +181,7 @@ def refuse_encoded(headers: Mapping[bytes, bytes]) -> None:
     Raises
     ------
     UnsupportedMediaType
+        ``Content-Encoding`` names another form.
     """
     encoding = headers.get(b"content-encoding", b"identity").strip().lower()
     if encoding not in (b"identity", b""):

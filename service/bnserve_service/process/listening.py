@@ -43,6 +43,7 @@ def open_listener(settings: Settings) -> socket.socket:
     Raises
     ------
     CannotListen
+        The address is taken, not allowed, or none of this machine.
     """
     if settings.uds is not None:
         return listen_unix(settings.uds)
@@ -62,6 +63,7 @@ def listening(settings: Settings) -> Iterator[socket.socket]:
     Raises
     ------
     CannotListen
+        As :func:`open_listener`.
     """
     with open_listener(settings) as listener:
         file = None if settings.uds is None else SocketFile(settings.uds)
@@ -78,6 +80,7 @@ def open_metrics_listener(settings: Settings) -> socket.socket | None:
     Raises
     ------
     CannotListen
+        As :func:`open_listener`, for the metrics port.
     """
     if settings.metrics_port is None:
         return None
@@ -96,6 +99,7 @@ def listen_tcp(host: str, port: int) -> socket.socket:
     Raises
     ------
     CannotListen
+        The port is taken or not allowed, or the host is no address of this machine.
     """
     try:
         family, address = _resolve(host, port)

@@ -131,6 +131,7 @@ class UploadStore(ABC, Generic[T]):
         Raises
         ------
         UndecodableBody, TooLarge, InvalidFrequencies, AnalysisInvalid
+            It is no such upload, too large, or not what its digest says.
         Overloaded
             There is no room for it in the memory that workers share.
         """
@@ -149,6 +150,7 @@ class UploadStore(ABC, Generic[T]):
         Raises
         ------
         GridUnknown, AnalysisUnknown
+            It is not here.
         """
         if not self.discard(owner, sha256):
             raise self._unknown()

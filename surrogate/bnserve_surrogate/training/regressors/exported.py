@@ -131,7 +131,7 @@ def model_tensors(
     mf_amplitude: FloatArray,
     mf_phase: FloatArray,
 ) -> dict[str, NDArray[Any]]:
-    """The tensors of the (2, 2) mode, as :mod:`bnserve_surrogate._tensors` describes them."""
+    """The tensors of the (2, 2) mode, as :mod:`bnserve_surrogate._artifact` describes them."""
     mean, vectors = reduction.node_basis()
     components = len(vectors)
     basis = np.zeros((components + len(SCALARS), len(mean)))
