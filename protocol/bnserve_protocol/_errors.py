@@ -112,6 +112,11 @@ class BnserveError(Exception):
         return partial(type(self), self.detail, **named), ()
 
 
+def _rebuild(error: type[BnserveError], detail: str, errors: Sequence[FieldError], *rest: Any) -> BnserveError:
+    """What pickles of 0.1 call, for one version."""
+    return error(detail, errors=errors, retry_after=rest[0], request_id=rest[1])
+
+
 def _harmless(problem: FieldError) -> FieldError:
     texts = {name: getattr(problem, name) for name in ("reason", "parameter", "value")}
     changed = {
@@ -315,6 +320,10 @@ class QuotaExceeded(Unavailable):
 
     code = "share-exceeded"
     title = "Over this caller's quota"
+
+
+ShareExceeded = QuotaExceeded
+"""As pickles of 0.1 call it, for one version."""
 
 
 class Draining(Unavailable):

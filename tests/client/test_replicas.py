@@ -251,15 +251,15 @@ def test_a_name_that_moves_is_followed(monkeypatch, two_hosts, connect):
 
 def test_a_name_service_that_fails_changes_nothing(clock):
     (name,) = parse_addresses("http://replicas.test:8000")
-    names = Resolver([name], [name])
-    assert names.due() == (name,)
-    assert names.due() == ()
-    names.found({name: ("10.0.0.1", "10.0.0.2")})
+    resolver = Resolver([name], [name])
+    assert resolver.due() == (name,)
+    assert resolver.due() == ()
+    resolver.found({name: ("10.0.0.1", "10.0.0.2")})
     clock.now += 31.0
-    assert names.due() == (name,)
-    names.found({name: ()})
-    assert [address.target for address in names.addresses] == ["10.0.0.1", "10.0.0.2"]
-    assert str(names.addresses[0].base_url) == "http://replicas.test:8000"
+    assert resolver.due() == (name,)
+    resolver.found({name: ()})
+    assert [address.target for address in resolver.addresses] == ["10.0.0.1", "10.0.0.2"]
+    assert str(resolver.addresses[0].base_url) == "http://replicas.test:8000"
 
 
 @pytest.mark.parametrize(

@@ -198,6 +198,13 @@ def test_a_new_token_in_the_file_is_read_where_it_arrives(start_server, connect,
     assert ask(pickle.loads(travelling))
 
 
+def test_a_model_that_was_pickled_by_0_1_is_read(start_server, connect, monkeypatch):
+    monkeypatch.delenv("BNSERVE_TOKEN", raising=False)
+    pickled = pickle.dumps(connect(start_server().address), protocol=0)
+    assert pickled.count(b"cbnserve_client._settings\n_taken_from\n") == 1
+    assert ask(pickle.loads(pickled.replace(b"_settings\n_taken_from", b"_tokens\n_taken_from")))
+
+
 def test_without_a_token_none_is_sent(start_server, connect, monkeypatch):
     monkeypatch.delenv("BNSERVE_TOKEN", raising=False)
     server = start_server()

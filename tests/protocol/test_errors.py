@@ -21,7 +21,7 @@ from bnserve_protocol import (
 from bnserve_protocol.wire import Problem
 
 CLASSES = sorted(
-    (item for item in vars(_errors).values() if isinstance(item, type) and issubclass(item, BnserveError)),
+    {item for item in vars(_errors).values() if isinstance(item, type) and issubclass(item, BnserveError)},
     key=lambda item: item.__name__,
 )
 ERRORS = (
@@ -67,6 +67,15 @@ def test_every_error_survives_pickling(cls):
     assert type(copy) is cls
     assert str(copy) == copy.detail == "What to do."
     assert (copy.errors, copy.retry_after, copy.request_id) == (ERRORS, 1.5, "abc")
+
+
+@pytest.mark.parametrize("name", ["OutOfDomain", "ShareExceeded"])
+def test_errors_that_were_pickled_by_0_1_are_read(name):
+    error = pickle.loads(
+        f"cbnserve_protocol._errors\n_rebuild\n(cbnserve_protocol._errors\n{name}\nVIt is.\n(tF1.5\nNtR.".encode()
+    )
+    assert type(error) is getattr(_errors, name)
+    assert (error.detail, error.errors, error.retry_after, error.request_id) == ("It is.", (), 1.5, None)
 
 
 @pytest.mark.parametrize("cls", CLASSES, ids=lambda cls: cls.__name__)
