@@ -103,6 +103,11 @@ def promise_of(promise: Promise) -> str:
     return (promise.__doc__ or "").strip().splitlines()[0].rstrip(".")
 
 
+def in_present_names(text: str) -> str:
+    """A command or a summary that was kept, with the names of today."""
+    return " ".join(_RENAMED.get(word, word) for word in text.split(" "))
+
+
 def present_name(name: str) -> str:
     """The name of a promise, a fault or an option; with a warning if it is that of before."""
     if name not in _RENAMED:

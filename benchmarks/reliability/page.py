@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.page import fill
-from benchmarks.reliability.outcome import Promise, find, names, promise_of
+from benchmarks.reliability.outcome import Promise, find, in_present_names, names, promise_of
 from benchmarks.reliability.record import read
 from benchmarks.workers import ROOT
 
@@ -43,8 +43,9 @@ def _measured(name: str, record: dict[str, Any] | None) -> list[str]:
         return [f"- not measured yet: `python -m benchmarks.reliability {name}`"]
     verdict = "" if record["passed"] else " (**the bar is missed**)"
     return [
-        f"- measured: **{record['summary']}**{verdict}",
-        f"- command: `{record['command']}`, {record['date']}, {record['machine']}{_circumstances(record)}",
+        in_present_names(f"- measured: **{record['summary']}**{verdict}"),
+        f"- command: `{in_present_names(record['command'])}`, "
+        f"{record['date']}, {record['machine']}{_circumstances(record)}",
     ]
 
 
@@ -64,7 +65,7 @@ def _seen_to_fail(promise: Promise, record: dict[str, Any] | None) -> list[str]:
             lines.append(f"- with `--inject {injected}` ({effect}): not run yet")
         else:
             verdict = "NOT seen to fail" if run["passed"] else "seen to fail"
-            lines.append(f"- {verdict} with `{run['command']}` ({effect}): {run['summary']}")
+            lines.append(f"- {verdict} with `{in_present_names(run['command'])}` ({effect}): {run['summary']}")
     return lines
 
 

@@ -9,7 +9,7 @@ import math
 import pytest
 
 from benchmarks.reliability.__main__ import main
-from benchmarks.reliability.outcome import NAMES, find, names, present_name, promise_of
+from benchmarks.reliability.outcome import NAMES, find, in_present_names, names, present_name, promise_of
 from benchmarks.reliability.page import FIRST
 from benchmarks.reliability.soak import theil_sen
 
@@ -189,6 +189,11 @@ def test_former_names_are_understood_for_one_version():
     with pytest.warns(DeprecationWarning, match="called"):
         words = [present_name(word) for word in ("slow_readers", "--plant", "patience-restarts")]
     assert words == ["slow_readers", "--inject", "timeout-restarts"]
+
+
+def test_commands_of_kept_results_are_shown_in_the_names_of_today():
+    kept = "python -m benchmarks.reliability shares --short --plant one-owner"
+    assert in_present_names(kept) == "python -m benchmarks.reliability quotas --short --inject one-owner"
 
 
 def test_the_promises_are_listed(capsys):
