@@ -217,6 +217,16 @@ def test_a_head_that_comes_again_is_not_parsed_again(start, monkeypatch):
         assert len(parsed) == (said is HEAD), "whoever sends it"
 
 
+@pytest.mark.parametrize("wanted", ["close", "Close", "x, close"])
+def test_a_connection_ends_with_the_answer_if_its_caller_wants_it_each_time(start, wanted):
+    server = start(QuickChirpModel())
+    for _ in range(3):
+        with raw_connection(server.address) as connection:
+            connection.sendall(b"".join(message(Connection=wanted)))
+            assert read_response(connection).status == 200
+            assert connection.recv(1) == b""
+
+
 def test_every_byte_of_a_known_head_counts(start):
     """Changed, left out or there twice: it is read as where no head is known."""
     knowing, other = (start(model(), header_timeout=0.2, body_timeout=0.2) for model in (QuickChirpModel, ChirpModel))

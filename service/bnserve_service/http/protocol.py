@@ -151,6 +151,8 @@ class _FastProtocol(_TimedProtocol):
     """... which has a fast path answer small requests that come alone and whose head is known, without the parser."""
 
     fast_path: FastPath | None = None
+    _stays_open = False
+    """Whether the last request that was parsed lets the connection stay open: with its end, the parser forgets it."""
 
     def _take(self, request: Alone) -> bool:
         """False when it is to be parsed."""
@@ -169,7 +171,7 @@ class _FastProtocol(_TimedProtocol):
             self.fast_path is not None
             and self.parser.get_method() == b"POST"
             and self.parser.get_http_version() == "1.1"
-            and self.parser.should_keep_alive()
+            and self._stays_open
             and not self.expect_100_continue
             and request.is_what_was_parsed(self.headers)
         ):
@@ -274,7 +276,8 @@ class BoundedProtocol(_FastProtocol):
             return
         self._due = _Due.NOTHING
         super().on_message_complete()
-        if not self.parser.should_keep_alive():  # a trailer may have told the parser that this is the last request
+        self._stays_open = self.parser.should_keep_alive()
+        if not self._stays_open:  # a trailer may have told the parser that this is the last request
             self.cycle.keep_alive = False
             if self.cycle.response_complete:
                 self.transport.close()
