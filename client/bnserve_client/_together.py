@@ -89,10 +89,11 @@ class Together:
             return
         self.requests += 1
         try:
-            values = self._evaluate([question for question, _ in ready])
-        except BaseException as error:
+            values = [float(value) for value in self._evaluate([question for question, _ in ready])]
+            answered = list(zip((answer for _, answer in ready), values, strict=True))
+        except BaseException as error:  # also when these are too few: nobody waits for ever
             for _, answer in ready:
                 answer.set_exception(error)
             return
-        for (_, answer), value in zip(ready, values, strict=True):
-            answer.set_result(float(value))
+        for answer, value in answered:
+            answer.set_result(value)
