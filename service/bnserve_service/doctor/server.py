@@ -70,6 +70,7 @@ def ask(target: Target, path: str, body: bytes = b"", seconds: float = ANSWER_SE
     Raises
     ------
     NoAnswer
+        Nothing listens there, or what it says is no HTTP.
     """
     headers = {"Accept": f"{JSON}, application/problem+json", "Connection": "close"}
     headers |= {"Content-Type": JSON} if body else {}
