@@ -81,7 +81,7 @@ def amplitude_panel(axes: Axes, chirp: Chirp) -> None:
     axes.loglog(frequencies, effective, color=SIGNAL, linewidth=2.0)
     axes.loglog(above_20, np.sqrt(advanced_ligo_design(above_20)), color=NOISE, linewidth=1.4)
     axes.loglog(frequencies, telescope, color=NOISE, linewidth=1.4, linestyle=(0, (5, 2)))
-    axes.set(xlim=(frequencies[0], 3000.0), ylim=(1.2e-25, 4e-21))
+    axes.set(xlim=(frequencies[0], 3000.0), ylim=(1.2e-25, max(4e-21, 2.0 * float(effective.max()))))
     axes.set(xlabel="frequency (Hz)", ylabel=r"spectral amplitude  (Hz$^{-1/2}$)")
     axes.annotate(r"$2\sqrt{f}\,|h_+(f)|$", (10.0, float(np.interp(10.0, frequencies, effective))), (6, 8),
                   textcoords="offset points", color=SIGNAL)  # fmt: skip

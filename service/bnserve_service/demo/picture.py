@@ -33,8 +33,14 @@ def check_output(path: Path) -> None:
         raise InvalidRequest(f"The folder '{path.parent}' is not there; create it, or choose another --output.")
 
 
-def save_picture(path: Path, chirp: Chirp, description: ModelDescription) -> None:
-    """Draw one binary, as a model that is described by ``description`` sees it.
+def save_picture(
+    path: Path,
+    chirp: Chirp,
+    description: ModelDescription,
+    title: str = "A binary like GW170817",
+    where: str = "over HTTP",
+) -> None:
+    """Draw one binary, as a model that is described by ``description`` sees it; ``where`` it was evaluated.
 
     Raises
     ------
@@ -43,17 +49,17 @@ def save_picture(path: Path, chirp: Chirp, description: ModelDescription) -> Non
     """
     try:
         with style.context(["default", STYLE]):  # whatever the user's matplotlibrc says
-            draw(chirp, description).savefig(path, dpi=DOTS_PER_INCH)
+            draw(chirp, description, title, where).savefig(path, dpi=DOTS_PER_INCH)
     except OSError as error:
         raise InvalidRequest(f"The picture '{path}' cannot be written: {error.strerror or error}.") from error
 
 
-def draw(chirp: Chirp, description: ModelDescription) -> Figure:
+def draw(chirp: Chirp, description: ModelDescription, title: str, where: str) -> Figure:
     """The figure: three panels under a title."""
     figure = Figure(figsize=(10.0, 7.6), layout=ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.1))
     FigureCanvasAgg(figure)
     header, top, bottom = figure.subfigures(3, 1, squeeze=False, height_ratios=[0.62, 3.1, 3.4])[:, 0]
-    _title(header.subplots(), chirp, description)
+    _title(header.subplots(), chirp, description, title, where)
     strain_panel(top.subplots(), chirp)
     left, right = bottom.subplots(1, 2)
     amplitude_panel(left, chirp)
@@ -61,11 +67,11 @@ def draw(chirp: Chirp, description: ModelDescription) -> Figure:
     return figure
 
 
-def _title(axes: Axes, chirp: Chirp, description: ModelDescription) -> None:
+def _title(axes: Axes, chirp: Chirp, description: ModelDescription, title: str, where: str) -> None:
     binary = chirp.parameters
     mass_1 = binary.total_mass * binary.mass_ratio / (1.0 + binary.mass_ratio)
     axes.set_axis_off()
-    axes.text(0.0, 0.62, "A binary like GW170817", fontsize=17, fontweight="bold", color=INK)
+    axes.text(0.0, 0.62, title, fontsize=17, fontweight="bold", color=INK)
     axes.text(
         0.0, 0.05,
         f"{mass_1:.2f} + {binary.total_mass - mass_1:.2f} M$_\\odot$   "
@@ -76,6 +82,6 @@ def _title(axes: Axes, chirp: Chirp, description: ModelDescription) -> None:
     )  # fmt: skip
     axes.text(1.0, 0.62, "bnserve", fontsize=13, fontweight="bold", color=SIGNAL, ha="right")
     axes.text(
-        1.0, 0.05, f"model {description.name} {description.version}, over HTTP",
+        1.0, 0.05, f"model {description.name} {description.version}, {where}",
         fontsize=10.5, color=PALE, ha="right",
     )  # fmt: skip

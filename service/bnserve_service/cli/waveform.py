@@ -1,0 +1,237 @@
+"""``bnserve waveform``: one binary, from here or from a server, into a file or a picture."""
+
+from __future__ import annotations
+
+import argparse
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from bnserve_protocol import Polarizations, UniformGrid, WaveformModel
+
+OURS = {
+    "mass_ratio": "heavier over lighter star (1.2)",
+    "total_mass": "in the detector's frame, in solar masses (2.76)",
+    "lambda_1": "tidal polarisability of the heavier star (400)",
+    "lambda_2": "of the lighter star (600)",
+    "chi_1": "spin of the heavier star along the orbital angular momentum (0.01)",
+    "chi_2": "of the lighter star (0)",
+    "distance_mpc": "luminosity distance in Mpc (40)",
+    "inclination": "of the orbital angular momentum to the line of sight, in radians (2.5)",
+    "reference_phase": "added to the phase, in radians (0)",
+    "time_shift": "of the signal, in seconds (0)",
+}
+"""The protocol's parameters (which needs numpy, and the help does not), what they are, and those like GW170817's."""
+CONVERTED = (
+    "mass_1", "mass_2", "chirp_mass", "symmetric_mass_ratio", "eta", "lambda_tilde", "delta_lambda_tilde", "a_1", "a_2",
+    "tilt_1", "tilt_2", "cos_tilt_1", "cos_tilt_2", "luminosity_distance", "theta_jn", "iota", "spin_1z", "spin_2z",
+    "spin1z", "spin2z", "lambda1", "lambda2",
+)  # fmt: skip  # in the order of the protocol
+"""Names of bilby, PyCBC and LAL that the protocol converts."""
+EXPLAINED = (
+    "mass1", "mass2", "m1", "m2", "phase", "coa_phase", "phi_ref", "geocent_time", "tc", "geocentric_end_time",
+    "redshift",
+)  # fmt: skip  # as above
+"""Names of theirs that have no exact counterpart; what to give in their place is said where they are given."""
+PICTURES = (".png", ".pdf", ".svg")
+
+
+def add_parser(subparsers: Any) -> None:
+    """Add the subcommand, with an option for every parameter under every name."""
+    parser: argparse.ArgumentParser = subparsers.add_parser(
+        "waveform",
+        help="evaluate one binary: into a file or a picture",
+        description="Evaluate one binary and say what it is, here or with --url by a server. What is not given is that "
+        "of a binary like GW170817. --output takes the numbers (.npz, .csv, .h5) or a picture (.png, .pdf, .svg).",
+    )
+    add = parser.add_argument
+    add("--output", type=Path, metavar="FILE", help="FILE.npz, .csv, .h5: the numbers; FILE.png, .pdf, .svg: a picture")
+    add("--model", default="default", metavar="NAME[@VERSION]", help="which model (default)")
+    add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
+    add("--url", metavar="URL", help="of a server: http://host:8000, host:8000 or unix:/path/to/socket")
+    add("--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN)")
+    add("--f-min", type=float, default=20.0, metavar="HZ", help="lowest frequency of the numbers (20)")
+    add("--f-max", type=float, metavar="HZ", help="highest (2048, or where the model ends)")
+    add("--delta-f", type=float, default=0.25, metavar="HZ", help="between two (0.25)")
+    add("--json", action="store_true", help="print what it is as one JSON object")
+    binary = parser.add_argument_group("the binary")
+    for name, text in OURS.items():
+        _add_parameter(binary, name, text)
+    other = parser.add_argument_group("the same by names of bilby, PyCBC and LAL")
+    for name in CONVERTED:
+        _add_parameter(other, name, "")
+    for name in EXPLAINED:
+        _add_parameter(other, name, argparse.SUPPRESS)
+    parser.set_defaults(run=run)
+
+
+def _add_parameter(group: Any, name: str, text: str) -> None:
+    group.add_argument(f"--{name.replace('_', '-')}", dest=name, type=float, metavar="X", help=text)
+    if "_" in name:
+        group.add_argument(f"--{name}", dest=name, type=float, help=argparse.SUPPRESS)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Evaluate, write, say."""
+    from bnserve_protocol import InvalidRequest, UniformGrid
+
+    ending = options.output.suffix.lower() if options.output else None
+    if ending is not None:
+        _check(options.output, ending)
+    if options.url and options.store:
+        raise InvalidRequest("--store is for models here; a server has its own stores. Leave out one of the two.")
+    parameters = _parameters(options)
+    model = _model(options)
+    f_max = _end(model, parameters) if options.f_max is None else options.f_max
+    grid = UniformGrid(f_min=options.f_min, f_max=f_max, delta_f=options.delta_f)
+    answer = _predict(model, grid, parameters)
+    if ending in PICTURES:
+        from bnserve_service.demo.chirp import evaluate_chirp
+        from bnserve_service.demo.picture import save_picture
+
+        where = f"at {options.url}" if options.url else "evaluated here"
+        save_picture(
+            options.output, evaluate_chirp(model, parameters), model.description, "A binary neutron star", where
+        )
+    elif ending is not None:
+        _save(options.output, ending, grid, answer, _summary(options, model, parameters, grid))
+    _say(options, model, parameters, grid)
+    return 0
+
+
+def _predict(model: WaveformModel, grid: UniformGrid, parameters: Any) -> Polarizations:
+    from bnserve_protocol import OutOfDomain
+
+    try:
+        return model.predict(grid, parameters)
+    except OutOfDomain as error:  # it speaks of rows and of Python's options
+        reasons = "; ".join(f"{each.parameter} = {each.value}: {each.reason}" for each in error.errors)
+        raise OutOfDomain(f"The model was not trained on this binary. {reasons}.", errors=error.errors) from error
+
+
+def _check(path: Path, ending: str) -> None:
+    from bnserve_protocol import InvalidRequest, require
+    from bnserve_service.cli.places import check_place
+
+    if ending not in (*PICTURES, *WRITERS):
+        known = ", ".join((*WRITERS, *PICTURES))
+        raise InvalidRequest(f"'{path}' does not say what to write; end its name in one of {known}.")
+    check_place(path, "--output")
+    if ending in PICTURES:
+        require("matplotlib", "A picture")  # better missed now than at the end
+        require("bnserve_client", "A picture")
+    if ending in (".h5", ".hdf5"):
+        require("h5py", "An HDF5 file")
+
+
+def _parameters(options: argparse.Namespace) -> Any:
+    """The binary: what is given, by our names; the rest is that of GW170817."""
+    import dataclasses
+
+    from bnserve_protocol import ParametersWithExtrinsic, convert
+
+    names = (*OURS, *CONVERTED, *EXPLAINED)
+    given = {name: value for name in names if (value := getattr(options, name)) is not None}
+    usual = ParametersWithExtrinsic.gw170817()
+    if not given.keys() & {"mass_ratio", "symmetric_mass_ratio", "eta", "mass_1", "mass_2"}:
+        given["mass_ratio"] = usual.mass_ratio  # chirp mass and tides are converted with it
+    return dataclasses.replace(usual, **convert(given))
+
+
+def _model(options: argparse.Namespace) -> WaveformModel:
+    from bnserve_protocol import require
+    from bnserve_service.cli.places import name_and_version, server_address
+
+    name, version = name_and_version(options.model)
+    found: WaveformModel
+    if options.url:
+        client = require("bnserve_client", "A waveform of a server")
+        token = options.token or os.environ.get("BNSERVE_TOKEN")
+        found = client.Model.connect(server_address(options.url), name, version=version, token=token, retries=2)
+        return found
+    from bnserve_store import ModelStore
+    from bnserve_surrogate import Model
+
+    found = Model.load(name, version, store=ModelStore.default(options.store or ()))
+    return found
+
+
+def _end(model: WaveformModel, parameters: Any) -> float:
+    """Hz: 2048, or where the model ends for this binary."""
+    known = model.description
+    end = known.training_band[1] * known.reference_mass / parameters.total_mass * (1.0 - 1e-9)
+    return float(min(2048.0, end))
+
+
+def _summary(options: argparse.Namespace, model: WaveformModel, parameters: Any, grid: UniformGrid) -> dict[str, Any]:
+    import dataclasses
+
+    known = model.description
+    return {
+        "model": known.name,
+        "version": known.version,
+        "digest": known.digest,
+        "server": options.url,
+        "parameters": {name: float(value) for name, value in dataclasses.asdict(parameters).items()},
+        "grid": {"f_min": grid.f_min, "f_max": grid.f_max, "delta_f": grid.delta_f, "frequencies": len(grid)},
+        "seconds_until_merger": float(model.time_until_merger(grid.f_min, parameters)),
+        "output": str(options.output) if options.output else None,
+    }
+
+
+def _say(options: argparse.Namespace, model: WaveformModel, parameters: Any, grid: UniformGrid) -> None:
+    from bnserve_service.cli.places import print_json
+
+    summary = _summary(options, model, parameters, grid)
+    if options.json:
+        print_json(summary)
+        return
+    print(f"model    {summary['model']} {summary['version']} ({summary['digest']}), {options.url or 'evaluated here'}")
+    print("binary   " + ", ".join(f"{name} {value:g}" for name, value in summary["parameters"].items()))
+    print(f"grid     {grid.f_min:g} to {grid.f_max:g} Hz in steps of {grid.delta_f:g} Hz: {len(grid)} frequencies")
+    print(f"merger   {summary['seconds_until_merger']:.6g} s after it passes {grid.f_min:g} Hz")
+    print(f"output   {options.output or 'none: --output FILE.npz, .csv, .h5 or .png takes it'}")
+
+
+def _save(path: Path, ending: str, grid: UniformGrid, answer: Polarizations, summary: dict[str, Any]) -> None:
+    from bnserve_protocol import InvalidRequest
+
+    try:
+        WRITERS[ending](
+            path, {"frequencies": grid.frequencies(), "h_plus": answer.plus, "h_cross": answer.cross}, summary
+        )
+    except OSError as error:
+        raise InvalidRequest(f"'{path}' cannot be written: {error.strerror or error}.") from error
+
+
+def _save_npz(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> None:
+    import json
+
+    import numpy as np
+
+    np.savez(path, **arrays, summary=np.array(json.dumps(summary)))
+
+
+def _save_csv(path: Path, arrays: dict[str, Any], _: dict[str, Any]) -> None:
+    import numpy as np
+
+    plus, cross = arrays["h_plus"], arrays["h_cross"]
+    table = np.column_stack([arrays["frequencies"], plus.real, plus.imag, cross.real, cross.imag])
+    header = "frequency_hz,h_plus_re,h_plus_im,h_cross_re,h_cross_im"
+    np.savetxt(path, table, fmt="%.17g", delimiter=",", header=header, comments="")
+
+
+def _save_hdf5(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> None:
+    import json
+
+    import h5py
+
+    with h5py.File(path, "w") as file:
+        for name, array in arrays.items():
+            file[name] = array
+        file.attrs["summary"] = json.dumps(summary)
+
+
+WRITERS = {".npz": _save_npz, ".csv": _save_csv, ".h5": _save_hdf5, ".hdf5": _save_hdf5}
+"""By ending of a file's name; each has frequencies in Hz and strain in 1/Hz, and all but CSV the summary as JSON."""
