@@ -238,6 +238,7 @@ def commands_page() -> str:
         shown = [
             action for action in parser._actions
             if not isinstance(action, argparse._HelpAction | argparse._SubParsersAction | argparse._VersionAction)
+            and action.help is not argparse.SUPPRESS
         ]  # fmt: skip
         text = re.sub(r"^`[^`]*`: ", "", _prose(parser.description or ""))
         parts.append(f"## {name}\n\n{text[:1].upper()}{text[1:]}\n")

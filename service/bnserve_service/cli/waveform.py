@@ -23,12 +23,31 @@ OURS = {
     "time_shift": "of the signal, in seconds (0)",
 }
 """The protocol's parameters (which needs numpy, and the help does not), what they are, and those like GW170817's."""
-CONVERTED = (
-    "mass_1", "mass_2", "chirp_mass", "symmetric_mass_ratio", "eta", "lambda_tilde", "delta_lambda_tilde", "a_1", "a_2",
-    "tilt_1", "tilt_2", "cos_tilt_1", "cos_tilt_2", "luminosity_distance", "theta_jn", "iota", "spin_1z", "spin_2z",
-    "spin1z", "spin2z", "lambda1", "lambda2",
-)  # fmt: skip  # in the order of the protocol
-"""Names of bilby, PyCBC and LAL that the protocol converts."""
+CONVERTED = {
+    "mass_1": "with mass_2, in solar masses",
+    "mass_2": "with mass_1",
+    "chirp_mass": "in solar masses",
+    "symmetric_mass_ratio": "in place of the mass ratio",
+    "eta": "the same",
+    "lambda_tilde": "with delta_lambda_tilde",
+    "delta_lambda_tilde": "with lambda_tilde",
+    "a_1": "with a tilt, of an aligned spin",
+    "a_2": "as a_1",
+    "tilt_1": "with a_1, in radians",
+    "tilt_2": "with a_2",
+    "cos_tilt_1": "in place of tilt_1",
+    "cos_tilt_2": "in place of tilt_2",
+    "luminosity_distance": "distance_mpc",
+    "theta_jn": "inclination",
+    "iota": "inclination",
+    "spin_1z": "chi_1",
+    "spin_2z": "chi_2",
+    "spin1z": "chi_1",
+    "spin2z": "chi_2",
+    "lambda1": "lambda_1",
+    "lambda2": "lambda_2",
+}
+"""Names of bilby, PyCBC and LAL that the protocol converts, and what goes with them or which of ours they are."""
 EXPLAINED = (
     "mass1", "mass2", "m1", "m2", "phase", "coa_phase", "phi_ref", "geocent_time", "tc", "geocentric_end_time",
     "redshift",
@@ -59,8 +78,8 @@ def add_parser(subparsers: Any) -> None:
     for name, text in OURS.items():
         _add_parameter(binary, name, text)
     other = parser.add_argument_group("the same by names of bilby, PyCBC and LAL")
-    for name in CONVERTED:
-        _add_parameter(other, name, "")
+    for name, text in CONVERTED.items():
+        _add_parameter(other, name, text)
     for name in EXPLAINED:
         _add_parameter(other, name, argparse.SUPPRESS)
     parser.set_defaults(run=run)
