@@ -72,9 +72,10 @@ def problem_body(error: BnserveError, request_id: str, status: int | None = None
     """Status and ``application/problem+json`` body of an error."""
     chosen = status if status is not None else status_of(error)
     problem = Problem.from_error(error, chosen, request_id)
-    detail = problem.detail[:_LONGEST_DETAIL]
-    shortened = msgspec.structs.replace(problem, detail=detail, error=detail, errors=problem.errors[:_MOST_ERRORS])
-    return chosen, msgspec.json.encode(shortened)
+    if len(problem.detail) > _LONGEST_DETAIL or len(problem.errors) > _MOST_ERRORS:
+        detail = problem.detail[:_LONGEST_DETAIL]
+        problem = msgspec.structs.replace(problem, detail=detail, error=detail, errors=problem.errors[:_MOST_ERRORS])
+    return chosen, msgspec.json.encode(problem)
 
 
 def problem_headers(error: BnserveError) -> list[tuple[bytes, bytes]]:

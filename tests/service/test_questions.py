@@ -5,6 +5,7 @@ import dataclasses
 import hashlib
 import json
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 
@@ -97,6 +98,52 @@ def test_what_a_full_queue_would_refuse_is_refused_before_it_is_decoded(closed, 
         assert put(server, path, wrong[:1000]).code == "body-undecodable", "a small one is read"
         model.gate.set()
         assert waiting.result().status == 200
+
+
+@contextmanager
+def with_full_queue(model, server, path):
+    """One question waits, and there is no room for another; the gate is open afterwards."""
+    assert put(server, path).status == 200
+    model.gate.clear()
+    with ThreadPoolExecutor(1) as caller:
+        waiting = caller.submit(put, server, path)
+        until(lambda: server.app.parts.queue.cost > 0, "one that waits")
+        yield
+        model.gate.set()
+        assert waiting.result().status == 200
+
+
+def head(path, form):
+    return f"POST {path} HTTP/1.1\r\nhost: localhost\r\ncontent-type: {MSGPACK}\r\n{form}\r\n\r\n".encode()
+
+
+@kinds
+def test_and_before_it_is_sent_where_its_size_is_stated_on_a_connection_that_stays_open(closed, path):
+    model, server = closed(**NARROW, header_timeout=0.3)
+    body = BODIES[path]
+    with raw_connection(server.address) as connection:
+        with with_full_queue(model, server, path):
+            connection.sendall(head(path, f"content-length: {len(body)}\r\nexpect: 100-continue") + body[:100])
+            refused = read_response(connection)
+            assert (refused.status, refused.code) == (503, "overloaded")
+            assert "connection" not in refused.headers
+            connection.sendall(body[100:])
+        time.sleep(0.6)  # longer than a head may take, which is not due
+        connection.sendall(head(path, f"content-length: {len(body)}") + body)
+        assert read_response(connection).status == 200
+
+
+@kinds
+def test_and_once_it_is_there_where_it_is_not_stated_or_the_queue_has_filled_meanwhile(closed, path):
+    model, server = closed(**NARROW)
+    wrong = b"\xc1" * len(BODIES[path])
+    with raw_connection(server.address) as stated, raw_connection(server.address) as chunked:
+        stated.sendall(head(path, f"content-length: {len(wrong)}\r\nexpect: 100-continue"))
+        assert stated.recv(25) == b"HTTP/1.1 100 Continue\r\n\r\n", "it is being read"
+        with with_full_queue(model, server, path):
+            stated.sendall(wrong)
+            chunked.sendall(head(path, "transfer-encoding: chunked") + b"%x\r\n%b\r\n0\r\n\r\n" % (len(wrong), wrong))
+            assert [read_response(each).code for each in (stated, chunked)] == ["overloaded"] * 2
 
 
 def test_what_one_analysis_costs_says_nothing_about_another(closed):

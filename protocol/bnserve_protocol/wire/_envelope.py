@@ -76,9 +76,9 @@ class Problem(msgspec.Struct, frozen=True, omit_defaults=True):
     @classmethod
     def from_error(cls, error: BnserveError, status: int, request_id: str | None = None) -> Problem:
         """Describe ``error`` for the wire under the HTTP ``status`` chosen by the service."""
-        told = {name: getattr(error, name) for name in ("title", "detail", "code", "retryable", "retry_after")}
-        kind, errors = f"urn:bnserve:error:{error.code}", list(error.errors)
-        return cls(type=kind, status=status, error=error.detail, request_id=request_id, errors=errors, **told)
+        kind, title, detail, errors = f"urn:bnserve:error:{error.code}", error.title, error.detail, list(error.errors)
+        told = (detail, error.code, detail, request_id, error.retryable, errors, error.retry_after)
+        return cls(kind, title, status, *told)
 
     def to_error(self, retry_after: float | None = None) -> BnserveError:
         """Rebuild the exception; an unknown code (from a newer service) becomes plain ``BnserveError``.

@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import re
 from collections.abc import Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 from starlette.types import Receive, Scope, Send
@@ -65,9 +66,9 @@ class EvaluationEndpoint:
         request.path = scope["path_params"]
         request.media_type, request.answer_type, request.digest = negotiate(request.headers)
         deadline = request.deadline
+        refuse_early = partial(self._service.refuse_early, self._kind, request, deadline)
         with self._bodies.of(request) as incoming:
-            body = await incoming.read(receive, self._body_limits[request.media_type])
-            self._service.refuse_early(self._kind, len(body), request)
+            body = await incoming.read(receive, self._body_limits[request.media_type], refuse_early)
             await incoming.name(body)
             question = await self._service.ask(self._kind, body, request)
             del body

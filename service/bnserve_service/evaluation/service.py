@@ -143,8 +143,8 @@ class EvaluationService:
         """Memory promised to answers that are being computed or sent."""
         return self._promised.total
 
-    def refuse_early(self, kind: Kind[Any], size: int, request: RequestContext) -> None:
-        """Refuse a body of ``size`` bytes before it is decoded, if others of its kind would be refused now.
+    def refuse_early(self, kind: Kind[Any], request: RequestContext, deadline: float | None, size: int) -> None:
+        """Refuse a body of ``size`` bytes before it is read and decoded, if others of its kind would be refused now.
 
         Raises
         ------
@@ -153,7 +153,7 @@ class EvaluationService:
         """
         cost = self._cost_estimates.cost((request.owner, kind.subject(request)), size)
         if cost is not None:
-            self.queue.check_room(request.owner, cost, request.deadline)
+            self.queue.check_room(request.owner, cost, deadline)
 
     async def ask(self, kind: Kind[Any], body: bytes, request: RequestContext) -> Question:
         """Find the model, decode and check a body; large ones in a thread.

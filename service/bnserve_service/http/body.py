@@ -164,8 +164,11 @@ class IncomingBody:
     def __exit__(self, *_: object) -> None:
         self._reader.leave(self)
 
-    async def read(self, receive: Receive, limit: int) -> bytes:
+    async def read(self, receive: Receive, limit: int, refuse: Callable[[int], None] = lambda _: None) -> bytes:
         """All of it, at most ``limit`` bytes.
+
+        ``refuse`` is called with its size, to raise what ends the reading: before it, if the size is stated, because a
+        refusal is cheapest and soonest then; and when all is there, since things may have changed.
 
         Raises
         ------
@@ -181,10 +184,12 @@ class IncomingBody:
         """
         declared = self._context.headers.get(b"content-length", b"")
         if declared.isdigit():
-            if int(declared) > limit:
+            stated = int(declared)
+            if stated > limit:
                 raise _too_large(limit)
-            if int(declared) > UNCOUNTED:
-                self._reader.expect(self.owner, int(declared) - UNCOUNTED)
+            if stated > UNCOUNTED:
+                self._reader.expect(self.owner, stated - UNCOUNTED)
+            refuse(stated)
         try:
             async with asyncio.timeout(self._reader.timeout) as self.reading:
                 body = await self._collect(receive, limit)
@@ -197,6 +202,7 @@ class IncomingBody:
             self.reading = None
         if self.displaced:
             raise self._reader.refusal(self.owner)
+        refuse(len(body))
         return body
 
     async def name(self, body: bytes) -> None:

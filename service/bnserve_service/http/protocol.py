@@ -51,6 +51,8 @@ class _Due(enum.Enum):
     """What a peer owes."""
 
     NOTHING = enum.auto()
+    REQUEST = enum.auto()
+    """Another, on a connection on which one was answered before its body was there, or which sends empty lines."""
     HEAD = enum.auto()
     BODY = enum.auto()
     END = enum.auto()
@@ -109,7 +111,7 @@ class _TimedProtocol(HttpToolsProtocol):
         """Wait for what is due now, unless the connection is ending."""
         due = self._due
         if due is _Due.NOTHING and self._is_idle() and self.timeout_keep_alive_task is None:
-            due = _Due.HEAD  # of a new connection, or of one that sends empty lines
+            due = _Due.HEAD if self.cycle is None else _Due.REQUEST
         if due is not _Due.END and due is not self._waited_for:
             self._wait_for(due)
 
@@ -121,6 +123,7 @@ class _TimedProtocol(HttpToolsProtocol):
             self._read_timer = None
         if due is not _Due.NOTHING:
             seconds = {
+                _Due.REQUEST: self.settings.keep_alive,
                 _Due.HEAD: self.settings.header_timeout,
                 _Due.BODY: self.settings.body_timeout + _BODY_MARGIN,
                 _Due.END: _LINGER,

@@ -81,6 +81,7 @@ class Metrics:
         self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
         self._request_child = cache(self._requests.labels)
         self._seconds_child = cache(self._seconds.labels)
+        self._refused_child = cache(self._refused.labels)
         self._rows_child = cache(self._rows.labels)
         self._samples_child = cache(self._samples.labels)
 
@@ -101,7 +102,7 @@ class Metrics:
 
     def refused(self, code: str) -> None:
         """Count one error answer."""
-        self._refused.labels(code).inc()
+        self._refused_child(code).inc()
 
     def evaluated(self, model: str, rows: int, samples: int) -> None:
         """Count evaluated waveforms."""
