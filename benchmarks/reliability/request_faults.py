@@ -48,7 +48,7 @@ def no_cap() -> None:
     """Bodies are read to their end, whatever their size."""
     from bnserve_service.http.body import BodyReader, IncomingBody
 
-    async def read_all(self: IncomingBody, receive: Any, limit: int) -> bytes:
+    async def read_all(self: IncomingBody, receive: Any, limit: int, refuse: Any = None) -> bytes:
         return await self._collect(receive, 2**62)
 
     IncomingBody.read = read_all  # type: ignore[method-assign]

@@ -90,8 +90,7 @@ class BodyReader:
         """
         if body.displaced or size <= 0:
             return
-        if not self._held.fits(size):
-            self._make_room(body.owner, size)
+        self._make_room(body.owner, size)
         self._bodies[body] = None
         body.size += size
         self._held.add(body.owner, size)
@@ -117,8 +116,7 @@ class BodyReader:
 
     def _make_room(self, owner: str, size: int) -> None:
         """End the reading of what others have beyond their fair share, or refuse."""
-        if not self._held.may_displace(owner, size):
-            raise self.refusal(owner)
+        self.expect(owner, size)
         while not self._held.fits(size):
             rich = self._held.beyond_fair_share(owner)
             victim = next((found for name in rich if (found := self._newest_of(name)) is not None), None)
@@ -167,8 +165,7 @@ class IncomingBody:
     async def read(self, receive: Receive, limit: int, refuse: Callable[[int], None] = lambda _: None) -> bytes:
         """All of it, at most ``limit`` bytes.
 
-        ``refuse`` is called with its size, to raise what ends the reading: before it, if the size is stated, because a
-        refusal is cheapest and soonest then; and when all is there, since things may have changed.
+        ``refuse`` is called with its size, and may raise: before it is read, if it is stated, and when all is there.
 
         Raises
         ------
@@ -187,8 +184,7 @@ class IncomingBody:
             stated = int(declared)
             if stated > limit:
                 raise _too_large(limit)
-            if stated > UNCOUNTED:
-                self._reader.expect(self.owner, stated - UNCOUNTED)
+            self._reader.expect(self.owner, stated - UNCOUNTED)  # small ones, of which nothing is counted, always fit
             refuse(stated)
         try:
             async with asyncio.timeout(self._reader.timeout) as self.reading:

@@ -33,7 +33,7 @@ from bnserve_service.telemetry.metrics import Metrics
 logger = logging.getLogger("bnserve.service")
 access_logger = logging.getLogger("bnserve.access")
 
-_METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "OPTIONS", "PATCH", "TRACE"})
+_METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "OPTIONS", "PATCH"})
 """Others are one, in metrics and log: callers may invent them, too."""
 _PARAMETER = re.compile(r"{(\w+)}")
 _NOT_IN_PATHS = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029\ufffd]")

@@ -24,7 +24,6 @@ from prometheus_client.registry import Collector
 from bnserve_protocol import ModelIdentity, RowStatus, __version__
 from bnserve_service.shared.metrics import SharedMetrics
 
-_METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "PATCH", "OPTIONS"})
 _SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 _GROUP_SIZES = (1, 2, 4, 8, 16, 32, 64, 128, 256)
 
@@ -96,8 +95,8 @@ class Metrics:
         Gauge(name, description, registry=self.registry).set_function(value)
 
     def observe_request(self, route: str, method: str, status: int, seconds: float) -> None:
-        """Count one answered request."""
-        self._request_child(route, method if method in _METHODS else "other", str(status)).inc()
+        """Count one answered request; its route and method are of those that callers cannot invent."""
+        self._request_child(route, method, str(status)).inc()
         self._seconds_child(route).observe(seconds)
 
     def refused(self, code: str) -> None:
