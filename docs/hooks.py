@@ -15,7 +15,7 @@ from pymdownx.slugs import slugify
 ROOT = Path(__file__).parents[1]
 ROOMS = ("client", "protocol", "surrogate", "inference", "model_store", "service")
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\((?!https?:|#)([^)#\s]+)(#[^)]*)?\)")
-ROLE = re.compile(r":\w+:(?=<code>)")
+ROLE = re.compile(r":\w+:(<code>)[.~]?")
 
 
 def public_packages() -> list[str]:
@@ -84,7 +84,7 @@ def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Fil
 
 def on_page_content(html: str, page: Page, config: MkDocsConfig, files: Files) -> str:
     """Docstrings name what they mean by roles of reStructuredText and end a line before code with two colons."""
-    return ROLE.sub("", html).replace("<p>::</p>", "").replace("::</p>", ":</p>")
+    return ROLE.sub(r"\1", html).replace("<p>::</p>", "").replace("::</p>", ":</p>")
 
 
 def _outside(page: str, target: str) -> Path | None:
