@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions, Ranges
 from bnserve_inference._data import DetectorData
-from bnserve_inference._evaluation import chirp_mass
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
 from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
+from bnserve_inference._rows import chirp_mass
 from bnserve_inference._search import Box, middle, refuse_missing_ranges
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import time_table

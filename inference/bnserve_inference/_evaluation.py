@@ -10,24 +10,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
+from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference._time_integral import TimeIntegral
 from bnserve_inference.kernel import Contraction, Sky
 from bnserve_protocol import (
-    LIKELIHOOD_NAMES,
     Analysis,
-    AnalysisSettings,
     ComplexArray,
     EvaluationOptions,
     Factored,
-    FieldError,
-    InvalidParameters,
     InvalidRows,
     Likelihood,
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodCounts,
     LikelihoodValues,
-    ParameterBatch,
     RowStatus,
     WaveformModel,
     check_invalid_rows,
@@ -42,12 +38,6 @@ _TILE_POINTS = 2**16
 _MOST_ROWS = 256
 _TILE_TIMES = 2**16
 """Sums over times that are kept at once."""
-
-_LARGEST_ANGLE = 1e6
-"""Radians; sines of more have lost digits, and no sampler means them."""
-_ANGLES = ("right_ascension", "declination", "polarization_angle", "inclination", "reference_phase")
-_SLACK = 1e-12
-"""Relative width by which a value may miss the end of its range through rounding, as a chirp mass does."""
 
 
 class LocalLikelihood:
@@ -220,72 +210,3 @@ def likelihood(model: WaveformModel, analysis: Analysis, *, invalid_rows: Invali
         found: Likelihood = remote(analysis, invalid_rows=invalid_rows)
         return found
     return LocalLikelihood(model, analysis, invalid_rows=invalid_rows)
-
-
-def ignored_parameters(settings: AnalysisSettings) -> frozenset[str]:
-    """What is integrated over, so that its value does not matter."""
-    marginalised = {
-        "reference_phase": settings.phase_marginalisation,
-        "coalescence_time": settings.time_marginalisation is not None,
-        "distance_mpc": settings.distance_marginalisation is not None,
-    }
-    return frozenset(name for name, ignored in marginalised.items() if ignored)
-
-
-def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
-    """Refuse a batch that lacks a parameter, or has calibration errors that the analysis has no nodes for.
-
-    Raises
-    ------
-    InvalidParameters
-        It does.
-    """
-    missing = sorted(batch.absent - ignored_parameters(settings))
-    if missing:
-        raise InvalidParameters(
-            f"Missing parameter{'s' if len(missing) > 1 else ''}: {', '.join(missing)}. They may be left out only "
-            "where the analysis marginalises over them.",
-            errors=[FieldError(reason="missing", parameter=name) for name in missing],
-        )
-    nodes = 0 if settings.calibration is None else settings.calibration.nodes
-    for name, array in batch.calibration_amplitude.items():
-        if name not in settings.detectors or array.shape[1] != nodes:
-            raise InvalidParameters(
-                f"Calibration errors of '{name[:32]}' have {array.shape[1]} nodes; the analysis has {nodes} for "
-                f"each of {', '.join(settings.detectors)}.",
-                errors=[
-                    FieldError(reason="other nodes than the analysis", parameter=f"calibration_amplitude/{name[:32]}")
-                ],
-            )
-
-
-def row_statuses(batch: LikelihoodBatch, settings: AnalysisSettings) -> NDArray[np.uint8]:
-    """A :class:`RowStatus` of every row, before the model is asked: uint8 ``(N,)``."""
-    ignored = ignored_parameters(settings)
-    used = [column for column, name in enumerate(LIKELIHOOD_NAMES) if name not in ignored]
-    status = np.zeros(len(batch), dtype=np.uint8)
-    inside = np.ones(len(batch), dtype=bool)
-    with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
-        for name in _ANGLES:
-            if name not in ignored:
-                inside &= np.abs(batch[name]) <= _LARGEST_ANGLE
-        if "coalescence_time" not in ignored:
-            inside &= np.abs(batch["coalescence_time"]) <= settings.duration
-        for name, (low, high) in settings.prior.items():
-            if name not in ignored:
-                values = chirp_mass(batch) if name == "chirp_mass" else batch[name]
-                slack = _SLACK * max(abs(low), abs(high))
-                inside &= (values >= low - slack) & (values <= high + slack)
-    finite = np.isfinite(batch.values[:, used]).all(axis=1)
-    for arrays in (batch.calibration_amplitude, batch.calibration_phase):
-        for array in arrays.values():
-            finite &= np.isfinite(array).all(axis=1)
-    status[~inside] = RowStatus.OUT_OF_PRIOR
-    status[~finite] = RowStatus.NOT_FINITE
-    return status
-
-
-def chirp_mass(batch: LikelihoodBatch | ParameterBatch) -> NDArray[np.float64]:
-    """In solar masses, ``(N,)``."""
-    q = batch["mass_ratio"]
-    return np.asarray(batch["total_mass"] * (q / (1.0 + q) ** 2) ** 0.6)

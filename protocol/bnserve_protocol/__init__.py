@@ -26,6 +26,7 @@ from bnserve_protocol._analysis_settings import (
     TimeMarginalisation,
     time_steps,
 )
+from bnserve_protocol._batches import BatchLike, ParameterBatch
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_protocol._conversion import convert
 from bnserve_protocol._errors import (
@@ -79,12 +80,8 @@ from bnserve_protocol._likelihood import (
     check_invalid_rows,
     refuse_rows,
 )
-from bnserve_protocol._likelihood_parameters import (
-    LIKELIHOOD_NAMES,
-    LikelihoodBatch,
-    LikelihoodBatchLike,
-    LikelihoodParameters,
-)
+from bnserve_protocol._likelihood_batches import LikelihoodBatch, LikelihoodBatchLike
+from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodParameters
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
@@ -106,8 +103,6 @@ from bnserve_protocol._parameters import (
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
     PARAMETER_UNITS,
-    BatchLike,
-    ParameterBatch,
     ParametersWithExtrinsic,
 )
 from bnserve_protocol._printable import printable

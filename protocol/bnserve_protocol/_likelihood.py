@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._analyses import Analysis
 from bnserve_protocol._errors import FieldError, InvalidRequest, OutOfDomain
-from bnserve_protocol._likelihood_parameters import LikelihoodBatchLike
+from bnserve_protocol._likelihood_batches import LikelihoodBatchLike
 from bnserve_protocol._results import RowStatus
 
 InvalidRows: TypeAlias = Literal["flag", "error"]

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._batches import ParameterBatch
 from bnserve_protocol._grids import as_frequencies
 from bnserve_protocol._model import EvaluationOptions
-from bnserve_protocol._parameters import ParameterBatch
 
 if TYPE_CHECKING:
     from bnserve_protocol._model import ModelDescription, WaveformModel

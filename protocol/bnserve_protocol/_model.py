@@ -10,9 +10,10 @@ import msgspec
 import numpy as np
 from numpy.typing import DTypeLike
 
+from bnserve_protocol._batches import BatchLike
 from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
-from bnserve_protocol._parameters import BatchLike, ParametersWithExtrinsic
+from bnserve_protocol._parameters import ParametersWithExtrinsic
 from bnserve_protocol._results import AmplitudePhase, Factored, Polarizations
 
 DtypeName: TypeAlias = Literal["complex128", "complex64"]

@@ -8,15 +8,11 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._batches import check_names
 from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBody
-from bnserve_protocol._likelihood_parameters import (
-    CALIBRATION_NAMES,
-    LIKELIHOOD_DEFAULTS,
-    LIKELIHOOD_NAMES,
-    LikelihoodBatch,
-)
+from bnserve_protocol._likelihood_batches import LikelihoodBatch
+from bnserve_protocol._likelihood_parameters import CALIBRATION_NAMES, LIKELIHOOD_DEFAULTS, LIKELIHOOD_NAMES
 from bnserve_protocol._model import ModelIdentity
-from bnserve_protocol._parameters import check_names
 from bnserve_protocol.wire._arrays import ArrayKeys, decode_array, decode_real, encode_array, is_array, raw_array
 from bnserve_protocol.wire._bodies import LikelihoodAnswerBody, LikelihoodBody, NamedArrays
 from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, read_map, undecodable
