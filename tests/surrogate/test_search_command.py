@@ -83,7 +83,7 @@ def test_numbers_that_make_no_sense_are_refused(command, capsys, arguments):
     with pytest.raises(SystemExit) as ended:
         command(*arguments)
     assert ended.value.code == 2
-    assert f"argument {arguments[0]}: '{arguments[1]}' is not a number from" in capsys.readouterr().err
+    assert f"Argument {arguments[0]}: '{arguments[1]}' is not a number from" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
