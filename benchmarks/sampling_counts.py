@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_surrogate.training.data.chunks import ChunkTask, computed_chunks, merge
+from bnserve_surrogate.training.data.chunks import ChunkTask, merge
 from bnserve_surrogate.training.data.generation import make_generator
 from bnserve_surrogate.training.data.generators import WaveformGenerator, mass_seconds
 from bnserve_surrogate.training.data.residuals import (
@@ -25,6 +25,7 @@ from bnserve_surrogate.training.data.residuals import (
     flatten_phase,
 )
 from bnserve_surrogate.training.data.sampling import ParameterRanges, UniformSampling, draw
+from bnserve_surrogate.training.data.workers import computed_chunks
 from bnserve_surrogate.training.errors import GeneratorFailure, TrainingError
 from bnserve_surrogate.training.reduction.greedy import greedy_downsampling, multibanded_grid, newtonian_duration
 

@@ -18,9 +18,9 @@ from sklearn.exceptions import ConvergenceWarning
 from benchmarks.figures import style
 from benchmarks.figures.drawing import LEVELS, Drawing, quantile_row, quantiles, table
 from benchmarks.figures.workspace import VALIDATION_SEED, Arrays, Workspace
-from bnserve_surrogate.training.config import TrainingConfiguration, ValidationSection
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.regressors import weighted_exponents
+from bnserve_surrogate.training.sections import TrainingConfiguration, ValidationSection
 from bnserve_surrogate.training.validation.measurement import validate
 
 _BASELINE = "baseline alone"

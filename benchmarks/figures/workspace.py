@@ -17,7 +17,7 @@ from bnserve_protocol import __version__
 from bnserve_store import Artifact
 from bnserve_surrogate import Model
 from bnserve_surrogate._artifact import SurrogateMetadata
-from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
+from bnserve_surrogate.training.config import parse_configuration
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset
 from bnserve_surrogate.training.data.generation import configured_generator
 from bnserve_surrogate.training.data.sampling import (
@@ -28,6 +28,7 @@ from bnserve_surrogate.training.data.sampling import (
     training_band,
 )
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes
+from bnserve_surrogate.training.sections import TrainingConfiguration
 from bnserve_surrogate.training.validation.measurement import Validation, validate
 
 VALIDATION_SEED = 2024

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from bnserve_surrogate.training.config import TrainingConfiguration, check_numbers
+from bnserve_surrogate.training.config import check_numbers
 from bnserve_surrogate.training.data.generation import (
     Generation,
     check_room,
@@ -22,6 +22,7 @@ from bnserve_surrogate.training.reduction.reductions import reduce_dataset
 from bnserve_surrogate.training.regressors import check_regressor, coordinate_map, export_regressor, make_regressor
 from bnserve_surrogate.training.regressors.exported import model_tensors
 from bnserve_surrogate.training.search.hyperparameters import with_best_hyperparameters
+from bnserve_surrogate.training.sections import TrainingConfiguration
 from bnserve_surrogate.training.validation.error_estimate import estimate_from, with_error_estimate
 from bnserve_surrogate.training.validation.measurement import validate_on_fresh
 

@@ -18,10 +18,10 @@ from bnserve_protocol import __version__
 from bnserve_store import Manifest, ModelStore
 from bnserve_surrogate._artifact import ModeMetadata, SelfCheck, SurrogateMetadata, read_modes
 from bnserve_surrogate._model import Model
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import WaveformGenerator
 from bnserve_surrogate.training.errors import TrainingError
+from bnserve_surrogate.training.sections import TrainingConfiguration
 from bnserve_surrogate.training.validation.measurement import Validation, by_parameter
 from bnserve_surrogate.training.validation.report import REPORT_FILE, page
 

@@ -21,7 +21,6 @@ from bnserve_surrogate.training.data.chunks import (
     Chunk,
     ChunkTask,
     Failure,
-    computed_chunks,
     merge,
     read_chunk,
     unwritable_named,
@@ -31,6 +30,7 @@ from bnserve_surrogate.training.data.chunks import (
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.residuals import baseline_fingerprint
 from bnserve_surrogate.training.data.sampling import ParameterRanges, Sampling, draw
+from bnserve_surrogate.training.data.workers import computed_chunks
 from bnserve_surrogate.training.errors import DatasetInUse, TooManyFailures
 
 _FORMAT = 1

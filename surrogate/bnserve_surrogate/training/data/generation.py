@@ -14,7 +14,6 @@ import numpy as np
 
 from bnserve_protocol import BnserveError
 from bnserve_store import check_writable
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.chunks import unwritable_named
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset, joined
 from bnserve_surrogate.training.data.generators import (
@@ -33,6 +32,7 @@ from bnserve_surrogate.training.data.sampling import (
     parameter_ranges,
 )
 from bnserve_surrogate.training.errors import GeneratorDependsOnGrid, GeneratorUnknown
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 VALIDATION_NODES = 300
 """Not those of the model: its interpolation between them is measured as well."""
@@ -45,11 +45,7 @@ _SAME = 0.01
 
 
 GENERATORS: MappingProxyType[str, Callable[..., WaveformGenerator]] = MappingProxyType(
-    {
-        "teobresums": TEOBResumSPA,
-        "lalsimulation": LALSimulationGenerator,
-        "callable": CallableGenerator.from_path,
-    }
+    {"teobresums": TEOBResumSPA, "lalsimulation": LALSimulationGenerator, "callable": CallableGenerator.from_path}
 )
 """Constructors by configuration name. Options: ``teobresums`` (postadiabatic_dr, gravitomagnetic_tides),
 ``lalsimulation`` (approximant, total_mass), ``callable`` (path = "module:function", release)."""

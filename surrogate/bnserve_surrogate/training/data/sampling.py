@@ -14,8 +14,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from bnserve_protocol import InvalidParameters
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.generators import FloatArray, mass_seconds
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 Interval = tuple[float, float]
 DIMENSION = 5

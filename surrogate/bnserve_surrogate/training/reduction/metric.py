@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import mass_seconds
 from bnserve_surrogate.training.data.noise import noise_curve, noise_weights
 from bnserve_surrogate.training.data.residuals import baseline_amplitude
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 FloatArray: TypeAlias = NDArray[np.float64]
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from bnserve_surrogate.training.config import TrainingConfiguration, demand
+from bnserve_surrogate.training.config import demand
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
 from bnserve_surrogate.training.data.generation import Generation
 from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, mass_seconds
@@ -20,6 +20,7 @@ from bnserve_surrogate.training.data.sampling import (
 )
 from bnserve_surrogate.training.reduction.greedy import greedy_downsampling, multibanded_grid
 from bnserve_surrogate.training.reduction.metric import has_weight
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 _CHUNK = 8
 """Waveforms of a file: those on the multibanded grid are a hundred times as long as others."""

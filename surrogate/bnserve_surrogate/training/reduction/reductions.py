@@ -11,11 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.linalg import eigh
 from sklearn.base import BaseEstimator, TransformerMixin
 
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import WaveformGenerator
 from bnserve_surrogate.training.data.residuals import flatten_phase, merger_phase
 from bnserve_surrogate.training.reduction.metric import MetricCoordinates, MismatchMetric
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 FloatArray: TypeAlias = NDArray[np.float64]
 SCALARS = ("log_amplitude", "time_shift", "phase_shift")

@@ -7,7 +7,7 @@ from typing import Any
 
 from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.kernel import MAX_DEGREE
-from bnserve_surrogate.training.config import NetworkSection, PolynomialSection, TrainingConfiguration, demand
+from bnserve_surrogate.training.config import demand
 from bnserve_surrogate.training.data.generators import FloatArray
 from bnserve_surrogate.training.data.sampling import parameter_ranges
 from bnserve_surrogate.training.reduction.metric import MismatchMetric
@@ -15,6 +15,7 @@ from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors.combined import Beside, Sum
 from bnserve_surrogate.training.regressors.mlp import MLP
 from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial, weighted_exponents
+from bnserve_surrogate.training.sections import NetworkSection, PolynomialSection, TrainingConfiguration
 
 FEWEST_FOR_A_NETWORK = 8
 """They determine the least polynomial beside it, of degree one."""

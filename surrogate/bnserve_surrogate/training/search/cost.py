@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 from sklearn.exceptions import ConvergenceWarning
 
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generation import Generation, configured_generator, training_set
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
@@ -23,6 +22,7 @@ from bnserve_surrogate.training.reduction.metric import MismatchMetric, mismatch
 from bnserve_surrogate.training.reduction.nodes import configured_nodes
 from bnserve_surrogate.training.reduction.reductions import PaperReduction, ReducedResiduals, Reduction, reduce_dataset
 from bnserve_surrogate.training.regressors import Beside, coordinate_map, make_regressor
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 Rows = NDArray[np.intp]
 _TIMEOUT = 60.0

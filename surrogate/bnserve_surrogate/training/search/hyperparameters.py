@@ -11,8 +11,9 @@ from typing import Any
 
 import msgspec
 
-from bnserve_surrogate.training.config import ConfigurationInvalid, TrainingConfiguration, parse_configuration
+from bnserve_surrogate.training.config import ConfigurationInvalid, parse_configuration
 from bnserve_surrogate.training.errors import TrainingError
+from bnserve_surrogate.training.sections import TrainingConfiguration
 from bnserve_surrogate.training.validation.report import write_text
 
 Values = dict[str, Any]
@@ -154,13 +155,7 @@ def collection_text(collection: ParetoCollection, comment: str) -> str:
 
 
 def write_collection(path: Path, collection: ParetoCollection, comment: str) -> None:
-    """Write :func:`collection_text` to a file, whole or not at all.
-
-    Raises
-    ------
-    DatasetUnwritable
-        Disk full, no permission.
-    """
+    """Write :func:`collection_text` to a file, whole or not at all; DatasetUnwritable where there is no way."""
     write_text(path, collection_text(collection, comment))
 
 
@@ -201,8 +196,7 @@ def load_collection(configuration: TrainingConfiguration) -> tuple[str, ParetoCo
     """
     section = configuration.regressor
     name = section.pareto or f"pareto_{section.kind}.toml"
-    shipped = resources.files("bnserve_surrogate") / "data" / name
-    source = Path(name) if section.pareto else shipped
+    source = Path(name) if section.pareto else resources.files("bnserve_surrogate") / "data" / name
     try:
         text = source.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:

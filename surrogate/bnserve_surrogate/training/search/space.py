@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors import weighted_exponents
 from bnserve_surrogate.training.search.hyperparameters import Values
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 FEWEST_WAVEFORMS = 50
 """The paper's smallest training set."""

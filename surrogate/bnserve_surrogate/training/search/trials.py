@@ -14,11 +14,11 @@ import numpy as np
 import optuna
 from optuna.samplers import TPESampler
 
-from bnserve_surrogate.training.config import TrainingConfiguration
 from bnserve_surrogate.training.search.cost import SearchData, TrialFailed, evaluate, load_search_data
 from bnserve_surrogate.training.search.hyperparameters import flat, override
 from bnserve_surrogate.training.search.space import first_suggestions, searched_keys, suggest
 from bnserve_surrogate.training.search.study import fail, finished, working_on
+from bnserve_surrogate.training.sections import TrainingConfiguration
 
 Say = Callable[[str], None]
 

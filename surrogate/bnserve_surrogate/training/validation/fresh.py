@@ -7,9 +7,10 @@ from pathlib import Path
 from bnserve_store import Artifact
 from bnserve_surrogate._artifact import SurrogateMetadata
 from bnserve_surrogate._model import Model
-from bnserve_surrogate.training.config import TrainingConfiguration, parse_configuration
+from bnserve_surrogate.training.config import parse_configuration
 from bnserve_surrogate.training.data.generation import Generation, configured_generator
 from bnserve_surrogate.training.errors import GeneratorUnknown, TrainingError
+from bnserve_surrogate.training.sections import TrainingConfiguration
 from bnserve_surrogate.training.validation.measurement import (
     Validation,
     validate_on_fresh,
