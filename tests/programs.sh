@@ -147,6 +147,16 @@ bajes() {
         ./service ./client
     serve
     check "bajes 1.3.0" "$python" tests/programs/bajes_waveform.py "$address" "$cache/mlgw_bns.npz"
+    # Its commands start others, so that the name is registered by a file that each of them finds.
+    local folder=$cache/bajes-inject
+    rm -rf "$folder"
+    mkdir -p "$folder"
+    echo "from bnserve_client.compat.mlgw_bns import *" >"$folder/mlgw_bns.py"
+    seq 2048 | sed 's/$/ 4e-24/' >"$folder/asd.txt"
+    check "bajes_inject 1.3.0" env PYTHONPATH="$folder" BNSERVE_URL="$address" "$(dirname "$python")/bajes_inject" \
+        --ifo H1 --asd "$folder/asd.txt" --wave tests/programs/bajes_injection.ini --srate 2048 --seglen 32 --f-min 30 \
+        --f-max 1024 --zero-noise --fd-inject --ra 1.0 --dec 0.3 -o "$folder/out"
+    check "its signal" awk '$2 * $2 > 1e-50 { n++ } END { print n " samples"; exit n < 10000 }' "$folder/out/H1_signal.txt"
     stop
 }
 

@@ -50,8 +50,6 @@ def test_an_mlgw_bns_that_is_there_is_not_hidden_unasked(tmp_path):
     (tmp_path / "mlgw_bns").mkdir()
     (tmp_path / "mlgw_bns" / "__init__.py").write_text("from mlgw_bns.model import Model\n")
     (tmp_path / "mlgw_bns" / "model.py").write_text("class Model: pass\n")
-    (tmp_path / "mlgw_bns-2.0.1.dist-info").mkdir()
-    (tmp_path / "mlgw_bns-2.0.1.dist-info" / "METADATA").write_text("Name: mlgw-bns\nVersion: 2.0.1\n")
     code = f"""
 import sys; sys.path.insert(0, {str(tmp_path)!r})
 import bnserve_client.compat as compat
@@ -66,9 +64,19 @@ from mlgw_bns.model import Model
 print(Model.__module__)
 """
     refusal, before, after = run_python(code).splitlines()
-    assert "mlgw_bns 2.0.1 is installed here" in refusal
+    assert f"There is an mlgw_bns here ({tmp_path}" in refusal
     assert "register(replace=True)" in refusal
     assert (before, after) == ("mlgw_bns.model", "bnserve_client.compat.mlgw_bns")
+
+
+def test_a_file_that_takes_the_names_is_enough_for_programs_that_start_others(tmp_path):
+    (tmp_path / "mlgw_bns.py").write_text("from bnserve_client.compat.mlgw_bns import *\n")
+    code = f"""
+import sys; sys.path.insert(0, {str(tmp_path)!r})
+from mlgw_bns import FrequencyTooHighError, FrequencyTooLowError, Model, ParametersWithExtrinsic
+print(Model.__module__)
+"""
+    assert run_python(code).strip() == "bnserve_client.compat.mlgw_bns"
 
 
 # Which model it is

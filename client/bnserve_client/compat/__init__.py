@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 import importlib
-import importlib.metadata
+import importlib.util
 import sys
 
 from bnserve_protocol import InvalidRequest
@@ -37,16 +37,13 @@ def register(*, replace: bool = False) -> None:
         There is an mlgw_bns, and ``replace`` is not set: nobody is given another's waveforms unasked.
     """
     ours = importlib.import_module(f"{__name__}.{_NAME}")
-    if sys.modules.get(_NAME) is not ours and not replace:
-        try:
-            found: str | None = f"{importlib.metadata.version(_NAME)} is installed"
-        except importlib.metadata.PackageNotFoundError:
-            found = "is imported" if _NAME in sys.modules else None
-        if found:
-            raise InvalidRequest(
-                f"mlgw_bns {found} here, and would be hidden: bnserve_client.compat.register(replace=True) takes its "
-                "place in this process, or uninstall it."
-            )
+    there = sys.modules.get(_NAME) or importlib.util.find_spec(_NAME)
+    if there not in (None, ours) and not replace:
+        where = getattr(there, "__file__", None) or getattr(there, "origin", None)
+        raise InvalidRequest(
+            f"There is an mlgw_bns here ({where}), which would be hidden: bnserve_client.compat.register(replace=True) "
+            "takes its place in this process, or uninstall it."
+        )
     for name in [name for name in sys.modules if name.startswith(f"{_NAME}.")]:
         del sys.modules[name]
     sys.modules[_NAME] = sys.modules[f"{_NAME}.model"] = vars(ours)["model"] = ours
