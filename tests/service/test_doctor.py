@@ -210,7 +210,7 @@ def test_extras_are_those_of_the_repository():
     declared = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
     assert set(declared) >= PUBLIC
     assert set(EXTRAS) - {"demo", "completion"} == PUBLIC
-    assert set(declared) - PUBLIC == {"detectors", "benchmarks", "test", "dev"}
+    assert set(declared) - PUBLIC == {"detectors", "benchmarks", "docs", "test", "dev"}
 
 
 def test_an_address_where_nobody_is(doctor):
@@ -307,6 +307,28 @@ def test_another_model_of_the_same_name_and_version(doctor):
     other = {"name": "default", "version": "1.0.0", "digest": "sha256:0"}
     with pretender({"/v2/health/ready": READY, "/v1/manifest": manifest(models=[other])}) as url:
         assert "its default 1.0.0 is another than the one here" in doctor("--url", url)["fault"]["server models"]
+
+
+@pytest.mark.parametrize(
+    "models", [["x"], [{"name": "a\r\nX: y", "version": "1"}], {}, [{"name": "../..", "version": "1"}]]
+)
+@pytest.mark.parametrize("software", [[], {"bnserve": "\x1b[2J"}])
+def test_a_server_that_means_ill_gets_no_further(doctor, models, software):
+    body = json.dumps({"software": software, "models": models, "detail": "\x1b[2J"}).encode()
+    answer = 200, {"Content-Digest": content_digest([body])}, body
+    with pretender({"/v2/health/ready": READY, "/v1/manifest": answer}) as url:
+        found = doctor("--url", url)
+    assert found["fault"] == {}
+    assert "\x1b" not in str(found)
+    assert "server version" in found["warning"]
+
+
+def test_a_waveform_that_is_none(doctor):
+    strange = {"name": "strange", "version": "1", "digest": "sha256:0"}
+    with pretender({"/v2/health/ready": READY, "/v1/manifest": manifest(models=[strange])}) as url:
+        found = doctor("--url", url)
+    assert "strange 1" in found["fault"]["waveform"]
+    assert "latency" in found["ok"]
 
 
 def test_something_else_that_speaks_http(doctor):

@@ -20,7 +20,7 @@ def add_parser(subparsers: Any) -> None:
         "fitted as t = t_o + t_p N in shuffled epochs; where the time goes; throughput against the size of batches and "
         "the number of clients; and, without --url, threads, a fresh process, and the memory of a server.",
     )
-    parser.add_argument("--url", metavar="URL", help="of a server: http://host:8000, or unix:/path/to/socket")
+    parser.add_argument("--url", metavar="URL", help="of a server: http://host:8000, host:8000 or unix:/path/to/socket")
     parser.add_argument("--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN)")
     parser.add_argument("--model", default="default", metavar="NAME[@VERSION]", help="which model (default)")
     parser.add_argument("--store", type=Path, metavar="DIR", help="without --url: searched before the shipped models")

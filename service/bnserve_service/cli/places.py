@@ -6,6 +6,7 @@ import errno
 import json
 import os
 from pathlib import Path
+from typing import Any
 
 
 def check_place(path: Path, option: str) -> None:
@@ -45,3 +46,56 @@ def name_and_version(model: str) -> tuple[str, str]:
 def print_json(document: object) -> None:
     """For machines, on standard output."""
     print(json.dumps(document, indent=2, ensure_ascii=False))
+
+
+def save_numbers(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> None:
+    """Write a waveform as the ending of the file's name says.
+
+    Parameters
+    ----------
+    path
+        It ends in one of :data:`WRITERS`.
+    arrays
+        ``frequencies`` in Hz, ``h_plus`` and ``h_cross`` in 1/Hz, each of shape ``(M,)``.
+    summary
+        What it is, for those that have room for it.
+
+    Raises
+    ------
+    InvalidRequest
+        The file cannot be written.
+    """
+    from bnserve_protocol import InvalidRequest
+
+    try:
+        WRITERS[path.suffix.lower()](path, arrays, summary)
+    except OSError as error:
+        raise InvalidRequest(f"'{path}' cannot be written: {error.strerror or error}.") from error
+
+
+def _save_npz(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> None:
+    import numpy as np
+
+    np.savez(path, **arrays, summary=np.array(json.dumps(summary)))
+
+
+def _save_csv(path: Path, arrays: dict[str, Any], _: dict[str, Any]) -> None:
+    import numpy as np
+
+    plus, cross = arrays["h_plus"], arrays["h_cross"]
+    table = np.column_stack([arrays["frequencies"], plus.real, plus.imag, cross.real, cross.imag])
+    header = "frequency_hz,h_plus_re,h_plus_im,h_cross_re,h_cross_im"
+    np.savetxt(path, table, fmt="%.17g", delimiter=",", header=header, comments="")
+
+
+def _save_hdf5(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> None:
+    import h5py
+
+    with h5py.File(path, "w") as file:
+        for name, array in arrays.items():
+            file[name] = array
+        file.attrs["summary"] = json.dumps(summary)
+
+
+WRITERS = {".npz": _save_npz, ".csv": _save_csv, ".h5": _save_hdf5, ".hdf5": _save_hdf5}
+"""By ending of a file's name; each has frequencies in Hz and strain in 1/Hz, and all but CSV the summary as JSON."""

@@ -63,7 +63,9 @@ def _add_validate(actions: Any) -> None:
     validate.add_argument("basis", metavar="BASIS", help=BASIS_HELP)
     validate.add_argument("--count", type=int, default=64, metavar="N", help="binaries (64)")
     validate.add_argument("--seed", type=int, default=2024, metavar="N", help="of the draws (2024)")
-    validate.add_argument("--store", type=Path, action="append", metavar="DIR", help="of the basis' model")
+    validate.add_argument(
+        "--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models"
+    )
     validate.add_argument("--json", action="store_true", help="print one JSON object")
     validate.set_defaults(run=run_validate)
 
@@ -78,7 +80,9 @@ def _add_export(actions: Any) -> None:
     export.add_argument("basis", metavar="BASIS", help=BASIS_HELP)
     export.add_argument("format", choices=("bilby", "bajes"))
     export.add_argument("output", type=Path, metavar="PATH")
-    export.add_argument("--store", type=Path, action="append", metavar="DIR", help="of the basis' model")
+    export.add_argument(
+        "--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models"
+    )
     export.set_defaults(run=run_export)
 
 

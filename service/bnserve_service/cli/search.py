@@ -26,7 +26,11 @@ def add_parser(subparsers: Any) -> None:
         "--trials", type=_number(int, 1), default=50, metavar="N", help="of the whole study, earlier ones included (50)"
     )
     parser.add_argument(
-        "--timeout", type=_number(float, 0.0), default=math.inf, metavar="SECONDS", help="begin no trial after (never)"
+        "--timeout",
+        type=_number(float, 0.0),
+        default=math.inf,
+        metavar="SECONDS",
+        help="begin no trial after so long (never)",
     )
     parser.add_argument("--study", type=Path, metavar="FILE", help="the study (WORK/search-NAME.jsonl)")
     parser.add_argument("--report", action="store_true", help="only write the results of a study that exists")

@@ -20,7 +20,7 @@ def add_parser(subparsers: Any) -> None:
         "listens, and when it is ready.",
     )
     add = parser.add_argument
-    add("--config", type=Path, metavar="FILE", help="settings in TOML; options given here count more")
+    add("--config", type=Path, metavar="FILE", help="settings in TOML; options given here override it")
     add("--host", help="address to listen on (127.0.0.1)")
     add("--port", type=int, help="port to listen on (8000); 0 takes a free one and prints it")
     add("--uds", type=Path, metavar="PATH", help="listen on a Unix socket instead")

@@ -114,7 +114,10 @@ def run(options: argparse.Namespace) -> int:
             options.output, evaluate_chirp(model, parameters), model.description, "A binary neutron star", where
         )
     elif ending is not None:
-        _save(options.output, ending, grid, answer, _summary(options, model, parameters, grid))
+        from bnserve_service.cli.places import save_numbers
+
+        arrays = {"frequencies": grid.frequencies(), "h_plus": answer.plus, "h_cross": answer.cross}
+        save_numbers(options.output, arrays, _summary(options, model, parameters, grid))
     _say(options, model, parameters, grid)
     return 0
 
@@ -131,7 +134,7 @@ def _predict(model: WaveformModel, grid: UniformGrid, parameters: Any) -> Polari
 
 def _check(path: Path, ending: str) -> None:
     from bnserve_protocol import InvalidRequest, require
-    from bnserve_service.cli.places import check_place
+    from bnserve_service.cli.places import WRITERS, check_place
 
     if ending not in (*PICTURES, *WRITERS):
         known = ", ".join((*WRITERS, *PICTURES))
@@ -211,46 +214,3 @@ def _say(options: argparse.Namespace, model: WaveformModel, parameters: Any, gri
     print(f"grid     {grid.f_min:g} to {grid.f_max:g} Hz in steps of {grid.delta_f:g} Hz: {len(grid)} frequencies")
     print(f"merger   {summary['seconds_until_merger']:.6g} s after it passes {grid.f_min:g} Hz")
     print(f"output   {options.output or 'none: --output FILE.npz, .csv, .h5 or .png takes it'}")
-
-
-def _save(path: Path, ending: str, grid: UniformGrid, answer: Polarizations, summary: dict[str, Any]) -> None:
-    from bnserve_protocol import InvalidRequest
-
-    try:
-        WRITERS[ending](
-            path, {"frequencies": grid.frequencies(), "h_plus": answer.plus, "h_cross": answer.cross}, summary
-        )
-    except OSError as error:
-        raise InvalidRequest(f"'{path}' cannot be written: {error.strerror or error}.") from error
-
-
-def _save_npz(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> None:
-    import json
-
-    import numpy as np
-
-    np.savez(path, **arrays, summary=np.array(json.dumps(summary)))
-
-
-def _save_csv(path: Path, arrays: dict[str, Any], _: dict[str, Any]) -> None:
-    import numpy as np
-
-    plus, cross = arrays["h_plus"], arrays["h_cross"]
-    table = np.column_stack([arrays["frequencies"], plus.real, plus.imag, cross.real, cross.imag])
-    header = "frequency_hz,h_plus_re,h_plus_im,h_cross_re,h_cross_im"
-    np.savetxt(path, table, fmt="%.17g", delimiter=",", header=header, comments="")
-
-
-def _save_hdf5(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> None:
-    import json
-
-    import h5py
-
-    with h5py.File(path, "w") as file:
-        for name, array in arrays.items():
-            file[name] = array
-        file.attrs["summary"] = json.dumps(summary)
-
-
-WRITERS = {".npz": _save_npz, ".csv": _save_csv, ".h5": _save_hdf5, ".hdf5": _save_hdf5}
-"""By ending of a file's name; each has frequencies in Hz and strain in 1/Hz, and all but CSV the summary as JSON."""

@@ -2,28 +2,26 @@
 
 from __future__ import annotations
 
-import http.client
 import json
+import re
 import statistics
 import time
-from collections.abc import Mapping
-from dataclasses import dataclass
 from email.utils import parsedate_to_datetime
 from typing import Any
 
 import numpy as np
 
-from bnserve_protocol import BnserveError, InvalidRequest, ParametersWithExtrinsic, __version__, printable
-from bnserve_protocol.wire import JSON, content_digest
+from bnserve_protocol import InvalidRequest, ParametersWithExtrinsic, __version__, printable
+from bnserve_protocol.wire import content_digest
 from bnserve_service.bench.load import Target
-from bnserve_service.doctor.findings import Findings, fault, ok, warning
+from bnserve_service.doctor.asking import Answer, NoAnswer, ask
+from bnserve_service.doctor.findings import Findings, fault, looking, ok, warning
 from bnserve_service.process.listening import CannotListen, listen_tcp
 from bnserve_service.settings import Settings
 from bnserve_store import ModelStore
 
-PROBE_SECONDS, ANSWER_SECONDS = 2.0, 30.0
-"""Whoever has the port may say nothing at all; a server under load may take its time."""
-LARGEST_ANSWER = 2**20
+PROBE_SECONDS = 2.0
+"""Whoever has the port may say nothing at all."""
 CLOCK_SECONDS, FAR_SECONDS = 2.0, 60.0
 """Dates of HTTP are whole seconds; from the second on, logs and certificates are wrong, too."""
 SLOW_SECONDS = 0.1
@@ -32,59 +30,8 @@ CALLS = 20
 QUESTION = {name: getattr(ParametersWithExtrinsic.gw170817(), name) for name in (
     "mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "distance_mpc", "inclination", "total_mass",
 )}  # fmt: skip
+_NAME = re.compile(r"[A-Za-z0-9_-]{1,64}/[0-9A-Za-z.+_-]{1,64}")
 FREQUENCIES = [50.0, 100.0, 500.0]
-
-
-class NoAnswer(BnserveError):
-    """Nobody answers, or not in HTTP."""
-
-    code = "no-answer"
-    title = "No answer"
-
-
-@dataclass(frozen=True, slots=True)
-class Answer:
-    """What a server said."""
-
-    status: int
-    headers: Mapping[str, str]
-    """Names in lower case."""
-    body: bytes
-
-    def document(self) -> dict[str, Any]:
-        """The JSON object in it; an empty one where there is none."""
-        try:
-            found = json.loads(self.body)
-        except (ValueError, RecursionError):
-            return {}
-        return found if isinstance(found, dict) else {}
-
-    def detail(self) -> str:
-        """What it says is wrong, on one line."""
-        return printable(str(self.document().get("detail", f"status {self.status}")))[:300]
-
-
-def ask(target: Target, path: str, body: bytes = b"", seconds: float = ANSWER_SECONDS) -> Answer:
-    """One question over a connection of its own: GET, or POST where there is a body in JSON.
-
-    Raises
-    ------
-    NoAnswer
-        Nothing listens there, or what it says is no HTTP.
-    """
-    headers = {"Accept": f"{JSON}, application/problem+json", "Connection": "close"}
-    headers |= {"Content-Type": JSON} if body else {}
-    try:
-        with target.connect() as connection:
-            connection.settimeout(seconds)
-            connection.sendall(target.request(path, body, headers, "POST" if body else "GET"))
-            with http.client.HTTPResponse(connection) as response:
-                response.begin()
-                named = {name.lower(): value for name, value in response.getheaders()}
-                return Answer(response.status, named, response.read(LARGEST_ANSWER))
-    except (OSError, http.client.HTTPException, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
-        raise NoAnswer(f"no answer in HTTP: {printable(reason)}") from error
 
 
 def port(settings: Settings) -> Findings:
@@ -207,24 +154,32 @@ def _manifest(target: Target, store: ModelStore) -> Findings:
         return
     yield ok("digests", "an answer has the bytes that its Content-Digest is of")
     yield from _same_version(answer.document())
-    models = [model for model in answer.document().get("models", []) if isinstance(model, dict)]
-    for model in models:
-        yield from _same_model(model, store)
+    models = _models(answer.document())
+    for name, version, digest in models:
+        yield from _same_model(name, version, digest, store)
     if models:
-        yield from _evaluation(target, models[0], store)
+        yield from looking("waveform", lambda: _evaluation(target, *models[0][:2], store))
+
+
+def _models(manifest: dict[str, Any]) -> list[tuple[str, str, str]]:
+    """Name, version and digest of each; what has not the form of one is left out, and so leads nowhere."""
+    listed = manifest.get("models")
+    found = [each for each in (listed if isinstance(listed, list) else []) if isinstance(each, dict)]
+    named = [tuple(str(each.get(key)) for key in ("name", "version", "digest")) for each in found]
+    return [(name, version, digest) for name, version, digest in named if _NAME.fullmatch(f"{name}/{version}")]
 
 
 def _same_version(manifest: dict[str, Any]) -> Findings:
-    theirs = manifest.get("software", {}).get("bnserve")
+    software = manifest.get("software")
+    theirs = software.get("bnserve") if isinstance(software, dict) else None
     if theirs == __version__:
         yield ok("server version", f"{theirs}, as here")
     else:
-        yield warning("server version", f"it is bnserve {printable(str(theirs))}, and here is {__version__}",
+        yield warning("server version", f"it is bnserve {printable(str(theirs))[:40]}, and here is {__version__}",
                       "they understand each other; for the same numbers, install the same version")  # fmt: skip
 
 
-def _same_model(model: dict[str, Any], store: ModelStore) -> Findings:
-    name, version, digest = (str(model.get(key)) for key in ("name", "version", "digest"))
+def _same_model(name: str, version: str, digest: str, store: ModelStore) -> Findings:
     if name not in store.names() or version not in store.versions(name):
         return
     if store.manifest(name, version).digest != digest:
@@ -232,10 +187,9 @@ def _same_model(model: dict[str, Any], store: ModelStore) -> Findings:
                     "one name and version stand for two models: publish one of them under another version")  # fmt: skip
 
 
-def _evaluation(target: Target, model: dict[str, Any], store: ModelStore) -> Findings:
+def _evaluation(target: Target, name: str, version: str, store: ModelStore) -> Findings:
     from bnserve_surrogate import Model
 
-    name, version = str(model.get("name")), str(model.get("version"))
     body = json.dumps({"parameters": QUESTION, "grid": {"frequencies": FREQUENCIES}}).encode()
     answer = ask(target, f"/v1/models/{name}/versions/{version}/waveforms", body)
     if answer.status != 200:
