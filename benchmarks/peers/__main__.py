@@ -15,8 +15,8 @@ from typing import Any
 
 from benchmarks.environments import folder_from_environment, install
 from benchmarks.page import fill
+from benchmarks.peers.candidates import candidates
 from benchmarks.peers.measuring import QUOTED, Effort, measure, save
-from benchmarks.peers.roster import roster
 from benchmarks.speed.setup import one_cpu, processor_name
 from benchmarks.workers import ROOT, unwind_on_sigterm
 from bnserve_protocol import BnserveError
@@ -62,7 +62,7 @@ def _install(starts: list[float], folder: Path | None) -> bool:
     if folder is None:
         print("Name a folder for the environments with --peers DIR or $PEERS.", file=sys.stderr)
         return False
-    scripts = {entry.environment: entry.path for f_min in starts for entry in roster(f_min) if entry.environment}
+    scripts = {entry.environment: entry.path for f_min in starts for entry in candidates(f_min) if entry.environment}
     done = [install(script, "PEERS", folder, ROOT) for script in scripts.values()]
     return all(done)
 
@@ -71,7 +71,7 @@ def _saved(f_min: float, options: argparse.Namespace) -> dict[str, Any]:
     """What an earlier run saved."""
     whole = json.loads((options.results / f"from-{f_min:g}-hz.json").read_text(encoding="utf-8"))
     rows = []
-    for entry in roster(f_min):
+    for entry in candidates(f_min):
         path = options.results / f"from-{f_min:g}-hz-{entry.name.lower().replace(' ', '-')}.json"
         if path.exists() and entry.name not in whole["missing"]:
             rows.append(json.loads(path.read_text(encoding="utf-8")))

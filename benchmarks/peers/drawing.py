@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from benchmarks.figures import style
-from benchmarks.peers.roster import OWN, Entry, roster
+from benchmarks.peers.candidates import OWN, Entry, candidates
 from bnserve_service.bench.plots import number_axis, time_axis
 from bnserve_service.bench.report import duration
 
@@ -22,7 +22,7 @@ def draw(found: dict[str, Any], path: Path) -> None:
     with style.talk():
         figure = style.figure(13.0, 7.6)
         axes, ratios = figure.subplots(1, 2, width_ratios=(1.75, 1.0))
-        entries = {entry.name: entry for entry in roster(found["f_min"])}
+        entries = {entry.name: entry for entry in candidates(found["f_min"])}
         rows = [(entries[row["name"]], row) for row in found["peers"]]
         for entry, row in rows:
             _curve(axes, entry, row)

@@ -11,7 +11,7 @@ from statistics import median
 from typing import Any, NamedTuple
 
 from benchmarks.environments import find_python
-from benchmarks.peers.roster import Entry, roster
+from benchmarks.peers.candidates import Entry, candidates
 from benchmarks.workers import Worker, WorkerFailed
 from bnserve_service.bench.timing import fit_cost, grid_sizes, shuffled
 
@@ -55,7 +55,7 @@ def measure(f_min: float, folder: Path | None, cpus: set[int], effort: Effort) -
     sizes = sorted({*grid_sizes(effort.grids), *QUOTED})
     draws, epochs = effort.draws, effort.epochs
     with ExitStack() as stack:
-        workers, missing = _workers(stack, roster(f_min), folder, cpus)
+        workers, missing = _workers(stack, candidates(f_min), folder, cpus)
         cases = {}
         for entry, (worker, _) in workers.items():
             for points in sizes:

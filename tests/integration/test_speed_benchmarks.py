@@ -11,7 +11,7 @@ from benchmarks.environments import find_python, install, install_commands
 from benchmarks.growth.__main__ import main as growth
 from benchmarks.growth.turning import cost_rises, memory_takes_over, saturates
 from benchmarks.peers.__main__ import main as peers
-from benchmarks.peers.roster import roster
+from benchmarks.peers.candidates import candidates
 from benchmarks.peers.worker import draw
 from benchmarks.servers import bare_server
 from benchmarks.serving.__main__ import main as serving
@@ -23,7 +23,7 @@ from benchmarks.workers import Worker, WorkerFailed
 from bnserve_service.bench.load import Target, round_trips
 from bnserve_surrogate import Model, ParametersWithExtrinsic
 
-ENTRIES = {entry.name: entry for f_min in (5.0, 15.0) for entry in roster(f_min)}
+ENTRIES = {entry.name: entry for f_min in (5.0, 15.0) for entry in candidates(f_min)}
 SCRIPTS = sorted({entry.path for entry in ENTRIES.values()} | {each.script for each in CONTESTANTS})
 ECHO = """
 import json, sys

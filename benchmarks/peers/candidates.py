@@ -32,7 +32,7 @@ class Entry(NamedTuple):
         return SCRIPTS / self.script
 
 
-def roster(f_min: float) -> tuple[Entry, ...]:
+def candidates(f_min: float) -> tuple[Entry, ...]:
     """The peers of the figure from 5 Hz or from 15 Hz, slowest first."""
     at, from_5 = f"{f_min:g}", f_min < 15.0
     lal = [
