@@ -1,4 +1,4 @@
-; sources: 5ed57effe5949fc167c8aa35bd0843eb67e7eab23ac78a2935f602a8d9394439
+; sources: 2f85ff7691d9f86ed3663cd4b35d6179bb573f3d4132edbd5122e68f3349e0c8
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
