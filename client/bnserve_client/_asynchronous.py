@@ -64,10 +64,9 @@ class AsyncSocketTransport:
 
     async def _connect(self, send: Send) -> socket.socket:
         async with asyncio.timeout(min(time_allowed(send), CONNECT_SECONDS)):
-            address = send.address
-            if address.socket_path is not None:
-                return await self._open(socket.AF_UNIX, address.socket_path)
-            return await self._connect_tcp(address)
+            if send.address.socket_path is not None:
+                return await self._open(socket.AF_UNIX, send.address.socket_path)
+            return await self._connect_tcp(send.address)
 
     async def _connect_tcp(self, address: Address) -> socket.socket:
         loop = asyncio.get_running_loop()
@@ -121,8 +120,7 @@ async def _drive_async(
         try:
             step = steps.send(received)
         except StopIteration as finished:
-            outcome: tuple[HttpResponse, bool] = finished.value
-            return outcome
+            return cast(tuple[HttpResponse, bool], finished.value)
 
 
 class AsyncConnections:

@@ -76,8 +76,7 @@ class Model(ConnectedModel):
             A pickled model holds the path or the function, never the token, and takes it from there; a token that was
             given itself is taken from ``BNSERVE_TOKEN`` in other processes.
         timeout
-            Seconds that one request may take with all its retries. A sampler that is to outlive an outage of ten
-            minutes wants more than 600.
+            Seconds that one request may take with all its retries; more than 600 to outlive an outage of ten minutes.
         silence
             Seconds without a byte from the server after which an attempt has failed.
         retries

@@ -194,16 +194,13 @@ def load_settings(path: Path | None = None, overrides: Mapping[str, Any] | None 
     """
     values = _read_toml(path) if path is not None else {}
     values |= {key: value for key, value in (overrides or {}).items() if value is not None}
-    unknown = [key for key in values if key not in Settings.model_fields]
-    if unknown:
+    if unknown := [key for key in values if key not in Settings.model_fields]:
         raise SettingsInvalid(" ".join(_unknown_key(key) for key in unknown))
     try:
         return Settings.model_validate(values)
     except ValidationError as error:
-        sentences = [
-            f"{'.'.join(str(part) for part in item['loc']) or 'settings'}: {item['msg']}." for item in error.errors()
-        ]
-        raise SettingsInvalid("Invalid settings. " + " ".join(sentences)) from error
+        found = [(".".join(map(str, item["loc"])) or "settings", item["msg"]) for item in error.errors()]
+        raise SettingsInvalid(" ".join(["Invalid settings.", *(f"{key}: {fault}." for key, fault in found)])) from error
 
 
 def _unknown_key(key: str) -> str:

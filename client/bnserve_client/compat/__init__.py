@@ -28,7 +28,7 @@ def register(*, replace: bool = False) -> None:
 
     Parameters
     ----------
-    replace:
+    replace
         Take the place of an mlgw_bns that is installed or imported, in this process.
 
     Raises

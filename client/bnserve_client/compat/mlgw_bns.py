@@ -13,12 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client import _chosen
-from bnserve_protocol import (
-    EvaluationOptions,
-    InvalidRequest,
-    OutOfBand,
-    WaveformModel,
-)
+from bnserve_protocol import EvaluationOptions, InvalidRequest, OutOfBand, WaveformModel
 from bnserve_protocol import ParametersWithExtrinsic as _Binary
 from bnserve_protocol import __version__ as _version
 
@@ -48,19 +43,15 @@ class ParametersWithExtrinsic:
 
     Parameters
     ----------
-    mass_ratio:
+    mass_ratio
         q = m1 / m2 >= 1.
-    lambda_1, lambda_2, chi_1, chi_2:
+    lambda_1, lambda_2, chi_1, chi_2
         Tidal polarisabilities and aligned dimensionless spins, of the heavier and of the lighter star.
-    distance_mpc:
-        Luminosity distance in Mpc.
-    inclination:
-        Radians.
-    total_mass:
-        In solar masses, in the detector frame.
-    reference_phase:
+    distance_mpc, inclination, total_mass
+        Luminosity distance in Mpc, radians, and solar masses in the detector frame.
+    reference_phase
         Radians: the phase at the lowest frequency of training, or of the grid where that is lower.
-    time_shift:
+    time_shift
         Seconds: 2 pi f ``time_shift`` is added to the phase.
     """
 
@@ -97,12 +88,12 @@ class Model:
 
     Parameters
     ----------
-    model:
+    model
         A model of bnserve, remote or local. (Files of mlgw_bns are not read: train a model, ``bnserve train``.)
 
     Attributes
     ----------
-    extend_with_post_newtonian, extend_with_zeros_at_high_frequency:
+    extend_with_post_newtonian, extend_with_zeros_at_high_frequency
         Whether frequencies below and above the band are answered; True. False for an error.
     """
 
@@ -121,9 +112,9 @@ class Model:
 
         Parameters
         ----------
-        model_name:
+        model_name
             Without it that of ``BNSERVE_MODEL``, or ``"default"``. The token is that of ``BNSERVE_TOKEN``.
-        settings:
+        settings
             The attributes, see :class:`Model`.
 
         Raises
@@ -190,7 +181,7 @@ class Model:
 
         Parameters
         ----------
-        delta_f:
+        delta_f
             Steps of the difference in Hz; a thousandth of the frequency where it is None.
         """
         step = frequency / 1000.0 if delta_f is None else delta_f

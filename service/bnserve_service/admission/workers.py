@@ -102,9 +102,7 @@ class FairLine(Generic[J]):
         return None if waiting is None else next(reversed(waiting.jobs))
 
     def take(self, most: int) -> list[J]:
-        """What is evaluated together next: the job whose turn it is, and those of its key while they cost at most
-        ``most`` together.
-        """
+        """What is evaluated together next: the job whose turn it is, and those of its key that fit into ``most``."""
         names = sorted(self._waiting, key=lambda name: self._waiting[name].clock)
         first = self._waiting[names[0]]
         self._clock = first.clock
@@ -174,9 +172,7 @@ class WorkerPool(Generic[J]):
         """Wait for what runs, seconds at the longest for each thread; returns what waited and will not be evaluated."""
         with self._changed:
             self._stopping = True
-            waiting = list(self._line)
-            for job in waiting:
-                self._line.remove(job)
+            waiting, self._line = list(self._line), FairLine()
             self._changed.notify_all()
         for thread in self._threads:
             thread.join(timeout)

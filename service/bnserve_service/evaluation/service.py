@@ -53,13 +53,7 @@ _NO_MEMORY = "There is no memory for this answer now; ask for fewer rows."
 
 
 class Evaluator:
-    """Evaluates groups of questions that share a key; what a :class:`~bnserve_service.admission.queue.WorkQueue` calls.
-
-    Parameters
-    ----------
-    metrics
-        Where to count.
-    """
+    """Evaluates groups of questions that share a key: what a :class:`WorkQueue` calls."""
 
     def __init__(self, metrics: Metrics) -> None:
         self._metrics = metrics
@@ -113,10 +107,8 @@ class EvaluationService:
         The limits, and how many threads evaluate: a large question may be divided among all of them.
     registry, lifecycle
         Where models are, and whether new work is accepted.
-    bodies
-        Who works through large bodies.
-    metrics
-        Where to count.
+    bodies, metrics
+        Who works through large bodies, and where to count.
     """
 
     def __init__(

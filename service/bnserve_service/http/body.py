@@ -83,10 +83,8 @@ class BodyReader:
 
         Raises
         ------
-        Overloaded
-            There is no room for it.
-        QuotaExceeded
-            Nor is there, and others have bodies on their way, too.
+        Overloaded, QuotaExceeded
+            As :meth:`expect`.
         """
         if body.displaced or size <= 0:
             return
@@ -133,15 +131,7 @@ class BodyReader:
 
 
 class IncomingBody:
-    """The body of one request, which holds its room until the context ends.
-
-    Parameters
-    ----------
-    reader
-        Who reads it.
-    context
-        Of the request.
-    """
+    """The body of one request, which holds its room until the context ends."""
 
     __slots__ = ("_context", "_reader", "displaced", "owner", "reading", "size")
 
