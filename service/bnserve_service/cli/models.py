@@ -179,6 +179,10 @@ def _copy_report(origin: Path, target: Path, manifest: Manifest) -> None:
 
 def label_model(options: argparse.Namespace) -> int:
     """Set a label."""
+    from bnserve_protocol import InvalidRequest
+
+    if not options.store:
+        raise InvalidRequest("Say in which store to write the label with --store DIR; the shipped models keep theirs.")
     name, version = name_and_version(options.model)
     store = _open(options)
     before = store.labels(name).get(options.label)

@@ -170,11 +170,19 @@ def run_export(options: argparse.Namespace) -> int:
 
 
 def _basis(given: str) -> Any:
-    """A basis from its file, or by name one of those that come with the package; a file in the way counts."""
-    from bnserve_inference.roq import load_basis, load_shipped_basis
+    """A basis from its file, or by name one of those that come with the package; a file of that name comes first."""
+    from bnserve_inference.roq import load_basis, load_shipped_basis, shipped_bases
+    from bnserve_protocol import InvalidRequest
 
-    is_name = "/" not in given and "." not in given
-    return load_shipped_basis(given) if is_name and not Path(given).exists() else load_basis(given)
+    if Path(given).exists():
+        return load_basis(given)
+    if given not in shipped_bases():
+        known = ", ".join(shipped_bases())
+        raise InvalidRequest(
+            f"There is no file '{given}', and no basis of this name comes with bnserve: those are {known}. "
+            "`bnserve roq build` makes one."
+        )
+    return load_shipped_basis(given)
 
 
 def _open_model(name: str, version: str, stores: list[Path] | None) -> Any:

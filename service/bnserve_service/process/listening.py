@@ -138,6 +138,11 @@ def _explain(error: OSError, host: str, port: int) -> str:
         )
     if error.errno == errno.EACCES:
         return f"Port {port} needs special rights; choose one above 1023 with --port."
+    if error.errno == errno.EADDRNOTAVAIL:
+        return (
+            f"'{host}' is not an address of this machine. With --host 127.0.0.1 callers on this machine are served, "
+            "with 0.0.0.0 all that reach it."
+        )
     return f"Cannot listen on {host}:{port}: {error.strerror or error}."
 
 
