@@ -6,6 +6,7 @@ What travels is read and written by :mod:`bnserve_protocol.wire`.
 import typing
 import warnings
 
+from bnserve_protocol import _pickles as _pickles
 from bnserve_protocol import wire
 from bnserve_protocol._analyses import (
     Analysis,
