@@ -5,6 +5,7 @@ import warnings
 import numpy as np
 import pytest
 
+from bnserve_client.bilby import binary_neutron_star
 from bnserve_inference.roq import save_bilby
 from bnserve_protocol import EvaluationOptions, ParametersWithExtrinsic
 from tests.inference.bases import linear_basis, quadratic_basis
@@ -179,3 +180,28 @@ def test_bilby_refuses_a_prior_beyond_the_basis(basis, model, source, detectors,
         ROQGravitationalWaveTransient(
             detectors, generator, priors, linear_matrix=path, quadratic_matrix=path, roq_params=ROQ_PARAMS
         )
+
+
+def test_its_likelihood_takes_the_source_model_of_the_client(basis, model, bilbys, detectors, tmp_path):
+    """On the nodes of a basis as on the full grid, to the error of the basis."""
+    path = tmp_path / "basis.hdf5"
+    save_bilby(path, basis, model)
+    generator = {
+        "duration": DURATION,
+        "sampling_frequency": SAMPLING,
+        "frequency_domain_source_model": binary_neutron_star,
+        "parameter_conversion": bilby.gw.conversion.convert_to_lal_binary_neutron_star_parameters,
+    }
+    arguments = {"reference_frequency": 60.0, "minimum_frequency": 60.0}
+    ours = ROQGravitationalWaveTransient(
+        detectors, bilby.gw.WaveformGenerator(**generator, waveform_arguments=dict(arguments)), bilbys.priors,
+        linear_matrix=str(path), quadratic_matrix=str(path), roq_params=ROQ_PARAMS,
+    )  # fmt: skip
+    full = bilby.gw.GravitationalWaveTransient(
+        detectors, bilby.gw.WaveformGenerator(**generator, waveform_arguments=dict(arguments))
+    )
+    for binary in BINARIES:
+        told = binary | SKY | {"luminosity_distance": DISTANCE, "theta_jn": INCLINATION, "phase": PHASE}
+        values = [likelihood.log_likelihood_ratio(dict(told)) for likelihood in (ours, full)]
+        assert values[0] == pytest.approx(values[1], abs=0.05)
+        assert abs(values[1]) > 1.0
