@@ -105,7 +105,7 @@ def _spins(taken: dict[str, Floats], named: Mapping[str, Any]) -> dict[str, Floa
             raise _refusal({f"a_{star}": 0}, "without a tilt", f"Give chi_{star} itself, which has a sign.")
         if (np.abs(size) * np.sqrt(np.maximum(0.0, 1.0 - cosine**2)) > _MOST_IN_PLANE).any():
             raise _refusal({f"tilt_{star}": 0}, "precessing", f"Here, {FORMULAS[f'a_{star}']}.")
-        spins[f"chi_{star}"] = np.asarray(size * cosine)
+        spins[f"chi_{star}"] = np.where(size == 0.0, 0.0, size * cosine)  # bilby has NaN for the tilt of no spin
     return spins
 
 

@@ -49,6 +49,13 @@ def test_names_of_the_same_quantity_and_aligned_spins():
     }  # fmt: skip
 
 
+def test_no_spin_has_no_direction():
+    """bilby converts an aligned spin of zero to a tilt that is NaN."""
+    ours = convert({"a_1": [0.0, 0.1], "tilt_1": [np.nan, 0.0], "a_2": 0.0, "cos_tilt_2": np.nan})
+    assert ours["chi_1"].tolist() == [0.0, 0.1]
+    assert ours["chi_2"] == 0.0
+
+
 REFUSED = {
     "a spin in the plane": ({"a_1": 0.1, "tilt_1": 0.5}, "spins in the orbital plane are not in the model"),
     "a spin without a sign": ({"a_1": 0.1}, "Give chi_1 itself"),
