@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
-#   bash tests/programs.sh bilby                    one or several of: bilby pycbc bajes gwfish beside
+#   bash tests/programs.sh bilby                    one or several of: bilby bilby_pipe pycbc bajes gwfish beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -121,6 +121,24 @@ bilby() {
     stop
 }
 
+# bilby_pipe's own chain, from the configuration of a run with LAL to its result: the source model's name is what changes.
+
+bilby_pipe_run() { # in a folder of its own, because it writes below where it is started
+    local configuration=$PWD/tests/programs/bilby_pipe.ini folder=$cache/bilby_pipe-run
+    rm -rf "$folder"
+    mkdir "$folder"
+    (cd "$folder" && PATH=$(dirname "$python"):$PATH BNSERVE_URL=$address command bilby_pipe "$configuration" --outdir out) &&
+        "$python" -c 'import bilby, sys; print("ln Z", bilby.result.read_in_result(sys.argv[1]).log_evidence)' \
+            "$folder"/out/result/*_result.hdf5
+}
+
+bilby_pipe() {
+    environment bilby_pipe-1.10.1 bilby==2.8.2 bilby_pipe==1.10.1 "${rooms[@]}"
+    serve
+    check "bilby_pipe 1.10.1" bilby_pipe_run
+    stop
+}
+
 # PyCBC's waveforms and pycbc_inference with another name; it leaves out six, and dynesty 3 and emcee 3 are not for it.
 
 pycbc() {
@@ -198,11 +216,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby pycbc bajes gwfish beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | pycbc | bajes | gwfish | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, pycbc, bajes, gwfish, beside\n' "$program" >&2; exit 2 ;;
+        bilby | bilby_pipe | pycbc | bajes | gwfish | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 
