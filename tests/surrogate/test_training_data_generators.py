@@ -1,5 +1,8 @@
 """Every generator gives h_plus(face-on) = amplitude exp(-i psi) in the baseline's units, or says why it cannot."""
 
+import math
+
+import EOBRun_module
 import numpy as np
 import pytest
 
@@ -12,7 +15,7 @@ from bnserve_surrogate.training.data.generators import (
     TEOBResumSPA,
     mass_seconds,
 )
-from bnserve_surrogate.training.data.generators._teobresums import start_frequency
+from bnserve_surrogate.training.data.generators._teobresums import MODE_NUMBERS, start_frequency
 from bnserve_surrogate.training.data.residuals import flatten_phase, log_amplitude_ratio, merger_phase, phase_difference
 from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown
 from bnserve_surrogate.training.reduction.nodes import smooth_nodes
@@ -99,11 +102,10 @@ def test_unusable_waveforms_are_failures_with_a_reason(function, reason):
 
 def test_teobresums_amplitude_and_phase_are_its_conjugated_strain(teobresums):
     """Dense enough to unwrap: the phase computed without unwrapping equals the strain's, at any sparsity."""
-    import EOBRun_module
 
     mf = np.linspace(40.0, 400.0, 40) * mass_seconds()
     amplitude, psi = evaluate(teobresums, THETA, mf)
-    request = {**teobresums._request(THETA, mf), "arg_out": "no"}
+    request = {**teobresums._request(THETA, mf, [MODE_NUMBERS[2, 2]]), "arg_out": "no"}
     _, real, imaginary, *_ = EOBRun_module.EOBRunPy(request)
     strain = np.conj(real + 1j * imaginary)
     np.testing.assert_allclose(amplitude * np.exp(-1j * psi), strain, rtol=1e-6)
@@ -305,3 +307,54 @@ def test_flattening_keeps_what_it_removes():
     np.testing.assert_allclose(flat.residual[0], flat.residual[1], atol=1e-9)
     assert np.diff(flat.time_shift)[0] == pytest.approx(-350.0)
     assert np.isfinite(baseline).all()
+
+
+def spherical_harmonics(degree: int, order: int, inclination: float) -> tuple[float, float]:
+    """Of spin weight -2 at azimuth zero, for m and -m, by Wigner's sum."""
+
+    def one(m: int) -> float:
+        fact, total = math.factorial, 0.0
+        for k in range(max(0, m - 2), min(degree + m, degree - 2) + 1):
+            root = math.sqrt(fact(degree + m) * fact(degree - m) * fact(degree + 2) * fact(degree - 2))
+            below = fact(degree + m - k) * fact(degree - 2 - k) * fact(k) * fact(k + 2 - m)
+            half = 0.5 * inclination
+            total += (
+                (-1) ** k
+                * root
+                / below
+                * math.cos(half) ** (2 * degree + m - 2 - 2 * k)
+                * math.sin(half) ** (2 * k + 2 - m)
+            )
+        return total * math.sqrt((2 * degree + 1) / (4.0 * math.pi))
+
+    return one(order), one(-order)
+
+
+@pytest.mark.parametrize("inclination", [0.4, 2.0])
+def test_modes_sum_to_the_polarisations_that_teobresums_itself_gives(inclination: float) -> None:
+    generator = TEOBResumSPA()
+    theta = np.array([1.7, 0.2, -0.1, 400.0, 600.0])
+    mf = np.geomspace(2.0 * generator.first_mf, 0.03, 64)
+    modes = generator.modes(theta, dict.fromkeys(MODE_NUMBERS, mf))
+    plus, cross = np.zeros(64, complex), np.zeros(64, complex)
+    for (degree, order), (amplitude, psi) in modes.items():
+        up, down = spherical_harmonics(degree, order, inclination)
+        parity = (-1) ** degree
+        strain = amplitude * np.exp(-1j * psi) / np.sqrt(5.0 / (4.0 * np.pi))
+        plus += strain * (up + parity * down)
+        cross += -1j * strain * (up - parity * down)
+    request = generator._request(theta, mf, sorted(MODE_NUMBERS.values()))
+    answer = EOBRun_module.EOBRunPy(request | {"inclination": inclination})
+    theirs = [np.asarray(answer[2 * i + 1]) - 1j * np.asarray(answer[2 * i + 2]) for i in (0, 1)]
+    # Their time is shifted by the merger's, which ours is not: a common factor of both.
+    turn = theirs[0] / plus
+    assert np.abs(np.abs(turn) - 1.0).max() < 1e-6
+    np.testing.assert_allclose(theirs[1], cross * turn, rtol=0.0, atol=1e-6 * np.abs(plus).max())
+
+
+def test_a_mode_starts_at_its_share_of_the_first_frequency() -> None:
+    generator, theta = TEOBResumSPA(), np.array([1.7, 0.2, -0.1, 400.0, 600.0])
+    with pytest.raises(GeneratorFailure, match="below 2 times first_mf"):
+        generator.modes(theta, {(4, 4): np.geomspace(generator.first_mf, 0.02, 8)})
+    with pytest.raises(GeneratorFailure, match=r"no mode \(5, 5\)"):
+        generator.modes(theta, {(5, 5): np.geomspace(generator.first_mf, 0.02, 8)})

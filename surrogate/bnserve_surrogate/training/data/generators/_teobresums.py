@@ -16,10 +16,12 @@ from bnserve_surrogate.training.data.generators._interface import AmplitudePhase
 from bnserve_surrogate.training.data.residuals import FloatArray, mass_seconds
 from bnserve_surrogate.training.errors import GeneratorFailure, GeneratorUnknown
 
-_MODE_22 = [1]
+MODE_NUMBERS = {(2, 1): 0, (2, 2): 1, (3, 1): 2, (3, 2): 3, (3, 3): 4, (4, 3): 7, (4, 4): 8}
+"""TEOBResumS's number of each mode (l, m); one call gives all for the price of one."""
 _GRAVITOMAGNETIC = ("PN", "GSF", "no")
 _PLUS_OVER_MODE = 0.5 * float(np.sqrt(5.0 / (4.0 * np.pi)))
-"""h_plus face-on over its mode: the value of the harmonic, and half of a real signal is at negative frequency."""
+"""h_plus face-on over the (2, 2) mode: the value of the harmonic, and half of a real signal is at negative
+frequency. The other modes are measured in the same unit."""
 _RADIAL_STEPS_BELOW = 20
 """Post-adiabatic steps between the start and the first frequency. The phase wiggles within ten steps of the start (1e-2
 rad after one step, 1e-5 after five, rounding after ten)."""
@@ -132,18 +134,47 @@ class TEOBResumSPA:
         PackageMissing
             ``teobresums`` is not installed.
         """
+        return self.modes(theta, {(2, 2): mf})[2, 2]
+
+    def modes(
+        self, theta: FloatArray, mf: Mapping[tuple[int, int], FloatArray]
+    ) -> dict[tuple[int, int], AmplitudePhasePair]:
+        """Signed amplitude and psi of several modes of one waveform, each at its own increasing ``mf``.
+
+        The amplitude of (2, 2) and its psi are those of a call; the others are in the same unit, their amplitudes have
+        a sign (those of odd m change it where the stars are nearly equal), and psi is continuous. In terms of the
+        spherical harmonics of the observer at azimuth zero, h_plus is the sum of (Y_lm + (-1)^l Y_l,-m) /
+        sqrt(5 / 4 pi) times amplitude exp(-i psi), which is the complex conjugate of TEOBResumS's own.
+
+        Raises
+        ------
+        GeneratorFailure
+            As for a call; a mode that TEOBResumS does not have, or frequencies below m / 2 times ``first_mf``.
+        PackageMissing
+            ``teobresums`` is not installed.
+        """
         self._check(theta)
-        if mf[0] < self.first_mf * (1.0 - _ROUNDING):
-            raise GeneratorFailure(
-                f"M f = {mf[0]:.6g} is below first_mf = {self.first_mf:.6g}, where the signal starts; lower first_mf."
-            )
-        answer = _code().EOBRunPy(self._request(theta, mf))
+        for (degree, order), own in mf.items():
+            if (degree, order) not in MODE_NUMBERS:
+                raise GeneratorFailure(f"TEOBResumS has no mode {(degree, order)} here; it has {list(MODE_NUMBERS)}.")
+            if own[0] < 0.5 * order * self.first_mf * (1.0 - _ROUNDING):
+                raise GeneratorFailure(
+                    f"M f = {own[0]:.6g} of the mode {(degree, order)} is below {0.5 * order:g} times first_mf = "
+                    f"{self.first_mf:.6g}, where the signal starts; lower first_mf."
+                )
+        every = np.unique(np.concatenate(list(mf.values())))
+        answer = _code().EOBRunPy(self._request(theta, every, [MODE_NUMBERS[mode] for mode in mf]))
         frequencies, modes, time_domain = answer[0], answer[5], answer[6]
-        if len(frequencies) != mf.size or "1" not in modes or len(time_domain["t"]) == 0:
+        if len(frequencies) != every.size or len(modes) < len(mf) or len(time_domain["t"]) == 0:
             raise GeneratorFailure(f"TEOBResumS returned no waveform for {describe_theta(theta)}.")
-        amplitude, phase = (np.asarray(part, dtype=np.float64) for part in modes["1"])
         merger_time = float(time_domain["t"][-1])
-        return _PLUS_OVER_MODE * amplitude, phase - 2.0 * np.pi * mf * merger_time + np.pi
+        found = {}
+        for mode, own in mf.items():
+            amplitude, phase = (np.asarray(part, dtype=np.float64) for part in modes[str(MODE_NUMBERS[mode])])
+            place = np.searchsorted(every, own)
+            turned = phase[place] - 2.0 * np.pi * own * merger_time + 0.5 * np.pi * mode[1]
+            found[mode] = (_PLUS_OVER_MODE * amplitude[place], turned)
+        return found
 
     def _check(self, theta: FloatArray) -> None:
         mass_ratio, _, _, lambda_1, lambda_2 = theta
@@ -155,7 +186,7 @@ class TEOBResumSPA:
                 f"got {describe_theta(theta)}."
             )
 
-    def _request(self, theta: FloatArray, mf: FloatArray) -> dict[str, Any]:
+    def _request(self, theta: FloatArray, mf: FloatArray, numbers: list[int]) -> dict[str, Any]:
         mass_ratio, chi_1, chi_2, lambda_1, lambda_2 = (float(value) for value in theta)
         return {
             "q": mass_ratio,
@@ -176,7 +207,7 @@ class TEOBResumSPA:
             "freqs": mf.tolist(),
             "srate_interp": _SAMPLING_RATE,
             "time_shift_FD": "yes",  # a string: an integer crashes the interpreter
-            "use_mode_lm": _MODE_22,
+            "use_mode_lm": sorted(numbers),
             "arg_out": "yes",
             "output_hpc": "no",
             "ode_tmax": 1e12,
