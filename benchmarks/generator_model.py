@@ -21,6 +21,7 @@ from bnserve_protocol import (
     Factored,
     GridLike,
     ModelDescription,
+    Modes,
     OutOfBand,
     ParameterBatch,
     ParametersWithExtrinsic,
@@ -91,6 +92,10 @@ class GeneratorModel:
         cosine = np.cos(coerced["inclination"])
         h = (polar.amplitude * np.exp(1j * polar.phase)).astype(dtype)
         return Factored(h=h, plus=0.5 * (1.0 + cosine**2), cross=-1j * cosine, status=polar.status)
+
+    def predict_modes(self, frequencies: GridLike, batch: BatchLike, **settings: Any) -> Modes:
+        """N waveforms by their modes: (2, 2) alone."""
+        return Modes.of_one((2, 2), self.predict_factored(frequencies, batch, **settings))
 
     def predict_batch(self, frequencies: GridLike, batch: BatchLike, **settings: Any) -> Polarizations:
         """N waveforms: h_plus and h_cross ``(N, M)``."""

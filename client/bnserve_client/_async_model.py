@@ -21,6 +21,7 @@ from bnserve_protocol import (
     Factored,
     GridLike,
     InvalidRows,
+    Modes,
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
@@ -95,6 +96,17 @@ class AsyncModel(ConnectedModel):
     ) -> Polarizations:
         """N waveforms on one grid; see :meth:`.Model.predict_batch`."""
         return await self._connections.run(self._remote.predict_batch(frequencies, batch, options, dtype))
+
+    async def predict_modes(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DTypeLike = "complex128",
+    ) -> Modes:
+        """N waveforms by their modes; see :meth:`.Model.predict_modes`."""
+        return await self._connections.run(self._remote.predict_modes(frequencies, batch, options, dtype))
 
     async def predict_factored(
         self,

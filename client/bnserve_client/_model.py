@@ -21,6 +21,7 @@ from bnserve_protocol import (
     Factored,
     GridLike,
     InvalidRows,
+    Modes,
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
@@ -161,6 +162,17 @@ class Model(ConnectedModel):
     ) -> Polarizations:
         """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
         return self._connections.run(self._remote.predict_batch(frequencies, batch, options, dtype))
+
+    def predict_modes(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DTypeLike = "complex128",
+    ) -> Modes:
+        """N waveforms by their modes, ``h`` complex ``(N, L, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
+        return self._connections.run(self._remote.predict_modes(frequencies, batch, options, dtype))
 
     def predict_factored(
         self,

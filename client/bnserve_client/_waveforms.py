@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+import msgspec
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
@@ -35,6 +36,7 @@ from bnserve_protocol import (
     MergerStencil,
     ModelDescription,
     ModelIdentity,
+    Modes,
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
@@ -43,6 +45,7 @@ from bnserve_protocol import (
     as_frequencies,
     check_dtype,
     check_options,
+    chosen_modes,
     grid_digest,
     plain_grid,
 )
@@ -244,6 +247,13 @@ class RemoteModel:
         arrays = yield from self.evaluator.evaluate(question)
         return Polarizations(**arrays)
 
+    def predict_modes(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DTypeLike
+    ) -> Conversation[Modes]:
+        """N waveforms by their modes."""
+        one = yield from self.predict_factored(frequencies, batch, options, dtype)
+        return Modes.of_one(self.pinned.description.modes[0], one)
+
     def predict_factored(
         self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DTypeLike
     ) -> Conversation[Factored]:
@@ -280,10 +290,17 @@ class RemoteModel:
         finish: Callable[[Arrays], Arrays],
     ) -> Waveforms:
         check_options(options)
+        if options.modes is not None:
+            options = self._plain(options)
         precision = check_dtype(dtype)
         grid = self._grids.recall(frequencies)
         chunk = self.settings.chunk_samples
         return Waveforms(ParameterBatch.coerce(batch), grid, output, precision, options, finish, chunk)
+
+    def _plain(self, options: EvaluationOptions) -> EvaluationOptions:
+        """Without modes that are all there are, which a service of before need not understand."""
+        known = self.pinned.description.modes
+        return msgspec.structs.replace(options, modes=None) if chosen_modes(options, known) == tuple(known) else options
 
 
 class ConnectedModel:

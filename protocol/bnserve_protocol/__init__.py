@@ -86,18 +86,15 @@ from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, Likelihood
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
 from bnserve_protocol._merger_time import MergerStencil, time_until_merger
 from bnserve_protocol._model import (
-    DEFAULT_OPTIONS,
-    DtypeName,
-    EvaluationOptions,
     Limits,
     ModelDescription,
     ModelIdentity,
     ParameterDescription,
     WaveformModel,
-    check_dtype,
     check_model_digest,
-    check_options,
 )
+from bnserve_protocol._modes import Mode, chosen_modes, the_mode
+from bnserve_protocol._options import DEFAULT_OPTIONS, DtypeName, EvaluationOptions, check_dtype, check_options
 from bnserve_protocol._packages import PackageMissing, require
 from bnserve_protocol._parameters import (
     INTRINSIC_NAMES,
@@ -108,7 +105,7 @@ from bnserve_protocol._parameters import (
 )
 from bnserve_protocol._printable import printable
 from bnserve_protocol._prior_checks import PRIOR_NAMES, check_prior
-from bnserve_protocol._results import AmplitudePhase, ComplexArray, Factored, Polarizations, RowStatus
+from bnserve_protocol._results import AmplitudePhase, ComplexArray, Factored, Modes, Polarizations, RowStatus
 from bnserve_protocol._version import __version__
 
 __all__ = [
@@ -120,16 +117,17 @@ __all__ = [
     "DeadlineExceeded", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions",
     "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies",
     "InvalidParameters", "InvalidRequest", "InvalidRows", "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike",
-    "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MergerStencil",
-    "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown", "NotAcceptable", "NotBnserve", "NotFound",
-    "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded", "PackageMissing", "ParameterBatch", "ParameterDescription",
-    "ParametersWithExtrinsic", "PathUnknown", "Polarizations", "ProcessorDescription", "QuotaExceeded", "RowStatus",
-    "RunManifest", "SchemaUnknown", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TooLarge", "Unauthorized",
-    "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists",
-    "WaveformModel", "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_dtype",
-    "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
-    "check_settings", "convert", "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes",
-    "likelihood_samples", "plain_grid", "printable", "refuse_rows", "require", "time_steps", "time_until_merger",
+    "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MergerStencil", "Mode",
+    "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown", "Modes", "NotAcceptable", "NotBnserve",
+    "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded", "PackageMissing", "ParameterBatch",
+    "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown", "Polarizations", "ProcessorDescription",
+    "QuotaExceeded", "RowStatus", "RunManifest", "SchemaUnknown", "StoreUnknown", "TimeGrid", "TimeMarginalisation",
+    "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType",
+    "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies", "as_numbers",
+    "as_real_number", "as_real_numbers", "check_dtype", "check_invalid_rows", "check_location", "check_model_digest",
+    "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert", "decode_analysis",
+    "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid", "printable",
+    "refuse_rows", "require", "the_mode", "time_steps", "time_until_merger",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._batches import ParameterBatch
 from bnserve_protocol._grids import as_frequencies
-from bnserve_protocol._model import EvaluationOptions
+from bnserve_protocol._options import EvaluationOptions
 
 if TYPE_CHECKING:
     from bnserve_protocol._model import ModelDescription, WaveformModel

@@ -2,94 +2,18 @@
 
 from __future__ import annotations
 
-import inspect
 import re
-from typing import Any, Literal, Protocol, TypeAlias, get_args, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 import msgspec
-import numpy as np
 from numpy.typing import DTypeLike
 
 from bnserve_protocol._batches import BatchLike
 from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
+from bnserve_protocol._options import DEFAULT_OPTIONS, EvaluationOptions
 from bnserve_protocol._parameters import ParametersWithExtrinsic
-from bnserve_protocol._results import AmplitudePhase, Factored, Polarizations
-
-DtypeName: TypeAlias = Literal["complex128", "complex64"]
-_DTYPES: tuple[DtypeName, ...] = get_args(DtypeName)
-
-
-def check_dtype(dtype: DTypeLike) -> DtypeName:
-    """The name of a precision, which may be given as numpy takes it (``np.complex64``, ``np.dtype("c8")``).
-
-    Raises
-    ------
-    InvalidRequest
-        It is not offered.
-    """
-    if isinstance(dtype, str) and dtype in _DTYPES:
-        return dtype
-    try:
-        name = None if dtype is None else np.dtype(dtype).name
-    except (TypeError, ValueError):
-        name = None
-    for offered in _DTYPES:
-        if name == offered:
-            return offered
-    raise InvalidRequest(f"dtype must be one of {', '.join(_DTYPES)}; got {str(dtype)[:40]!r}.")
-
-
-def check_options(options: EvaluationOptions) -> None:
-    """Refuse what are no options.
-
-    Raises
-    ------
-    InvalidRequest
-        It is something else than :class:`EvaluationOptions`.
-    """
-    if not isinstance(options, EvaluationOptions):
-        raise InvalidRequest(
-            f"'options' must be EvaluationOptions; got {type(options).__name__}. Leave it out for the defaults, or "
-            'write for example options=EvaluationOptions(alignment="merger").'
-        )
-
-
-class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """How to treat what lies outside the trained box and band.
-
-    Parameters
-    ----------
-    out_of_domain
-        ``"error"``: a row outside the trained range is an error; ``"flag"``: such rows come back NaN, with a
-        :class:`RowStatus`.
-    below_band
-        ``"extend"`` continues the waveform with the post-Newtonian baseline at every frequency below the band;
-        ``"error"``: a frequency below it is an error (``OutOfBand``). So low that double precision
-        leaves nothing of the phase (M f below 1e-9), a frequency is an error in any case.
-    above_band
-        ``"zero"`` returns zeros at every frequency above the band, also where the whole grid is; ``"error"``: a
-        frequency above it is an error (``OutOfBand``). Neither depends on what else is asked for at the same time.
-    alignment
-        ``"post_newtonian"``: time and phase of the TaylorF2 baseline, as in the paper. ``"merger"``: the merger is
-        at t = 0, as in TEOBResumS.
-    """
-
-    out_of_domain: Literal["error", "flag"] = "error"
-    below_band: Literal["extend", "error"] = "extend"
-    above_band: Literal["zero", "error"] = "zero"
-    alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
-
-    def __post_init__(self) -> None:
-        for name, known in _OPTION_VALUES.items():
-            value = getattr(self, name)
-            if not (isinstance(value, str) and value in known):
-                raise InvalidRequest(f"{name} must be one of {', '.join(known)}; got {str(value)[:40]!r}.")
-
-
-_OPTION_KINDS = inspect.get_annotations(EvaluationOptions, eval_str=True)
-_OPTION_VALUES = {name: get_args(kind) for name, kind in _OPTION_KINDS.items()}
-DEFAULT_OPTIONS = EvaluationOptions()
+from bnserve_protocol._results import AmplitudePhase, Factored, Modes, Polarizations
 
 
 class ParameterDescription(msgspec.Struct, frozen=True, kw_only=True):
@@ -176,7 +100,17 @@ class WaveformModel(Protocol):
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
-        """N waveforms on M common frequencies in Hz: complex arrays ``(N, M)`` in 1/Hz."""
+        """N waveforms on M common frequencies in Hz, all chosen modes summed: complex arrays ``(N, M)`` in 1/Hz."""
+
+    def predict_modes(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DTypeLike = "complex128",
+    ) -> Modes:
+        """The chosen modes of N waveforms one by one, and what each counts in the polarisations."""
 
     def predict_factored(
         self,
@@ -186,7 +120,7 @@ class WaveformModel(Protocol):
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Factored:
-        """As :meth:`predict_batch`, before the polarisations are multiplied out: half the memory."""
+        """As :meth:`predict_batch`, before the polarisations are multiplied out: half the memory. One mode alone."""
 
     def predict_amplitude_phase(
         self,
@@ -195,7 +129,7 @@ class WaveformModel(Protocol):
         *,
         options: EvaluationOptions = DEFAULT_OPTIONS,
     ) -> AmplitudePhase:
-        """Amplitude and phase; ``(M,)`` for one ``ParametersWithExtrinsic``, ``(N, M)`` for a batch."""
+        """Amplitude and phase of one mode; ``(M,)`` for one ``ParametersWithExtrinsic``, ``(N, M)`` for a batch."""
 
     def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
         """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""

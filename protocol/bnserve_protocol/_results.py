@@ -5,10 +5,12 @@ from __future__ import annotations
 import enum
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, ClassVar, Generic, TypeAlias, TypeVar, overload
+from typing import Any, ClassVar, Generic, Self, TypeAlias, TypeVar, overload
 
 import numpy as np
 from numpy.typing import NDArray
+
+from bnserve_protocol._modes import Mode
 
 ComplexArray: TypeAlias = NDArray[np.complexfloating[Any, Any]]
 
@@ -75,7 +77,7 @@ class Polarizations(LikeTuple[ComplexArray]):
 
 @dataclass(frozen=True, slots=True)
 class Factored(LikeTuple[NDArray[Any]]):
-    """A batch of a model with one mode: ``hp = plus[:, None] * h`` and ``hc = cross[:, None] * h``; unpacks as
+    """A batch, one mode of it: ``hp = plus[:, None] * h`` and ``hc = cross[:, None] * h``; unpacks as
     ``h, plus, cross = ...``.
 
     ``h`` is complex ``(N, M)`` in 1/Hz; ``plus`` float64 and ``cross`` complex128, ``(N,)``; ``status`` uint8 ``(N,)``;
@@ -104,6 +106,40 @@ class Factored(LikeTuple[NDArray[Any]]):
             cross=new_cross,
             status=self.status,
             estimated_mismatch=self.estimated_mismatch,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Modes(LikeTuple[NDArray[Any]]):
+    """A batch by its modes: the polarisations are the sums over L of ``plus[:, :, None] * h`` and ``cross[:, :, None] *
+    h``; unpacks as ``h, plus, cross = ...``.
+
+    ``h`` is complex ``(N, L, M)`` in 1/Hz, the L modes ``modes`` in their order; each is normalised as the (2, 2) mode
+    is in the direction of the orbital angular momentum. ``plus``, float64, and ``cross``, complex128, ``(N, L)``, are
+    what the spin-weighted harmonics of (l, m) and (l, -m) make of it at the inclination
+    (``docs/explanations/conventions.md``). ``status`` uint8 ``(N,)``; ``estimated_mismatch`` as in
+    :class:`Polarizations`, of the sum.
+    """
+
+    modes: tuple[Mode, ...]
+    h: ComplexArray
+    plus: NDArray[np.float64]
+    cross: NDArray[np.complex128]
+    status: NDArray[np.uint8]
+    estimated_mismatch: NDArray[np.float64] | None = None
+
+    parts: ClassVar[tuple[str, ...]] = ("h", "plus", "cross")
+
+    @classmethod
+    def of_one(cls, mode: Mode, one: Factored) -> Self:
+        """A single mode, L = 1; the same memory."""
+        return cls(
+            modes=(mode,),
+            h=one.h[:, None],
+            plus=one.plus[:, None],
+            cross=one.cross[:, None],
+            status=one.status,
+            estimated_mismatch=one.estimated_mismatch,
         )
 
 

@@ -20,7 +20,9 @@ from bnserve_protocol import (
     BatchLike,
     EvaluationOptions,
     GridLike,
+    InvalidRequest,
     MergerStencil,
+    Mode,
     ParameterBatch,
     ParameterDescription,
     ParametersWithExtrinsic,
@@ -28,6 +30,7 @@ from bnserve_protocol import (
     RowStatus,
     TooLarge,
     check_options,
+    chosen_modes,
 )
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
@@ -53,6 +56,7 @@ _PIECES = 4
 """Into so many pieces for each thread a batch is divided."""
 _ANY_MASS = 2.8
 """Solar masses, for a model that is made for all."""
+_MODES: tuple[Mode, ...] = ((2, 2),)
 _DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
 _TOTAL_MASS, _PHASE, _TIME = (PARAMETER_NAMES.index(name) for name in ("total_mass", "reference_phase", "time_shift"))
@@ -121,7 +125,8 @@ class Evaluator:
         """One waveform on a grid that is prepared already, the shortest way; None if anything about it is unusual."""
         name = dtype if isinstance(dtype, str) else ""
         kind = _KINDS.get(name)
-        if kind is None or type(options) is not EvaluationOptions or not is_list(frequencies):
+        usual = type(options) is EvaluationOptions and options.modes is None and options.reference_frequency is None
+        if kind is None or not usual or not is_list(frequencies):
             return None
         points = len(frequencies)
         grid = self._grids.candidate(frequencies)
@@ -164,6 +169,9 @@ class Evaluator:
             More than there is memory for.
         """
         check_options(options)
+        chosen_modes(options, _MODES)
+        if options.reference_frequency is not None:
+            raise InvalidRequest("This model has no 'reference_frequency'; leave it out.")
         coerced = ParameterBatch.coerce(batch)
         try:
             return self._batch(self._grids.prepare(frequencies), coerced, options, kind)

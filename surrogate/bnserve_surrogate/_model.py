@@ -20,6 +20,7 @@ from bnserve_protocol import (
     InvalidRequest,
     ManifestModel,
     ModelDescription,
+    Modes,
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
@@ -208,6 +209,18 @@ class Model:
         return Polarizations(
             plus=answer.first, cross=answer.second, status=answer.status, estimated_mismatch=answer.estimates
         )
+
+    def predict_modes(
+        self,
+        frequencies: GridLike,
+        batch: BatchLike,
+        *,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+        dtype: DTypeLike = "complex128",
+    ) -> Modes:
+        """N waveforms by their modes, ``h`` complex ``(N, L, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
+        one = self.predict_factored(frequencies, batch, options=options, dtype=dtype)
+        return Modes.of_one(self._description.modes[0], one)
 
     def predict_factored(
         self,

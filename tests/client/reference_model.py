@@ -9,6 +9,7 @@ from bnserve_protocol import (
     Factored,
     FieldError,
     ModelDescription,
+    Modes,
     OutOfDomain,
     ParameterBatch,
     ParameterDescription,
@@ -49,6 +50,9 @@ class ReferenceModel:
         cross.imag = -batch["inclination"]
         h = (amplitude + 1j * phase).astype(dtype)
         return Factored(h=h, plus=1.0 + batch["inclination"], cross=cross, status=status)
+
+    def predict_modes(self, frequencies, batch, *, options=DEFAULT_OPTIONS, dtype="complex128"):
+        return Modes.of_one((2, 2), self.predict_factored(frequencies, batch, options=options, dtype=dtype))
 
     def predict_amplitude_phase(self, frequencies, batch, *, options=DEFAULT_OPTIONS):
         amplitude, phase, status, _ = self._curves(frequencies, batch, options)

@@ -5,7 +5,14 @@ import multiprocessing
 
 from bnserve_client import AsyncModel
 
-METHODS = ("predict", "predict_batch", "predict_factored", "predict_amplitude_phase", "time_until_merger")
+METHODS = (
+    "predict",
+    "predict_batch",
+    "predict_modes",
+    "predict_factored",
+    "predict_amplitude_phase",
+    "time_until_merger",
+)
 
 
 class Blocking:

@@ -32,7 +32,7 @@ GRIDS = {
     "below and above the band": np.geomspace(1.0, 6000.0, 300),
     "integers in a list": list(range(20, 120)),
 }
-METHODS = ("predict_batch", "predict_factored", "predict_amplitude_phase")
+METHODS = ("predict_batch", "predict_factored", "predict_amplitude_phase", "predict_modes")
 ONE = ParametersWithExtrinsic.gw170817()
 TYPICAL = {name: getattr(ONE, name) for name in PARAMETER_NAMES}
 FLAG = EvaluationOptions(out_of_domain="flag")
@@ -56,7 +56,7 @@ def with_values(rows, **values):
 
 def bits(result):
     """Types, shapes and bytes of everything in a result."""
-    arrays = [getattr(result, name) for name in type(result).__slots__]
+    arrays = [np.asarray(getattr(result, name)) for name in type(result).__slots__]
     return type(result), [(array.dtype, array.shape, array.tobytes()) for array in arrays]
 
 
@@ -100,12 +100,12 @@ def test_a_row_has_the_same_bits_alone_and_in_a_batch(model):
     assert [model.predict(SHORT, batch.row(row)).plus.tobytes() for row in range(7)] == [h.tobytes() for h in together]
 
 
-@pytest.mark.parametrize("method", ["predict_batch", "predict_factored"])
+@pytest.mark.parametrize("method", ["predict_batch", "predict_factored", "predict_modes"])
 def test_single_precision_is_equal_in_bits(model, local, method):
     batch = binaries(7)
     there = getattr(model, method)(SHORT, batch, dtype="complex64")
     assert bits(there) == bits(getattr(local, method)(SHORT, batch, dtype="complex64"))
-    assert next(getattr(there, name) for name in type(there).__slots__).dtype == np.complex64
+    assert there[0].dtype == np.complex64
 
 
 BATCHES = {
@@ -130,6 +130,23 @@ def test_alignment_at_the_merger_is_equal_in_bits(model, local, method):
     assert there != bits(getattr(local, method)(SHORT, batch))
 
 
+def test_the_one_mode_may_be_chosen(model, local):
+    batch, chosen = binaries(3), EvaluationOptions(modes=[(2, 2)])
+    assert bits(model.predict_batch(SHORT, batch, options=chosen)) == bits(local.predict_batch(SHORT, batch))
+    there = model.predict_modes(SHORT, batch, options=chosen)
+    assert there.modes == ((2, 2),)
+    assert there.h.shape == (3, 1, len(SHORT))
+    assert bits(there) == bits(local.predict_modes(SHORT, batch))
+
+
+@pytest.mark.parametrize("method", ["predict", *METHODS])
+def test_a_mode_that_is_not_there_is_the_same_error(model, local, method):
+    options = EvaluationOptions(modes=[(2, 2), (5, 5)])
+    there = failure(lambda: getattr(model, method)(SHORT, ONE, options=options))
+    assert there == failure(lambda: getattr(local, method)(SHORT, ONE, options=options))
+    assert there[2] == "This model has no mode (5, 5); it has (2, 2)."
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_flagged_rows_are_nan_with_a_reason(model, local, method):
     batch = with_values(64, mass_ratio=0.5)
@@ -138,7 +155,7 @@ def test_flagged_rows_are_nan_with_a_reason(model, local, method):
     assert bits(there) == bits(getattr(local, method)(SHORT, batch, options=FLAG))
     flagged = {1: RowStatus.OUT_OF_DOMAIN, 40: RowStatus.NOT_FINITE, 50: RowStatus.OUT_OF_DOMAIN}
     assert {row: RowStatus(status) for row, status in enumerate(there.status) if status} == flagged
-    assert all(np.isnan(getattr(there, type(there).__slots__[0])[row]).all() for row in flagged)
+    assert all(np.isnan(there[0][row]).all() for row in flagged)
 
 
 @pytest.mark.parametrize("frequency", [10.0, 40.0, 900.0])
@@ -150,6 +167,7 @@ PARTS = {
     "predict": ("plus", "cross"),
     "predict_batch": ("plus", "cross"),
     "predict_factored": ("h", "plus", "cross"),
+    "predict_modes": ("h", "plus", "cross"),
     "predict_amplitude_phase": ("amplitude", "phase"),
 }
 

@@ -13,6 +13,7 @@ from bnserve_protocol import (
     Factored,
     ModelDescription,
     ModelUnknown,
+    Modes,
     OutOfDomain,
     ParameterBatch,
     ParameterDescription,
@@ -61,6 +62,9 @@ class ChirpModel:
         cosine = np.cos(ParameterBatch.coerce(batch)["inclination"])
         h = (curves.amplitude * np.exp(1j * curves.phase)).astype(dtype)
         return Factored(h=h, plus=0.5 * (1.0 + cosine**2), cross=-1j * cosine, status=curves.status)
+
+    def predict_modes(self, frequencies, batch, *, options=DEFAULT_OPTIONS, dtype="complex128"):
+        return Modes.of_one((2, 2), self.predict_factored(frequencies, batch, options=options, dtype=dtype))
 
     def predict_amplitude_phase(self, frequencies, batch, *, options=DEFAULT_OPTIONS):
         grid = as_frequencies(frequencies)

@@ -131,7 +131,8 @@ def test_every_field_and_parameter_of_a_request_is_described(document, name):
 def test_what_is_left_out_is_described_as_what_it_is_taken_for(server, document):
     fields = document["components"]["schemas"]["WaveformRequest"]["properties"]
     defaults = {key: field["default"] for key, field in fields.items() if "default" in field}
-    assert set(defaults) == {"output", "dtype", "out_of_domain", "below_band", "above_band", "alignment"}
+    options = {"out_of_domain", "below_band", "above_band", "alignment", "modes", "reference_frequency"}
+    assert set(defaults) == {"output", "dtype", *options}
     written = evaluate_json(server.address, question(**defaults))
     assert written.document == evaluate_json(server.address, question()).document
 

@@ -6,7 +6,9 @@ from typing import Annotated, Literal, TypeAlias
 
 import msgspec
 
-from bnserve_protocol._model import DtypeName, ModelIdentity
+from bnserve_protocol._model import ModelIdentity
+from bnserve_protocol._modes import MOST_MODES, Mode
+from bnserve_protocol._options import DtypeName
 
 OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
 MOST_NAMES = 64
@@ -54,6 +56,8 @@ class WaveformBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=Tru
     below_band: Literal["extend", "error"] = "extend"
     above_band: Literal["zero", "error"] = "zero"
     alignment: Literal["post_newtonian", "merger"] = "post_newtonian"
+    modes: Annotated[list[Mode], msgspec.Meta(max_length=MOST_MODES)] | None = None
+    reference_frequency: float | None = None
 
 
 class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from bnserve_protocol._batches import ParameterBatch, check_names
 from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge
 from bnserve_protocol._grids import UniformGrid, as_frequencies
-from bnserve_protocol._model import DtypeName, EvaluationOptions
+from bnserve_protocol._options import DtypeName, EvaluationOptions
 from bnserve_protocol._parameters import PARAMETER_NAMES
 from bnserve_protocol.wire._arrays import (
     decode_real,
