@@ -93,8 +93,16 @@ from bnserve_protocol._model import (
     WaveformModel,
     check_model_digest,
 )
-from bnserve_protocol._modes import Mode, chosen_modes, the_mode
-from bnserve_protocol._options import DEFAULT_OPTIONS, DtypeName, EvaluationOptions, check_dtype, check_options
+from bnserve_protocol._modes import Mode
+from bnserve_protocol._options import (
+    DEFAULT_OPTIONS,
+    DtypeName,
+    EvaluationOptions,
+    check_dtype,
+    check_options,
+    chosen_modes,
+    the_mode,
+)
 from bnserve_protocol._packages import PackageMissing, require
 from bnserve_protocol._parameters import (
     INTRINSIC_NAMES,

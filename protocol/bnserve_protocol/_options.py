@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
+from collections.abc import Sequence
 from typing import Any, Literal, TypeAlias, get_args
 
 import msgspec
@@ -119,3 +120,50 @@ def _frequency(value: Any) -> float:
 _KINDS = inspect.get_annotations(EvaluationOptions, eval_str=True)
 _CHOICES = {name: get_args(kind) for name, kind in _KINDS.items() if isinstance(get_args(kind)[0], str)}
 DEFAULT_OPTIONS = EvaluationOptions()
+
+
+def chosen_modes(options: EvaluationOptions, known: Sequence[Mode]) -> tuple[Mode, ...]:
+    """The modes that the options ask for, in their order; all that are ``known`` where they name none.
+
+    Raises
+    ------
+    InvalidRequest
+        One is not among the known.
+    """
+    if options.modes is None:
+        return tuple(known)
+    for mode in options.modes:
+        if mode not in known:
+            there = ", ".join(map(str, known))
+            hint = f" {(mode[0], -mode[1])} stands for it, too." if (mode[0], -mode[1]) in known else ""
+            raise InvalidRequest(
+                f"This model has no mode {mode}; it has {there}.{hint}",
+                errors=[FieldError(reason=f"not among {there}", parameter="modes", value=str(mode))],
+            )
+    return options.modes
+
+
+def the_mode(options: EvaluationOptions, known: Sequence[Mode], what: str) -> Mode:
+    """The one mode that the options ask for, of those that are ``known``, for what has no meaning for several.
+
+    Parameters
+    ----------
+    options, known
+        As for :func:`chosen_modes`.
+    what
+        Has no meaning for several: the beginning of a sentence, such as ``"An amplitude and a phase"``.
+
+    Raises
+    ------
+    InvalidRequest
+        Several; or one that is not among the known.
+    """
+    chosen = chosen_modes(options, known)
+    if len(chosen) != 1:
+        asked = "this model has" if options.modes is None else "you chose"
+        raise InvalidRequest(
+            f"{what} belong to one mode, and {asked} {len(chosen)}: choose one with modes=[(2, 2)], or ask for "
+            "all of them with predict_modes.",
+            errors=[FieldError(reason="not exactly one", parameter="modes")],
+        )
+    return chosen[0]
