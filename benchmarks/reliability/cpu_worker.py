@@ -28,6 +28,8 @@ def binaries(model: Model, rows: int) -> ParameterBatch:
     columns = {}
     for entry in model.description.parameters:
         low, high = entry.minimum, entry.maximum
+        if entry.name == "total_mass" and model.description.frequency_band_masses:
+            low, high = model.description.frequency_band_masses
         columns[entry.name] = draw.uniform(-1.0 if low is None else low, 1.0 if high is None else high, rows)
     columns |= {"distance_mpc": draw.uniform(20.0, 400.0, rows), "inclination": draw.uniform(0.0, np.pi, rows)}
     columns["time_shift"] = draw.uniform(-0.01, 0.01, rows)

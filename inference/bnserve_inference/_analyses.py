@@ -14,7 +14,7 @@ from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
 from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
 from bnserve_inference._rows import chirp_mass
-from bnserve_inference._search import Box, middle, refuse_missing_ranges
+from bnserve_inference._search import Box, middle, refuse_missing_ranges, usual_masses
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import time_table
 from bnserve_protocol import (
@@ -148,17 +148,18 @@ def relative_binning_analysis(
         Radians by which waveforms that fit may differ from the fiducial one across a bin. Where such bins are wrong
         by more than the options' ``error_bound`` somewhere in the prior, others take their place.
     options
-        Its ``prior`` must state ``coalescence_time``; where it is silent about a binary, the model's range counts.
-        Other parameters as :func:`full_analysis`.
+        Its ``prior`` must state ``coalescence_time``; where it is silent about a binary, the model's range counts, and
+        for its masses those that the model's ``frequency_band`` is for. Other parameters as :func:`full_analysis`.
 
     Raises
     ------
     AnalysisInvalid, OutOfDomain
-        As :func:`full_analysis`; more bins than are allowed; the fiducial binary outside the model's range.
+        As :func:`full_analysis`; more bins than are allowed; the fiducial binary outside the model's range, or of a
+        mass that has to be in a prior.
     """
     band = Band(data, trigger_time, f_min, f_max)
     one = ParameterBatch.one(fiducial)
-    options = band.timed(_covered(options, {}), float(chirp_mass(one)[0]))
+    options = band.timed(_covered(options, usual_masses(options.prior, one, model)), float(chirp_mass(one)[0]))
     band.check(options)
     basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment)
     weighted = fitted_bins(Fitting(band, model, alignment, options, one), basis)

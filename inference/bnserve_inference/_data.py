@@ -204,6 +204,6 @@ def refuse_short(f_min: float, chirp_mass: float, available: float) -> None:
         raise AnalysisInvalid(
             f"From {f_min:g} Hz a binary of chirp mass {chirp_mass:.4g} Msun lasts {signal:.4g} s, and the data begin "
             f"{available:.4g} s before the coalescence: what is earlier would wrap around to their end. Take longer "
-            f"data, or begin the band at {from_here:.4g} Hz.",
+            f"data, begin the band at {from_here:.4g} Hz, or state the prior of heavier binaries.",
             errors=[FieldError(reason="signal longer than the data", parameter="f_min", value=f_min)],
         )

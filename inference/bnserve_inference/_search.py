@@ -95,6 +95,30 @@ def refuse_missing_ranges(prior: Ranges) -> None:
         )
 
 
+def usual_masses(prior: Ranges, fiducial: ParameterBatch, model: WaveformModel) -> Ranges:
+    """The range of the total mass that an approximation is made for where the prior says nothing of masses.
+
+    A model takes masses from a fraction of the Sun's to those of neutron stars at any redshift, which are not what
+    somebody means who does not say.
+
+    Raises
+    ------
+    AnalysisInvalid
+        The ``fiducial`` binary is none of these.
+    """
+    masses = model.description.frequency_band_masses
+    if masses is None or {"chirp_mass", "total_mass"} & prior.keys():
+        return {}
+    mass = float(fiducial["total_mass"][0])
+    if not masses[0] <= mass <= masses[1]:
+        raise AnalysisInvalid(
+            f"State the prior range of 'chirp_mass' or 'total_mass': without one the analysis is made for total masses "
+            f"of {masses[0]:g} to {masses[1]:g} Msun, and the fiducial binary has {mass:g}.",
+            errors=[FieldError(reason="missing", parameter="total_mass")],
+        )
+    return {"total_mass": masses}
+
+
 def middle(prior: Ranges) -> ParameterBatch | None:
     """The binary in the middle of a basis' ranges, or None where they do not say which."""
     centre = {name: 0.5 * (low + high) for name, (low, high) in prior.items()}

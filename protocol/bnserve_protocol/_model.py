@@ -9,6 +9,7 @@ import msgspec
 from numpy.typing import DTypeLike
 
 from bnserve_protocol._batches import BatchLike
+from bnserve_protocol._constants import SOLAR_MASS_SECONDS
 from bnserve_protocol._errors import InvalidRequest
 from bnserve_protocol._grids import GridLike
 from bnserve_protocol._options import DEFAULT_OPTIONS, EvaluationOptions
@@ -61,13 +62,23 @@ class ModelDescription(msgspec.Struct, frozen=True, kw_only=True):
     modes: list[tuple[int, int]]
     parameters: list[ParameterDescription]
     frequency_band: tuple[float, float]
-    """Hz; guaranteed for every total mass in the range."""
+    """Hz; guaranteed for every total mass of :attr:`frequency_band_masses`."""
     training_band: tuple[float, float]
     """Hz at the reference mass; at total mass M the band is this times reference_mass / M."""
     reference_mass: float
+    mf_band: tuple[float, float] = (0.0, 0.0)
+    """The band in M f (dimensionless), the same for every total mass; where it is not stated, the training band's."""
+    frequency_band_masses: tuple[float, float] | None = None
+    """Total masses in solar masses; None where a model does not say. At others the band is somewhere else."""
     accuracy: dict[str, Any] = {}
     provenance: dict[str, Any] = {}
     citation: str = ""
+
+    def __post_init__(self) -> None:
+        if self.mf_band == (0.0, 0.0):  # of services that do not state it
+            reference = self.reference_mass * SOLAR_MASS_SECONDS
+            low, high = self.training_band
+            msgspec.structs.force_setattr(self, "mf_band", (low * reference, high * reference))
 
 
 @runtime_checkable

@@ -41,6 +41,11 @@ from bnserve_surrogate.kernel import MAX_DEGREE, MAX_WIDTH, KernelModel, build_k
 MODES = {"22": (2, 2)}
 """Modes whose baseline is implemented, by the prefix of their tensors."""
 
+TOTAL_MASS = (0.2, 100.0)
+"""Solar masses that every model takes, whatever it was trained for: the waveform is a function of M f, so that a mass
+says which frequencies of it are in the band, and is no limit itself. Wide enough for any neutron stars at any redshift
+of a detector, and for a mass that is wrong by a factor of a thousand to be refused."""
+
 _REQUIRED = (
     "amplitude_nodes",
     "phase_nodes",
@@ -81,11 +86,12 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
     modes: dict[str, ModeMetadata]
     reference_mass: float
     total_mass: tuple[float, float]
+    """Solar masses for all of which the model covers ``frequency_band``; evaluated are those of :data:`TOTAL_MASS`."""
     mass_ratio: tuple[float, float]
     chi: tuple[float, float]
     lambda_: tuple[float, float] = msgspec.field(name="lambda")
     frequency_band: tuple[float, float]
-    """Hz, guaranteed for every total mass."""
+    """Hz, guaranteed for every one of these masses."""
     accuracy: dict[str, Any] = {}
     provenance: dict[str, Any] = {}
     citation: str = ""
@@ -98,6 +104,17 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
             self.frequency_band[0] * self.total_mass[0] / self.reference_mass,
             self.frequency_band[1] * self.total_mass[1] / self.reference_mass,
         )
+
+    @property
+    def masses(self) -> tuple[float, float]:
+        """Solar masses that the model takes: those of :data:`TOTAL_MASS`, and those that it was trained for."""
+        return min(TOTAL_MASS[0], self.total_mass[0]), max(TOTAL_MASS[1], self.total_mass[1])
+
+    @property
+    def mf_band(self) -> tuple[float, float]:
+        """The same in M f (dimensionless), which is what it is at any mass."""
+        reference = self.reference_mass * SOLAR_MASS_SECONDS
+        return (self.training_band[0] * reference, self.training_band[1] * reference)
 
     @classmethod
     def read(cls, metadata: dict[str, Any]) -> SurrogateMetadata:
@@ -131,6 +148,8 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
             modes=[MODES[mode] for mode in self.modes],
             parameters=self.parameters(),
             frequency_band=self.frequency_band,
+            frequency_band_masses=self.total_mass,
+            mf_band=self.mf_band,
             training_band=self.training_band,
             reference_mass=self.reference_mass,
             accuracy=self.accuracy,
@@ -148,7 +167,7 @@ class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
             "chi_1": self.chi,
             "chi_2": self.chi,
             "distance_mpc": (0.0, None),
-            "total_mass": self.total_mass,
+            "total_mass": self.masses,
         }
         described = []
         for name in PARAMETER_NAMES:
@@ -176,9 +195,7 @@ def read_modes(metadata: SurrogateMetadata, tensors: Mapping[str, NDArray[Any]])
     ArtifactCorrupted
         Shapes do not fit together, nodes are not increasing, or an exponent is out of place.
     """
-    reference = metadata.reference_mass * SOLAR_MASS_SECONDS
-    band = (metadata.training_band[0] * reference, metadata.training_band[1] * reference)
-    limits = limits_of(metadata.parameters())
+    band, limits = metadata.mf_band, limits_of(metadata.parameters())
     return {mode: _read_mode(mode, entry, tensors, band, limits) for mode, entry in metadata.modes.items()}
 
 

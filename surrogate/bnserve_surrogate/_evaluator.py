@@ -54,8 +54,6 @@ _WORTH_A_THREAD = 20_000
 """Values below which a batch is not divided among threads."""
 _PIECES = 4
 """Into so many pieces for each thread a batch is divided."""
-_ANY_MASS = 2.8
-"""Solar masses, for a model that is made for all."""
 _MODES: tuple[Mode, ...] = ((2, 2),)
 _DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
@@ -102,14 +100,16 @@ class Evaluator:
         Kernel arrays.
     ranges
         Unit and trained range of every parameter.
+    mass
+        Solar masses at which phases are continued above the band: at one for all, so that bits do not depend on it.
     threads
         Among how many threads a large batch is divided.
     """
 
-    def __init__(self, mode: KernelModel, ranges: list[ParameterDescription], threads: int = 1) -> None:
+    def __init__(self, mode: KernelModel, ranges: list[ParameterDescription], mass: float, threads: int = 1) -> None:
         self._mode = mode
         self._ranges = ranges
-        self._mass = next((r.minimum for r in ranges if r.name == "total_mass" and r.minimum), _ANY_MASS)
+        self._mass = mass
         self._grids = GridCache()
         self._one_row = _OneRow()
         self._threads = threads

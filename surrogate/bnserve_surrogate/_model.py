@@ -80,7 +80,7 @@ class Model:
         self._metadata = metadata
         threads = _checked(threads)
         self._description = description
-        self._evaluator = Evaluator(modes["22"], description.parameters, threads)
+        self._evaluator = Evaluator(modes["22"], description.parameters, metadata.total_mass[0], threads)
         self._origin: _Origin | None = None
 
     @classmethod
@@ -266,11 +266,12 @@ class Model:
         self.predict(frequencies, self.typical_binary())
 
     def typical_binary(self) -> ParametersWithExtrinsic:
-        """A binary in the middle of the trained box."""
+        """A binary in the middle of the trained box, and of the masses that its ``frequency_band`` is for."""
         values: dict[str, Any] = {"distance_mpc": 40.0, "inclination": 0.5}
         for entry in self._description.parameters:
             if entry.minimum is not None and entry.maximum is not None:
                 values[entry.name] = 0.5 * (entry.minimum + entry.maximum)
+        values["total_mass"] = 0.5 * sum(self._metadata.total_mass)
         return ParametersWithExtrinsic(**values)
 
     def self_check(self) -> bool:

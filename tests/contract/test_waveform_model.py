@@ -234,7 +234,7 @@ OUTSIDE = {
     "lambda_2": 1e6,
     "chi_1": 2.0,
     "chi_2": -2.0,
-    "total_mass": 100.0,
+    "total_mass": 101.0,
 }
 BAD_PARAMETERS = {
     "unknown": (TYPICAL | {"eccentricity": 0.1}, InvalidParameters, "Unknown parameter 'eccentricity'"),

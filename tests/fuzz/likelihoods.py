@@ -50,7 +50,7 @@ ODD = {
     "coalescence_time": [np.inf, -1e5, 0.0999, -0.1],
     "mass_ratio": [0.5, 3.0, np.nan, 1.0],
     "right_ascension": [1e6, -1e300, np.nan, 0.0],
-    "total_mass": [4.0, 2.0, 0.0, -1.0],
+    "total_mass": [4.0, 2.0, 100.0, 0.2, 0.0, -1.0],
 }
 
 

@@ -16,6 +16,7 @@ from bnserve_inference import (
 )
 from bnserve_inference.roq import BasisMismatch
 from bnserve_protocol import (
+    PARAMETER_NAMES,
     AnalysisInvalid,
     DistanceMarginalisation,
     InvalidParameters,
@@ -25,7 +26,7 @@ from bnserve_protocol import (
 )
 from tests.inference.bases import RANGES, WIDTH, made_basis
 from tests.inference.networks import DURATION, F_MAX, F_MIN, PRIOR, START, TRIGGER, columns, full, without
-from tests.inference.test_kinds_agree import FIDUCIAL
+from tests.inference.test_kinds_agree import FIDUCIAL, binned
 
 FAR = DistanceMarginalisation(minimum=10.0, maximum=75.0)
 
@@ -159,6 +160,28 @@ def test_relative_binning_needs_a_time_prior_and_a_tolerance(model, data):
             relative_binning_analysis(
                 data, phase_tolerance=tolerance, options=LikelihoodOptions(prior=PRIOR), **settings
             )
+
+
+def test_relative_binning_is_made_for_usual_masses_where_the_prior_is_silent(model, data):
+    """A model takes any mass; bins are made for those of its frequency band, and hold nowhere else."""
+    analysis = binned(model, data)
+    assert analysis.settings.prior["total_mass"] == model.description.frequency_band_masses == (2.0, 4.0)
+    batch = columns(2)
+    batch["total_mass"][1] = 4.1
+    assert likelihood(model, analysis).evaluate(batch).status.tolist() == [0, RowStatus.OUT_OF_PRIOR]
+    assert "total_mass" not in binned(model, data, prior=PRIOR | {"chirp_mass": (1.1, 1.3)}).settings.prior
+
+
+def test_a_fiducial_binary_of_another_mass_needs_a_prior_of_masses(model, data):
+    heavy = {**columns(1), "total_mass": 6.0}
+    fiducial = {name: heavy[name] for name in PARAMETER_NAMES if name in heavy}
+    settings = {"trigger_time": TRIGGER, "f_min": F_MIN, "f_max": F_MAX, "fiducial": fiducial, "model": model}
+    with pytest.raises(AnalysisInvalid, match=r"State the prior range of 'chirp_mass' .* 2 to 4 Msun.* has 6"):
+        relative_binning_analysis(data, options=LikelihoodOptions(prior=PRIOR), **settings)
+    prior = PRIOR | {"total_mass": (5.9, 6.1)}
+    analysis = relative_binning_analysis(data, options=LikelihoodOptions(prior=prior), **settings)
+    ours = likelihood(model, analysis).log_likelihood(heavy)
+    np.testing.assert_allclose(ours, likelihood(model, full(data, prior=prior)).log_likelihood(heavy), atol=0.1)
 
 
 BAD_ROWS = {

@@ -17,7 +17,7 @@ UNIFORM = UniformGrid(f_min=20.0, f_max=1024.0, delta_f=8.0)
 EXPLICIT = np.geomspace(5.0, 2048.0, 131)
 EXTRINSIC = {
     "distance_mpc": (10.0, 400.0), "inclination": (0.0, np.pi), "reference_phase": (0.0, 2.0 * np.pi),
-    "time_shift": (-0.1, 0.1),
+    "time_shift": (-0.1, 0.1), "total_mass": (1.0, 6.0),
 }  # fmt: skip
 
 
@@ -120,7 +120,7 @@ def test_the_answer_names_the_model_that_ships(bnserve_server, local, batch):
         ({"mass_ratio": float("nan")}, 422, "parameters-invalid"),
         ({"distance_mpc": float("inf")}, 422, "parameters-invalid"),
         ({"lambda_1": 1e9}, 422, "out-of-domain"),
-        ({"total_mass": 40.0}, 422, "out-of-domain"),
+        ({"total_mass": 400.0}, 422, "out-of-domain"),
     ],
 )
 def test_what_the_local_model_refuses_the_server_refuses(bnserve_server, local, change, status, code):

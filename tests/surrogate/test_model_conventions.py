@@ -5,8 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bnserve_protocol import SOLAR_MASS_SECONDS, UniformGrid
+from bnserve_protocol import UniformGrid
 from bnserve_surrogate import EvaluationOptions, Model, ParametersWithExtrinsic
+from tests.surrogate.other_codes import strain_of_lal, strain_of_teobresums
 
 BINARIES = {
     "like GW170817": ParametersWithExtrinsic.gw170817(),
@@ -22,23 +23,6 @@ binaries = pytest.mark.parametrize("one", BINARIES.values(), ids=list(BINARIES))
 @pytest.fixture(scope="module")
 def model():
     return Model.default()
-
-
-def strain_of_lal(frequencies, one, approximant, orbital_phase=0.0):
-    """h_plus and h_cross of LALSimulation in 1/Hz."""
-    lal, simulation = pytest.importorskip("lal"), pytest.importorskip("lalsimulation")
-    options = lal.CreateDict()
-    simulation.SimInspiralWaveformParamsInsertTidalLambda1(options, one.lambda_1)
-    simulation.SimInspiralWaveformParamsInsertTidalLambda2(options, one.lambda_2)
-    simulation.SimInspiralSetQuadMonParamsFromLambdas(options)
-    masses = one.total_mass * lal.MSUN_SI * np.array([one.mass_ratio, 1.0]) / (1.0 + one.mass_ratio)
-    vector = lal.CreateREAL8Vector(len(frequencies))
-    vector.data = frequencies
-    plus, cross = simulation.SimInspiralChooseFDWaveformSequence(
-        orbital_phase, *masses, 0.0, 0.0, one.chi_1, 0.0, 0.0, one.chi_2, frequencies[0],
-        one.distance_mpc * 1e6 * lal.PC_SI, one.inclination, options, getattr(simulation, approximant), vector,
-    )  # fmt: skip
-    return np.array(plus.data.data), np.array(cross.data.data)
 
 
 def left_after_a_line(frequencies, phase):
@@ -108,24 +92,6 @@ def test_the_merger_is_at_the_origin_of_time_if_asked_for(model):
     earlier = replace(one, time_shift=0.25)
     assert peak_time(model, earlier, alignment="merger") == pytest.approx(-0.25, abs=5e-4)
     assert abs(peak_time(model, one, alignment="post_newtonian")) > 1e-3
-
-
-def strain_of_teobresums(frequencies, one):
-    """h_plus and h_cross of TEOBResumSPA, conjugated, in 1/Hz."""
-    teobresums = pytest.importorskip("EOBRun_module")
-    from bnserve_surrogate.training.data.generators import TEOBResumSPA
-
-    mass = one.total_mass * SOLAR_MASS_SECONDS
-    request = {
-        "M": one.total_mass, "q": one.mass_ratio, "distance": one.distance_mpc, "inclination": one.inclination,
-        "chi1": one.chi_1, "chi2": one.chi_2, "chi1z": one.chi_1, "chi2z": one.chi_2,
-        "LambdaAl2": one.lambda_1, "LambdaBl2": one.lambda_2, "use_geometric_units": "no", "domain": 1,
-        "initial_frequency": TEOBResumSPA(first_mf=frequencies[0] * mass).phase_start / mass, "use_mode_lm": [1],
-        "interp_uniform_grid": "no", "interp_freqs": "yes", "freqs": frequencies.tolist(), "srate_interp": 0.25 / mass,
-        "time_shift_FD": "yes", "output_hpc": "no", "ode_tmax": 1e12, "postadiabatic_dynamics_dr": 0.2,
-    }  # fmt: skip
-    _, *parts = teobresums.EOBRunPy(request)[:5]
-    return parts[0] - 1j * parts[1], parts[2] - 1j * parts[3]
 
 
 @binaries

@@ -61,8 +61,8 @@ def test_a_value_that_is_not_finite_is_named(model, method, name, value):
         ("chi_2", -0.9, "[-0.5, 0.5]"),
         ("lambda_1", 0.0, "[5, 5000]"),
         ("lambda_2", 5001.0, "[5, 5000]"),
-        ("total_mass", 1.9, "[2, 4]"),
-        ("total_mass", 60.0, "[2, 4]"),
+        ("total_mass", 0.19, "[0.2, 100]"),
+        ("total_mass", 101.0, "[0.2, 100]"),
     ],
 )
 def test_a_value_outside_its_range_is_named_with_the_range(model, name, value, allowed):
@@ -177,12 +177,15 @@ def test_frequencies_outside_the_band_are_refused_where_that_was_asked_for(model
 
 
 def test_the_band_of_every_row_is_its_own(model):
-    """At 2 solar masses the band ends at 4096 Hz, at 4 at 2048 Hz."""
+    """At 2 solar masses the band ends at 4096 Hz, at 4 at 2048 Hz, at 100 at 82 Hz: M f decides."""
     options = EvaluationOptions(out_of_domain="flag", above_band="error")
     status = model.predict_batch(
-        [100.0, 3000.0], TYPICAL | {"total_mass": [2.0, 2.7, 3.0, 4.0]}, options=options
+        [100.0, 3000.0], TYPICAL | {"total_mass": [2.0, 2.7, 3.0, 4.0, 0.2, 100.0]}, options=options
     ).status
-    assert status.tolist() == [0, 0, RowStatus.OUT_OF_BAND, RowStatus.OUT_OF_BAND]
+    assert status.tolist() == [0, 0, RowStatus.OUT_OF_BAND, RowStatus.OUT_OF_BAND, 0, RowStatus.OUT_OF_BAND]
+    options = EvaluationOptions(out_of_domain="flag", below_band="error")
+    status = model.predict_batch([4.0, 80.0], TYPICAL | {"total_mass": [2.0, 2.6, 0.2, 100.0]}, options=options).status
+    assert status.tolist() == [RowStatus.OUT_OF_BAND, 0, RowStatus.OUT_OF_BAND, 0]
 
 
 def test_by_default_a_grid_may_leave_the_band_on_both_sides(model):

@@ -78,7 +78,7 @@ def test_a_function_that_a_model_names_is_imported_for_those_alone_who_name_it_t
         (["smoth"], "Did you mean 'smooth'?"),
         (["smooth@7.0"], "no version or label '7.0'"),
         (["smooth", "--noise", "ETD"], "Unknown noise curve 'ETD'"),
-        (["smooth", "--total-mass", "9"], "total mass of 9 Msun is outside the model's range, 2 to 4"),
+        (["smooth", "--total-mass", "900"], "total mass of 900 Msun is outside the model's range, 0.2 to 100"),
         (["smooth", "--f-min", "5000"], "f_min = 5000 Hz is outside the model's band, 3.57143 to 2925.71 Hz"),
         (["smooth", "--f-min", "nan"], "f_min = nan Hz is outside"),
         (["smooth", "--count", "0"], "nothing to validate with"),

@@ -133,7 +133,7 @@ class Model:
 
     @property
     def parameter_ranges(self) -> ParameterRanges:
-        """Where the model was trained."""
+        """What the model takes."""
         of = {parameter.name: parameter for parameter in self._model.description.parameters}
         names = ("total_mass", "mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2")
         return ParameterRanges(*((float(of[name].minimum), float(of[name].maximum)) for name in names))  # type: ignore[arg-type]  # these are bounded

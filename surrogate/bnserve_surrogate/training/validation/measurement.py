@@ -184,12 +184,12 @@ def validation_frequencies(
     Raises
     ------
     InvalidParameters
-        The noise curve does not exist, or the model was not trained for that mass.
+        The noise curve does not exist, or the model does not take that mass.
     InvalidFrequencies
         ``f_min`` is outside the band, or the noise curve does not reach to its ends.
     """
     mass = metadata.reference_mass if total_mass is None else total_mass
-    least, most = metadata.total_mass
+    least, most = metadata.masses
     if not least <= mass <= most:
         raise InvalidParameters(f"A total mass of {mass:g} Msun is outside the model's range, {least:g} to {most:g}.")
     low, high = (edge * metadata.reference_mass / mass for edge in metadata.training_band)
