@@ -181,7 +181,7 @@ class Waveforms(Question):
         elif isinstance(grid, ExplicitGrid):
             grid.in_full = grid.in_full or len(grid) <= _IN_FULL_ONCE  # short enough not to try again each time
             grid = grid.frequencies
-        part = ParameterBatch.unchecked(self.batch.values[start:stop])
+        part = self.batch.rows(slice(start, stop))
         request = WaveformRequest(batch=part, grid=grid, output=self.output, dtype=self.dtype, options=self.options)
         return encode_request(request)
 

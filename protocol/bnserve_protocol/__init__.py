@@ -105,6 +105,7 @@ from bnserve_protocol._options import (
 )
 from bnserve_protocol._packages import PackageMissing, require
 from bnserve_protocol._parameters import (
+    IN_PLANE_NAMES,
     INTRINSIC_NAMES,
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
@@ -117,7 +118,7 @@ from bnserve_protocol._results import AmplitudePhase, ComplexArray, Factored, Mo
 from bnserve_protocol._version import __version__
 
 __all__ = [
-    "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "ERRORS_BY_CODE", "INTRINSIC_NAMES", "LIKELIHOOD_NAMES",
+    "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "ERRORS_BY_CODE", "INTRINSIC_NAMES", "IN_PLANE_NAMES", "LIKELIHOOD_NAMES",
     "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS", "PARAMETER_NAMES", "PARAMETER_UNITS", "PRIOR_NAMES",
     "SOLAR_MASS_SECONDS", "AccessDenied", "AmplitudePhase", "Analysis", "AnalysisInvalid", "AnalysisKind",
     "AnalysisSettings", "AnalysisUnknown", "AnswerCorrupted", "ArtifactCorrupted", "ArtifactError",

@@ -12,10 +12,13 @@ from numpy.typing import ArrayLike, NDArray
 from bnserve_protocol._errors import FieldError, InvalidParameters
 from bnserve_protocol._given import NotNumbers, as_real_numbers, nearest
 from bnserve_protocol._parameters import (
+    ALL_PARAMETER_NAMES,
+    IN_PLANE_NAMES,
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
     PARAMETER_UNITS,
     ParametersWithExtrinsic,
+    in_plane_of,
     values_of,
 )
 
@@ -25,25 +28,47 @@ class ParameterBatch:
 
     Build one with :meth:`coerce`, which takes everything that ``predict_batch`` takes. Only names and shapes are
     checked here; whether a value is finite and inside the trained range is the model's to say.
+
+    Attributes
+    ----------
+    values
+        ``(N, 10)``.
+    in_plane
+        Spins in the orbital plane, ``(N, 4)``, columns in the order of :data:`IN_PLANE_NAMES`; None where all are zero,
+        so that no binary precesses.
     """
 
-    __slots__ = ("values",)
+    __slots__ = ("in_plane", "values")
 
     values: NDArray[np.float64]
+    in_plane: NDArray[np.float64] | None
 
-    def __init__(self, values: ArrayLike) -> None:
+    def __init__(self, values: ArrayLike, in_plane: ArrayLike | None = None) -> None:
         self.values = table_of(values, PARAMETER_NAMES)
+        self.in_plane = None if in_plane is None else _precessing(table_of(in_plane, IN_PLANE_NAMES))
+        if self.in_plane is not None and len(self.in_plane) != len(self.values):
+            raise InvalidParameters(
+                f"A batch has as many rows of spins in the orbital plane as of parameters; got {len(self.in_plane)} and "
+                f"{len(self.values)}."
+            )
 
     def __len__(self) -> int:
         return int(self.values.shape[0])
 
     def __getitem__(self, name: str) -> NDArray[np.float64]:
         """The column of one parameter, shape ``(N,)``."""
+        if name in IN_PLANE_NAMES:
+            return np.zeros(len(self)) if self.in_plane is None else self.in_plane[:, IN_PLANE_NAMES.index(name)]
         return self.values[:, PARAMETER_NAMES.index(name)]
+
+    def __setstate__(self, state: tuple[None, dict[str, Any]]) -> None:
+        """From a pickle, which has no spins in the orbital plane where an earlier version wrote it."""
+        self.values, self.in_plane = state[1]["values"], state[1].get("in_plane")
 
     def row(self, index: int) -> ParametersWithExtrinsic:
         """One binary of the batch."""
-        return ParametersWithExtrinsic(*(float(value) for value in self.values[index]))
+        spins = () if self.in_plane is None else self.in_plane[index]
+        return ParametersWithExtrinsic(*(float(value) for value in (*self.values[index], *spins)))
 
     @classmethod
     def coerce(cls, batch: BatchLike) -> ParameterBatch:
@@ -66,19 +91,32 @@ class ParameterBatch:
         if isinstance(batch, ParametersWithExtrinsic):
             batch = [batch]
         if isinstance(batch, Mapping):
-            return cls.unchecked(table_of_columns(batch, PARAMETER_NAMES, PARAMETER_DEFAULTS))
+            return cls._of_columns(batch)
         if isinstance(batch, Sequence) and all(isinstance(row, ParametersWithExtrinsic) for row in batch):
-            return cls.unchecked(table_of_rows(batch, PARAMETER_NAMES))
+            spins = table_of_rows(batch, IN_PLANE_NAMES)
+            return cls.unchecked(table_of_rows(batch, PARAMETER_NAMES), _precessing(spins))
         raise InvalidParameters(
             "A batch is a list of ParametersWithExtrinsic or a mapping from parameter names to numbers and vectors; "
             f"got {type(batch).__name__}."
         )
 
     @classmethod
-    def unchecked(cls, values: NDArray[np.float64]) -> ParameterBatch:
-        """Of C-contiguous float64 ``(N, 10)``: nothing is checked or copied."""
+    def _of_columns(cls, columns: Mapping[str, Any]) -> ParameterBatch:
+        if not any(name in columns for name in IN_PLANE_NAMES):
+            check_names(columns)
+            return cls.unchecked(table_of_columns(columns, PARAMETER_NAMES, PARAMETER_DEFAULTS))
+        table = table_of_columns(columns, ALL_PARAMETER_NAMES, PARAMETER_DEFAULTS)
+        aligned = len(PARAMETER_NAMES)
+        spins = _precessing(np.ascontiguousarray(table[:, aligned:]))
+        return cls.unchecked(np.ascontiguousarray(table[:, :aligned]), spins)
+
+    @classmethod
+    def unchecked(
+        cls, values: NDArray[np.float64], in_plane: NDArray[np.float64] | None = None
+    ) -> ParameterBatch:
+        """Of C-contiguous float64 ``(N, 10)``, and ``(N, 4)`` if not None: nothing is checked or copied."""
         batch = cls.__new__(cls)
-        batch.values = values
+        batch.values, batch.in_plane = values, in_plane
         return batch
 
     @classmethod
@@ -91,15 +129,37 @@ class ParameterBatch:
             Also for any other number of rows.
         """
         if type(parameters) is ParametersWithExtrinsic:
-            return cls.unchecked(np.array([values_of(parameters)], np.float64))
+            spins = in_plane_of(parameters)
+            in_plane = np.array([spins], np.float64) if any(spins) else None
+            return cls.unchecked(np.array([values_of(parameters)], np.float64), in_plane)
         batch = cls.coerce(parameters)
         if len(batch) != 1:
             raise InvalidParameters(f"predict takes one binary; got {len(batch)}. Use predict_batch for them.")
         return batch
 
+    def rows(self, which: slice | NDArray[Any]) -> ParameterBatch:
+        """Some of the rows, as numpy chooses them."""
+        spins = None if self.in_plane is None else _precessing(np.ascontiguousarray(self.in_plane[which]))
+        return self.unchecked(np.ascontiguousarray(self.values[which]), spins)
+
+    @classmethod
+    def joined(cls, batches: Sequence[ParameterBatch]) -> ParameterBatch:
+        """The rows of all of at least one batch, one after the other."""
+        spins = None
+        if any(batch.in_plane is not None for batch in batches):
+            spins = np.concatenate(
+                [np.zeros((len(batch), 4)) if batch.in_plane is None else batch.in_plane for batch in batches]
+            )
+        return cls.unchecked(np.concatenate([batch.values for batch in batches]), spins)
+
     def split(self, rows: int) -> list[ParameterBatch]:
         """Consecutive pieces of at most ``rows`` rows."""
-        return [self.unchecked(self.values[start : start + rows]) for start in range(0, len(self), rows)]
+        return [self.rows(slice(start, start + rows)) for start in range(0, len(self), rows)]
+
+
+def _precessing(in_plane: NDArray[np.float64]) -> NDArray[np.float64] | None:
+    """The spins in the orbital plane, or None where all are zero; what is not finite is not zero."""
+    return in_plane if in_plane.any() else None
 
 
 BatchLike: TypeAlias = (
@@ -173,7 +233,7 @@ def table_of_columns(
 
 
 def check_names(
-    given: Iterable[str], known: Sequence[str] = PARAMETER_NAMES, optional: Collection[str] = PARAMETER_DEFAULTS
+    given: Iterable[str], known: Sequence[str] = ALL_PARAMETER_NAMES, optional: Collection[str] = PARAMETER_DEFAULTS
 ) -> None:
     """Refuse unknown, missing and repeated parameter names, suggesting the nearest known one.
 

@@ -69,6 +69,11 @@ def convert(given: Mapping[str, Any]) -> dict[str, Any]:
             if one in named and other in named:
                 first, second = np.asarray(named[one]), np.asarray(named[other])
                 named[one], named[other] = np.where(swap, second, first), np.where(swap, first, second)
+        for axis in "xy":  # of the orbital plane, where x points from the star named second to that named first
+            first, second = (np.asarray(named.get(f"chi_{star}{axis}", 0.0)) for star in (1, 2))
+            if first.any() or second.any():
+                named[f"chi_1{axis}"] = np.where(swap, -second, first)
+                named[f"chi_2{axis}"] = np.where(swap, -first, second)
     return named
 
 

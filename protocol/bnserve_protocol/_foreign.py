@@ -15,6 +15,14 @@ SAME = {
     "spin_2z": "chi_2",
     "spin1z": "chi_1",
     "spin2z": "chi_2",
+    "spin_1x": "chi_1x",
+    "spin_1y": "chi_1y",
+    "spin_2x": "chi_2x",
+    "spin_2y": "chi_2y",
+    "spin1x": "chi_1x",
+    "spin1y": "chi_1y",
+    "spin2x": "chi_2x",
+    "spin2y": "chi_2y",
     "lambda1": "lambda_1",
     "lambda2": "lambda_2",
 }
@@ -37,7 +45,7 @@ FORMULAS = (
     }
     | dict.fromkeys(("lambda_tilde", "delta_lambda_tilde"), _TIDES)
     | {
-        f"{name}_{star}": f"chi_{star} = a_{star} * cos(tilt_{star}); spins in the orbital plane are not in the model"
+        f"{name}_{star}": f"chi_{star} = a_{star} * cos(tilt_{star}), and chi_{star}x, chi_{star}y are what is in the orbital plane"
         for name in ("a", "tilt", "cos_tilt")
         for star in (1, 2)
     }

@@ -39,6 +39,11 @@ class ParametersWithExtrinsic:
         Added to the phase at every frequency, in radians.
     time_shift
         2 pi f time_shift is added to the phase, in seconds; see ``docs/explanations/conventions.md``.
+    chi_1x, chi_1y, chi_2x, chi_2y
+        Dimensionless spins in the orbital plane when the (2, 2) mode passes the ``reference_frequency`` of
+        :class:`EvaluationOptions`: x from the lighter to the heavier star, as in LAL. chi_1 and chi_2 are the components
+        along the Newtonian orbital angular momentum then, and inclination is its angle; see
+        ``docs/explanations/precession.md``.
 
     Raises
     ------
@@ -57,10 +62,14 @@ class ParametersWithExtrinsic:
     total_mass: float
     reference_phase: float = 0.0
     time_shift: float = 0.0
+    chi_1x: float = 0.0
+    chi_1y: float = 0.0
+    chi_2x: float = 0.0
+    chi_2y: float = 0.0
 
     def __post_init__(self) -> None:
-        if not FLOATS.issuperset(map(type, values_of(self))):
-            for name in PARAMETER_NAMES:
+        if not FLOATS.issuperset(map(type, _all_values_of(self))):
+            for name in ALL_PARAMETER_NAMES:
                 object.__setattr__(self, name, one_number(name, getattr(self, name)))
 
     @classmethod
@@ -78,7 +87,13 @@ class ParametersWithExtrinsic:
         )
 
 
-PARAMETER_NAMES: tuple[str, ...] = tuple(field.name for field in dataclasses.fields(ParametersWithExtrinsic))
+ALL_PARAMETER_NAMES: tuple[str, ...] = tuple(field.name for field in dataclasses.fields(ParametersWithExtrinsic))
+"""Every parameter of a waveform: :data:`PARAMETER_NAMES`, then :data:`IN_PLANE_NAMES`."""
+
+IN_PLANE_NAMES: tuple[str, ...] = ("chi_1x", "chi_1y", "chi_2x", "chi_2y")
+"""The spins that make a binary precess, in the order of the columns of :attr:`ParameterBatch.in_plane`."""
+
+PARAMETER_NAMES: tuple[str, ...] = tuple(name for name in ALL_PARAMETER_NAMES if name not in IN_PLANE_NAMES)
 """The parameters in the order of the columns of :attr:`ParameterBatch.values`."""
 
 PARAMETER_UNITS: dict[str, str] = {
@@ -92,6 +107,7 @@ PARAMETER_UNITS: dict[str, str] = {
     "total_mass": "Msun",
     "reference_phase": "rad",
     "time_shift": "s",
+    **dict.fromkeys(IN_PLANE_NAMES, "1"),
     "chirp_mass": "Msun",
     "right_ascension": "rad",
     "declination": "rad",
@@ -106,7 +122,12 @@ FLOATS = frozenset({float, np.float64})
 """Types of a field that need no conversion."""
 
 values_of = operator.attrgetter(*PARAMETER_NAMES)
-"""The parameters of one binary, as a tuple."""
+"""The parameters of one binary but for the spins in the orbital plane, as a tuple."""
+
+in_plane_of = operator.attrgetter(*IN_PLANE_NAMES)
+"""The spins in the orbital plane of one binary, as a tuple."""
+
+_all_values_of = operator.attrgetter(*ALL_PARAMETER_NAMES)
 
 PARAMETER_DEFAULTS: dict[str, float] = {
     field.name: float(field.default)

@@ -137,6 +137,8 @@ class Evaluator:
             room.parameters[:] = list(_values_of(parameters))
         except TypeError:
             return None
+        if parameters.chi_1x or parameters.chi_1y or parameters.chi_2x or parameters.chi_2y:
+            return None
         if room.parameters[_DISTANCE] < NEAR:
             return None
         few = points <= _FEW
@@ -173,6 +175,11 @@ class Evaluator:
         if options.reference_frequency is not None:
             raise InvalidRequest("This model has no 'reference_frequency'; leave it out.")
         coerced = ParameterBatch.coerce(batch)
+        if coerced.in_plane is not None:
+            raise InvalidRequest(
+                "The modes of a binary with spins in the orbital plane precess: they have no factors of one inclination, "
+                "no one amplitude and phase. Leave out chi_1x, chi_1y, chi_2x and chi_2y."
+            )
         try:
             return self._batch(self._grids.prepare(frequencies), coerced, options, kind)
         except MemoryError as error:

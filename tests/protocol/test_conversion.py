@@ -57,7 +57,7 @@ def test_no_spin_has_no_direction():
 
 
 REFUSED = {
-    "a spin in the plane": ({"a_1": 0.1, "tilt_1": 0.5}, "spins in the orbital plane are not in the model"),
+    "a spin in the plane": ({"a_1": 0.1, "tilt_1": 0.5}, "chi_1x, chi_1y are what is in the orbital plane"),
     "a spin without a sign": ({"a_1": 0.1}, "Give chi_1 itself"),
     "half of the tides": ({"lambda_tilde": 500.0, "mass_ratio": 1.2}, "together .* which convert.. solves"),
     "one mass": ({"mass_1": 1.4}, "mass_ratio = mass_1 / mass_2"),

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from bnserve_protocol import (
+    IN_PLANE_NAMES,
     INTRINSIC_NAMES,
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
@@ -18,7 +19,7 @@ from bnserve_protocol import (
 )
 
 ONE = ParametersWithExtrinsic.gw170817()
-TYPICAL = dataclasses.asdict(ONE)
+TYPICAL = {name: value for name, value in dataclasses.asdict(ONE).items() if name in PARAMETER_NAMES}
 
 
 def refused(batch):
@@ -29,7 +30,8 @@ def refused(batch):
 
 def test_names_and_defaults():
     assert set(INTRINSIC_NAMES) < set(PARAMETER_NAMES)
-    assert PARAMETER_DEFAULTS == {"reference_phase": 0.0, "time_shift": 0.0}
+    assert not set(IN_PLANE_NAMES) & set(PARAMETER_NAMES)
+    assert PARAMETER_DEFAULTS == dict.fromkeys(("reference_phase", "time_shift", *IN_PLANE_NAMES), 0.0)
 
 
 def test_a_binary_is_immutable():
@@ -59,6 +61,47 @@ def test_a_scalar_counts_for_all_rows_and_defaults_fill_in():
     np.testing.assert_array_equal(batch["mass_ratio"], [1.2] * 3)
     np.testing.assert_array_equal(batch["chi_1"], [0.1, 0.2, 0.3])
     np.testing.assert_array_equal(batch["time_shift"], 0.0)
+
+
+IN_PLANE = {"chi_1x": 0.1, "chi_1y": -0.2, "chi_2x": 0.3, "chi_2y": 0.0}
+
+
+def test_spins_in_the_orbital_plane_stand_beside_the_ten_columns():
+    precessing = dataclasses.replace(ONE, **IN_PLANE)
+    table = ParameterBatch(ParameterBatch.one(ONE).values, [list(IN_PLANE.values())])
+    for form in (precessing, [precessing], TYPICAL | IN_PLANE, table):
+        batch = ParameterBatch.coerce(form)
+        assert batch.values.shape == (1, 10)
+        np.testing.assert_array_equal(batch.in_plane, [list(IN_PLANE.values())])
+        np.testing.assert_array_equal(batch["chi_1y"], [-0.2])
+        assert batch.row(0) == precessing
+
+
+@pytest.mark.parametrize("form", [ONE, [ONE], TYPICAL, TYPICAL | dict.fromkeys(IN_PLANE, 0.0)])
+def test_where_no_spin_is_in_the_orbital_plane_there_are_no_columns_for_them(form):
+    batch = ParameterBatch.coerce(form)
+    assert batch.in_plane is None
+    np.testing.assert_array_equal(batch["chi_2x"], [0.0])
+
+
+def test_one_that_precesses_among_others_is_a_row_of_its_own():
+    batch = ParameterBatch.coerce([ONE, dataclasses.replace(ONE, chi_2x=0.1), ONE])
+    first, second = batch.split(2)
+    assert first.in_plane.tolist() == [[0.0] * 4, [0.0, 0.0, 0.1, 0.0]]
+    assert second.in_plane is None
+    again = ParameterBatch.joined([first, second])
+    np.testing.assert_array_equal(again.in_plane, batch.in_plane)
+    np.testing.assert_array_equal(again.values, batch.values)
+    assert ParameterBatch.joined([second, second]).in_plane is None
+
+
+def test_a_spin_that_is_no_number_counts_as_one_in_the_plane():
+    assert ParameterBatch.coerce(TYPICAL | {"chi_1x": np.nan}).in_plane is not None
+
+
+def test_as_many_rows_of_spins_as_of_binaries():
+    with pytest.raises(InvalidParameters, match="as many rows"):
+        ParameterBatch(np.zeros((2, 10)), np.ones((3, 4)))
 
 
 def test_scalars_alone_are_one_row():

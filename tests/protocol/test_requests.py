@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bnserve_protocol import (
+    IN_PLANE_NAMES,
     PARAMETER_NAMES,
     BnserveError,
     EvaluationOptions,
@@ -27,6 +28,7 @@ from bnserve_protocol.wire import JSON, MSGPACK, GridDigest, WaveformRequest, de
 from tests.protocol.messages import array_map, read_message
 
 TYPICAL = dataclasses.asdict(ParametersWithExtrinsic.gw170817())
+PRECESSING = ParameterBatch(np.full((3, 10), 1.5), np.linspace(0.0, 0.4, 12).reshape(3, 4))
 UNIFORM = {"f_min": 20.0, "f_max": 40.0, "delta_f": 0.5}
 FREQUENCIES = np.linspace(20.0, 40.0, 5)
 BATCH = ParameterBatch(np.random.default_rng(1).uniform(1.0, 2.0, (3, 10)))
@@ -70,6 +72,23 @@ def test_a_message_that_repeats_but_for_its_numbers_has_its_own(grid):
         received.batch.values[:] = np.nan  # they are nobody else's
         assert same_grid(received.grid, grid)
         assert received.output == output
+
+
+@both
+def test_spins_in_the_orbital_plane_travel_by_their_names(media_type):
+    columns = {name: PRECESSING[name].tolist() for name in (*PARAMETER_NAMES, *IN_PLANE_NAMES)}
+    sent = encode_request(WaveformRequest(batch=PRECESSING, grid=FREQUENCIES))
+    for received in (decode_request(sent), decode({"parameters": columns, "grid": UNIFORM}, media_type)):
+        np.testing.assert_array_equal(received.batch.values, PRECESSING.values)
+        np.testing.assert_array_equal(received.batch.in_plane, PRECESSING.in_plane)
+    assert read_message(sent)["names"] == [*PARAMETER_NAMES, *IN_PLANE_NAMES]
+
+
+def test_spins_in_the_orbital_plane_that_are_zero_do_not_travel():
+    """So a service of before answers whatever it could."""
+    aligned = ParameterBatch(BATCH.values, np.zeros((3, 4)))
+    with_them, without = (WaveformRequest(batch=batch, grid=FREQUENCIES) for batch in (aligned, BATCH))
+    assert encode_request(with_them) == encode_request(without)
 
 
 def test_what_our_client_sends_is_plain_messagepack():

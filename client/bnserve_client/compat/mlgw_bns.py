@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client import _chosen
-from bnserve_protocol import EvaluationOptions, InvalidRequest, OutOfBand, WaveformModel
+from bnserve_protocol import PARAMETER_NAMES, EvaluationOptions, InvalidRequest, OutOfBand, WaveformModel
 from bnserve_protocol import ParametersWithExtrinsic as _Binary
 from bnserve_protocol import __version__ as _version
 
@@ -216,4 +216,4 @@ class Model:
 
 
 def _binary(params: Any) -> _Binary:
-    return _Binary(*(getattr(params, field.name) for field in dataclasses.fields(ParametersWithExtrinsic)))
+    return _Binary(*(getattr(params, name) for name in PARAMETER_NAMES))

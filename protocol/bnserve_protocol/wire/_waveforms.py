@@ -13,7 +13,7 @@ from bnserve_protocol._batches import ParameterBatch, check_names
 from bnserve_protocol._errors import InvalidFrequencies, InvalidParameters, TooLarge
 from bnserve_protocol._grids import UniformGrid, as_frequencies
 from bnserve_protocol._options import DtypeName, EvaluationOptions
-from bnserve_protocol._parameters import PARAMETER_NAMES
+from bnserve_protocol._parameters import ALL_PARAMETER_NAMES, PARAMETER_NAMES
 from bnserve_protocol.wire._arrays import (
     decode_real,
     encode_array,
@@ -200,10 +200,12 @@ def _grid(reader: _Reader, wire: GridBody) -> Grid:
 
 
 def encode_request(request: WaveformRequest) -> bytes:
-    """Write a request as MessagePack: the parameters as one ``[N, 10]`` array with names."""
+    """Write a request as MessagePack: the parameters as one array with names, ``[N, 10]``, or ``[N, 14]`` with spins in
+    the orbital plane, which travel only where there are any."""
+    values, spins = request.batch.values, request.batch.in_plane
     wire = WaveformBody(
-        parameters=raw_array(request.batch.values),
-        names=list(PARAMETER_NAMES),
+        parameters=raw_array(values if spins is None else np.hstack([values, spins])),
+        names=list(PARAMETER_NAMES if spins is None else ALL_PARAMETER_NAMES),
         grid=_wire_grid(request.grid),
         output=request.output,
         dtype=request.dtype,

@@ -105,7 +105,9 @@ class Waveforms(Kind[WaveformQuestion]):
             answer_bytes=rows * points * arrays * (8 if asked.dtype == "complex64" else 16),
             answer_type=request.answer_type,
             digest=request.digest,
-            quick=work <= quick_work(model.model) and request.answer_type == MSGPACK,
+            quick=work <= quick_work(model.model)
+            and request.answer_type == MSGPACK
+            and asked.batch.in_plane is None,  # precession takes some hundred microseconds a row
             grid=grid,
             output=asked.output,
             dtype=asked.dtype,
@@ -130,7 +132,7 @@ class Waveforms(Kind[WaveformQuestion]):
         first = questions[0]
         batch = first.batch
         if len(questions) > 1:
-            batch = ParameterBatch(np.concatenate([question.batch.values for question in questions]))
+            batch = ParameterBatch.joined([question.batch for question in questions])
         arrays = evaluate_output(first.model.model, first, batch)
         rows, points = len(batch), len(first.grid)  # type: ignore[arg-type]  # as above
         self._metrics.evaluated(first.model.identity.name, rows, rows * points)

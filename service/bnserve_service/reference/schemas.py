@@ -13,6 +13,7 @@ import msgspec
 
 from bnserve_protocol import (
     LIKELIHOOD_NAMES,
+    IN_PLANE_NAMES,
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
     EvaluationOptions,
@@ -121,7 +122,8 @@ def schemas() -> dict[str, Any]:
     _, made = msgspec.json.schema_components([*_STRUCTS, *bodies], ref_template=_REF)
     question, sample, values = (made.pop(body.__name__) for body in bodies)
     calibration = {"type": "object", "maxProperties": 64, "additionalProperties": _array_or(_list(_NUMBERS))}
-    waveforms = _parameter_forms(PARAMETER_NAMES, PARAMETER_DEFAULTS, ParametersWithExtrinsic)
+    names = (*PARAMETER_NAMES, *IN_PLANE_NAMES)
+    waveforms = _parameter_forms(names, PARAMETER_DEFAULTS, ParametersWithExtrinsic)
     optional = ("distance_mpc", "coalescence_time", "reference_phase")
     likelihoods = _parameter_forms(LIKELIHOOD_NAMES, optional, ParametersWithExtrinsic, LikelihoodParameters)
     likelihoods |= dict.fromkeys(("calibration_amplitude", "calibration_phase"), calibration)
