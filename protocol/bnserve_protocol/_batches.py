@@ -48,8 +48,8 @@ class ParameterBatch:
         self.in_plane = None if in_plane is None else _precessing(table_of(in_plane, IN_PLANE_NAMES))
         if self.in_plane is not None and len(self.in_plane) != len(self.values):
             raise InvalidParameters(
-                f"A batch has as many rows of spins in the orbital plane as of parameters; got {len(self.in_plane)} and "
-                f"{len(self.values)}."
+                f"A batch has as many rows of spins in the orbital plane as of parameters; got {len(self.in_plane)} "
+                f"and {len(self.values)}."
             )
 
     def __len__(self) -> int:
@@ -111,9 +111,7 @@ class ParameterBatch:
         return cls.unchecked(np.ascontiguousarray(table[:, :aligned]), spins)
 
     @classmethod
-    def unchecked(
-        cls, values: NDArray[np.float64], in_plane: NDArray[np.float64] | None = None
-    ) -> ParameterBatch:
+    def unchecked(cls, values: NDArray[np.float64], in_plane: NDArray[np.float64] | None = None) -> ParameterBatch:
         """Of C-contiguous float64 ``(N, 10)``, and ``(N, 4)`` if not None: nothing is checked or copied."""
         batch = cls.__new__(cls)
         batch.values, batch.in_plane = values, in_plane

@@ -45,7 +45,9 @@ FORMULAS = (
     }
     | dict.fromkeys(("lambda_tilde", "delta_lambda_tilde"), _TIDES)
     | {
-        f"{name}_{star}": f"chi_{star} = a_{star} * cos(tilt_{star}), and chi_{star}x, chi_{star}y are what is in the orbital plane"
+        f"{name}_{star}": (
+            f"chi_{star} = a_{star} * cos(tilt_{star}), and chi_{star}x, chi_{star}y are what is in the orbital plane"
+        )
         for name in ("a", "tilt", "cos_tilt")
         for star in (1, 2)
     }

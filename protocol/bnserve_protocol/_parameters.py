@@ -41,8 +41,8 @@ class ParametersWithExtrinsic:
         2 pi f time_shift is added to the phase, in seconds; see ``docs/explanations/conventions.md``.
     chi_1x, chi_1y, chi_2x, chi_2y
         Dimensionless spins in the orbital plane when the (2, 2) mode passes the ``reference_frequency`` of
-        :class:`EvaluationOptions`: x from the lighter to the heavier star, as in LAL. chi_1 and chi_2 are the components
-        along the Newtonian orbital angular momentum then, and inclination is its angle; see
+        :class:`EvaluationOptions`: x from the lighter to the heavier star, as in LAL. chi_1 and chi_2 are then the
+        components along the Newtonian orbital angular momentum, and inclination is its angle; see
         ``docs/explanations/precession.md``.
 
     Raises

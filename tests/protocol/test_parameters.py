@@ -31,7 +31,7 @@ def refused(batch):
 def test_names_and_defaults():
     assert set(INTRINSIC_NAMES) < set(PARAMETER_NAMES)
     assert not set(IN_PLANE_NAMES) & set(PARAMETER_NAMES)
-    assert PARAMETER_DEFAULTS == dict.fromkeys(("reference_phase", "time_shift", *IN_PLANE_NAMES), 0.0)
+    assert dict.fromkeys(("reference_phase", "time_shift", *IN_PLANE_NAMES), 0.0) == PARAMETER_DEFAULTS
 
 
 def test_a_binary_is_immutable():

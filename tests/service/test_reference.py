@@ -6,7 +6,7 @@ import jsonschema
 import pytest
 from openapi_spec_validator import validate
 
-from bnserve_protocol import PARAMETER_NAMES
+from bnserve_protocol import IN_PLANE_NAMES, PARAMETER_NAMES
 from tests.service.asking import GW170817, JSON, MSGPACK, ask, evaluate_json, question
 
 
@@ -115,7 +115,7 @@ def test_the_example_works(server, document):
 
 def test_parameters_are_those_of_the_protocol(document):
     forms = document["components"]["schemas"]["WaveformRequest"]["properties"]["parameters"]["oneOf"]
-    assert set(forms[0]["properties"]) == set(PARAMETER_NAMES)
+    assert set(forms[0]["properties"]) == {*PARAMETER_NAMES, *IN_PLANE_NAMES}
 
 
 @pytest.mark.parametrize("name", ["WaveformRequest", "LikelihoodRequest"])

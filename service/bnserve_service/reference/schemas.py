@@ -12,8 +12,8 @@ from typing import Any
 import msgspec
 
 from bnserve_protocol import (
-    LIKELIHOOD_NAMES,
     IN_PLANE_NAMES,
+    LIKELIHOOD_NAMES,
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
     EvaluationOptions,
