@@ -177,8 +177,8 @@ class Evaluator:
         coerced = ParameterBatch.coerce(batch)
         if coerced.in_plane is not None:
             raise InvalidRequest(
-                "The modes of a binary with spins in the orbital plane precess: they have no factors of one inclination "
-                "and no one amplitude and phase. Leave out chi_1x, chi_1y, chi_2x and chi_2y."
+                "The modes of a binary with spins in the orbital plane precess: they have no factors of one "
+                "inclination, no one amplitude and phase. Leave out chi_1x, chi_1y, chi_2x and chi_2y."
             )
         try:
             return self._batch(self._grids.prepare(frequencies), coerced, options, kind)
