@@ -10,7 +10,7 @@ from bnserve_protocol import (
     RowStatus,
     UniformGrid,
 )
-from bnserve_surrogate._artifact import ModeMetadata, SelfCheck, SurrogateMetadata
+from bnserve_surrogate._artifact import ModeMetadata, RatioMetadata, SelfCheck, SurrogateMetadata
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._model import Model
 
@@ -23,6 +23,7 @@ __all__ = [
     "ParameterBatch",
     "ParametersWithExtrinsic",
     "Polarizations",
+    "RatioMetadata",
     "RowStatus",
     "SelfCheck",
     "SurrogateMetadata",

@@ -5,6 +5,7 @@ deformabilities and in the spin combination of the leading spin-orbit phase; a p
 terms than one in the raw parameters.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
@@ -16,10 +17,15 @@ from bnserve_protocol import InvalidParameters
 
 FloatArray: TypeAlias = NDArray[np.float64]
 Scalars: TypeAlias = float | FloatArray
-CoordinateKind: TypeAlias = Literal["physical", "raw"]
+CoordinateKind: TypeAlias = Literal["physical", "raw", "symmetric"]
 
 PHYSICAL_COORDINATES = ("log_mass_ratio", "tide_1", "tide_2", "chi_hat", "chi_antisymmetric")
 """Names of what :func:`transform_physical` writes, in order."""
+SYMMETRIC_COORDINATES = ("log_mass_ratio", "tide_difference", "tide_sum", "chi_hat", "chi_antisymmetric")
+"""Names of what :func:`transform_symmetric` writes, in order."""
+ANTISYMMETRIC_AXES = (0, 1, 4)
+"""Of these, the ones that change sign, and nothing else, when the stars' labels are swapped: a product of Chebyshev
+polynomials whose degrees in them add up to an odd number changes sign, one of an even number does not."""
 TIDAL_EXPONENT = 0.4
 """Power of Lambda; anything from 0.3 to 0.45 does equally well, and log Lambda is a decade worse."""
 SPIN_ORBIT_WEIGHT = 38.0 / 113.0
@@ -46,6 +52,20 @@ def transform_physical(
     out[4] = 0.5 * (chi_1 - chi_2)
 
 
+@register_jitable(error_model="numpy")
+def transform_symmetric(
+    mass_ratio: Scalars, chi_1: Scalars, chi_2: Scalars, lambda_1: Scalars, lambda_2: Scalars, out: FloatArray
+) -> None:
+    r"""Write log q, t_1 - t_2, t_1 + t_2, chi_hat and (chi_1 - chi_2)/2 to ``out[0]`` ... ``out[4]``.
+
+    .. math:: t_i = x_i \Lambda_i^{0.4}
+
+    The rest is as for :func:`transform_physical`, whose arguments it takes.
+    """
+    transform_physical(mass_ratio, chi_1, chi_2, lambda_1, lambda_2, out)
+    out[1], out[2] = out[1] - out[2], out[1] + out[2]
+
+
 def physical_coordinates(theta: ArrayLike) -> FloatArray:
     """:func:`transform_physical` of the rows of ``theta``.
 
@@ -58,9 +78,18 @@ def physical_coordinates(theta: ArrayLike) -> FloatArray:
     -------
     ndarray, shape (N, 5), C-contiguous.
     """
+    return _transformed(transform_physical, theta)
+
+
+def symmetric_coordinates(theta: ArrayLike) -> FloatArray:
+    """:func:`transform_symmetric` of the rows of ``theta``, as :func:`physical_coordinates`."""
+    return _transformed(transform_symmetric, theta)
+
+
+def _transformed(transform: Callable[..., None], theta: ArrayLike) -> FloatArray:
     columns = _as_rows(theta).T
     out = np.empty(columns.shape)
-    transform_physical(columns[0], columns[1], columns[2], columns[3], columns[4], out)
+    transform(*columns, out)
     return np.ascontiguousarray(out.T)
 
 
@@ -97,6 +126,18 @@ def physical_bounds(lower: ArrayLike, upper: ArrayLike) -> tuple[FloatArray, Flo
     return minima, maxima
 
 
+def symmetric_bounds(lower: ArrayLike, upper: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    """Exact smallest and largest value of every symmetric coordinate, as :func:`physical_bounds`."""
+    low, high = _as_box(lower, upper)
+    minima, maxima = physical_bounds(low, high)
+    # t_1 - t_2 grows with q and Lambda_1 and falls with Lambda_2; t_1 + t_2 is linear in x_1 and grows with both.
+    lambdas = [(low[3], high[4]), (high[3], low[4]), (low[3], low[4]), (high[3], high[4])]
+    corners = [[q, 0.0, 0.0, *pair] for pair in lambdas for q in (low[0], high[0])]
+    tides = symmetric_coordinates(corners)[:, 1:3]
+    minima[1:3], maxima[1:3] = tides.min(axis=0), tides.max(axis=0)
+    return minima, maxima
+
+
 @dataclass(frozen=True, eq=False)
 class CoordinateMap:
     """From intrinsic parameters to the regressor's inputs: ``(u(theta) - offset) * scale``.
@@ -104,7 +145,8 @@ class CoordinateMap:
     Attributes
     ----------
     kind
-        ``"physical"``: u is :func:`physical_coordinates`; ``"raw"``: u is theta itself.
+        ``"physical"``: u is :func:`physical_coordinates`; ``"symmetric"``: u is :func:`symmetric_coordinates`;
+        ``"raw"``: u is theta itself.
     offset, scale
         Shape (5,). A coordinate that does not vary has scale zero.
     """
@@ -114,8 +156,8 @@ class CoordinateMap:
     scale: FloatArray
 
     def __post_init__(self) -> None:
-        if self.kind not in ("physical", "raw"):
-            raise ValueError(f"Unknown kind of coordinates '{self.kind}'; known are 'physical' and 'raw'.")
+        if self.kind not in _COORDINATES:
+            raise ValueError(f"Unknown kind of coordinates '{self.kind}'; known are {sorted(_COORDINATES)}.")
         for name in ("offset", "scale"):
             array = np.array(getattr(self, name), dtype=np.float64)
             if array.shape != (5,) or not np.isfinite(array).all():
@@ -127,6 +169,15 @@ class CoordinateMap:
     def physical(cls, lower: ArrayLike, upper: ArrayLike) -> "CoordinateMap":
         """Physical coordinates, mapped to [-1, 1] over the box ``lower`` to ``upper``, (5,) in the order of theta."""
         return cls._between("physical", *physical_bounds(lower, upper))
+
+    @classmethod
+    def symmetric(cls, lower: ArrayLike, upper: ArrayLike) -> "CoordinateMap":
+        """Symmetric coordinates over the box, in [-1, 1]; those that change sign with the labels fill half of it."""
+        minima, maxima = symmetric_bounds(lower, upper)
+        for axis in ANTISYMMETRIC_AXES:  # an offset would make an odd function of something else
+            maxima[axis] = max(abs(minima[axis]), abs(maxima[axis]))
+            minima[axis] = -maxima[axis]
+        return cls._between("symmetric", minima, maxima)
 
     @classmethod
     def raw(cls, lower: ArrayLike, upper: ArrayLike) -> "CoordinateMap":
@@ -145,8 +196,7 @@ class CoordinateMap:
 
     def __call__(self, theta: ArrayLike) -> FloatArray:
         """Regressor inputs, shape (N, 5), for the rows of ``theta``, shape (N, 5)."""
-        values = physical_coordinates(theta) if self.kind == "physical" else _as_rows(theta)
-        return (values - self.offset) * self.scale
+        return (_COORDINATES[self.kind](theta) - self.offset) * self.scale
 
 
 def _chi_hat_extremes(chi_1: float, chi_2: float, lowest_ratio: float, highest_ratio: float) -> list[float]:
@@ -171,6 +221,9 @@ def _as_rows(theta: ArrayLike) -> FloatArray:
             f"got {rows.shape}."
         )
     return rows
+
+
+_COORDINATES = {"physical": physical_coordinates, "symmetric": symmetric_coordinates, "raw": _as_rows}
 
 
 def _as_box(lower: ArrayLike, upper: ArrayLike) -> tuple[FloatArray, FloatArray]:

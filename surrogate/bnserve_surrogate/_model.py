@@ -12,7 +12,6 @@ from numpy.typing import DTypeLike
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
-    ArtifactIncomplete,
     BatchLike,
     EvaluationOptions,
     Factored,
@@ -33,7 +32,7 @@ from bnserve_surrogate._artifact import SurrogateMetadata, read_modes
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._pinning import version_with_digest
-from bnserve_surrogate.kernel import KernelModel, Output
+from bnserve_surrogate.kernel import KernelModes, Output
 
 
 class _Origin(NamedTuple):
@@ -61,7 +60,7 @@ class Model:
     description
         Name, version, digest.
     modes
-        The kernel arrays of every mode; today (2, 2) alone.
+        The kernel arrays of every mode.
     threads
         Among how many threads a large batch is divided; the bits do not depend on it.
     """
@@ -74,13 +73,13 @@ class Model:
         self,
         metadata: SurrogateMetadata,
         description: ModelDescription,
-        modes: dict[str, KernelModel],
+        modes: KernelModes,
         threads: int = 1,
     ) -> None:
         self._metadata = metadata
         threads = _checked(threads)
         self._description = description
-        self._evaluator = Evaluator(modes["22"], description.parameters, metadata.total_mass[0], threads)
+        self._evaluator = Evaluator(modes.carrier, description.parameters, metadata.total_mass[0], threads)
         self._origin: _Origin | None = None
 
     @classmethod
@@ -143,8 +142,6 @@ class Model:
         manifest = artifact.manifest
         metadata = SurrogateMetadata.read(manifest.metadata)
         modes = read_modes(metadata, artifact.tensors)
-        if "22" not in modes:
-            raise ArtifactIncomplete("The model has no (2, 2) mode.")
         description = metadata.describe(manifest.name, manifest.version, manifest.digest)
         return cls(metadata, description, modes, threads)
 

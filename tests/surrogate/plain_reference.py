@@ -5,7 +5,7 @@ from numpy.polynomial import chebyshev
 from scipy.interpolate import CubicSpline
 
 from bnserve_protocol import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
-from bnserve_surrogate._coordinates import physical_coordinates
+from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 
 INTRINSIC = ("mass_ratio", "chi_1", "chi_2", "lambda_1", "lambda_2")
@@ -24,8 +24,7 @@ class PlainModel:
     def regressor(self, theta):
         """All outputs for binaries ``(N, 5)``."""
         t = self.tensors
-        physical = physical_coordinates(theta) if self.mode.coordinates == "physical" else theta
-        x = (physical - t["coordinate_offset"]) * t["coordinate_scale"]
+        x = CoordinateMap(self.mode.coordinates, t["coordinate_offset"], t["coordinate_scale"])(theta)
         return evaluate_exported(t, x, self.mode.activation)
 
     def strain(self, p, f):

@@ -182,7 +182,14 @@ def test_tensors_that_do_not_fit_together_are_refused(artifact, name, spoil):
     [
         ({"kind": "a likelihood"}, ArtifactCorrupted, "does not describe a waveform surrogate"),
         ({"modes": {}}, ArtifactCorrupted, "modes"),
-        ({"modes": {"33": {"coordinates": "physical"}}}, ArtifactCorrupted, "not among those implemented"),
+        ({"modes": {"55": {"coordinates": "physical"}}}, ArtifactCorrupted, "not among those implemented"),
+        ({"modes": {"33": {"relative_to": "22", "ratio_power": 1}}}, ArtifactIncomplete, r"no \(2, 2\)"),
+        ({"modes": {"22": {"relative_to": "22", "ratio_power": 1}}}, ArtifactCorrupted, "relative to the baseline"),
+        (
+            {"modes": {"22": {"coordinates": "physical"}, "33": {"coordinates": "physical"}}},
+            ArtifactCorrupted,
+            "its other modes to the",
+        ),
         ({"modes": {"22": {"coordinates": "polar"}}}, ArtifactCorrupted, "polar"),
         ({"modes": {"22": {"coordinates": "physical", "baseline": "other"}}}, ArtifactCorrupted, "other"),
         ({"reference_mass": None}, ArtifactCorrupted, "reference_mass"),

@@ -13,7 +13,8 @@ from bnserve_surrogate.kernel._layout import (
     padded,
 )
 from bnserve_surrogate.kernel._loader import Workspace, kernel_bytes, load_assembly, load_kernel
-from bnserve_surrogate.kernel._mode import KernelModel, build_kernel_model
+from bnserve_surrogate.kernel._mode import NODE_TOLERANCE, KernelModel, build_kernel_model
+from bnserve_surrogate.kernel._ratio import KernelModes, RatioModel, build_ratio_model
 
 __all__ = [
     "ACTIVATIONS",
@@ -22,12 +23,16 @@ __all__ = [
     "MAX_DEGREE",
     "MAX_WIDTH",
     "MOST_PHASE",
+    "NODE_TOLERANCE",
     "KernelModel",
+    "KernelModes",
     "Output",
     "Outputs",
     "Policy",
+    "RatioModel",
     "Workspace",
     "build_kernel_model",
+    "build_ratio_model",
     "evaluate",
     "kernel_bytes",
     "load_assembly",

@@ -15,6 +15,7 @@ CACHE_LINE, STREAMED = 64, 2**22
 DENSE = 2048
 """Frequencies from which on a grid is dense: worth polynomials in every cell of the band."""
 ACTIVATIONS = {"tanh": 0, "relu": 1, "logistic": 2}
+COORDINATES = {"raw": 0, "physical": 1, "symmetric": 2}
 MAX_DEGREE = 64
 """Highest degree of a Chebyshev polynomial in a model."""
 MAX_WIDTH = 1024
@@ -112,7 +113,7 @@ class Output(IntEnum):
 class Entry(IntEnum):
     """What stands at each place of the table of contents; the ``*_AT`` are positions in the weights."""
 
-    PHYSICAL_COORDINATES = 0
+    COORDINATES = 0
     TERMS = auto()
     DEGREE = auto()
     OUTPUTS = auto()

@@ -17,8 +17,10 @@ from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
 from bnserve_surrogate._freezing import FREEZING_END, FREEZING_START
-from bnserve_surrogate.kernel._layout import ACTIVATIONS, BLOCK, COLUMNS, LANES, WIDE, Entry, padded
+from bnserve_surrogate.kernel._layout import ACTIVATIONS, BLOCK, COLUMNS, COORDINATES, LANES, WIDE, Entry, padded
 
+NODE_TOLERANCE = 1e-6
+"""By which the nodes of a model may miss its band: frequencies, masses and their ratios were rounded on the way."""
 PHASE_DEGREE, AMPLITUDE_DEGREE = 6, 5
 """With 0.07 between knots in log f, the phase at 5 Hz, 1e5 radians, is right to 1e-7."""
 
@@ -39,12 +41,13 @@ class KernelModel:
     exponents
         int64, ``(5 * terms,)``: degrees of the Chebyshev products, term by term.
     weights
-        float64: coordinate offset and scale; polynomial coefficients and the network's layers, as :func:`by_columns`
-        arranges them; the synthesis matrix; knots of amplitude and phase in log(M f), each with the widths of its
-        cells; the band in M f, and the M f at which the generator's phase starts; lowest and highest value of every
-        parameter; the cells for dense grids. The synthesis matrix maps the regressor's outputs (after a leading one,
-        for the mean) to everything linear: amplitude residuals at the knots and their second derivatives, the same of
-        the phase, and for each alignment the constant and the slope in M f that the phase gets.
+        float64: coordinate offset and scale, and the least trained tidal deformability; polynomial coefficients and the
+        network's layers, as :func:`by_columns` arranges them; the synthesis matrix; knots of amplitude and phase in
+        log(M f), each with the widths of its cells; first and last M f of the splines, the one at which the generator's
+        phase starts, and the band's lower end; lowest and highest value of every parameter; the cells for dense grids.
+        The synthesis matrix maps the regressor's outputs (after a leading one, for the mean) to everything linear:
+        amplitude residuals at the knots and their second derivatives, the same of the phase, and for each alignment the
+        constant and the slope in M f that the phase gets.
     mf_band
         First and last trained M f (dimensionless).
     estimates_mismatch
@@ -83,10 +86,11 @@ def scratch_size(contents: NDArray[np.int64]) -> int:
 def build_kernel_model(
     tensors: dict[str, NDArray[Any]],
     *,
-    physical_coordinates: bool,
+    coordinates: str,
     activation: str,
     mf_band: tuple[float, float],
     merger_start_mf: float = 0.0,
+    least_lambda: float = 0.0,
     estimates_mismatch: bool = False,
     limits: tuple[Floats, Floats] = NO_LIMITS,
 ) -> KernelModel:
@@ -97,18 +101,20 @@ def build_kernel_model(
     sizes, network = _network(tensors)
     cells = arrange_cells(knots[1]) if np.array_equal(*knots) else NO_CELLS
     sections = {
-        Entry.COORDINATES_AT: np.concatenate([tensors["coordinate_offset"], tensors["coordinate_scale"]]),
+        Entry.COORDINATES_AT: np.concatenate(
+            [tensors["coordinate_offset"], tensors["coordinate_scale"], [least_lambda]]
+        ),
         Entry.COEFFICIENTS_AT: by_columns(tensors.get("polynomial_coefficients", np.zeros((0, outputs)))),
         Entry.NETWORK_AT: network,
         Entry.SYNTHESIS_AT: by_columns(_synthesis(tensors, *knots)),
-        Entry.AMPLITUDE_KNOTS_AT: _knots(knots[0]),
-        Entry.PHASE_KNOTS_AT: _knots(knots[1]),
-        Entry.BAND_AT: np.array([*mf_band, merger_start_mf]),
+        Entry.AMPLITUDE_KNOTS_AT: arrange_knots(knots[0]),
+        Entry.PHASE_KNOTS_AT: arrange_knots(knots[1]),
+        Entry.BAND_AT: np.array([_first(tensors, mf_band[0]), mf_band[1], merger_start_mf, mf_band[0]]),
         Entry.LIMITS_AT: np.concatenate(limits),
         Entry.CELLS_AT: cells.numbers,
     }
     entries = {
-        Entry.PHYSICAL_COORDINATES: physical_coordinates,
+        Entry.COORDINATES: COORDINATES[coordinates],
         Entry.TERMS: len(exponents),
         Entry.DEGREE: exponents.max(initial=0),
         Entry.OUTPUTS: outputs,
@@ -116,20 +122,26 @@ def build_kernel_model(
         Entry.AMPLITUDE_NODES: len(knots[0]),
         Entry.PHASE_NODES: len(knots[1]),
         Entry.SHARED_NODES: np.array_equal(*knots),
-        **_positions(sections),
+        **arrange_positions(sections),
     }
     weights = np.concatenate([np.ravel(section).astype(np.float64) for section in sections.values()])
-    contents = _contents(entries, sizes, cells.owners)
+    contents = arrange_contents(entries, sizes, cells.owners)
     return KernelModel(contents, exponents.reshape(-1), weights, mf_band, estimates_mismatch)
 
 
-def _positions(sections: dict[Entry, Floats]) -> dict[Entry, int]:
+def _first(tensors: dict[str, NDArray[Any]], lowest: float) -> float:
+    """M f from which on the splines are used: the band's lower end, or below it the first node."""
+    first = float(max(tensors["amplitude_nodes"][0], tensors["phase_nodes"][0]))
+    return first if first < lowest * (1.0 - NODE_TOLERANCE) else lowest
+
+
+def arrange_positions(sections: dict[Entry, Floats]) -> dict[Entry, int]:
     """Where each section begins, one after the other."""
     ends = np.cumsum([section.size for section in sections.values()]).tolist()
     return dict(zip(sections, [0, *ends[:-1]], strict=True))
 
 
-def _contents(entries: dict[Entry, int], sizes: list[int], owners: NDArray[np.int64]) -> NDArray[np.int64]:
+def arrange_contents(entries: dict[Entry, int], sizes: list[int], owners: NDArray[np.int64]) -> NDArray[np.int64]:
     """The table of contents, with the layer sizes of the network and the owners of the cells at its end."""
     entries = entries | {
         Entry.LAYERS: max(len(sizes) - 1, 0),
@@ -155,7 +167,7 @@ def by_columns(matrix: NDArray[Any]) -> Floats:
     return np.concatenate([wide.ravel(), narrow.ravel()])
 
 
-def _knots(knots: Floats) -> Floats:
+def arrange_knots(knots: Floats) -> Floats:
     """The knots, then the widths of their cells, then the reciprocal widths; each padded to whole vectors."""
     sections = np.ones((3, padded(len(knots))))
     sections[0, : len(knots)] = knots

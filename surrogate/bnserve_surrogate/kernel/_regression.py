@@ -10,8 +10,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
-from bnserve_surrogate._coordinates import transform_physical
-from bnserve_surrogate.kernel._layout import ACTIVATIONS, LANES, TILE, Entry
+from bnserve_surrogate._coordinates import transform_physical, transform_symmetric
+from bnserve_surrogate.kernel._layout import ACTIVATIONS, COORDINATES, LANES, TILE, Entry
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential
 from bnserve_surrogate.kernel._matrices import Floats, multiply
 from bnserve_surrogate.kernel._memory import at, load, padded, store
@@ -20,6 +20,7 @@ from bnserve_surrogate.kernel._simd import bits_of, fma, from_bits, smaller, spl
 Integers = NDArray[np.int64]
 
 _TANH, _RELU = ACTIVATIONS["tanh"], ACTIVATIONS["relu"]
+_PHYSICAL, _SYMMETRIC = COORDINATES["physical"], COORDINATES["symmetric"]
 _MAGNITUDE = 2**63 - 1
 
 
@@ -66,15 +67,17 @@ def regress(
 
 @njit(**JIT_OPTIONS)
 def _coordinates(parameters: Floats, contents: Integers, scaling: Floats, scratch: Floats, out: Floats) -> None:
-    """The five coordinates of eight rows, ``(5, 8)``."""
-    one = scratch[:5]
+    """The five coordinates of eight rows, ``(5, 8)``; tides weaker than the least trained ones count as these."""
+    one, kind, least = scratch[:5], contents[Entry.COORDINATES], scaling[10]
     for lane in range(LANES):
         row = parameters[5 * lane : 5 * lane + 5]
-        if contents[Entry.PHYSICAL_COORDINATES] != 0:
-            transform_physical(row[0], row[1], row[2], row[3], row[4], one)
+        lambda_1, lambda_2 = max(row[3], least), max(row[4], least)
+        if kind == _PHYSICAL:
+            transform_physical(row[0], row[1], row[2], lambda_1, lambda_2, one)
+        elif kind == _SYMMETRIC:
+            transform_symmetric(row[0], row[1], row[2], lambda_1, lambda_2, one)
         else:
-            for axis in range(5):
-                one[axis] = row[axis]
+            one[0], one[1], one[2], one[3], one[4] = row[0], row[1], row[2], lambda_1, lambda_2
         for axis in range(5):
             out[axis * LANES + lane] = (one[axis] - scaling[axis]) * scaling[5 + axis]
 

@@ -96,7 +96,7 @@ def _status(row: Floats, first: float, last: float, limits: Floats, band: Floats
     if policy & Policy.ABOVE_BAND_IS_ERROR != 0:
         outside |= last * mass > band[1] * (1.0 + EDGE)
     if policy & Policy.BELOW_BAND_IS_ERROR != 0:
-        outside |= first * mass < band[0] * (1.0 - EDGE)
+        outside |= first * mass < band[3] * (1.0 - EDGE)
     return RowStatus.OUT_OF_BAND if outside else RowStatus.OK
 
 

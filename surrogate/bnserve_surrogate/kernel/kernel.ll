@@ -1,4 +1,4 @@
-; sources: 2f85ff7691d9f86ed3663cd4b35d6179bb573f3d4132edbd5122e68f3349e0c8
+; sources: b151d09300d67d765e8346714d96dfcfb3d1e39135362dc355697c8a0c6f15bf
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -437,7 +437,8 @@ B672:                                             ; preds = %B614, %B496
   br i1 %.641.not, label %B768, label %B710
 
 B710:                                             ; preds = %B672
-  %.679 = load double, ptr %arg.band.4, align 8
+  %.678 = getelementptr i8, ptr %arg.band.4, i64 24
+  %.679 = load double, ptr %.678, align 8
   %.686 = fmul contract double %.679, 0x3FEFFFFFFF768FA1
   %.687 = fcmp contract olt double %.571, %.686
   %.689 = or i1 %outside.3.0, %.687
@@ -806,53 +807,53 @@ B84.if.lr.ph.i:                                   ; preds = %B1022.if
   br label %B84.if.i
 
 B280.i:                                           ; preds = %B200.if.i, %B84.if.i
-  %_multiply_wide_v54_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
-  %_multiply_wide_v54_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
-  %_multiply_wide_v54_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
-  %_multiply_wide_v54_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
-  %_multiply_wide_v54_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
-  %_multiply_wide_v54_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
-  %_multiply_wide_v54_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
-  %_multiply_wide_v54_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
-  %_multiply_wide_v54_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
-  %_multiply_wide_v54_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
-  %_multiply_wide_v54_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
-  %_multiply_wide_v54_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
-  %_multiply_wide_v54_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
-  %_multiply_wide_v54_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
-  %_multiply_wide_v54_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
-  %_multiply_wide_v54_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
-  store <8 x double> %_multiply_wide_v54_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !2
+  %_multiply_wide_v57_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v57_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v57_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v57_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v57_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v57_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v57_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v57_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v57_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v57_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v57_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v57_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v57_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v57_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v57_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v57_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v57_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !2
   %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !2
   %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !2
   %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !2
   %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.981
-  store <8 x double> %_multiply_wide_v54_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !2
   %.827.i = getelementptr i8, ptr %.817.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !2
   %.838.i = getelementptr i8, ptr %.817.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !2
   %.849.i = getelementptr i8, ptr %.817.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !2
   %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx.i
-  store <8 x double> %_multiply_wide_v54_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !2
   %.890.i = getelementptr i8, ptr %.880.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !2
   %.901.i = getelementptr i8, ptr %.880.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !2
   %.912.i = getelementptr i8, ptr %.880.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !2
   %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx809.i
-  store <8 x double> %_multiply_wide_v54_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !2
   %.960.i = getelementptr i8, ptr %.950.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !2
   %.971.i = getelementptr i8, ptr %.950.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !2
   %.982.i = getelementptr i8, ptr %.950.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !2
+  store <8 x double> %_multiply_wide_v57_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !2
   %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %34
   %.187.i = icmp sgt i64 %.186856868.i, 1
   br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
@@ -890,22 +891,22 @@ B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.
 B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
   %lsr.iv191 = phi i64 [ %lsr.iv.next192, %B200.if.i ], [ -1, %B84.if.i ]
   %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
-  %_multiply_wide_v54_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
   %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
   %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !2
   %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
@@ -919,37 +920,37 @@ B200.if.i:                                        ; preds = %B84.if.i, %B200.if.
   %.573.i = load double, ptr %scevgep211, align 8, !noalias !2
   %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
   %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a00.2.1823.i)
-  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a01.2.1824.i)
-  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a02.2.1825.i)
-  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a03.2.1826.i)
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a00.2.1823.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a01.2.1824.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a02.2.1825.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a03.2.1826.i)
   %scevgep20 = getelementptr i8, ptr %lsr.iv204, i64 %37
   %scevgep22 = getelementptr i8, ptr %scevgep20, i64 8
   %.610.i = load double, ptr %scevgep22, align 8, !noalias !2
   %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
   %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a10.2.1827.i)
-  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a11.2.1828.i)
-  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a12.2.1829.i)
-  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a13.2.1830.i)
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a10.2.1827.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a11.2.1828.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a12.2.1829.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a13.2.1830.i)
   %scevgep10 = getelementptr i8, ptr %lsr.iv199, i64 %37
   %scevgep11 = getelementptr i8, ptr %scevgep10, i64 8
   %.648.i = load double, ptr %scevgep11, align 8, !noalias !2
   %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
   %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a20.2.1831.i)
-  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a21.2.1832.i)
-  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a22.2.1833.i)
-  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a23.2.1834.i)
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a20.2.1831.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a21.2.1832.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a22.2.1833.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a23.2.1834.i)
   %scevgep2 = getelementptr i8, ptr %lsr.iv194, i64 %37
   %scevgep3 = getelementptr i8, ptr %scevgep2, i64 8
   %.686.i = load double, ptr %scevgep3, align 8, !noalias !2
   %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
   %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a30.2.1835.i)
-  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a31.2.1836.i)
-  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a32.2.1837.i)
-  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a33.2.1838.i)
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a30.2.1835.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a31.2.1836.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a32.2.1837.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a33.2.1838.i)
   %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
   %lsr.iv.next192 = add nsw i64 %lsr.iv191, 1
   %exitcond.not.i = icmp eq i64 %.1734, %lsr.iv.next192
@@ -1223,9 +1224,9 @@ B448.if.i:                                        ; preds = %B448.if.i, %B416.i
   %scevgep25.i = getelementptr i8, ptr %lsr.iv24.i, i64 64
   %lsr.iv.next.i = add i64 %lsr.iv26.i, -1
   %exitcond474.not.i = icmp eq i64 %lsr.iv.next.i, 0
-  br i1 %exitcond474.not.i, label %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B448.if.i
+  br i1 %exitcond474.not.i, label %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B448.if.i
 
-_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B448.if.i
+_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B448.if.i
   %.174.i = sub nsw i64 %.808, %.86.sroa.0.3.i
   %.183.i = tail call i64 @llvm.smax.i64(i64 %.174.i, i64 0)
   %.1610 = getelementptr i8, ptr %arg.contents.4, i64 88
@@ -1392,11 +1393,11 @@ B418.if:                                          ; preds = %B362.if.preheader, 
   %.1464 = icmp sgt i64 %.1463, 0
   br i1 %.1464, label %B506, label %B854
 
-B506.endif.else.if:                               ; preds = %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B506.endif.else.if:                               ; preds = %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   br label %B506.endif.else.endif
 
-B506.endif.else.endif:                            ; preds = %B506.endif.else.if, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %.1638.sroa.0.1 = phi i64 [ 0, %B506.endif.else.if ], [ %.1650, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+B506.endif.else.endif:                            ; preds = %B506.endif.else.if, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.1638.sroa.0.1 = phi i64 [ 0, %B506.endif.else.if ], [ %.1650, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
   %.1658.not = icmp slt i64 %.1650, 1073741824
   br i1 %.1658.not, label %B506.endif.else.endif.endif, label %B506.endif.else.endif.if, !prof !1
 
@@ -1487,53 +1488,53 @@ B84.if.lr.ph.i:                                   ; preds = %B706.endif.else.end
   br label %B84.if.i
 
 B280.i:                                           ; preds = %B200.if.i, %B84.if.i
-  %_multiply_wide_v44_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
-  %_multiply_wide_v44_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
-  %_multiply_wide_v44_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
-  %_multiply_wide_v44_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
-  %_multiply_wide_v44_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
-  %_multiply_wide_v44_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
-  %_multiply_wide_v44_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
-  %_multiply_wide_v44_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
-  %_multiply_wide_v44_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
-  %_multiply_wide_v44_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
-  %_multiply_wide_v44_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
-  %_multiply_wide_v44_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
-  %_multiply_wide_v44_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
-  %_multiply_wide_v44_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
-  %_multiply_wide_v44_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
-  %_multiply_wide_v44_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
-  store <8 x double> %_multiply_wide_v44_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !9
+  %_multiply_wide_v47_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v47_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v47_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v47_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v47_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v47_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v47_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v47_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v47_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v47_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v47_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v47_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v47_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v47_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v47_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v47_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v47_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !9
   %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
-  store <8 x double> %_multiply_wide_v44_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !9
   %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
-  store <8 x double> %_multiply_wide_v44_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !9
   %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
-  store <8 x double> %_multiply_wide_v44_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !9
   %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.151
-  store <8 x double> %_multiply_wide_v44_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !9
   %.827.i = getelementptr i8, ptr %.817.i, i64 64
-  store <8 x double> %_multiply_wide_v44_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !9
   %.838.i = getelementptr i8, ptr %.817.i, i64 128
-  store <8 x double> %_multiply_wide_v44_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !9
   %.849.i = getelementptr i8, ptr %.817.i, i64 192
-  store <8 x double> %_multiply_wide_v44_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !9
   %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx
-  store <8 x double> %_multiply_wide_v44_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !9
   %.890.i = getelementptr i8, ptr %.880.i, i64 64
-  store <8 x double> %_multiply_wide_v44_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !9
   %.901.i = getelementptr i8, ptr %.880.i, i64 128
-  store <8 x double> %_multiply_wide_v44_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !9
   %.912.i = getelementptr i8, ptr %.880.i, i64 192
-  store <8 x double> %_multiply_wide_v44_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !9
   %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx1049
-  store <8 x double> %_multiply_wide_v44_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !9
   %.960.i = getelementptr i8, ptr %.950.i, i64 64
-  store <8 x double> %_multiply_wide_v44_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !9
   %.971.i = getelementptr i8, ptr %.950.i, i64 128
-  store <8 x double> %_multiply_wide_v44_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !9
   %.982.i = getelementptr i8, ptr %.950.i, i64 192
-  store <8 x double> %_multiply_wide_v44_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !9
+  store <8 x double> %_multiply_wide_v47_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !9
   %scevgep25.i8 = getelementptr i8, ptr %lsr.iv24.i3, i64 %33
   %.187.i = icmp sgt i64 %.186852864.i, 1
   br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
@@ -1571,22 +1572,22 @@ B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.
 B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
   %lsr.iv43.i = phi i64 [ %lsr.iv.next44.i, %B200.if.i ], [ %.2111, %B84.if.i ]
   %lsr.iv26.i4 = phi i64 [ %lsr.iv.next27.i, %B200.if.i ], [ 0, %B84.if.i ]
-  %_multiply_wide_v44_a33.2.1834.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a32.2.1833.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a31.2.1832.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a30.2.1831.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a23.2.1830.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a22.2.1829.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a21.2.1828.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a20.2.1827.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a13.2.1826.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a12.2.1825.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a11.2.1824.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a10.2.1823.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a03.2.1822.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a02.2.1821.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a01.2.1820.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v44_a00.2.1819.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a33.2.1834.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a32.2.1833.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a31.2.1832.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a30.2.1831.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a23.2.1830.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a22.2.1829.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a21.2.1828.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a20.2.1827.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a13.2.1826.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a12.2.1825.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a11.2.1824.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a10.2.1823.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a03.2.1822.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a02.2.1821.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a01.2.1820.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v47_a00.2.1819.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
   %37 = shl i64 %lsr.iv26.i4, 2
   %scevgep33.i = getelementptr i8, ptr %lsr.iv24.i3, i64 %37
   %scevgep34.i = getelementptr i8, ptr %scevgep33.i, i64 -192
@@ -1601,33 +1602,33 @@ B200.if.i:                                        ; preds = %B84.if.i, %B200.if.
   %.573.i = load double, ptr %scevgep27, align 8, !noalias !9
   %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
   %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a00.2.1819.i)
-  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a01.2.1820.i)
-  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a02.2.1821.i)
-  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v44_a03.2.1822.i)
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a00.2.1819.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a01.2.1820.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a02.2.1821.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a03.2.1822.i)
   %scevgep5 = getelementptr i8, ptr %scevgep26, i64 -16
   %.610.i = load double, ptr %scevgep5, align 8, !noalias !9
   %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
   %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a10.2.1823.i)
-  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a11.2.1824.i)
-  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a12.2.1825.i)
-  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v44_a13.2.1826.i)
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a10.2.1823.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a11.2.1824.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a12.2.1825.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a13.2.1826.i)
   %scevgep2 = getelementptr i8, ptr %scevgep26, i64 -8
   %.648.i = load double, ptr %scevgep2, align 8, !noalias !9
   %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
   %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a20.2.1827.i)
-  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a21.2.1828.i)
-  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a22.2.1829.i)
-  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v44_a23.2.1830.i)
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a20.2.1827.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a21.2.1828.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a22.2.1829.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a23.2.1830.i)
   %.686.i = load double, ptr %scevgep26, align 8, !noalias !9
   %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
   %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a30.2.1831.i)
-  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a31.2.1832.i)
-  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a32.2.1833.i)
-  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v44_a33.2.1834.i)
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a30.2.1831.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a31.2.1832.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a32.2.1833.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a33.2.1834.i)
   %lsr.iv.next27.i = add nuw i64 %lsr.iv26.i4, 64
   %lsr.iv.next44.i = add i64 %lsr.iv43.i, -1
   %exitcond.not.i7 = icmp eq i64 %lsr.iv.next44.i, 0
@@ -1782,7 +1783,7 @@ B900:                                             ; preds = %entry
   br label %B984
 
 B984:                                             ; preds = %B900, %entry
-  %_prepared_v96__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
+  %_prepared_v99__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
   %.528 = getelementptr i8, ptr %arg.arguments.4, i64 48
   %.529 = load i64, ptr %.528, align 8
   %.770 = getelementptr i8, ptr %arg.contents.4, i64 56
@@ -1857,7 +1858,7 @@ B984:                                             ; preds = %B900, %entry
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
   br i1 %.507321.not.i, label %B984.endif.endif.endif.en...endif.3.endif.endif, label %B94.if.lr.ph.i
 
-B1206:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1206:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.4496 = getelementptr i8, ptr %arg.arguments.4, i64 112
   %.4497 = load i64, ptr %.4496, align 8
   %.4498.not = icmp eq i64 %.4497, 4
@@ -1872,28 +1873,28 @@ B1218:                                            ; preds = %B1206
   %cond = icmp eq i32 %.4868, 0
   br i1 %cond, label %B1218.endif, label %B1218.if, !prof !0
 
-B1350:                                            ; preds = %B1206, %B1206.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1206.thread ], [ %.4549, %B1206 ]
-  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1206.thread ], [ false, %B1206 ]
+B1350:                                            ; preds = %B1206, %B1206.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1206.thread ], [ %.4549, %B1206 ]
+  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1206.thread ], [ false, %B1206 ]
   store double 0.000000e+00, ptr %.5070, align 8
   %.5084 = call fastcc i32 @inner_9(ptr nonnull %.5070, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
   %.5094 = load double, ptr %.5070, align 8
   %cond1 = icmp eq i32 %.5084, 0
   br i1 %cond1, label %B1350.endif, label %B1350.if, !prof !0
 
-B1408:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+B1408:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
   %.5506 = load i64, ptr %.770, align 8
   %.135.i542 = load double, ptr %.402, align 8, !noalias !12
   %.143.i543 = add nsw i64 %.5506, -2
   %.181.i544 = icmp slt i64 %.5506, 3
   %..143.i545 = select i1 %.181.i544, i64 0, i64 %.143.i543
   %.225207.i546 = icmp sgt i64 %..143.i545, 0
-  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
+  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
 
-B1596:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+B1596:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
   %7 = add nuw i64 %.126, 1023
   %.5721 = lshr i64 %7, 10
   %.5700.inv = icmp slt i64 %.126, 1
@@ -2383,7 +2384,7 @@ B984.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B984
   %.463.inv.i440 = icmp slt i64 %.3448, 2
   %.507321.not325.i441 = icmp eq i64 %.486.i439, 0
   %.507321.not.i442 = or i1 %.463.inv.i440, %.507321.not325.i441
-  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
+  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
 
 B94.if.lr.ph.i443:                                ; preds = %B984.endif.endif.endif.en...endif.3.endif.endif
   %50 = lshr i64 %.888, 33
@@ -2453,9 +2454,9 @@ B94.if.i445:                                      ; preds = %B94.if.i445, %B94.i
   %lsr.iv.next54.i475 = add i64 %lsr.iv53.i446, 64
   %lsr.iv.next31 = add nsw i64 %lsr.iv30, -1
   %.507.i476 = icmp sgt i64 %lsr.iv30, 6
-  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
   %68 = inttoptr i64 %.529 to ptr
   %.3593 = getelementptr i8, ptr %arg.row.4, i64 56
   %.3594 = load double, ptr %.3593, align 8
@@ -2469,7 +2470,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4Crv
   %.3793.le = tail call contract double @llvm.log.f64(double %.3785)
   %.3798 = fsub contract double %.3793.le, %.3607.le
   store i64 0, ptr %.3844, align 8
-  call fastcc void @inner_12(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.3798)
+  call fastcc void @inner_12(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.3798)
   %.3862 = load i64, ptr %.3844, align 8
   %.3934 = getelementptr i8, ptr %.3653, i64 8
   %.3935 = load double, ptr %.3934, align 8
@@ -2477,16 +2478,16 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4Crv
   %.3948.le = tail call contract double @llvm.log.f64(double %.3940)
   %.3953 = fsub contract double %.3948.le, %.3607.le
   store i64 0, ptr %.3999, align 8
-  call fastcc void @inner_12(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.3953)
+  call fastcc void @inner_12(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.3953)
   %.4017 = load i64, ptr %.3999, align 8
   %.4074 = fsub contract double 0xC0126BB1BBB55515, %.3607.le
   store i64 0, ptr %.4120, align 8
-  call fastcc void @inner_12(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.4074)
+  call fastcc void @inner_12(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.4074)
   %.4138 = load i64, ptr %.4120, align 8
   %.13.i485 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4138)
   %.4233 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3607.le
   store i64 0, ptr %.4279, align 8
-  call fastcc void @inner_12(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v96__vphi308_0.2.0, double %.4233)
+  call fastcc void @inner_12(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.4233)
   %.4297 = load i64, ptr %.4279, align 8
   %.13.i486 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4297)
   %.4457 = load i64, ptr %.929, align 8
@@ -2495,7 +2496,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4Crv
   %or.cond = select i1 %.4458, i1 %.4464, i1 false
   br i1 %or.cond, label %B1206, label %B1206.thread
 
-B1206.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1206.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.453710 = getelementptr i8, ptr %arg.contents.4, i64 152
   %.453811 = load i64, ptr %.453710, align 8
   %.454912 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.453811
@@ -2513,7 +2514,7 @@ B1218.endif:                                      ; preds = %B1218
   %.181.i = icmp slt i64 %.4950, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B92.if.preheader.i:                               ; preds = %B1218.endif
   %69 = add i64 %.4017, -1
@@ -2524,7 +2525,7 @@ B92.if.preheader.i:                               ; preds = %B1218.endif
 
 B146.i:                                           ; preds = %B92.if.i
   %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %_prepared_v96__vphi308_0.2.0, %.291.i
+  %.293.i = fmul contract double %_prepared_v99__vphi308_0.2.0, %.291.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i
@@ -2558,7 +2559,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %73 = getelementptr i64, ptr %.1529, i64 %.231203208.i
   store i64 %.13.i.i490, ptr %73, align 8, !noalias !30
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -2570,7 +2571,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i488 = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i488, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1218.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1218.endif
   %.586.inv.i = icmp sgt i64 %.4950, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.973
   %74 = getelementptr i64, ptr %.1529, i64 %.143.i
@@ -2591,7 +2592,7 @@ B1350.endif:                                      ; preds = %B1350
   %.181.i500 = icmp slt i64 %.5311, 3
   %..143.i501 = select i1 %.181.i500, i64 0, i64 %.143.i499
   %.225207.i502 = icmp sgt i64 %..143.i501, 0
-  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
 
 B92.if.preheader.i506:                            ; preds = %B1350.endif
   %75 = add i64 %.4017, -1
@@ -2602,7 +2603,7 @@ B92.if.preheader.i506:                            ; preds = %B1350.endif
 
 B146.i515:                                        ; preds = %B92.if.i507
   %.291.i516 = fsub contract double %.281.i513, %.135.i498
-  %.293.i517 = fmul contract double %_prepared_v96__vphi308_0.2.0, %.291.i516
+  %.293.i517 = fmul contract double %_prepared_v99__vphi308_0.2.0, %.291.i516
   %.5.i.i518 = fptosi double %.293.i517 to i64
   %.13.i5.i519 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i518)
   %.354.i520 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i519
@@ -2636,7 +2637,7 @@ B386.i524:                                        ; preds = %B346.i535, %B324.i5
   %79 = getelementptr i64, ptr %.1466, i64 %.231203208.i509
   store i64 %.13.i.i526, ptr %79, align 8, !noalias !33
   %exitcond216.not.i527 = icmp eq i64 %.238.i510, %..143.i501
-  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
+  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
 
 B92.if.i507:                                      ; preds = %B386.i524, %B92.if.preheader.i506
   %end.3.0210.i508 = phi i64 [ %end.4.1.i525, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
@@ -2650,7 +2651,7 @@ B92.if.i507:                                      ; preds = %B386.i524, %B92.if.
   %.287.i514 = fcmp contract ult double %.281.i513, %.135.i498
   br i1 %.287.i514, label %B386.i524, label %B146.i515
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1350.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1350.endif
   %.586.inv.i503 = icmp sgt i64 %.5311, 1
   %.587.i504 = select i1 %.586.inv.i503, i64 0, i64 %.888
   %80 = getelementptr i64, ptr %.1466, i64 %.143.i499
@@ -2669,7 +2670,7 @@ B92.if.preheader.i550:                            ; preds = %B1408
 
 B146.i559:                                        ; preds = %B92.if.i551
   %.291.i560 = fsub contract double %.281.i557, %.135.i542
-  %.293.i561 = fmul contract double %_prepared_v96__vphi308_0.2.0, %.291.i560
+  %.293.i561 = fmul contract double %_prepared_v99__vphi308_0.2.0, %.291.i560
   %.5.i.i562 = fptosi double %.293.i561 to i64
   %.13.i5.i563 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i562)
   %.354.i564 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i563
@@ -2703,7 +2704,7 @@ B386.i568:                                        ; preds = %B346.i579, %B324.i5
   %85 = getelementptr i64, ptr %.1403, i64 %.231203208.i553
   store i64 %.13.i.i570, ptr %85, align 8, !noalias !12
   %exitcond216.not.i571 = icmp eq i64 %.238.i554, %..143.i545
-  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
+  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
 
 B92.if.i551:                                      ; preds = %B386.i568, %B92.if.preheader.i550
   %end.3.0210.i552 = phi i64 [ %end.4.1.i569, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
@@ -2717,7 +2718,7 @@ B92.if.i551:                                      ; preds = %B386.i568, %B92.if.
   %.287.i558 = fcmp contract ult double %.281.i557, %.135.i542
   br i1 %.287.i558, label %B386.i568, label %B146.i559
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1408
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1408
   %.586.inv.i547 = icmp sgt i64 %.5506, 1
   %.587.i548 = select i1 %.586.inv.i547, i64 0, i64 %.814
   %86 = getelementptr i64, ptr %.1403, i64 %.143.i543
@@ -2746,7 +2747,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -2757,9 +2758,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -2771,8 +2772,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i598 = fmul contract double %.1111, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep19 = getelementptr i8, ptr %scevgep, i64 %89
   %scevgep20 = getelementptr i8, ptr %scevgep19, i64 -8256
   store double %"$phi144.1.2.1.i", ptr %scevgep20, align 8, !noalias !36
@@ -3736,7 +3737,7 @@ B0.endif.endif.endif.endi...endif.2.endif.endif:  ; preds = %B34.if.i, %B0.endif
   store ptr null, ptr %.1351, align 8
   call fastcc void @inner_10(ptr nonnull %.1351, ptr %.577, ptr %.700, ptr %.1300, i64 %low.4.1.i38, i64 %low.4.1.i479, i64 %.203, double 1.000000e+00, ptr %arg.series.4, double %.1164, ptr %arg.work.4, ptr %.831)
   %5 = icmp slt i64 %.158, 1
-  br i1 %5, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B64.if.i.preheader
+  br i1 %5, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B64.if.i.preheader
 
 B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif.endif
   %6 = shl i64 %.233, 3
@@ -3833,9 +3834,9 @@ B34.if.i79:                                       ; preds = %B34.if.i79, %B34.if
   %lsr.iv.next.i111 = add nuw i64 %lsr.iv.i81, 8
   %lsr.iv.next5.i112 = add i64 %lsr.iv4.i80, -1
   %exitcond.not.i113 = icmp eq i64 %lsr.iv.next5.i112, 0
-  br i1 %exitcond.not.i113, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B34.if.i79
+  br i1 %exitcond.not.i113, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B34.if.i79
 
-_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114: ; preds = %B34.if.i79, %B0.endif.endif.endif.endi...endif.2.endif.endif
+_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114: ; preds = %B34.if.i79, %B0.endif.endif.endif.endi...endif.2.endif.endif
   %.1695.idx = mul i64 %.158, 192
   %.1695 = getelementptr i8, ptr %.577, i64 %.1695.idx
   %.1167.i = and i64 %.158, 2305843009213693951
@@ -3843,7 +3844,7 @@ _ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSg
   %.1189570.not.i = or i1 %5, %.1189570.not574.i
   br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif, label %B484.if.lr.ph.i
 
-B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
+B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
   %.1626 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
   %.1562 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
   %.1012.i = getelementptr i8, ptr %arg.series.4, i64 264
@@ -4000,7 +4001,7 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %.1189.i = icmp sgt i64 %lsr.iv3, 7
   br i1 %.1189.i, label %B484.if.i, label %B64.if.i136.preheader
 
-B0.endif.endif.endif.endi...endif.4.endif.endif.endif: ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
+B0.endif.endif.endif.endi...endif.4.endif.endif.endif: ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
   br i1 %5, label %B0.endif.endif.endif.endi...endif.5, label %B64.if.i136.preheader
 
 B64.if.i136.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.4.endif.endif.endif
@@ -4825,7 +4826,7 @@ B1228:                                            ; preds = %B1204
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
 
 B134.if.lr.ph.i:                                  ; preds = %B1228
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
@@ -4862,9 +4863,9 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %48 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv, i64 1)
   %math = extractvalue { i64, i1 } %48, 0
   %ov = extractvalue { i64, i1 } %48, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
+_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
   %.1952.0 = phi double [ 0.000000e+00, %B1228 ], [ %.488.i, %B134.if.i ]
   %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1228 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B1228.endif, label %B1228.if, !prof !0
@@ -4913,11 +4914,11 @@ B852.if:                                          ; preds = %entry, %B1054
   %or.cond = icmp ult i64 %50, 7
   br i1 %or.cond, label %B970, label %B1054
 
-B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.6.0, ptr %excinfo, align 8
   br label %common.ret
 
-B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   %.1987 = fadd contract double %.1819, %.1952.0
   store double %.1987, ptr %sunkaddr24, align 8
   br label %B1300
@@ -6656,136 +6657,166 @@ declare double @sqrt(double) local_unnamed_addr #9
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
 define internal fastcc void @inner_6(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.parameters.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.scaling.4, ptr captures(none) initializes((0, 40)) %arg.scratch.4, ptr writeonly captures(none) %arg.out.4) unnamed_addr #7 {
 entry:
+  %.271 = load i64, ptr %arg.contents.4, align 8
+  %.303 = getelementptr i8, ptr %arg.scaling.4, i64 80
+  %.304 = load double, ptr %.303, align 8
   %scevgep = getelementptr i8, ptr %arg.out.4, i64 256
-  %sunkaddr37 = getelementptr i8, ptr %arg.scaling.4, i64 40
-  %sunkaddr43 = getelementptr i8, ptr %arg.scratch.4, i64 8
-  %sunkaddr49 = getelementptr i8, ptr %arg.scaling.4, i64 8
-  %sunkaddr50 = getelementptr i8, ptr %arg.scaling.4, i64 48
-  %sunkaddr55 = getelementptr i8, ptr %arg.scratch.4, i64 16
-  %sunkaddr56 = getelementptr i8, ptr %arg.scaling.4, i64 16
-  %sunkaddr58 = getelementptr i8, ptr %arg.scaling.4, i64 56
-  %sunkaddr65 = getelementptr i8, ptr %arg.scratch.4, i64 24
-  %sunkaddr66 = getelementptr i8, ptr %arg.scaling.4, i64 24
-  %sunkaddr67 = getelementptr i8, ptr %arg.scaling.4, i64 64
-  %sunkaddr71 = getelementptr i8, ptr %arg.scratch.4, i64 32
-  %sunkaddr72 = getelementptr i8, ptr %arg.scaling.4, i64 32
-  %sunkaddr73 = getelementptr i8, ptr %arg.scaling.4, i64 72
+  %sunkaddr77 = getelementptr i8, ptr %arg.scaling.4, i64 40
+  %sunkaddr80 = getelementptr i8, ptr %arg.scratch.4, i64 8
+  %sunkaddr81 = getelementptr i8, ptr %arg.scaling.4, i64 8
+  %sunkaddr82 = getelementptr i8, ptr %arg.scaling.4, i64 48
+  %sunkaddr85 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr86 = getelementptr i8, ptr %arg.scaling.4, i64 16
+  %sunkaddr87 = getelementptr i8, ptr %arg.scaling.4, i64 56
+  %sunkaddr90 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr91 = getelementptr i8, ptr %arg.scaling.4, i64 24
+  %sunkaddr92 = getelementptr i8, ptr %arg.scaling.4, i64 64
+  %sunkaddr95 = getelementptr i8, ptr %arg.scratch.4, i64 32
+  %sunkaddr = getelementptr i8, ptr %arg.scaling.4, i64 32
+  %sunkaddr96 = getelementptr i8, ptr %arg.scaling.4, i64 72
+  %sunkaddr30 = getelementptr i8, ptr %arg.scratch.4, i64 8
+  %sunkaddr36 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr41 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr45 = getelementptr i8, ptr %arg.scratch.4, i64 32
   %sunkaddr8 = getelementptr i8, ptr %arg.scratch.4, i64 8
-  %sunkaddr14 = getelementptr i8, ptr %arg.scratch.4, i64 16
-  %sunkaddr25 = getelementptr i8, ptr %arg.scratch.4, i64 24
-  %sunkaddr31 = getelementptr i8, ptr %arg.scratch.4, i64 32
-  %sunkaddr79 = getelementptr i8, ptr %arg.scratch.4, i64 8
-  %sunkaddr83 = getelementptr i8, ptr %arg.scratch.4, i64 16
-  %sunkaddr86 = getelementptr i8, ptr %arg.scratch.4, i64 24
-  %sunkaddr89 = getelementptr i8, ptr %arg.scratch.4, i64 32
-  br label %B64.if
+  %sunkaddr12 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr19 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr23 = getelementptr i8, ptr %arg.scratch.4, i64 32
+  %sunkaddr59 = getelementptr i8, ptr %arg.scratch.4, i64 8
+  %sunkaddr65 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr71 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr74 = getelementptr i8, ptr %arg.scratch.4, i64 32
+  br label %B118.if
 
-B150:                                             ; preds = %B64.if
-  %sunkaddr = shl nuw nsw i64 %lsr.iv10, 3
-  %sunkaddr11 = getelementptr i8, ptr %arg.parameters.4, i64 %sunkaddr
-  %sunkaddr12 = getelementptr i8, ptr %sunkaddr11, i64 8
-  %.646 = load double, ptr %sunkaddr12, align 8
-  %sunkaddr15 = getelementptr i8, ptr %sunkaddr11, i64 16
-  %.676 = load double, ptr %sunkaddr15, align 8
-  %sunkaddr18 = getelementptr i8, ptr %sunkaddr11, i64 24
-  %.706 = load double, ptr %sunkaddr18, align 8
-  %sunkaddr21 = getelementptr i8, ptr %sunkaddr11, i64 32
-  %.736 = load double, ptr %sunkaddr21, align 8
-  %.38.le.i = tail call contract double @llvm.log.f64(double %.916)
-  %.21.i = fadd contract double %.916, 1.000000e+00
+B270:                                             ; preds = %B118.if
+  %.38.le.i = tail call contract double @llvm.log.f64(double %.1045)
+  %.21.i = fadd contract double %.1045, 1.000000e+00
   %.30.i = fdiv contract double 1.000000e+00, %.21.i
-  %.25.i = fdiv contract double %.916, %.21.i
+  %.25.i = fdiv contract double %.1045, %.21.i
   store double %.38.le.i, ptr %arg.scratch.4, align 8, !noalias !128
-  %.72.i = tail call contract double @llvm.pow.f64(double %.706, double 4.000000e-01)
-  %.73.i = fmul contract double %.25.i, %.72.i
+  %.72.i = tail call contract double @llvm.pow.f64(double %.13.i, double 4.000000e-01)
+  %.73.i = fmul contract double %.72.i, %.25.i
   store double %.73.i, ptr %sunkaddr8, align 8, !noalias !128
-  %.103.i = tail call contract double @llvm.pow.f64(double %.736, double 4.000000e-01)
-  %.104.i = fmul contract double %.30.i, %.103.i
-  store double %.104.i, ptr %sunkaddr14, align 8, !noalias !128
-  %.134.i = fmul contract double %.25.i, %.646
-  %.135.i = fmul contract double %.30.i, %.676
+  %.103.i = tail call contract double @llvm.pow.f64(double %.13.i13, double 4.000000e-01)
+  %.104.i = fmul contract double %.103.i, %.30.i
+  store double %.104.i, ptr %sunkaddr12, align 8, !noalias !128
+  %.134.i = fmul contract double %.1075, %.25.i
+  %.135.i = fmul contract double %.30.i, %.1105
   %.136.i = fadd contract double %.134.i, %.135.i
   %.137.i = fmul contract double %.25.i, 0x3FD585A9E9585A9F
   %.138.i = fmul contract double %.30.i, %.137.i
-  %.139.i = fadd contract double %.646, %.676
-  %.140.i = fmul contract double %.138.i, %.139.i
+  %.139.i = fadd contract double %.1075, %.1105
+  %.140.i = fmul contract double %.139.i, %.138.i
   %.141.i = fsub contract double %.136.i, %.140.i
-  store double %.141.i, ptr %sunkaddr25, align 8, !noalias !128
-  %.171.i = fsub contract double %.646, %.676
+  store double %.141.i, ptr %sunkaddr19, align 8, !noalias !128
+  %.171.i = fsub contract double %.1075, %.1105
   %.172.i = fmul contract double %.171.i, 5.000000e-01
-  store double %.172.i, ptr %sunkaddr31, align 8, !noalias !128
-  br label %B310
+  store double %.172.i, ptr %sunkaddr23, align 8, !noalias !128
+  br label %B570.if
 
-B310:                                             ; preds = %B282.if, %B150
-  %.1103 = load double, ptr %arg.scratch.4, align 8
-  %.1133 = load double, ptr %arg.scaling.4, align 8
-  %.1134 = fsub contract double %.1103, %.1133
-  %.1165 = load double, ptr %sunkaddr37, align 8
-  %.1166 = fmul contract double %.1134, %.1165
-  %scevgep9 = getelementptr i8, ptr %lsr.iv, i64 -256
-  store double %.1166, ptr %scevgep9, align 8
-  %.1103.1 = load double, ptr %sunkaddr43, align 8
-  %.1133.1 = load double, ptr %sunkaddr49, align 8
-  %.1134.1 = fsub contract double %.1103.1, %.1133.1
-  %.1165.1 = load double, ptr %sunkaddr50, align 8
-  %.1166.1 = fmul contract double %.1134.1, %.1165.1
-  %scevgep8 = getelementptr i8, ptr %lsr.iv, i64 -192
-  store double %.1166.1, ptr %scevgep8, align 8
-  %.1103.2 = load double, ptr %sunkaddr55, align 8
-  %.1133.2 = load double, ptr %sunkaddr56, align 8
-  %.1134.2 = fsub contract double %.1103.2, %.1133.2
-  %.1165.2 = load double, ptr %sunkaddr58, align 8
-  %.1166.2 = fmul contract double %.1134.2, %.1165.2
-  %scevgep7 = getelementptr i8, ptr %lsr.iv, i64 -128
-  store double %.1166.2, ptr %scevgep7, align 8
-  %.1103.3 = load double, ptr %sunkaddr65, align 8
-  %.1133.3 = load double, ptr %sunkaddr66, align 8
-  %.1134.3 = fsub contract double %.1103.3, %.1133.3
-  %.1165.3 = load double, ptr %sunkaddr67, align 8
-  %.1166.3 = fmul contract double %.1134.3, %.1165.3
-  %scevgep6 = getelementptr i8, ptr %lsr.iv, i64 -64
-  store double %.1166.3, ptr %scevgep6, align 8
-  %.1103.4 = load double, ptr %sunkaddr71, align 8
-  %.1133.4 = load double, ptr %sunkaddr72, align 8
-  %.1134.4 = fsub contract double %.1103.4, %.1133.4
-  %.1165.4 = load double, ptr %sunkaddr73, align 8
-  %.1166.4 = fmul contract double %.1134.4, %.1165.4
-  store double %.1166.4, ptr %lsr.iv, align 8
-  %scevgep5 = getelementptr i8, ptr %lsr.iv, i64 8
-  %lsr.iv.next = add nuw nsw i64 %lsr.iv10, 5
-  %exitcond.not = icmp eq i64 %lsr.iv.next, 40
-  br i1 %exitcond.not, label %B434, label %B64.if
+B370:                                             ; preds = %B118.if
+  %.38.le.i.i = tail call contract double @llvm.log.f64(double %.1045)
+  %.21.i.i = fadd contract double %.1045, 1.000000e+00
+  %.30.i.i = fdiv contract double 1.000000e+00, %.21.i.i
+  %.25.i.i = fdiv contract double %.1045, %.21.i.i
+  store double %.38.le.i.i, ptr %arg.scratch.4, align 8, !noalias !131
+  %.72.i.i = tail call contract double @llvm.pow.f64(double %.13.i, double 4.000000e-01)
+  %.73.i.i = fmul contract double %.72.i.i, %.25.i.i
+  store double %.73.i.i, ptr %sunkaddr30, align 8, !noalias !131
+  %.103.i.i = tail call contract double @llvm.pow.f64(double %.13.i13, double 4.000000e-01)
+  %.104.i.i = fmul contract double %.103.i.i, %.30.i.i
+  store double %.104.i.i, ptr %sunkaddr36, align 8, !noalias !131
+  %.134.i.i = fmul contract double %.1075, %.25.i.i
+  %.135.i.i = fmul contract double %.30.i.i, %.1105
+  %.136.i.i = fadd contract double %.134.i.i, %.135.i.i
+  %.137.i.i = fmul contract double %.25.i.i, 0x3FD585A9E9585A9F
+  %.138.i.i = fmul contract double %.30.i.i, %.137.i.i
+  %.139.i.i = fadd contract double %.1075, %.1105
+  %.140.i.i = fmul contract double %.139.i.i, %.138.i.i
+  %.141.i.i = fsub contract double %.136.i.i, %.140.i.i
+  store double %.141.i.i, ptr %sunkaddr41, align 8, !noalias !131
+  %.171.i.i = fsub contract double %.1075, %.1105
+  %.172.i.i = fmul contract double %.171.i.i, 5.000000e-01
+  store double %.172.i.i, ptr %sunkaddr45, align 8, !noalias !131
+  %.107.i = fsub contract double %.73.i.i, %.104.i.i
+  %.166.i = fadd contract double %.73.i.i, %.104.i.i
+  store double %.107.i, ptr %sunkaddr30, align 8, !noalias !136
+  store double %.166.i, ptr %sunkaddr36, align 8, !noalias !136
+  br label %B570.if
 
-B434:                                             ; preds = %B310
+B448:                                             ; preds = %B118.if
+  store double %.1045, ptr %arg.scratch.4, align 8
+  store double %.1075, ptr %sunkaddr59, align 8
+  store double %.1105, ptr %sunkaddr65, align 8
+  store double %.13.i, ptr %sunkaddr71, align 8
+  store double %.13.i13, ptr %sunkaddr74, align 8
+  br label %B570.if
+
+B666:                                             ; preds = %B570.if
   store ptr null, ptr %retptr, align 8
   ret void
 
-B64.if:                                           ; preds = %B310, %entry
-  %lsr.iv10 = phi i64 [ 0, %entry ], [ %lsr.iv.next, %B310 ]
-  %lsr.iv = phi ptr [ %scevgep, %entry ], [ %scevgep5, %B310 ]
-  %.517 = getelementptr double, ptr %arg.parameters.4, i64 %lsr.iv10
-  %.584 = load i64, ptr %arg.contents.4, align 8
-  %.585.not = icmp eq i64 %.584, 0
-  %.916 = load double, ptr %.517, align 8
-  br i1 %.585.not, label %B282.if, label %B150
+B118.if:                                          ; preds = %B570.if, %entry
+  %lsr.iv19 = phi i64 [ 0, %entry ], [ %lsr.iv.next, %B570.if ]
+  %lsr.iv = phi ptr [ %scevgep, %entry ], [ %scevgep14, %B570.if ]
+  %.590 = getelementptr double, ptr %arg.parameters.4, i64 %lsr.iv19
+  %.656 = getelementptr i8, ptr %.590, i64 24
+  %.657 = load double, ptr %.656, align 8
+  %.12.i = fcmp contract ogt double %.304, %.657
+  %.13.i = select i1 %.12.i, double %.304, double %.657
+  %.715 = getelementptr i8, ptr %.590, i64 32
+  %.716 = load double, ptr %.715, align 8
+  %.12.i12 = fcmp contract ogt double %.304, %.716
+  %.13.i13 = select i1 %.12.i12, double %.304, double %.716
+  %.1045 = load double, ptr %.590, align 8
+  %.1074 = getelementptr i8, ptr %.590, i64 8
+  %.1075 = load double, ptr %.1074, align 8
+  %.1104 = getelementptr i8, ptr %.590, i64 16
+  %.1105 = load double, ptr %.1104, align 8
+  switch i64 %.271, label %B448 [
+    i64 1, label %B270
+    i64 2, label %B370
+  ]
 
-B282.if:                                          ; preds = %B64.if
-  store double %.916, ptr %arg.scratch.4, align 8
-  %sunkaddr61 = shl nuw nsw i64 %lsr.iv10, 3
-  %sunkaddr62 = getelementptr i8, ptr %arg.parameters.4, i64 %sunkaddr61
-  %sunkaddr63 = getelementptr i8, ptr %sunkaddr62, i64 8
-  %.916.1 = load double, ptr %sunkaddr63, align 8
-  store double %.916.1, ptr %sunkaddr79, align 8
-  %sunkaddr69 = getelementptr i8, ptr %sunkaddr62, i64 16
-  %.916.2 = load double, ptr %sunkaddr69, align 8
-  store double %.916.2, ptr %sunkaddr83, align 8
-  %sunkaddr75 = getelementptr i8, ptr %sunkaddr62, i64 24
-  %.916.3 = load double, ptr %sunkaddr75, align 8
-  store double %.916.3, ptr %sunkaddr86, align 8
-  %sunkaddr81 = getelementptr i8, ptr %sunkaddr62, i64 32
-  %.916.4 = load double, ptr %sunkaddr81, align 8
-  store double %.916.4, ptr %sunkaddr89, align 8
-  br label %B310
+B570.if:                                          ; preds = %B448, %B370, %B270
+  %.1444 = load double, ptr %arg.scratch.4, align 8
+  %.1474 = load double, ptr %arg.scaling.4, align 8
+  %.1475 = fsub contract double %.1444, %.1474
+  %.1506 = load double, ptr %sunkaddr77, align 8
+  %.1507 = fmul contract double %.1475, %.1506
+  %scevgep18 = getelementptr i8, ptr %lsr.iv, i64 -256
+  store double %.1507, ptr %scevgep18, align 8
+  %.1444.1 = load double, ptr %sunkaddr80, align 8
+  %.1474.1 = load double, ptr %sunkaddr81, align 8
+  %.1475.1 = fsub contract double %.1444.1, %.1474.1
+  %.1506.1 = load double, ptr %sunkaddr82, align 8
+  %.1507.1 = fmul contract double %.1475.1, %.1506.1
+  %scevgep17 = getelementptr i8, ptr %lsr.iv, i64 -192
+  store double %.1507.1, ptr %scevgep17, align 8
+  %.1444.2 = load double, ptr %sunkaddr85, align 8
+  %.1474.2 = load double, ptr %sunkaddr86, align 8
+  %.1475.2 = fsub contract double %.1444.2, %.1474.2
+  %.1506.2 = load double, ptr %sunkaddr87, align 8
+  %.1507.2 = fmul contract double %.1475.2, %.1506.2
+  %scevgep16 = getelementptr i8, ptr %lsr.iv, i64 -128
+  store double %.1507.2, ptr %scevgep16, align 8
+  %.1444.3 = load double, ptr %sunkaddr90, align 8
+  %.1474.3 = load double, ptr %sunkaddr91, align 8
+  %.1475.3 = fsub contract double %.1444.3, %.1474.3
+  %.1506.3 = load double, ptr %sunkaddr92, align 8
+  %.1507.3 = fmul contract double %.1475.3, %.1506.3
+  %scevgep15 = getelementptr i8, ptr %lsr.iv, i64 -64
+  store double %.1507.3, ptr %scevgep15, align 8
+  %.1444.4 = load double, ptr %sunkaddr95, align 8
+  %.1474.4 = load double, ptr %sunkaddr, align 8
+  %.1475.4 = fsub contract double %.1444.4, %.1474.4
+  %.1506.4 = load double, ptr %sunkaddr96, align 8
+  %.1507.4 = fmul contract double %.1475.4, %.1506.4
+  store double %.1507.4, ptr %lsr.iv, align 8
+  %scevgep14 = getelementptr i8, ptr %lsr.iv, i64 8
+  %lsr.iv.next = add nuw nsw i64 %lsr.iv19, 5
+  %exitcond.not = icmp eq i64 %lsr.iv.next, 40
+  br i1 %exitcond.not, label %B666, label %B118.if
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
@@ -7097,53 +7128,53 @@ B84.if.lr.ph.i:                                   ; preds = %B662.endif.endif.el
   br label %B84.if.i
 
 B280.i:                                           ; preds = %B200.if.i, %B84.if.i
-  %_multiply_wide_v54_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
-  %_multiply_wide_v54_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
-  %_multiply_wide_v54_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
-  %_multiply_wide_v54_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
-  %_multiply_wide_v54_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
-  %_multiply_wide_v54_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
-  %_multiply_wide_v54_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
-  %_multiply_wide_v54_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
-  %_multiply_wide_v54_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
-  %_multiply_wide_v54_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
-  %_multiply_wide_v54_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
-  %_multiply_wide_v54_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
-  %_multiply_wide_v54_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
-  %_multiply_wide_v54_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
-  %_multiply_wide_v54_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
-  %_multiply_wide_v54_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
-  store <8 x double> %_multiply_wide_v54_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !131
+  %_multiply_wide_v57_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v57_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v57_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v57_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v57_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v57_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v57_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v57_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v57_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v57_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v57_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v57_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v57_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v57_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v57_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v57_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v57_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !137
   %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !137
   %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !137
   %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !137
   %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.152
-  store <8 x double> %_multiply_wide_v54_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !137
   %.827.i = getelementptr i8, ptr %.817.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !137
   %.838.i = getelementptr i8, ptr %.817.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !137
   %.849.i = getelementptr i8, ptr %.817.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !137
   %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.332
-  store <8 x double> %_multiply_wide_v54_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !137
   %.890.i = getelementptr i8, ptr %.880.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !137
   %.901.i = getelementptr i8, ptr %.880.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !137
   %.912.i = getelementptr i8, ptr %.880.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !137
   %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx814.i
-  store <8 x double> %_multiply_wide_v54_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !137
   %.960.i = getelementptr i8, ptr %.950.i, i64 64
-  store <8 x double> %_multiply_wide_v54_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !137
   %.971.i = getelementptr i8, ptr %.950.i, i64 128
-  store <8 x double> %_multiply_wide_v54_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !137
   %.982.i = getelementptr i8, ptr %.950.i, i64 192
-  store <8 x double> %_multiply_wide_v54_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !131
+  store <8 x double> %_multiply_wide_v57_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !137
   %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %35
   %.187.i = icmp sgt i64 %.186856868.i, 1
   br i1 %.187.i, label %B84.if.i, label %B354.else.i
@@ -7159,13 +7190,13 @@ B3459.i:                                          ; preds = %B356.if.i, %B3459.l
   %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B3459.loopexit.i ]
   %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B3459.loopexit.i ]
   %.1418.i = getelementptr inbounds double, ptr %.1663, i64 %.1135893899.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !131
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !137
   %.1434.i = getelementptr double, ptr %51, i64 %.1135893899.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !131
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !137
   %.1451.i = getelementptr double, ptr %52, i64 %.1135893899.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !131
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !137
   %.1470.i = getelementptr double, ptr %53, i64 %.1135893899.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !131
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !137
   %.1129.i = icmp sgt i64 %.1128892900.i, 1
   br i1 %.1129.i, label %B356.if.i, label %B662.endif.endif.endif.endif
 
@@ -7181,66 +7212,66 @@ B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.
 B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
   %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B200.if.i ], [ -1, %B84.if.i ]
   %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
-  %_multiply_wide_v54_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v54_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v57_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
   %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
-  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !131
+  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !137
   %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
-  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !131
+  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !137
   %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
-  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !131
-  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !131
+  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !137
+  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !137
   %47 = shl i64 %lsr.iv25, 3
   %scevgep33 = getelementptr i8, ptr %.1489, i64 %47
   %scevgep34 = getelementptr i8, ptr %scevgep33, i64 8
-  %.573.i = load double, ptr %scevgep34, align 8, !noalias !131
+  %.573.i = load double, ptr %scevgep34, align 8, !noalias !137
   %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
   %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a00.2.1823.i)
-  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a01.2.1824.i)
-  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a02.2.1825.i)
-  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v54_a03.2.1826.i)
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a00.2.1823.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a01.2.1824.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a02.2.1825.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a03.2.1826.i)
   %scevgep26 = getelementptr i8, ptr %43, i64 %47
   %scevgep27 = getelementptr i8, ptr %scevgep26, i64 8
-  %.610.i = load double, ptr %scevgep27, align 8, !noalias !131
+  %.610.i = load double, ptr %scevgep27, align 8, !noalias !137
   %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
   %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a10.2.1827.i)
-  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a11.2.1828.i)
-  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a12.2.1829.i)
-  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v54_a13.2.1830.i)
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a10.2.1827.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a11.2.1828.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a12.2.1829.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a13.2.1830.i)
   %scevgep20 = getelementptr i8, ptr %44, i64 %47
   %scevgep22 = getelementptr i8, ptr %scevgep20, i64 8
-  %.648.i = load double, ptr %scevgep22, align 8, !noalias !131
+  %.648.i = load double, ptr %scevgep22, align 8, !noalias !137
   %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
   %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a20.2.1831.i)
-  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a21.2.1832.i)
-  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a22.2.1833.i)
-  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v54_a23.2.1834.i)
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a20.2.1831.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a21.2.1832.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a22.2.1833.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a23.2.1834.i)
   %scevgep9 = getelementptr i8, ptr %45, i64 %47
   %scevgep10 = getelementptr i8, ptr %scevgep9, i64 8
-  %.686.i = load double, ptr %scevgep10, align 8, !noalias !131
+  %.686.i = load double, ptr %scevgep10, align 8, !noalias !137
   %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
   %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a30.2.1835.i)
-  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a31.2.1836.i)
-  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a32.2.1837.i)
-  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v54_a33.2.1838.i)
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a30.2.1835.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a31.2.1836.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a32.2.1837.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a33.2.1838.i)
   %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
   %lsr.iv.next26 = add nsw i64 %lsr.iv25, 1
   %exitcond.not.i = icmp eq i64 %.1143, %lsr.iv.next26
@@ -7281,24 +7312,24 @@ B884.if.i:                                        ; preds = %B884.if.i, %B884.if
   %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
   %55 = shl i64 %lsr.iv28, 3
   %scevgep30 = getelementptr i8, ptr %scevgep.i, i64 %55
-  %.1318.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !131
+  %.1318.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !137
   %scevgep38 = getelementptr i8, ptr %.1489, i64 %lsr.iv28
-  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !131
+  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !137
   %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
   %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
   %scevgep37 = getelementptr i8, ptr %48, i64 %lsr.iv28
-  %.1352.i = load double, ptr %scevgep37, align 8, !noalias !131
+  %.1352.i = load double, ptr %scevgep37, align 8, !noalias !137
   %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
   %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
   %scevgep36 = getelementptr i8, ptr %49, i64 %lsr.iv28
-  %.1372.i = load double, ptr %scevgep36, align 8, !noalias !131
+  %.1372.i = load double, ptr %scevgep36, align 8, !noalias !137
   %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
   %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
   %scevgep35 = getelementptr i8, ptr %50, i64 %lsr.iv28
-  %.1392.i = load double, ptr %scevgep35, align 8, !noalias !131
+  %.1392.i = load double, ptr %scevgep35, align 8, !noalias !137
   %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
   %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
@@ -7459,48 +7490,48 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !0 = !{!"branch_weights", i32 49, i32 1}
 !1 = !{!"branch_weights", i32 99, i32 1}
 !2 = !{!3}
-!3 = distinct !{!3, !4, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!4 = distinct !{!4, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!3 = distinct !{!3, !4, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!4 = distinct !{!4, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !5 = !{!"branch_weights", i32 1, i32 99}
 !6 = !{!7}
-!7 = distinct !{!7, !8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!8 = distinct !{!8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!7 = distinct !{!7, !8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!8 = distinct !{!8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !9 = !{!10}
-!10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v42B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!11 = distinct !{!11, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v42B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v45B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!11 = distinct !{!11, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v45B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !12 = !{!13}
-!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!14 = distinct !{!14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!14 = distinct !{!14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v181B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v181B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v127B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !39 = !{!40}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v179B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v180B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v180B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!"branch_weights", i32 146201250, i32 2001282398}
 !46 = !{!"branch_weights", i32 166258294, i32 1981225354}
 !47 = !{!"branch_weights", i32 1030503492, i32 1116980156}
@@ -7519,74 +7550,80 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !60 = distinct !{!60, !56}
 !61 = distinct !{!61, !56}
 !62 = !{!63}
-!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !65 = !{!66}
-!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !68 = !{!69}
-!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !71 = !{!72}
-!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !74 = !{!75}
-!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !77 = !{!78}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !80 = !{!81}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v172B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !83 = !{!84}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v153B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v153B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !89 = !{!90, !87}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !92 = !{!93, !87}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !95 = !{!96, !87}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !98 = !{!99, !87}
-!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !101 = !{!102, !87}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !104 = !{!105, !87}
-!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !107 = !{!108, !87}
-!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !110 = !{!111, !87}
-!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v162B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !113 = !{!114, !116}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !117 = !{!118}
-!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
 !120 = !{!121}
-!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
 !123 = !{i32 1}
 !124 = distinct !{!124, !52}
 !125 = distinct !{!125, !52}
 !126 = distinct !{!126, !52}
 !127 = distinct !{!127, !52}
 !128 = !{!129}
-!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!130 = distinct !{!130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v37B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
-!131 = !{!132}
-!132 = distinct !{!132, !133, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!133 = distinct !{!133, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v52B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!130 = distinct !{!130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!131 = !{!132, !134}
+!132 = distinct !{!132, !133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!133 = distinct !{!133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!134 = distinct !{!134, !135, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!135 = distinct !{!135, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!136 = !{!134}
+!137 = !{!138}
+!138 = distinct !{!138, !139, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!139 = distinct !{!139, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
