@@ -331,7 +331,9 @@ def spherical_harmonics(degree: int, order: int, inclination: float) -> tuple[fl
 
 
 @pytest.mark.parametrize("inclination", [0.4, 2.0])
-def test_modes_sum_to_the_polarisations_that_teobresums_itself_gives(inclination: float) -> None:
+def test_modes_sum_to_minus_the_polarisations_that_teobresums_gives_a_quarter_of_a_turn_away(
+    inclination: float,
+) -> None:
     generator = TEOBResumSPA()
     theta = np.array([1.7, 0.2, -0.1, 400.0, 600.0])
     mf = np.geomspace(2.0 * generator.first_mf, 0.03, 64)
@@ -340,7 +342,7 @@ def test_modes_sum_to_the_polarisations_that_teobresums_itself_gives(inclination
     for (degree, order), (amplitude, psi) in modes.items():
         up, down = spherical_harmonics(degree, order, inclination)
         parity = (-1) ** degree
-        strain = amplitude * np.exp(-1j * psi) / np.sqrt(5.0 / (4.0 * np.pi))
+        strain = -((-1j) ** order) * amplitude * np.exp(-1j * psi) / np.sqrt(5.0 / (4.0 * np.pi))
         plus += strain * (up + parity * down)
         cross += -1j * strain * (up - parity * down)
     request = generator._request(theta, mf, sorted(MODE_NUMBERS.values()))

@@ -144,7 +144,9 @@ class TEOBResumSPA:
         The amplitude of (2, 2) and its psi are those of a call; the others are in the same unit, their amplitudes have
         a sign (those of odd m change it where the stars are nearly equal), and psi is continuous. In terms of the
         spherical harmonics of the observer at azimuth zero, h_plus is the sum of (Y_lm + (-1)^l Y_l,-m) /
-        sqrt(5 / 4 pi) times amplitude exp(-i psi), which is the complex conjugate of TEOBResumS's own.
+        sqrt(5 / 4 pi) times amplitude exp(-i psi), with the polarisations of LALSimulation: plus is along the line of
+        nodes there, and across it in TEOBResumS. So each mode is minus the complex conjugate of TEOBResumS's own, and
+        its polarisations are minus the complex conjugate of these at azimuth pi / 2, mode m turned by -m pi / 2.
 
         Raises
         ------
@@ -172,7 +174,7 @@ class TEOBResumSPA:
         for mode, own in mf.items():
             amplitude, phase = (np.asarray(part, dtype=np.float64) for part in modes[str(MODE_NUMBERS[mode])])
             place = np.searchsorted(every, own)
-            turned = phase[place] - 2.0 * np.pi * own * merger_time + 0.5 * np.pi * mode[1]
+            turned = phase[place] - 2.0 * np.pi * own * merger_time + np.pi
             found[mode] = (_PLUS_OVER_MODE * amplitude[place], turned)
         return found
 
