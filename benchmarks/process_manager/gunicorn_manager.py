@@ -28,6 +28,7 @@ from bnserve_protocol import BnserveError
 from bnserve_service.app import create_app
 from bnserve_service.models.loading import loader_of
 from bnserve_service.models.registry import Registry
+from bnserve_service.process.accepting import Intake
 from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
 from bnserve_service.process.listening import address_of, listening, open_metrics_listener
 from bnserve_service.process.output import announce, complain
@@ -231,10 +232,8 @@ def _serve(manager: Manager, place: int, registry: Registry | None, notify: Call
     steward = _Steward(manager, place, app, notify, parent or os.getppid(), greets)
     loads = SharedLoads(shared.path)
 
-    def acceptor(
-        listener: socket.socket, protocol: Callable[[], asyncio.Protocol], connections: Callable[[], int]
-    ) -> FairAcceptor:
-        steward.acceptor = FairAcceptor(listener, protocol, connections, loads, place)
+    def acceptor(intake: Intake) -> FairAcceptor:
+        steward.acceptor = FairAcceptor(intake, loads, place)
         return steward.acceptor
 
     steward.server = BnserveServer(app, announce=lambda line: None, beside=steward.run, acceptor=acceptor)

@@ -17,6 +17,7 @@ from bnserve_client._async_model import AsyncModel
 from bnserve_client._likelihoods import AsyncLikelihood, Likelihood
 from bnserve_client._model import Model
 from bnserve_client._together import Together
+from bnserve_client._trust import TokenInClear
 from bnserve_protocol import (
     AmplitudePhase,
     Analysis,
@@ -58,8 +59,8 @@ __all__ = [
     "ConnectionFailed", "DeadlineExceeded", "DigestUnknown", "EvaluationOptions", "Factored", "InvalidFrequencies",
     "InvalidParameters", "InvalidRequest", "Likelihood", "LikelihoodBatch", "LikelihoodParameters", "Model",
     "ModelDescription", "ModelUnknown", "NotBnserve", "OutOfBand", "OutOfDomain", "ParameterBatch",
-    "ParametersWithExtrinsic", "Polarizations", "QuotaExceeded", "RowStatus", "RunManifest", "Together", "TooLarge",
-    "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer", "__version__", "convert",
+    "ParametersWithExtrinsic", "Polarizations", "QuotaExceeded", "RowStatus", "RunManifest", "Together", "TokenInClear",
+    "TooLarge", "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer", "__version__", "convert",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -11,6 +11,7 @@ from bnserve_client._likelihoods import AsyncLikelihood
 from bnserve_client._pinned import Pinned, connecting
 from bnserve_client._settings import Settings, Token, TokenLike, settings_from
 from bnserve_client._transport_factory import AsyncTransportLike, TransportFactory
+from bnserve_client._trust import VerifyLike
 from bnserve_client._waveforms import ConnectedModel
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
@@ -36,7 +37,7 @@ class AsyncModel(ConnectedModel):
 
     def __init__(self, settings: Settings, pinned: Pinned, factory: TransportFactory | None = None) -> None:
         super().__init__(settings, pinned, factory)
-        self._connections = AsyncConnections(factory)
+        self._connections = AsyncConnections(factory, settings.verify)
 
     @classmethod
     async def connect(
@@ -54,14 +55,15 @@ class AsyncModel(ConnectedModel):
         chunk_samples: int = 2**21,
         progress: bool = False,
         transport: AsyncTransportLike | None = None,
+        verify: VerifyLike = True,
     ) -> AsyncModel:
         """Find a model on a service; parameters and errors are those of :meth:`.Model.connect`."""
         settings = settings_from(
             address, progress, token=Token(token), timeout=timeout, silence=silence, retries=retries, parallel=parallel,
-            chunk_samples=chunk_samples, resolve=transport is None,
+            chunk_samples=chunk_samples, resolve=transport is None, verify=verify,
         )  # fmt: skip
         factory = None if transport is None else TransportFactory(transport)
-        connections = AsyncConnections(factory)
+        connections = AsyncConnections(factory, settings.verify)
         try:
             pinned = await connections.run(connecting(settings, name, version, digest))
         except BaseException:

@@ -10,6 +10,7 @@ import os
 import socket
 import weakref
 from collections.abc import Awaitable, Callable
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from bnserve_client._addresses import Address
@@ -126,8 +127,9 @@ async def _drive_async(
 class AsyncConnections:
     """Performs :class:`Send` on asynchronous transports, separate ones for each event loop and process."""
 
-    def __init__(self, factory: TransportFactory | None) -> None:
+    def __init__(self, factory: TransportFactory | None, verify: bool | Path = True) -> None:
         self._factory = factory
+        self._verify = verify
         self._process = os.getpid()
         self._of_loop: weakref.WeakKeyDictionary[Any, dict[Address, AsyncTransport]] = weakref.WeakKeyDictionary()
         self._left_behind: list[Any] = []
@@ -165,7 +167,7 @@ class AsyncConnections:
             return AsyncSocketTransport()
         from bnserve_client._httpx_transport import AsyncHttpxTransport
 
-        return AsyncHttpxTransport(address, self._factory)
+        return AsyncHttpxTransport(address, self._factory, self._verify)
 
 
 async def run_async(conversation: Conversation[_T], send: Callable[[Send], Awaitable[HttpResponse]]) -> _T:

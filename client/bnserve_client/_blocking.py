@@ -12,6 +12,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from bnserve_client._addresses import Address
@@ -208,8 +209,9 @@ class Connections:
     Takes no lock (a lock that is held at a fork stays held in the child): operations of ``dict`` are atomic.
     """
 
-    def __init__(self, factory: TransportFactory | None) -> None:
+    def __init__(self, factory: TransportFactory | None, verify: bool | Path = True) -> None:
         self._factory = factory
+        self._verify = verify
         self._of_process: dict[int, dict[Address, Transport]] = {}
         self._left_behind: list[Any] = []
 
@@ -245,7 +247,7 @@ class Connections:
             return SocketTransport()
         from bnserve_client._httpx_transport import HttpxTransport
 
-        return HttpxTransport(address, self._factory)
+        return HttpxTransport(address, self._factory, self._verify)
 
 
 def run(conversation: Conversation[_T], send: Callable[[Send], HttpResponse]) -> _T:

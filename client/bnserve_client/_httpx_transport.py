@@ -16,6 +16,7 @@ import time
 import weakref
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -23,6 +24,7 @@ import httpx
 from bnserve_client._addresses import Address
 from bnserve_client._messages import Broken, HttpResponse, Malformed, Send, Stale, TransportFailure, explain
 from bnserve_client._transport_factory import TransportFactory
+from bnserve_client._trust import httpx_verification
 
 _CONNECT_SECONDS = 5.0
 _FAILURES = (httpx.RequestError, httpx.InvalidURL, OSError, TransportFailure)
@@ -36,14 +38,21 @@ class _HttpxClient:
     """
 
     def __init__(
-        self, address: Address, factory: TransportFactory | None, client: Any, transport: type[Any], over_sockets: Any
+        self,
+        address: Address,
+        factory: TransportFactory | None,
+        verify: bool | Path,
+        client: Any,
+        transport: type[Any],
+        over_sockets: Any,
     ) -> None:
         self._owned = factory is None or factory.makes_new
         if factory is not None:
             self._client = factory.make(client, transport)
         else:
             path = address.socket_path
-            self._client = client() if path is None else client(transport=over_sockets(uds=path))
+            trusted = httpx_verification(verify)
+            self._client = client(verify=trusted) if path is None else client(transport=over_sockets(uds=path))
         self._sockets: weakref.WeakSet[Any] = weakref.WeakSet()
 
     def _remember(self, answer: httpx.Response) -> None:
@@ -64,8 +73,8 @@ class _HttpxClient:
 class HttpxTransport(_HttpxClient):
     """A synchronous httpx client for one address."""
 
-    def __init__(self, address: Address, factory: TransportFactory | None = None) -> None:
-        super().__init__(address, factory, httpx.Client, httpx.BaseTransport, httpx.HTTPTransport)
+    def __init__(self, address: Address, factory: TransportFactory | None = None, verify: bool | Path = True) -> None:
+        super().__init__(address, factory, verify, httpx.Client, httpx.BaseTransport, httpx.HTTPTransport)
 
     def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`."""
@@ -89,8 +98,9 @@ class HttpxTransport(_HttpxClient):
 class AsyncHttpxTransport(_HttpxClient):
     """An asynchronous httpx client for one address."""
 
-    def __init__(self, address: Address, factory: TransportFactory | None = None) -> None:
-        super().__init__(address, factory, httpx.AsyncClient, httpx.AsyncBaseTransport, httpx.AsyncHTTPTransport)
+    def __init__(self, address: Address, factory: TransportFactory | None = None, verify: bool | Path = True) -> None:
+        kinds = httpx.AsyncClient, httpx.AsyncBaseTransport, httpx.AsyncHTTPTransport
+        super().__init__(address, factory, verify, *kinds)
 
     async def send(self, send: Send) -> HttpResponse:
         """Perform one :class:`Send`."""

@@ -158,6 +158,11 @@ def explain(failure: Exception, send: Send) -> BnserveError:
             f"{where} gave no sign of life within {send.silence:g} s; check the server and the network, "
             "or allow more time with silence=... and timeout=..."
         )
+    if "CERTIFICATE_VERIFY_FAILED" in str(failure):
+        return ConnectionFailed(
+            f"The certificate of {where} is not trusted: {_reason(failure)}. Name the file of the authority that made "
+            "it with verify=..., or with SSL_CERT_FILE in the environment."
+        )
     return ConnectionFailed(
         f"No connection to bnserve at {where}: {_reason(failure)}. "
         "Check that the server is running (bnserve serve) and that the address and port are right."

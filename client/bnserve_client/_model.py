@@ -11,6 +11,7 @@ from bnserve_client._likelihoods import Likelihood
 from bnserve_client._pinned import Pinned, connecting
 from bnserve_client._settings import Settings, Token, TokenLike, settings_from
 from bnserve_client._transport_factory import TransportFactory, TransportLike
+from bnserve_client._trust import VerifyLike
 from bnserve_client._waveforms import ConnectedModel
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
@@ -39,7 +40,7 @@ class Model(ConnectedModel):
 
     def __init__(self, settings: Settings, pinned: Pinned, factory: TransportFactory | None = None) -> None:
         super().__init__(settings, pinned, factory)
-        self._connections = Connections(factory)
+        self._connections = Connections(factory, settings.verify)
 
     @classmethod
     def connect(
@@ -57,6 +58,7 @@ class Model(ConnectedModel):
         chunk_samples: int = 2**21,
         progress: bool = False,
         transport: TransportLike | None = None,
+        verify: VerifyLike = True,
     ) -> Model:
         """Find a model on a service.
 
@@ -73,9 +75,10 @@ class Model(ConnectedModel):
             A ``version`` that is not a label must be the one with this digest.
         token
             Sent as ``Authorization: Bearer``: the token, a ``pathlib.Path`` of a file that holds it, or a module-level
-            function that returns it. None for that of the environment variable ``BNSERVE_TOKEN``, where there is one.
-            A pickled model holds the path or the function, never the token, and takes it from there; a token that was
-            given itself is taken from ``BNSERVE_TOKEN`` in other processes.
+            function that returns it. None for that of the environment variable ``BNSERVE_TOKEN``, where there is one,
+            or of the file that ``BNSERVE_TOKEN_FILE`` names. A file or function is asked again when the service refuses
+            the token. A pickled model holds the path or the function, never the token, and takes it from there; a token
+            that was given itself is taken from the environment in other processes.
         timeout
             Seconds that one request may take with all its retries; more than 600 to outlive an outage of ten minutes.
         silence
@@ -92,6 +95,15 @@ class Model(ConnectedModel):
         transport
             An httpx client or transport, for authentication, proxies or TLS of your own, or for tests; or a function
             that makes one, which is needed where the model is pickled or used after a fork.
+        verify
+            Of ``https://``: True for the authorities that this machine trusts, or those in the file or folder that
+            ``SSL_CERT_FILE`` or ``SSL_CERT_DIR`` names; the path of a PEM file or a folder for those in there; False
+            for whoever answers, which protects nothing. With a ``transport``, that decides.
+
+        Warns
+        -----
+        TokenInClear
+            A token is sent to another machine over ``http://``.
 
         Raises
         ------
@@ -106,10 +118,10 @@ class Model(ConnectedModel):
         """
         settings = settings_from(
             address, progress, token=Token(token), timeout=timeout, silence=silence, retries=retries, parallel=parallel,
-            chunk_samples=chunk_samples, resolve=transport is None,
+            chunk_samples=chunk_samples, resolve=transport is None, verify=verify,
         )  # fmt: skip
         factory = None if transport is None else TransportFactory(transport)
-        connections = Connections(factory)
+        connections = Connections(factory, settings.verify)
         try:
             pinned = connections.run(connecting(settings, name, version, digest))
         except BaseException:

@@ -14,6 +14,7 @@ from bnserve_client._answers import problem_of, read_description, stranger
 from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, LookUp, Send, Sleep
 from bnserve_client._replicas import Replicas, Resolver, names_to_resolve
 from bnserve_client._settings import Settings
+from bnserve_client._trust import warn_of_token_in_clear
 from bnserve_protocol import (
     AnswerCorrupted,
     BnserveError,
@@ -199,6 +200,7 @@ class Session:
         names = names_to_resolve(settings.addresses) if settings.resolve else ()
         self._replicas = Replicas(settings.addresses, Resolver(settings.addresses, names) if names else None)
         self._token: tuple[tuple[str, str], ...] | None = None
+        self._warned = False
         self._headers = (("User-Agent", f"bnserve-client/{__version__}"),)
         self._post_headers = (
             *self._headers,
@@ -262,21 +264,22 @@ class Session:
         self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, retries: RetryPolicy
     ) -> Conversation[_T]:
         """Ask until there is an answer that can be used, or the retries end."""
-        named = (*self._token_headers(), *request.headers, ("X-Request-ID", os.urandom(16).hex()))
+        named = (*request.headers, ("X-Request-ID", os.urandom(16).hex()))
         several = self._replicas.only is None
         while True:
             if several:
                 yield from self._tend()
                 retries.follow()
             deadline = ("X-Request-Deadline-Ms", str(int(min(retries.seconds_left, 1e8) * 1e3)))
-            sent = HttpRequest(request.method, request.path, (*named, deadline), request.body)
+            sent = HttpRequest(request.method, request.path, (*self._token_headers(), *named, deadline), request.body)
             try:
                 with self._replicas.asking(retries.address) if several else _ALONE:
                     response = yield Send(retries.address, sent, self.settings.silence, retries.deadline, max_bytes)
                 answer = read(response, retries.address.text)
             except BnserveError as error:
                 if isinstance(error, Unauthorized):
-                    self._token = None  # there may be another by the next question
+                    self._token = None  # there may be another now
+                    self.settings.token.forget()
                 pause = retries.pause_after(error)
             else:
                 retries.succeeded()
@@ -287,6 +290,9 @@ class Session:
     def _token_headers(self) -> tuple[tuple[str, str], ...]:
         if self._token is None:
             self._token = self.settings.token.headers()
+            if self._token and not self._warned:
+                self._warned = True
+                warn_of_token_in_clear(self.settings.addresses)
         return self._token
 
     def _tend(self) -> Conversation[None]:

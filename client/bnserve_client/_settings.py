@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 from bnserve_client._addresses import Address, parse_addresses
+from bnserve_client._trust import verification
 from bnserve_protocol import InvalidRequest, NotNumbers, Unauthorized, as_real_number, require
 
-VARIABLE = "BNSERVE_TOKEN"
+VARIABLE, FILE_VARIABLE = "BNSERVE_TOKEN", "BNSERVE_TOKEN_FILE"
 
 TokenLike: TypeAlias = str | os.PathLike[str] | Callable[[], str] | None
 """A token, a file that holds one, a function that returns one; None for the environment's, where there is one."""
@@ -29,10 +30,11 @@ class _Hidden(str):
 
 
 class Token:
-    """A token and the place it is taken from: a file, a function or the environment variable ``BNSERVE_TOKEN``.
+    """A token and the place it is taken from: a file, a function, or the environment.
 
-    It is read when it is first needed, in every process anew. A pickle holds the place alone. A token that was given
-    itself has the environment as its place for other processes; copies in the same process keep it.
+    That is the variable ``BNSERVE_TOKEN``, or the file that ``BNSERVE_TOKEN_FILE`` names. It is read when it is first
+    needed, in every process anew, and again after :meth:`forget`. A pickle holds the place alone. A token that was
+    given itself has the environment as its place for other processes; copies in the same process keep it.
 
     Parameters
     ----------
@@ -45,13 +47,14 @@ class Token:
         What could be no token.
     """
 
-    __slots__ = ("_known", "_must_be", "_place")
+    __slots__ = ("_is_given", "_known", "_must_be", "_place")
 
     def __init__(self, given: TokenLike = None) -> None:
         self._place: Path | Callable[[], str] | None = None
         self._must_be = given is not None
         """Whether there is a token at all; without it, a missing one in the environment is none."""
         self._known: _Hidden | None = None
+        self._is_given = isinstance(given, str)
         if isinstance(given, str):
             self._known = _authorization(given, "token")
         elif isinstance(given, os.PathLike):
@@ -81,16 +84,19 @@ class Token:
             self._known = _authorization(found, self._where())
         return (("Authorization", self._known),)
 
+    def forget(self) -> None:
+        """The service refuses it: there may be another where it is taken from. One that was given itself stays."""
+        if not self._is_given:
+            self._known = None
+
     def _read(self) -> Any:
         if isinstance(self._place, Path):
-            try:
-                return self._place.read_text(encoding="utf-8").strip()
-            except (OSError, UnicodeDecodeError) as error:
-                reason = getattr(error, "strerror", None) or "it is no text"
-                raise Unauthorized(f"The token cannot be read from {self._where()}: {reason}.") from error
+            return self._read_file(self._place)
         if self._place is not None:
             return self._place()
         found = os.environ.get(VARIABLE)
+        if not found and (named := os.environ.get(FILE_VARIABLE)):
+            return self._read_file(Path(named))
         if not found and self._must_be:
             raise Unauthorized(
                 f"This model was connected with token='...', which does not travel to other processes. Set {VARIABLE} "
@@ -99,10 +105,20 @@ class Token:
             )
         return found or None
 
+    def _read_file(self, path: Path) -> str:
+        try:
+            return path.read_text(encoding="utf-8").strip()
+        except (OSError, UnicodeDecodeError) as error:
+            reason = getattr(error, "strerror", None) or "it is no text"
+            raise Unauthorized(f"The token cannot be read from {self._where()}: {reason}.") from error
+
     def _where(self) -> str:
         if isinstance(self._place, Path):
             return f"the file '{self._place}'"
-        return f"${VARIABLE}" if self._place is None else "the function given as 'token'"
+        if self._place is not None:
+            return "the function given as 'token'"
+        named = os.environ.get(FILE_VARIABLE)
+        return f"the file '{named}' (${FILE_VARIABLE})" if named and not os.environ.get(VARIABLE) else f"${VARIABLE}"
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _taken_from, (self._place, self._must_be)
@@ -149,8 +165,10 @@ class Settings:
     progress: bool = False
     resolve: bool = True
     """Whether names that stand for several hosts are looked up here: not where the user's transport does it."""
+    verify: bool | Path = True
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "verify", verification(self.verify))
         for name in ("timeout", "silence"):
             object.__setattr__(self, name, _seconds(name, getattr(self, name)))
         for name, least in (("parallel", 1), ("chunk_samples", 1), ("retries", 0)):

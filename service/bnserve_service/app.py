@@ -30,6 +30,7 @@ from bnserve_service.http.front import Front, places_of
 from bnserve_service.models.loading import loader_of
 from bnserve_service.models.maintenance import Health, Maintenance
 from bnserve_service.models.registry import ModelFactory, ModelSource, Registry, SharedModels
+from bnserve_service.process.renewals import Renewals
 from bnserve_service.reference.explorer import explorer_router
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_service.routes.models import model_router
@@ -59,8 +60,14 @@ class Parts:
     maintenance: Maintenance
     metrics: Metrics
     bodies: BodyReader
+    renewals: Renewals
     shared: Path | None = None
     """What all worker processes of one server share, as :func:`create_app` says."""
+
+    def look_again(self) -> None:
+        """Read now what is read from time to time: stores, tokens, certificates. For the event loop."""
+        self.maintenance.poke()
+        self.renewals.poke()
 
 
 class Application(FastAPI):
@@ -110,7 +117,7 @@ class Application(FastAPI):
         receiver = Receiver(parts.bodies, quotas)
         routers = [
             model_router(parts.registry, limits),
-            reload_router(parts.maintenance),
+            reload_router(parts.maintenance, parts.renewals),
             grid_router(parts.grids, receiver, parts.settings),
             analysis_router(parts.analyses, receiver, parts.settings, parts.lifecycle),
             health_router(parts.health),
@@ -148,6 +155,7 @@ def _front(
 async def _lifespan(app: Any) -> AsyncIterator[None]:
     parts: Parts = app.parts
     parts.queue.start()
+    parts.renewals.start()
     if app.follow:
         parts.maintenance.start()
     if app.wait_for_models:
@@ -156,6 +164,7 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
         yield
     finally:
         await parts.maintenance.stop()
+        await parts.renewals.stop()
         parts.queue.stop(timeout=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
         parts.bodies.close()
 
@@ -221,6 +230,7 @@ def create_app(
         maintenance=maintenance,
         metrics=metrics,
         bodies=bodies,
+        renewals=Renewals(settings.poll_seconds),
         shared=shared,
     )
     _watch(parts)

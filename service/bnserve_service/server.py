@@ -20,14 +20,15 @@ from bnserve_service.evaluation.endpoint import FastPath
 from bnserve_service.http.metrics_port import serving_metrics
 from bnserve_service.http.protocol import UvicornServer, bounded_protocol, connections_beside
 from bnserve_service.models.loading import RefreshReport
-from bnserve_service.process.listening import BACKLOG, Acceptor, address_of, listening, open_metrics_listener
+from bnserve_service.process.accepting import Acceptor, Intake
+from bnserve_service.process.certificate import Certificate
+from bnserve_service.process.listening import BACKLOG, address_of, listening, open_metrics_listener
 from bnserve_service.settings import Settings
 
 logger = logging.getLogger("bnserve.server")
 
 
-AcceptorFactory: TypeAlias = Callable[[socket.socket, Callable[[], asyncio.Protocol], Callable[[], int]], Acceptor]
-"""Makes one for a listening socket, from what makes a connection's protocol and what counts the connections."""
+AcceptorFactory: TypeAlias = Callable[[Intake], Acceptor]
 
 
 class BnserveServer:
@@ -42,7 +43,12 @@ class BnserveServer:
     beside
         What else runs on its event loop, from before it listens until it has drained.
     acceptor
-        Who takes the connections; by default, uvicorn.
+        Makes who takes the connections.
+
+    Raises
+    ------
+    SettingsInvalid
+        The certificate cannot be used.
     """
 
     def __init__(
@@ -50,7 +56,7 @@ class BnserveServer:
         app: Application,
         announce: Callable[[str], None],
         beside: Callable[[], Coroutine[Any, Any, None]] | None = None,
-        acceptor: AcceptorFactory | None = None,
+        acceptor: AcceptorFactory = Acceptor,
     ) -> None:
         self._acceptor = acceptor
         self._app = app
@@ -64,6 +70,9 @@ class BnserveServer:
         """Where the metrics are, when they have a port of their own."""
         self.ready = threading.Event()
         """Set when models are served."""
+        self._certificate = Certificate.of(self._settings)
+        if self._certificate is not None:
+            app.parts.renewals.add(self._certificate.renew)
         self._uvicorn = UvicornServer(_configuration(app.front, self._settings, app.fast_path))
 
     @property
@@ -102,11 +111,9 @@ class BnserveServer:
         if with_signals:
             for number in (signal.SIGTERM, signal.SIGINT):
                 loop.add_signal_handler(number, self.stop)
-            loop.add_signal_handler(signal.SIGHUP, self._app.parts.maintenance.poke)
-        if self._acceptor is not None:
-            connections = self._uvicorn.server_state.connections
-            self._uvicorn.acceptor = self._acceptor(listener, self._uvicorn.connection, lambda: len(connections))
-        self._announce(f"bnserve listens on {address_of(listener)}")
+            loop.add_signal_handler(signal.SIGHUP, self._app.parts.look_again)
+        self._uvicorn.acceptor = self._acceptor(self._intake(listener))
+        self._announce(f"bnserve listens on {address_of(listener, self._certificate is not None)}")
         if self.metrics_address is not None:
             self._announce(f"bnserve metrics on {self.metrics_address}")
         others = [loop.create_task(self._watch_loading())]
@@ -121,6 +128,16 @@ class BnserveServer:
         finally:
             for task in others:
                 task.cancel()
+
+    def _intake(self, listener: socket.socket) -> Intake:
+        connections, tls = self._uvicorn.server_state.connections, self._certificate
+        return Intake(
+            listener,
+            self._uvicorn.connection,
+            lambda: len(connections),
+            tls.context if tls is not None else None,
+            self._settings.header_timeout,
+        )
 
     async def _watch_loading(self) -> None:
         report = await self._app.parts.maintenance.first_look()
@@ -161,8 +178,7 @@ class BnserveServer:
         lifecycle.begin_grace()
         # In full, even when nobody is connected: a balancer that has not looked again yet still sends callers here.
         await asyncio.sleep(grace)
-        if self._uvicorn.acceptor is not None:
-            self._uvicorn.acceptor.stop()  # another worker, if there is one, takes who comes now, and does not refuse
+        self._uvicorn.acceptor.stop()  # another worker, if there is one, takes who comes now, and does not refuse
         lifecycle.refuse()
         self._uvicorn.should_exit = True
 
@@ -235,8 +251,9 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     with contextlib.ExitStack() as stack:
         app = create_app(settings, wait_for_models=False, **parts)
         app.parts.maintenance.source_is_there()  # before anybody connects to what will not serve
+        server = BnserveServer(app, announce)
         listener = stack.enter_context(listening(settings))
         metrics_listener = open_metrics_listener(settings)
         if metrics_listener is not None:
             stack.enter_context(metrics_listener)
-        BnserveServer(app, announce).run(listener, metrics_listener=metrics_listener)
+        server.run(listener, metrics_listener=metrics_listener)

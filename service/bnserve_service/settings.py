@@ -42,6 +42,11 @@ class Settings(BaseModel):
     """Names and addresses, without port, that this server is called by, beside localhost and its like: other `Host`
     headers are refused, because a web page may have made its own name point here. Empty: those of the loopback
     interface alone on a server that listens there or on a Unix socket, every host on other addresses. ``*``: every."""
+    tls_cert: Path | None = None
+    """PEM file of the server's certificate and those that lead to its authority: https instead of http. Read again when
+    it changes."""
+    tls_key: Path | None = None
+    """PEM file of the certificate's private key, without a password; None where the certificate's file has it."""
     stores: tuple[Path, ...] = ()
     """Model stores searched before the models shipped with bnserve."""
     models: tuple[str, ...] = ()
@@ -128,6 +133,14 @@ class Settings(BaseModel):
         if wrong:
             raise ValueError(f"'{wrong[0]}' is not a host; write a name or an address without scheme and port")
         return bare
+
+    @model_validator(mode="after")
+    def _tls_is_whole(self) -> Settings:
+        if self.tls_key is not None and self.tls_cert is None:
+            raise ValueError("tls_key is the key of a certificate; tls_cert names its file")
+        if self.tls_cert is not None and self.uds is not None:
+            raise ValueError("on a Unix socket nothing travels that TLS would hide; leave out tls_cert, or uds")
+        return self
 
     @model_validator(mode="after")
     def _tokens_differ(self) -> Settings:

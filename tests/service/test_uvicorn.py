@@ -34,13 +34,14 @@ METHODS = {
     "on_body": ["body"],
     "on_message_complete": [],
     "on_response_complete": [],
+    "shutdown": [],
     "timeout_keep_alive_handler": [],
     "send_400_response": ["msg"],
     "_unset_keepalive_if_required": [],
 }
 """Of its protocol, called or overridden: their parameters."""
 ATTRIBUTES = {
-    "client", "cycle", "expect_100_continue", "flow", "headers", "loop", "parser", "pipeline", "server_state",
+    "client", "cycle", "expect_100_continue", "flow", "headers", "loop", "parser", "pipeline", "scheme", "server_state",
     "timeout_keep_alive_task", "transport", "url",
 }  # fmt: skip
 """Of its protocol."""

@@ -26,6 +26,8 @@ def add_parser(subparsers: Any) -> None:
     add("--uds", type=Path, metavar="PATH", help="listen on a Unix socket instead")
     add("--allowed-host", action="append", metavar="HOST", help="a host that the server is called by, beside localhost "
         "(repeatable); * for every one")  # fmt: skip
+    add("--tls-cert", type=Path, metavar="FILE", help="speak TLS, with this certificate (PEM, the server's own first)")
+    add("--tls-key", type=Path, metavar="FILE", help="its private key, without a password (PEM)")
     add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
     add("--model", action="append", metavar="NAME[@VERSION]", help="serve only this model (repeatable)")
     add("--metrics-port", type=int, metavar="PORT", help="serve /metrics on a port of its own, without a token")
@@ -75,6 +77,8 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "port": options.port,
         "uds": options.uds,
         "allowed_hosts": options.allowed_host,
+        "tls_cert": options.tls_cert,
+        "tls_key": options.tls_key,
         "stores": options.store,
         "models": options.model,
         "metrics_port": options.metrics_port,

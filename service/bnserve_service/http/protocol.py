@@ -33,7 +33,7 @@ from bnserve_service.http.framing import (
 )
 from bnserve_service.http.pace import Pace
 from bnserve_service.http.requests import Header
-from bnserve_service.process.listening import Acceptor
+from bnserve_service.process.accepting import Acceptor
 from bnserve_service.settings import Settings
 from bnserve_service.telemetry.log import Complaints
 
@@ -103,6 +103,13 @@ class _TimedProtocol(HttpToolsProtocol):
         """The peer took what was waiting."""
         self._pace.go_on()
         super().resume_writing()
+
+    def shutdown(self) -> None:
+        """The server ends."""
+        if self._is_idle() and self.scheme == "https":
+            self.transport.abort()  # the peer's farewell would be waited for, and nobody says it who does not read
+        else:
+            super().shutdown()
 
     def _is_idle(self) -> bool:
         return self.cycle is None or self.cycle.response_complete
@@ -315,7 +322,10 @@ class BoundedProtocol(_FastProtocol):
             self.cycle.disconnected = True
             self.cycle.message_event.set()
         self.flow.resume_reading()
-        self.transport.write_eof()
+        if self.transport.can_write_eof():
+            self.transport.write_eof()
+        else:
+            self.transport.close()  # TLS reads on by itself, until the peer says farewell, too
         self._wait_for(_Due.END)
 
     def _ignore(self, size: int) -> None:
@@ -337,8 +347,8 @@ def bounded_protocol(settings: Settings, fast_path: FastPath | None = None) -> t
 class UvicornServer(uvicorn.Server):
     """uvicorn without its signal handling, which would end a drained process by the signal instead of with 0."""
 
-    acceptor: Acceptor | None = None
-    """Who takes the connections, when that is not uvicorn."""
+    acceptor: Acceptor
+    """Who takes the connections."""
 
     @contextlib.contextmanager
     def capture_signals(self) -> Generator[None, None, None]:
@@ -351,15 +361,14 @@ class UvicornServer(uvicorn.Server):
 
     async def startup(self, sockets: list[socket] | None = None) -> None:
         """Begin to listen."""
-        await super().startup(sockets if self.acceptor is None else [])
-        if self.acceptor is not None and not self.should_exit:
+        await super().startup([])
+        if not self.should_exit:
             self.acceptor.start()
 
     async def shutdown(self, sockets: list[socket] | None = None) -> None:
         """Wait for what is in flight."""
-        if self.acceptor is not None:
-            self.acceptor.stop()
-        await super().shutdown(sockets if self.acceptor is None else [])
+        self.acceptor.stop()
+        await super().shutdown([])
 
 
 def connections_beside(config: uvicorn.Config) -> Callable[[], BoundedProtocol]:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from ipaddress import ip_address
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from bnserve_protocol import BnserveError
 from bnserve_service.process.system import SocketFile
@@ -25,16 +25,6 @@ class CannotListen(BnserveError):
 
     code = "cannot-listen"
     title = "Cannot listen"
-
-
-class Acceptor(Protocol):
-    """Takes connections in place of uvicorn; ``FairAcceptor`` is one."""
-
-    def start(self) -> None:
-        """Take connections from now on."""
-
-    def stop(self) -> None:
-        """Take none any more, and close the socket; also when it never started."""
 
 
 def open_listener(settings: Settings) -> socket.socket:
@@ -179,10 +169,10 @@ def _refuse_living(path: Path) -> None:
     raise CannotListen(f"A server is already listening on the Unix socket '{path}'; stop it or choose another path.")
 
 
-def address_of(listener: socket.socket) -> str:
-    """What a client connects to: ``http://host:port`` or ``unix:/path``."""
+def address_of(listener: socket.socket, tls: bool = False) -> str:
+    """What a client connects to: ``http://host:port``, with TLS ``https://host:port``, or ``unix:/path``."""
     name = listener.getsockname()
     if listener.family == socket.AF_UNIX:
         return f"unix:{name}"
     host = f"[{name[0]}]" if ":" in name[0] else name[0]
-    return f"http://{host}:{name[1]}"
+    return f"{'https' if tls else 'http'}://{host}:{name[1]}"

@@ -9,6 +9,7 @@ from fastapi import APIRouter, Request, Response
 from bnserve_protocol import BnserveError
 from bnserve_service.http.answers import data_response, plain_response
 from bnserve_service.models.maintenance import Health, Maintenance
+from bnserve_service.process.renewals import Renewals
 from bnserve_service.reference.documents import ReloadDocument, reload_document
 from bnserve_service.reference.openapi import answers_with, answers_with_flag, answers_with_text
 from bnserve_service.telemetry.metrics import CONTENT_TYPE, Metrics
@@ -43,13 +44,17 @@ def _raise(reason: BnserveError | None) -> None:
         raise reason
 
 
-def reload_router(maintenance: Maintenance) -> APIRouter:
+def reload_router(maintenance: Maintenance, renewals: Renewals) -> APIRouter:
     """``POST /v1/reload``."""
     router = APIRouter(tags=["service"], default_response_class=Response)
 
     @router.post("/v1/reload", responses=answers_with(ReloadDocument))
     async def reload_models(request: Request) -> Response:
-        """Look at the model stores now, also at what was refused before. Where tokens are asked for: scope admin."""
+        """Look at the model stores now, also at what was refused before, and read tokens and certificate again.
+
+        Where tokens are asked for: scope admin.
+        """
+        await renewals.now()
         return data_response(request, reload_document(await maintenance.refresh(force=True)))
 
     return router

@@ -31,8 +31,8 @@ class Complaints:
         self._told = float("-inf")
         self._untold = 0
 
-    def tell(self, peer: tuple[str, int] | None, reason: str) -> None:
-        """Say who sent something that is no request, or count it.
+    def tell(self, peer: tuple[str, int] | None, reason: str, what: str = "HTTP request") -> None:
+        """Say who sent something that is no valid request, or no connection, or count it.
 
         Parameters
         ----------
@@ -47,5 +47,5 @@ class Complaints:
             return
         who = "a Unix socket" if peer is None else f"{log_word(peer[0])} port {peer[1]}"
         others = f" ({self._untold} more since the last line like this)" if self._untold else ""
-        logger.warning("no valid HTTP request from %s: %s%s", who, reason, others)
+        logger.warning("no valid %s from %s: %s%s", what, who, reason, others)
         self._told, self._untold = now, 0

@@ -232,11 +232,13 @@ def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> No
     CannotListen
         The port is in use, or similar.
     """
+    from bnserve_service.process.certificate import Certificate
     from bnserve_service.process.listening import address_of, listening, open_metrics_listener
 
+    tls = Certificate.of(settings) is not None  # what is wrong with it is said before anybody can connect
     with listening(settings) as listener:  # which ends only if this fails
         metrics = open_metrics_listener(settings)
-        announce(f"bnserve listens on {address_of(listener)}")
+        announce(f"bnserve listens on {address_of(listener, tls)}")
         if metrics is not None:
             announce(f"bnserve metrics on {address_of(metrics)}/metrics")
         file = os.memfd_create("bnserve-settings")  # nobody else can read it, and it needs no name

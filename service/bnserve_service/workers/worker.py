@@ -6,7 +6,6 @@ import asyncio
 import logging
 import signal
 import socket
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
@@ -15,6 +14,7 @@ from bnserve_protocol import BnserveError
 from bnserve_service.app import Application, create_app
 from bnserve_service.models.loading import Loader
 from bnserve_service.models.registry import Registry
+from bnserve_service.process.accepting import Intake
 from bnserve_service.process.system import available_cpus, name_process
 from bnserve_service.server import BnserveServer, models_missing
 from bnserve_service.settings import Settings
@@ -100,10 +100,8 @@ def work(channel: Channel, place: int, inheritance: Inheritance, folder: Path, r
     app = create_app(settings, wait_for_models=ready, shared=shared.path, worker=place, registry=registry, follow=ready)
     agent, loads = _Agent(channel, app), SharedLoads(shared.path)
 
-    def acceptor(
-        listener: socket.socket, protocol: Callable[[], asyncio.Protocol], connections: Callable[[], int]
-    ) -> FairAcceptor:
-        agent.acceptor = FairAcceptor(listener, protocol, connections, loads, place)
+    def acceptor(intake: Intake) -> FairAcceptor:
+        agent.acceptor = FairAcceptor(intake, loads, place)
         return agent.acceptor
 
     agent.server = BnserveServer(app, announce=lambda line: None, beside=agent.run, acceptor=acceptor)
@@ -136,7 +134,7 @@ class _Agent:
         loop = asyncio.get_running_loop()
         loop.add_signal_handler(signal.SIGTERM, self.server.drain)
         loop.add_signal_handler(signal.SIGINT, lambda: None)  # a terminal tells all of us; the supervisor decides
-        loop.add_signal_handler(signal.SIGHUP, self._parts.maintenance.poke)
+        loop.add_signal_handler(signal.SIGHUP, self._parts.look_again)
         loop.add_reader(self._channel.fileno(), self._listen)
         beats = 0
         while True:
@@ -178,7 +176,7 @@ class _Agent:
 
     def _obey(self, message: Message) -> None:
         if "refresh" in message:
-            self._parts.maintenance.poke()
+            self._parts.look_again()
         elif message.get("stop") == "now":
             self.server.stop_now()
         else:
