@@ -14,28 +14,28 @@ import inspect
 import json
 import re
 import sys
-import textwrap
 from collections.abc import Iterator
-from itertools import pairwise
 from pathlib import Path
-from typing import Any, get_args, get_origin
+from typing import Any
 
 from prometheus_client.registry import Collector
 
 import bnserve_protocol
-from bnserve_service import Settings, Token, create_app
+from bnserve_service import Settings, create_app
 from bnserve_service.app import Application
 from bnserve_service.cli import build_parser
 from bnserve_service.errors import status_of
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_service.workers import pool
 
+sys.path.insert(0, str(Path(__file__).parent))  # wherever this is run from
+
+from settings_pages import HEAD, sample, settings_page, table  # as above
+
 ROOT = Path(__file__).parents[1]
 REFERENCE = Path("docs/reference")
 ROOMS = ("protocol", "client", "model_store", "surrogate", "inference", "service")
 SAMPLE = Path("examples/bnserve.toml")
-HEAD = "<!-- Made from the code by `python docs/generate.py`. -->"
-WIDTH = 120
 
 
 def pages() -> dict[Path, str]:
@@ -49,126 +49,6 @@ def pages() -> dict[Path, str]:
         "http": http_page(app),
     }
     return {REFERENCE / f"{name}.md": text for name, text in made.items()} | {SAMPLE: sample()}
-
-
-def _cell(text: str) -> str:
-    return re.sub(r":\w+:`([^`]*)`", r"`\1`", " ".join(text.replace("``", "`").split())).replace("|", r"\|")
-
-
-def _table(heading: str, rows: list[tuple[str, ...]]) -> str:
-    rule = "|".join(["---"] * (heading.count("|") + 1))
-    return "\n".join([f"| {heading} |", f"|{rule}|", *(f"| {' | '.join(map(_cell, row))} |" for row in rows)]) + "\n"
-
-
-# Settings
-
-
-def reasons(model: type) -> dict[str, str]:
-    """What the docstring below each field of a class says."""
-    body = ast.parse(textwrap.dedent(inspect.getsource(model))).body[0].body
-    return {
-        field.target.id: _cell(text.value.value)
-        for field, text in pairwise(body)
-        if isinstance(field, ast.AnnAssign) and isinstance(text, ast.Expr) and isinstance(text.value, ast.Constant)
-    }
-
-
-def _kind(annotation: Any) -> str:
-    """A type in words."""
-    if get_origin(annotation) is tuple:
-        return f"list of {_kind(get_args(annotation)[0])}"
-    options = [option for option in get_args(annotation) if option is not type(None)]
-    if options and all(isinstance(option, str) for option in options):
-        return " or ".join(f"`{option}`" for option in options)
-    if options:
-        return _kind(options[0])
-    names = {str: "text", int: "whole number", float: "number", bool: "true or false", Path: "path", Token: "table"}
-    return names[annotation]
-
-
-def _bounds(field: Any) -> str:
-    """The kind of a field and its limits."""
-    limits = {
-        name: _number(getattr(item, name))
-        for item in field.metadata
-        for name in ("ge", "gt", "le")
-        if getattr(item, name, None) is not None
-    }
-    kind = _kind(field.annotation)
-    if "ge" in limits and "le" in limits:
-        return f"{kind}, {limits['ge']} to {limits['le']}"
-    words = {"ge": "from {} on", "gt": "above {}", "le": "at most {}"}
-    return ", ".join([kind, *(words[name].format(limit) for name, limit in limits.items())])
-
-
-def _number(value: float) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
-
-
-def _default(value: Any) -> str:
-    return "not set" if value is None else f"`{_toml(list(value) if isinstance(value, tuple) else value)}`"
-
-
-def _toml(value: Any) -> str:
-    """A value as TOML has it; large numbers in groups."""
-    return f"{value:_}" if type(value) is int and value >= 2**16 else json.dumps(value)
-
-
-def _settings_table(model: type) -> str:
-    why = reasons(model)
-    rows = [
-        (f"`{name}`", _bounds(field), "must be given" if field.is_required() else _default(field.default), why[name])
-        for name, field in model.model_fields.items()
-    ]
-    return _table("Setting | Value | Default | What it is, and why that much", rows)
-
-
-def settings_page() -> str:
-    """Every setting."""
-    return f"""# Settings
-
-{HEAD}
-
-Of `bnserve serve --config FILE`, in TOML; options of the [command line](commands.md#bnserve-serve) count more. A name
-that is unknown is an error that suggests the nearest. Times are in seconds, sizes in bytes; what is not set is None.
-[`bnserve.toml`](../../examples/bnserve.toml) has all of them with their defaults.
-
-{_settings_table(Settings)}
-## Tokens
-
-Each is a table `[[tokens]]`, as `bnserve tokens new` prints it ([guide](../guides/tokens.md)).
-
-{_settings_table(Token)}"""
-
-
-EXAMPLES = {"uds": "/run/bnserve/http.sock", "metrics_port": 9090, "threads": 4, "max_incoming_bytes": 268_435_456}
-"""Of settings that are not set."""
-TOKEN_EXAMPLES = {"name": "alice", "rows_per_second": 20000.0, "burst_rows": 100000.0, "max_concurrent": 8,
-                  "max_stored_bytes": 268_435_456, "sha256": "0" * 63 + "1"}  # fmt: skip
-
-
-def sample() -> str:
-    """A file of settings that says what holds without it."""
-    lines = [
-        "# Every setting of bnserve, with its default: `bnserve serve --config bnserve.toml`.",
-        "# Times are in seconds, sizes in bytes. What is commented out is not set. Made by docs/generate.py.",
-    ]
-    for name, text in reasons(Settings).items():
-        if name == "tokens":
-            continue
-        default = Settings.model_fields[name].default
-        default = list(default) if isinstance(default, tuple) else default
-        line = f"{name} = {_toml(default)}" if default is not None else f"# {name} = {_toml(EXAMPLES[name])}"
-        lines += ["", *_comment(text), line]
-    lines += ["", *_comment(f"Who may ask. {reasons(Settings)['tokens']}"), "# [[tokens]]"]
-    for name, text in reasons(Token).items():
-        value = TOKEN_EXAMPLES.get(name, Token.model_fields[name].default)
-        lines += [*_comment(text, "#     "), f"# {name} = {_toml(list(value) if isinstance(value, tuple) else value)}"]
-    return "\n".join(lines) + "\n"
-
-
-def _comment(text: str, indent: str = "# ") -> list[str]:
-    return textwrap.wrap(text.replace("`", ""), WIDTH, initial_indent=indent, subsequent_indent=indent)
 
 
 # Metrics
@@ -205,7 +85,7 @@ Of `/metrics`. A histogram has `_bucket`, `_sum`, `_count` and `_created`; a cou
 several workers become one, and what is worth an alert, is in [Operate it](../guides/operations.md#metrics).
 `bnserve_workers_serving` and `bnserve_worker_restarts_total` are there with several workers.
 
-{_table("Metric | Kind | Labels | What it says", rows)}"""
+{table("Metric | Kind | Labels | What it says", rows)}"""
 
 
 # Commands
@@ -244,7 +124,7 @@ def commands_page() -> str:
         parts.append(f"## {name}\n\n{text[:1].upper()}{text[1:]}\n")
         if shown:
             rows = [(_option(action), (action.help or "") % (vars(action) | {"prog": name})) for action in shown]
-            parts.append(_table("Option | What it does", rows))
+            parts.append(table("Option | What it does", rows))
     return "\n".join(parts).rstrip() + "\n"
 
 
@@ -292,7 +172,7 @@ All derive from `BnserveError`. Those with a status a server answers with ([how]
 `bnserve_protocol`, and local and remote models raise the same ones. Those without are raised where you are: by the
 client, by model stores, by `bnserve_inference.roq`, by training and by the commands.
 
-{_table("Code | Status | Class | Is also a | Ask again? | Meaning", rows)}"""
+{table("Code | Status | Class | Is also a | Ask again? | Meaning", rows)}"""
 
 
 def _yes(value: bool) -> str:
@@ -318,7 +198,7 @@ def http_page(app: Application) -> str:
                 (status, answer["description"], _content(answer))
                 for status, answer in sorted(operation["responses"].items(), key=lambda item: str(item[0]))
             ]
-            parts.append(_table("Status | Meaning | Body", rows))
+            parts.append(table("Status | Meaning | Body", rows))
     parts.append("# What travels\n")
     for name, schema in sorted(document["components"]["schemas"].items()):
         parts.append(f"## {name}\n\n{_prose(schema.get('description', ''))}\n")
@@ -326,7 +206,7 @@ def http_page(app: Application) -> str:
             (f"`{field}`", _form(form), _yes(field in schema.get("required", ())), form.get("description", ""))
             for field, form in schema.get("properties", {}).items()
         ]
-        parts.append(_table("Field | Form | Must be there | What it is", rows) if rows else f"{_form(schema)}\n")
+        parts.append(table("Field | Form | Must be there | What it is", rows) if rows else f"{_form(schema)}\n")
     return "\n".join(parts).rstrip().replace("\n\n\n", "\n\n") + "\n"
 
 
@@ -342,7 +222,7 @@ def _asked(operation: dict[str, Any]) -> list[str]:
         for item in operation.get("parameters", ())
     ]
     if rows:
-        parts.append(_table("Parameter | Where | Form | What it is", rows))
+        parts.append(table("Parameter | Where | Form | What it is", rows))
     body = operation.get("requestBody")
     if body:
         parts.append(f"The body is {_content(body)}. {body.get('description', '')}".strip() + "\n")

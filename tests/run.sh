@@ -24,13 +24,15 @@ find_python() {
 }
 
 # TEOBResumS comes as C source: a compiler, GSL and the headers of Python; the configuration in deploy/haproxy is run by
-# HAProxy, which Debian keeps in /usr/sbin; the clients in examples/clients are built and run, and
-# shells complete commands. Names of the Debian packages that are missing.
+# HAProxy, which Debian keeps in /usr/sbin; the clients in examples/clients are built and run, curl and openssl ask
+# servers with TLS, and shells complete commands. Names of the Debian packages that are missing.
 missing_packages() {
     command -v gcc >/dev/null || echo gcc libc6-dev
     command -v pkg-config >/dev/null || echo pkg-config
     [ -e /usr/include/gsl/gsl_version.h ] || pkg-config --exists gsl 2>/dev/null || echo libgsl-dev
     PATH="$PATH:/usr/sbin:/usr/local/sbin" command -v haproxy >/dev/null || echo haproxy
+    command -v curl >/dev/null || echo curl
+    command -v openssl >/dev/null || echo openssl
     command -v zsh >/dev/null || echo zsh
     command -v fish >/dev/null || echo fish
     command -v node >/dev/null || echo nodejs

@@ -61,7 +61,7 @@ class BackgroundServer:
         with contextlib.ExitStack() as stack:
             self._listener = stack.enter_context(listening(self.settings))
             self._metrics_listener = open_metrics_listener(self.settings)
-            self.address = address_of(self._listener, self.settings.tls_cert is not None)
+            self.address = address_of(self._listener, self.settings.speaks_tls)
             self._sockets = stack.pop_all()
         self._thread.start()
         self._server.ready.wait()

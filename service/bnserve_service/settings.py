@@ -44,7 +44,7 @@ class Settings(BaseModel):
     interface alone on a server that listens there or on a Unix socket, every host on other addresses. ``*``: every."""
     tls_cert: Path | None = None
     """PEM file of the server's certificate and those that lead to its authority: https instead of http. Read again when
-    it changes."""
+    it changes. On a Unix socket it does not count: there, nothing travels that TLS would hide."""
     tls_key: Path | None = None
     """PEM file of the certificate's private key, without a password; None where the certificate's file has it."""
     stores: tuple[Path, ...] = ()
@@ -138,8 +138,6 @@ class Settings(BaseModel):
     def _tls_is_whole(self) -> Settings:
         if self.tls_key is not None and self.tls_cert is None:
             raise ValueError("tls_key is the key of a certificate; tls_cert names its file")
-        if self.tls_cert is not None and self.uds is not None:
-            raise ValueError("on a Unix socket nothing travels that TLS would hide; leave out tls_cert, or uds")
         return self
 
     @model_validator(mode="after")
@@ -172,6 +170,11 @@ class Settings(BaseModel):
         if self.queue_samples < largest:
             raise ValueError(f"queue_samples must be at least {largest}, or the largest allowed request never fits")
         return self
+
+    @property
+    def speaks_tls(self) -> bool:
+        """Whether connections are encrypted."""
+        return self.tls_cert is not None and self.uds is None
 
     @property
     def incoming_bytes(self) -> int:

@@ -40,16 +40,18 @@ class Proxy:
 def proxy_environment(servers: list[str], port: int, admin: int) -> dict[str, str]:
     """What the configuration reads: three servers, of which some may be nobody; only root can change the user."""
     padded = [*servers, NOBODY, NOBODY, NOBODY][:3]
-    addresses = {f"BNSERVE_{number}": server.removeprefix("http://") for number, server in enumerate(padded, start=1)}
+    addresses = {f"BNSERVE_{number}": server.partition("://")[2] for number, server in enumerate(padded, start=1)}
     places = {"BNSERVE_BIND": f"127.0.0.1:{port}", "BNSERVE_ADMIN": f"127.0.0.1:{admin}"}
     return os.environ | addresses | places | ({} if os.getuid() == 0 else {"HAPROXY_UNPRIVILEGED": "1"})
 
 
 @contextmanager
-def proxy_before(folder: Path, servers: list[str], states: list[str]) -> Iterator[Proxy]:
+def proxy_before(
+    folder: Path, servers: list[str], states: list[str], environment: dict[str, str] | None = None
+) -> Iterator[Proxy]:
     """The proxy in front of up to three addresses, as soon as it has seen them in these states."""
-    port, admin = free_port(), free_port()
-    proxy = Proxy(f"http://127.0.0.1:{port}", f"http://127.0.0.1:{admin}")
+    port, admin, more = free_port(), free_port(), environment or {}
+    proxy = Proxy(f"{'https' if 'BNSERVE_PEM' in more else 'http'}://127.0.0.1:{port}", f"http://127.0.0.1:{admin}")
 
     def ready() -> bool:
         try:
@@ -58,6 +60,5 @@ def proxy_before(folder: Path, servers: list[str], states: list[str]) -> Iterato
             return False
 
     command = [haproxy(), "-db", "-f", str(CONFIGURATION)]
-    environment = proxy_environment(servers, port, admin)
-    with running(command, folder / "haproxy.log", ready, env=environment):
+    with running(command, folder / "haproxy.log", ready, env=proxy_environment(servers, port, admin) | more):
         yield proxy

@@ -13,10 +13,11 @@ import numpy as np
 import pytest
 
 from bnserve_client import Model, ParametersWithExtrinsic
-from bnserve_service import Settings, create_app
+from bnserve_service import BackgroundServer, Settings, create_app
 from bnserve_service.evaluation.waveforms import Waveforms
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_surrogate import Model as LocalModel
+from tests.certificates import certificates
 from tests.deploy.fake_servers import FakeServer, break_off, reply
 from tests.deploy.proxies import CONFIGURATION, haproxy, proxy_before, proxy_environment
 from tests.integration.conftest import serving
@@ -214,3 +215,29 @@ def test_what_operators_use_and_what_only_looks_like_a_path_does_not_pass(before
 def test_metrics_of_a_server_chosen_by_chance_are_not_offered(proxy):
     assert ask(proxy.address, "GET", "/metrics").status == 404
     assert "haproxy_server_status" in ask(proxy.admin, "GET", "/metrics").body.decode()
+
+
+def test_callers_speak_tls_with_it_and_it_with_the_servers(tmp_path):
+    made = certificates(tmp_path, "localhost", "127.0.0.1")
+    both = tmp_path / "both.pem"
+    both.write_bytes(made.chain.read_bytes() + made.key.read_bytes())
+    with (
+        BackgroundServer(Settings(port=0, allowed_hosts=("*",), **made.settings)) as server,
+        proxy_before(
+            tmp_path, [server.address], ["UP"], {"BNSERVE_PEM": str(both), "BNSERVE_CA": str(made.trusted)}
+        ) as proxy,
+        Model.connect(proxy.address, verify=made.trusted) as model,
+    ):
+        assert proxy.address.startswith("https://")
+        waveform, local = model.predict(FREQUENCIES, ONE), LocalModel.default().predict(FREQUENCIES, ONE)
+        assert np.array_equal(waveform.plus, local.plus)
+
+
+def test_a_server_that_nobody_vouches_for_is_not_asked(tmp_path):
+    made, others = certificates(tmp_path), tmp_path / "others"
+    others.mkdir()
+    with (
+        BackgroundServer(Settings(port=0, allowed_hosts=("*",), **made.settings)) as server,
+        proxy_before(tmp_path, [server.address], ["DOWN"], {"BNSERVE_CA": str(certificates(others).trusted)}) as proxy,
+    ):
+        assert ask(proxy.address, "GET", "/v1/models").status in (502, 503)

@@ -22,6 +22,7 @@ from bnserve_service import BackgroundServer, Settings, Token
 from bnserve_service.cli import main
 from bnserve_service.doctor.installation import EXTRAS
 from tests.architecture.rooms import ROOT, room_environment
+from tests.certificates import certificates
 
 TOKEN = "a-long-enough-token"
 PUBLIC = {"train", "lal", "roq", "bilby", "progress", "buckets", "ray"}
@@ -339,3 +340,51 @@ def test_something_else_that_speaks_http(doctor):
 def test_a_token_may_come_from_the_environment(doctor, good_server, monkeypatch):
     monkeypatch.setitem(os.environ, "BNSERVE_TOKEN", TOKEN)
     assert doctor("--url", good_server)["fault"] == {}
+
+
+@pytest.fixture
+def encrypted_server(tmp_path):
+    made = certificates(tmp_path)
+    with BackgroundServer(Settings(port=0, tokens=(Token.of(TOKEN),), **made.settings)) as server:
+        yield server.address, made
+
+
+def test_a_server_with_tls(doctor, encrypted_server, monkeypatch):
+    address, made = encrypted_server
+    found = doctor("--url", address, "--token", TOKEN)
+    assert "not trusted here" in found["fault"]["certificate"]
+    assert "SSL_CERT_FILE" in found["fault"]["certificate"]
+    monkeypatch.setenv("SSL_CERT_FILE", str(made.trusted))
+    (made.folder / "token").write_text(f"{TOKEN}\n")
+    monkeypatch.setenv("BNSERVE_TOKEN_FILE", str(made.folder / "token"))
+    found = doctor("--url", address)
+    assert found["fault"] == {}
+    assert "TLSv1.3, trusted, for " in found["ok"]["certificate"]
+    assert "server" in found["ok"]
+
+
+def test_a_server_without_tls_that_is_asked_for_it(doctor, good_server):
+    found = doctor("--url", good_server.replace("http://", "https://"), "--token", TOKEN)
+    assert "speaks no TLS" in found["fault"]["certificate"]
+
+
+def test_a_certificate_that_soon_ends(doctor, encrypted_server, monkeypatch):
+    address, made = encrypted_server
+    monkeypatch.setenv("SSL_CERT_FILE", str(made.trusted))
+    monkeypatch.setattr("bnserve_service.doctor.encryption.SOON_SECONDS", 1e12)
+    assert "see that it is renewed" in doctor("--url", address, "--token", TOKEN)["warning"]["certificate"]
+
+
+def test_a_token_in_clear(doctor):
+    found = doctor("--url", "http://203.0.113.1:9", "--token", TOKEN)  # documentation's: nobody is there
+    assert "in clear" in found["warning"]["encryption"]
+
+
+def test_a_certificate_of_the_settings_with_the_key_of_another(doctor, tmp_path):
+    made = certificates(tmp_path)
+    (tmp_path / "bnserve.toml").write_text(f'tls_cert = "{made.chain}"\ntls_key = "{made.key}"\n')
+    assert "belong together" in doctor("--config", tmp_path / "bnserve.toml")["ok"]["certificate"]
+    old = made.key.read_bytes()
+    made.renew()
+    made.key.write_bytes(old)
+    assert "cannot be used" in doctor("--config", tmp_path / "bnserve.toml")["fault"]["certificate"]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 import platform
 import sys
 from pathlib import Path
@@ -21,7 +20,9 @@ def add_parser(subparsers: Any) -> None:
         "the number of clients; and, without --url, threads, a fresh process, and the memory of a server.",
     )
     parser.add_argument("--url", metavar="URL", help="of a server: http://host:8000, host:8000 or unix:/path/to/socket")
-    parser.add_argument("--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN)")
+    parser.add_argument(
+        "--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN or $BNSERVE_TOKEN_FILE)"
+    )
     parser.add_argument("--model", default="default", metavar="NAME[@VERSION]", help="which model (default)")
     parser.add_argument("--store", type=Path, metavar="DIR", help="without --url: searched before the shipped models")
     parser.add_argument("--points", type=int, default=1000, metavar="N", help="of the waveform broken down (1000)")
@@ -69,13 +70,13 @@ def _part(name: str) -> Any:
 
 
 def _measure(options: argparse.Namespace) -> dict[str, Any]:
-    from bnserve_service.cli.places import name_and_version
+    from bnserve_service.cli.places import name_and_version, token_of_environment
 
     sizes = _part("sizes").Sizes.of(options.short, options.points, options.epochs)
     name, version = name_and_version(options.model)
     progress = _progress if sys.stderr.isatty() else _silent
     if options.url:
-        token = options.token or os.environ.get("BNSERVE_TOKEN")
+        token = options.token or token_of_environment()
         found = _part("over_http").measure_remote(options.url, name, version, token, sizes, progress)
     else:
         found = _part("local").measure_local(name, version, options.store, sizes, progress)

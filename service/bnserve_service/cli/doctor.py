@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import os
 from collections.abc import Callable, Iterator
 from dataclasses import asdict
 from pathlib import Path
@@ -26,7 +25,7 @@ def add_parser(subparsers: Any) -> None:
     )
     add = parser.add_argument
     add("--url", metavar="URL", help="also ask this server: http://host:8000, host:8000 or unix:/path/to/socket")
-    add("--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN)")
+    add("--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN or $BNSERVE_TOKEN_FILE)")
     add("--config", type=Path, metavar="FILE", help="settings of the server that is to run here")
     add("--host", help="address that it is to listen on (127.0.0.1)")
     add("--port", type=int, help="port that it is to listen on (8000)")
@@ -80,18 +79,18 @@ def _findings(options: argparse.Namespace) -> Iterator[Finding]:
 
 
 def _of_server(options: argparse.Namespace, settings: Settings) -> Iterator[Finding]:
-    from bnserve_service.cli.places import server_address
-    from bnserve_service.doctor import machine, server, stores
+    from bnserve_service.cli.places import server_address, token_of_environment
+    from bnserve_service.doctor import encryption, machine, server, stores
     from bnserve_service.doctor.findings import looking
     from bnserve_store import ModelStore
 
     yield from looking("stores", lambda: stores.stores(settings))
     for what, check in (
         ("shared folder", machine.shared_folder), ("memory", machine.memory), ("processors", machine.processors),
-        ("port", server.port),
+        ("certificate", encryption.certificate_files), ("port", server.port),
     ):  # fmt: skip
         yield from looking(what, lambda check=check: check(settings))  # type: ignore[misc]  # a default has no type
     if options.url:
-        url, token = server_address(options.url), options.token or os.environ.get("BNSERVE_TOKEN")
+        url, token = server_address(options.url), options.token or token_of_environment()
         store = ModelStore.default(settings.stores)
         yield from looking("server", lambda: server.round_trip(url, token, store))

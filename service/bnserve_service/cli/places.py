@@ -97,5 +97,27 @@ def _save_hdf5(path: Path, arrays: dict[str, Any], summary: dict[str, Any]) -> N
         file.attrs["summary"] = json.dumps(summary)
 
 
+def token_of_environment() -> str | None:
+    """That of ``BNSERVE_TOKEN``, or in the file that ``BNSERVE_TOKEN_FILE`` names; as the client takes it.
+
+    Raises
+    ------
+    InvalidRequest
+        The file cannot be read.
+    """
+    from bnserve_protocol import InvalidRequest
+
+    token, name = os.environ.get("BNSERVE_TOKEN"), os.environ.get("BNSERVE_TOKEN_FILE")
+    if token or not name:
+        return token or None
+    try:
+        return Path(name).read_text(encoding="utf-8").strip()
+    except (OSError, UnicodeDecodeError) as error:
+        reason = getattr(error, "strerror", None) or "it is no text"
+        raise InvalidRequest(
+            f"The token cannot be read from the file '{name}' ($BNSERVE_TOKEN_FILE): {reason}."
+        ) from error
+
+
 WRITERS = {".npz": _save_npz, ".csv": _save_csv, ".h5": _save_hdf5, ".hdf5": _save_hdf5}
 """By ending of a file's name; each has frequencies in Hz and strain in 1/Hz, and all but CSV the summary as JSON."""

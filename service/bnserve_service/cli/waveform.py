@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -69,7 +68,7 @@ def add_parser(subparsers: Any) -> None:
     add("--model", default="default", metavar="NAME[@VERSION]", help="which model (default)")
     add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
     add("--url", metavar="URL", help="of a server: http://host:8000, host:8000 or unix:/path/to/socket")
-    add("--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN)")
+    add("--token", metavar="TOKEN", help="where the server wants one ($BNSERVE_TOKEN or $BNSERVE_TOKEN_FILE)")
     add("--f-min", type=float, default=20.0, metavar="HZ", help="lowest frequency of the numbers (20)")
     add("--f-max", type=float, metavar="HZ", help="highest (2048, or where the model ends)")
     add("--delta-f", type=float, default=0.25, metavar="HZ", help="between two (0.25)")
@@ -163,13 +162,13 @@ def _parameters(options: argparse.Namespace) -> Any:
 
 def _model(options: argparse.Namespace) -> WaveformModel:
     from bnserve_protocol import require
-    from bnserve_service.cli.places import name_and_version, server_address
+    from bnserve_service.cli.places import name_and_version, server_address, token_of_environment
 
     name, version = name_and_version(options.model)
     found: WaveformModel
     if options.url:
         client = require("bnserve_client", "A waveform of a server")
-        token = options.token or os.environ.get("BNSERVE_TOKEN")
+        token = options.token or token_of_environment()
         found = client.Model.connect(server_address(options.url), name, version=version, token=token, retries=2)
         return found
     from bnserve_store import ModelStore

@@ -15,6 +15,7 @@ from bnserve_protocol import InvalidRequest, ParametersWithExtrinsic, __version_
 from bnserve_protocol.wire import content_digest
 from bnserve_service.bench.load import Target
 from bnserve_service.doctor.asking import Answer, NoAnswer, ask
+from bnserve_service.doctor.encryption import on_the_way
 from bnserve_service.doctor.findings import Findings, fault, looking, ok, warning
 from bnserve_service.process.listening import CannotListen, listen_tcp
 from bnserve_service.settings import Settings
@@ -45,7 +46,8 @@ def port(settings: Settings) -> Findings:
         listen_tcp(settings.host, settings.port).close()
     except CannotListen as error:
         host = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(settings.host, settings.host)
-        there = f"http://[{host}]:{settings.port}" if ":" in host else f"http://{host}:{settings.port}"
+        scheme = "https" if settings.speaks_tls else "http"
+        there = f"{scheme}://[{host}]:{settings.port}" if ":" in host else f"{scheme}://{host}:{settings.port}"
         if _is_bnserve(there):
             yield warning("port", f"a bnserve answers at {there}", f"look at it with `bnserve doctor --url {there}`, "
                           "or start another with --port 0")  # fmt: skip
@@ -83,6 +85,7 @@ def round_trip(url: str, token: str | None, store: ModelStore) -> Findings:
         What its models are compared with.
     """
     target = _target(url, token)
+    yield from on_the_way(url, target)
     try:
         before = time.time()
         ready = ask(target, "/v2/health/ready")

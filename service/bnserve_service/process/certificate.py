@@ -41,7 +41,7 @@ class Certificate:
     @classmethod
     def of(cls, settings: Settings) -> Self | None:
         """That of the settings, if there is one; raises as the class."""
-        return None if settings.tls_cert is None else cls(settings.tls_cert, settings.tls_key)
+        return cls(settings.tls_cert, settings.tls_key) if settings.tls_cert and settings.speaks_tls else None
 
     def renew(self) -> bool:
         """Take the files as they are now; whether they are others. What is wrong is logged, and the old one stays."""
