@@ -101,6 +101,7 @@ from bnserve_protocol._options import (
     check_dtype,
     check_options,
     chosen_modes,
+    plain_options,
     the_mode,
 )
 from bnserve_protocol._packages import PackageMissing, require
@@ -135,8 +136,8 @@ __all__ = [
     "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies", "as_numbers",
     "as_real_number", "as_real_numbers", "check_dtype", "check_invalid_rows", "check_location", "check_model_digest",
     "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert", "decode_analysis",
-    "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid", "printable",
-    "refuse_rows", "require", "the_mode", "time_steps", "time_until_merger",
+    "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid", "plain_options",
+    "printable", "refuse_rows", "require", "the_mode", "time_steps", "time_until_merger",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -43,7 +43,7 @@ class MergerStencil:
     frequency: float
     from_below: bool = False
 
-    options = EvaluationOptions(alignment="merger", above_band="error")
+    options = EvaluationOptions(alignment="merger", above_band="error", modes=((2, 2),))
 
     @classmethod
     def within(

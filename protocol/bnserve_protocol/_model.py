@@ -153,7 +153,8 @@ class Limits(msgspec.Struct, frozen=True, kw_only=True):
     max_rows: int = 4096
     max_frequencies: int = 2**20
     max_samples: int = 2**24
-    """Rows times frequencies of one request (2**24 complex128 samples are 256 MiB)."""
+    """Rows times frequencies of one request, and times modes where each is returned (2**24 complex128 samples are 256
+    MiB)."""
     max_grids: int = 256
     """Uploaded grids that are kept; the least recently used one is dropped first."""
     max_analysis_bytes: int = 64 * 2**20

@@ -143,27 +143,36 @@ def chosen_modes(options: EvaluationOptions, known: Sequence[Mode]) -> tuple[Mod
     return options.modes
 
 
-def the_mode(options: EvaluationOptions, known: Sequence[Mode], what: str) -> Mode:
-    """The one mode that the options ask for, of those that are ``known``, for what has no meaning for several.
+def plain_options(options: EvaluationOptions, known: Sequence[Mode]) -> EvaluationOptions:
+    """Options that ask for the same, naming no modes where these are all that are ``known`` in their order.
 
-    Parameters
-    ----------
-    options, known
-        As for :func:`chosen_modes`.
-    what
-        Has no meaning for several: the beginning of a sentence, such as ``"An amplitude and a phase"``.
+    So they are equal to those that name none, and are understood by who knows nothing of modes.
 
     Raises
     ------
     InvalidRequest
-        Several; or one that is not among the known.
+        As :func:`chosen_modes`.
+    """
+    if options.modes is None or chosen_modes(options, known) != tuple(known):
+        return options
+    return msgspec.structs.replace(options, modes=None)
+
+
+def the_mode(options: EvaluationOptions, known: Sequence[Mode]) -> Mode:
+    """The one mode that is asked for, of those that are ``known``, by what has no meaning for several: a factored
+    strain, an amplitude and a phase.
+
+    Raises
+    ------
+    InvalidRequest
+        There are several; or one is not among the known.
     """
     chosen = chosen_modes(options, known)
     if len(chosen) != 1:
         asked = "this model has" if options.modes is None else "you chose"
         raise InvalidRequest(
-            f"{what} belong to one mode, and {asked} {len(chosen)}: choose one with modes=[(2, 2)], or ask for "
-            "all of them with predict_modes.",
+            f"A factored strain, or an amplitude and a phase, belongs to one mode, and {asked} {len(chosen)}: choose "
+            "one with modes=[(2, 2)], or ask for each of them with predict_modes.",
             errors=[FieldError(reason="not exactly one", parameter="modes")],
         )
     return chosen[0]

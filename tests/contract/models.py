@@ -18,9 +18,9 @@ METHODS = (
 class Blocking:
     """An asynchronous model whose calls are waited for."""
 
-    def __init__(self, address):
+    def __init__(self, address, name="default"):
         self._loop = asyncio.new_event_loop()
-        self._model = self._loop.run_until_complete(AsyncModel.connect(address))
+        self._model = self._loop.run_until_complete(AsyncModel.connect(address, name))
 
     @property
     def description(self):

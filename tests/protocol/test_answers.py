@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bnserve_protocol import ModelIdentity, UndecodableBody
-from bnserve_protocol.wire import decode_answer, encode_answer, encode_answer_json
+from bnserve_protocol.wire import decode_answer, encode_answer, encode_answer_json, mode_names
 from tests.protocol.messages import array_map, read_message
 
 MODEL = ModelIdentity(name="default", version="1.0.0", digest="sha256:0")
@@ -23,6 +23,12 @@ ANSWERS = {
     "factored": {"h": STRAIN, "plus": np.ones(2), "cross": np.full(2, -1j)},
     "amplitude_phase": {"amplitude": np.abs(STRAIN), "phase": np.angle(STRAIN)},
     "modes": {"h_22": STRAIN},
+    "many modes": {
+        name: array
+        for place, mode in enumerate([(2, 2), (2, 1), (3, 3), (4, 4), (3, 2), (3, 1), (4, 3)])
+        for name, array in zip(mode_names(mode), (STRAIN + place, np.full(2, place / 7), np.full(2, 1j)), strict=True)
+    },
+    "modes of many frequencies": {f"h_{place}": np.full((2, 4096), place + 1j) for place in range(21, 41)},
     "no rows": {"h_22": np.empty((0, 3), complex)},
 }
 
@@ -60,7 +66,7 @@ def test_msgpack_and_numpy_alone_read_it(answer):
     arrays = arrays_of(answer)
     message = read_message(b"".join(encode_answer(arrays, MODEL)))
     assert message.pop("model") == {"name": "default", "version": "1.0.0", "digest": "sha256:0"}
-    assert set(message) == set(arrays)
+    assert {name for name in message if not name.startswith("pad_")} == set(arrays)
     assert all(np.array_equal(message[name], arrays[name]) for name in arrays)
 
 
@@ -98,7 +104,12 @@ def test_a_memoryview_is_read_in_place():
 
 
 def test_fields_of_a_newer_service_are_ignored():
-    newer = {"h_33": array_map(np.zeros(7)), "cost": {"seconds": 0.1}, "notes": ["a", None]}
+    newer = {
+        "strain": array_map(np.zeros(7)),
+        "h_333": array_map(np.zeros(7)),
+        "cost": {"seconds": 0.1},
+        "notes": ["a", None],
+    }
     decoded = decode_answer(body_of({"h_22": STRAIN, "status": STATUS}, **newer))
     assert set(decoded.arrays) == {"h_22", "status"}
     identity = {"name": "default", "version": "2", "digest": "sha256:1", "released": "today"}
@@ -113,6 +124,8 @@ MISFITS = {
     "a number for a status": {"h_22": STRAIN, "status": np.uint8(0)},
     "other rows": {"h_plus": STRAIN, "h_cross": STRAIN[:1], "status": STATUS},
     "other columns": {"h_plus": STRAIN, "h_cross": STRAIN[:, :2], "status": STATUS},
+    "modes of other rows": {"h_22": STRAIN, "h_33": STRAIN[:1], "status": STATUS},
+    "modes of other columns": {"h_22": STRAIN, "h_33": STRAIN[:, :2], "status": STATUS},
     "other factors": {"h": STRAIN, "plus": np.ones(3), "cross": np.ones(2, complex), "status": STATUS},
 }
 

@@ -74,11 +74,13 @@ def test_all_modes_are_chosen_unless_some_are():
 
 
 def test_what_belongs_to_one_mode_needs_one():
-    assert the_mode(DEFAULT_OPTIONS, [(2, 2)], "A phase") == (2, 2)
-    assert the_mode(EvaluationOptions(modes=[(3, 3)]), KNOWN, "A phase") == (3, 3)
+    assert the_mode(DEFAULT_OPTIONS, [(2, 2)]) == (2, 2)
+    assert the_mode(EvaluationOptions(modes=[(3, 3)]), KNOWN) == (3, 3)
     for options, says in ((DEFAULT_OPTIONS, "this model has 3"), (EvaluationOptions(modes=KNOWN[:2]), "you chose 2")):
-        with pytest.raises(InvalidRequest, match=rf"A phase .*{says}: choose one with modes=\[\(2, 2\)\]"):
-            the_mode(options, KNOWN, "A phase")
+        with pytest.raises(
+            InvalidRequest, match=rf"belongs to one mode, and {says}: choose one with modes=\[\(2, 2\)\]"
+        ):
+            the_mode(options, KNOWN)
 
 
 def test_a_reference_frequency_is_a_frequency():

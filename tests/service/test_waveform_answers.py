@@ -52,10 +52,12 @@ def test_factored(server):
         assert same_bits(answer[name], getattr(expected, name)), name
 
 
-def test_modes_are_h_without_the_inclination(server):
+def test_a_mode_is_h_with_its_factors(server):
     answer = read_msgpack(evaluate(server.address, question(COLUMNS, output="modes")).body)
-    assert set(answer) == {"h_22", "status", "model"}
-    assert same_bits(answer["h_22"], LOCAL.predict_factored(FREQUENCIES, ROWS).h)
+    expected = LOCAL.predict_factored(FREQUENCIES, ROWS)
+    assert set(answer) == {"h_22", "plus_22", "cross_22", "status", "model"}
+    for name in ("h", "plus", "cross"):
+        assert same_bits(answer[f"{name}_22"], getattr(expected, name)), name
 
 
 def test_amplitude_and_phase(server):

@@ -31,7 +31,13 @@ from bnserve_protocol.wire._likelihoods import (
     encode_likelihood_answer_json,
     encode_likelihood_request,
 )
-from bnserve_protocol.wire._waveform_answers import WaveformAnswer, decode_answer, encode_answer, encode_answer_json
+from bnserve_protocol.wire._waveform_answers import (
+    WaveformAnswer,
+    decode_answer,
+    encode_answer,
+    encode_answer_json,
+    mode_names,
+)
 from bnserve_protocol.wire._waveforms import Grid, GridDigest, WaveformRequest, decode_request, encode_request
 
 __all__ = [
@@ -40,6 +46,6 @@ __all__ = [
     "ResultMemory", "WaveformAnswer", "WaveformBody", "WaveformRequest", "address_of", "array_keys", "content_digest",
     "decode_answer", "decode_array", "decode_likelihood_answer", "decode_likelihood_request", "decode_request",
     "encode_answer", "encode_answer_json", "encode_array", "encode_likelihood_answer", "encode_likelihood_answer_json",
-    "encode_likelihood_request", "encode_request", "refuse_repeated_keys", "request_digest", "result_memory",
-    "unique_keys",
+    "encode_likelihood_request", "encode_request", "mode_names", "refuse_repeated_keys", "request_digest",
+    "result_memory", "unique_keys",
 ]  # fmt: skip  # each has a line of its own above

@@ -39,8 +39,9 @@ class WaveformBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=Tru
     names
         Of the columns of 'parameters', where it is an array.
     output
-        'modes': h_22 is the mode at the given distance, without the factors of the inclination; 'factored':
-        h_plus = plus * h and h_cross = cross * h.
+        'modes': h_22, h_33, ... are the modes at the given distance; h_plus is the sum of plus_lm * h_lm, h_cross that
+        of cross_lm * h_lm. 'factored' (h_plus = plus * h and h_cross = cross * h) and 'amplitude_phase' are of one
+        mode, which the field 'modes' has to name where the model has several.
     dtype
         complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square underflows in
         single precision: convert to double precision, or multiply by 1e22, before squaring. Amplitude and phase are

@@ -129,6 +129,13 @@ def read_map(raw: bytes | memoryview | msgspec.Raw) -> dict[str, msgspec.Raw]:
     return fields
 
 
+def map_header(entries: int) -> bytes:
+    """The beginning of a MessagePack map of that many entries, which are less than 65,536."""
+    return (
+        b"%c" % (_FIXMAP + entries) if entries < _FIXMAP_END - _FIXMAP else b"%c" % _MAP_16 + entries.to_bytes(2, "big")
+    )
+
+
 def read_maps(raw: bytes | memoryview | msgspec.Raw) -> None:
     """Refuse repeated keys in a MessagePack map and in all maps that are its values, down to the arrays.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,6 +12,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol._errors import UndecodableBody
 from bnserve_protocol._model import ModelIdentity
+from bnserve_protocol._modes import Mode
 from bnserve_protocol.wire._arrays import (
     ArrayKeys,
     address_of,
@@ -18,12 +20,23 @@ from bnserve_protocol.wire._arrays import (
     decode_array,
     encode_array,
 )
-from bnserve_protocol.wire._envelope import UNREADABLE, read_map
+from bnserve_protocol.wire._envelope import UNREADABLE, map_header, read_map
 
-ARRAY_NAMES = ("h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "h_22", "status", "estimated_mismatch")
+ARRAY_NAMES = frozenset(
+    {"h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "status", "estimated_mismatch"}
+)
 """The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
-cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` h_lm ``[N, M]``; always status ``[N]``,
-and estimated_mismatch ``[N]`` from models that have it."""
+cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` those of :func:`mode_names`; always status
+``[N]``, and estimated_mismatch ``[N]`` from models that have it."""
+
+_OF_A_MODE = re.compile(r"(?:h|plus|cross)_\d\d").fullmatch
+
+
+def mode_names(mode: Mode) -> tuple[str, str, str]:
+    """The arrays of one mode in an answer with ``modes``: h_lm ``[N, M]``, plus_lm and cross_lm ``[N]``."""
+    degree, order = mode
+    return f"h_{degree}{order}", f"plus_{degree}{order}", f"cross_{degree}{order}"
+
 
 ALIGNMENT = 64
 """Of large arrays within the body: a cache line, and what the widest vector instructions like."""
@@ -93,7 +106,7 @@ def encode_answer(
     reader who puts the body into aligned memory can use the array where it is.
     """
     large = sum(array.nbytes >= LARGE for array in arrays.values())
-    start = b"%c" % (0x80 + 1 + len(arrays) + large) + _encode("model") + _encode(model)
+    start = map_header(1 + len(arrays) + large) + _encode("model") + _encode(model)
     parts: list[bytes | memoryview] = []
     position = 0
     for name, array in arrays.items():
@@ -157,7 +170,7 @@ def _decode_answer(body: bytes | memoryview) -> WaveformAnswer:
         model = _identity.decode(fields["model"])
     except (*UNREADABLE, KeyError) as error:
         raise UndecodableBody("The answer is not a waveform answer of bnserve.") from error
-    arrays = {name: decode_array(fields[name]) for name in ARRAY_NAMES if name in fields}
+    arrays = {name: decode_array(raw) for name, raw in fields.items() if name in ARRAY_NAMES or _OF_A_MODE(name)}
     if not _fit_together(arrays):
         raise UndecodableBody("The arrays of the answer do not fit together.")
     if isinstance(body, memoryview) and not body.readonly:

@@ -5,17 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bnserve_protocol import (
+    AmplitudePhase,
     DtypeName,
     EvaluationOptions,
+    Factored,
     GridLike,
-    InvalidRequest,
+    Modes,
     ParameterBatch,
+    Polarizations,
     TooLarge,
     UniformGrid,
     grid_digest,
+    plain_options,
+    the_mode,
 )
 from bnserve_protocol.wire import (
     JSON,
@@ -25,13 +29,17 @@ from bnserve_protocol.wire import (
     decode_request,
     encode_answer,
     encode_answer_json,
+    mode_names,
 )
 from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Operation, Question
 from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel, ServedModel, quick_work
-from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
+from bnserve_service.settings import FURTHER_MODE, REQUEST_COST, ROW_COST, ServiceLimits
 from bnserve_service.telemetry.metrics import Metrics
 from bnserve_service.uploads.stores import GridStore
+
+_ARRAYS = {"polarizations": 2, "factored": 1, "amplitude_phase": 2}
+"""Numbers of an answer for each row and frequency; of ``modes`` as many as there are modes."""
 
 
 class WaveformQuestion(Question, frozen=True, eq=False, kw_only=True):
@@ -87,21 +95,28 @@ class Waveforms(Kind[WaveformQuestion]):
             The body cannot be read, or some of its parameters or frequencies are none.
         GridUnknown
             It names a grid that was not uploaded, or dropped since.
+        InvalidRequest
+            It names modes that the model does not have, or asks of several what only one can have.
         TooLarge
             It has more rows, frequencies or samples than one request may have.
         """
         asked = decode_request(body, request.media_type, self._limits.max_rows)
         grid, grid_key = self._grid(asked.grid, request.owner)
         rows, points = len(asked.batch), len(grid)  # type: ignore[arg-type]  # a UniformGrid or an array here
-        _check_sizes(rows, points, self._limits, request.answer_type)
-        work = rows * (points + ROW_COST)
-        arrays = 1 if asked.output in ("factored", "modes") else 2
+        known = model.model.description.modes
+        options = asked.options if asked.options.modes is None else plain_options(asked.options, known)
+        count = len(options.modes or known)
+        if count != 1 and asked.output in ("factored", "amplitude_phase"):
+            the_mode(options, known)
+        arrays = _ARRAYS.get(asked.output, count)
+        _check_sizes(rows, points, count if asked.output == "modes" else 1, self._limits, request.answer_type)
+        work = rows * (points + ROW_COST) * (1 + (count - 1) * FURTHER_MODE)
         return WaveformQuestion(
             kind=self,
             model=model,
             batch=asked.batch,
-            key=(id(model), grid_key, asked.output, asked.dtype, asked.options),
-            cost=work + REQUEST_COST,
+            key=(id(model), grid_key, asked.output, asked.dtype, options),
+            cost=min(work + REQUEST_COST, self._limits.queue_samples),
             answer_bytes=rows * points * arrays * (8 if asked.dtype == "complex64" else 16),
             answer_type=request.answer_type,
             digest=request.digest,
@@ -111,7 +126,7 @@ class Waveforms(Kind[WaveformQuestion]):
             grid=grid,
             output=asked.output,
             dtype=asked.dtype,
-            options=asked.options,
+            options=options,
         )
 
     def _grid(self, asked: GridLike | GridDigest, owner: str) -> tuple[GridLike, UniformGrid | str]:
@@ -146,48 +161,57 @@ class Waveforms(Kind[WaveformQuestion]):
         return encode_answer(arrays, identity, array_keys(question.answer_type))
 
 
-def _check_sizes(rows: int, points: int, limits: ServiceLimits, answer_type: str) -> None:
+def _check_sizes(rows: int, points: int, modes: int, limits: ServiceLimits, answer_type: str) -> None:
     if points > limits.max_frequencies:
         raise TooLarge(f"A grid has at most {limits.max_frequencies} frequencies here; this one has {points}.")
     if rows > limits.max_rows:
         raise TooLarge(f"A batch has at most {limits.max_rows} rows here; this one has {rows}: split it.")
-    if rows * points > limits.max_samples:
+    what, samples = (
+        "rows times frequencies" if modes == 1 else "rows times frequencies times modes",
+        rows * points * modes,
+    )
+    if samples > limits.max_samples:
+        most = limits.rows_per_request(points * modes)
         raise TooLarge(
-            f"A request has at most {limits.max_samples} samples (rows times frequencies) here; this one has "
-            f"{rows * points}: send at most {limits.rows_per_request(points)} rows at a time on this grid."
+            f"A request has at most {limits.max_samples} samples ({what}) here; this one has {samples}: send at most "
+            f"{most} rows at a time on this grid."
         )
-    if answer_type == JSON and rows * points > limits.max_json_samples:
+    if answer_type == JSON and samples > limits.max_json_samples:
         raise TooLarge(
-            f"A JSON answer has at most {limits.max_json_samples} samples (rows times frequencies), this one would "
-            f"have {rows * points}: send Accept: application/msgpack, or ask for less."
+            f"A JSON answer has at most {limits.max_json_samples} samples ({what}), this one would have {samples}: "
+            "send Accept: application/msgpack, or ask for less."
         )
 
 
 def evaluate_output(model: ServedModel, question: WaveformQuestion, batch: ParameterBatch) -> Arrays:
     """The arrays of one ``output``, one row per row of ``batch``; with the model's own error estimate if it has one."""
-    arrays, estimates = _evaluate_output(model, question, batch)
-    return arrays if estimates is None else arrays | {"estimated_mismatch": estimates}
+    arrays, found = _evaluate_output(model, question, batch)
+    own = {"status": found.status}
+    estimates = found.estimated_mismatch
+    return arrays | (own if estimates is None else own | {"estimated_mismatch": estimates})
 
 
 def _evaluate_output(
     model: ServedModel, question: WaveformQuestion, batch: ParameterBatch
-) -> tuple[Arrays, NDArray[np.float64] | None]:
+) -> tuple[Arrays, AmplitudePhase | Polarizations | Factored | Modes]:
     if question.output == "amplitude_phase":
         curves = model.predict_amplitude_phase(question.grid, batch, options=question.options)
-        return {
-            "amplitude": curves.amplitude,
-            "phase": curves.phase,
-            "status": curves.status,
-        }, curves.estimated_mismatch
+        return {"amplitude": curves.amplitude, "phase": curves.phase}, curves
     if question.output == "polarizations":
         both = model.predict_batch(question.grid, batch, options=question.options, dtype=question.dtype)
-        return {"h_plus": both.plus, "h_cross": both.cross, "status": both.status}, both.estimated_mismatch
-    if len(model.description.modes) != 1:
-        raise InvalidRequest(
-            f"output '{question.output}' is for models of one mode; ask this model for 'polarizations'."
-        )
+        return {"h_plus": both.plus, "h_cross": both.cross}, both
+    if question.output == "modes" and len(model.description.modes) > 1:
+        modes = model.predict_modes(question.grid, batch, options=question.options, dtype=question.dtype)
+        return _of_modes(modes), modes
     one = model.predict_factored(question.grid, batch, options=question.options, dtype=question.dtype)
     if question.output == "modes":
-        degree, order = model.description.modes[0]
-        return {f"h_{degree}{order}": one.h, "status": one.status}, one.estimated_mismatch
-    return {"h": one.h, "plus": one.plus, "cross": one.cross, "status": one.status}, one.estimated_mismatch
+        return _of_modes(Modes.of_one(model.description.modes[0], one)), one
+    return {"h": one.h, "plus": one.plus, "cross": one.cross}, one
+
+
+def _of_modes(modes: Modes) -> Arrays:
+    arrays: Arrays = {}
+    for place, mode in enumerate(modes.modes):
+        h, plus, cross = mode_names(mode)
+        arrays |= {h: modes.h[:, place], plus: modes.plus[:, place], cross: modes.cross[:, place]}
+    return arrays

@@ -78,12 +78,16 @@ _WAVEFORMS = {
         "model": reference("ModelIdentity"),
         "status": _array_or(_list({"enum": [0, 1, 2, 3]}))
         | {"description": "[N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band."},
-        **dict.fromkeys(("h_plus", "h_cross", "h", "h_22"), _COMPLEX),
+        **dict.fromkeys(("h_plus", "h_cross", "h"), _COMPLEX),
         **dict.fromkeys(("amplitude", "phase"), _array_or(_PART)),
         "plus": _VECTOR | {"description": "[N], with 'h'"},
         "cross": {"description": "[N], complex, with 'h'"},
+        "h_22": _COMPLEX | {"description": "of 'modes'; so every mode (l, m) has its h_lm, plus_lm and cross_lm"},
+        "plus_22": _VECTOR | {"description": "[N], with 'h_22': what it counts in h_plus at the inclination"},
+        "cross_22": {"description": "[N], complex, with 'h_22': what it counts in h_cross"},
         "estimated_mismatch": _VECTOR | {"description": "[N], the model's own estimate, if it has one"},
     },
+    "patternProperties": {r"^h_\d\d$": _COMPLEX, r"^plus_\d\d$": _VECTOR},
 }
 
 
