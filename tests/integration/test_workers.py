@@ -221,6 +221,13 @@ def test_a_worker_told_to_go_answers_what_it_has_and_is_replaced(workers):
     workers.wait_until_complete()
 
 
+def test_the_metrics_name_the_models_that_the_workers_got_from_the_process_that_they_are_copies_of(workers):
+    def shown():
+        return {dict(labels)["name"] for name, labels in workers.metrics() if name == "bnserve_model_info"}
+
+    until(lambda: {"default", "mine"} <= shown(), "the models are in the metrics")
+
+
 def test_the_metrics_are_on_their_port_alone(workers):
     assert ask(workers.address, "GET", "/metrics").status == 404
 

@@ -11,7 +11,7 @@ from concurrent.futures import ThreadPoolExecutor
 from bnserve_protocol import BnserveError, Draining, ModelLoading, Overloaded, Unavailable
 from bnserve_service.admission.control import Lifecycle
 from bnserve_service.models.loading import Loader, RefreshReport
-from bnserve_service.models.registry import LoadedModel, Registry
+from bnserve_service.models.registry import Catalogue, LoadedModel, Registry
 from bnserve_service.process.allocator import give_back_freed_memory
 from bnserve_service.settings import Settings
 from bnserve_service.telemetry.metrics import Metrics
@@ -127,6 +127,7 @@ class Maintenance:
         self._first_look = asyncio.Event()
         self._tasks: list[asyncio.Task[None]] = []
         self._told: dict[str, str] = {}
+        self._shown: Catalogue | None = None
         self.last_report = RefreshReport()
         """What the latest look at the stores found."""
 
@@ -205,8 +206,9 @@ class Maintenance:
             if self._told.get(what) != reason:
                 logger.error("not serving %s: %s", what, reason)
         self._told = dict(report.failures)
-        if report.changed:
-            models = self._registry.catalogue.models
-            self._metrics.show_models({key: loaded.identity for key, loaded in models.items()})
+        catalogue = self._registry.catalogue
+        if catalogue is not self._shown:  # at the first look, too: a worker has its models before it looks
+            self._shown = catalogue
+            self._metrics.show_models({key: loaded.identity for key, loaded in catalogue.models.items()})
         outcome = "failed" if report.failures else "changed" if report.changed else "unchanged"
         self._metrics.reloads.labels(outcome).inc()
