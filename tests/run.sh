@@ -23,8 +23,8 @@ find_python() {
     fail "no Python >= 3.11 found; install one, or name it: PYTHON=/path/to/python3.12 bash tests/run.sh"
 }
 
-# TEOBResumS comes as C source: a compiler, GSL and the headers of Python; the configuration in deploy/haproxy is run by
-# HAProxy, which Debian keeps in /usr/sbin; the clients in examples/clients are built and run, curl and openssl ask
+# TEOBResumS comes as C source: a compiler, GSL and the headers of Python; what is in deploy/ is run by its
+# programs, some of which Debian keeps in /usr/sbin; the clients in examples/clients are built and run, curl and openssl ask
 # servers with TLS, and shells complete commands. Names of the Debian packages that are missing.
 missing_packages() {
     command -v gcc >/dev/null || echo gcc libc6-dev
@@ -33,6 +33,7 @@ missing_packages() {
     PATH="$PATH:/usr/sbin:/usr/local/sbin" command -v haproxy >/dev/null || echo haproxy
     command -v curl >/dev/null || echo curl
     command -v openssl >/dev/null || echo openssl
+    command -v promtool >/dev/null || echo prometheus
     command -v zsh >/dev/null || echo zsh
     command -v fish >/dev/null || echo fish
     command -v node >/dev/null || echo nodejs

@@ -2,6 +2,8 @@
 
 import asyncio
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import httpx
@@ -12,6 +14,7 @@ import yaml
 from bnserve_protocol import __version__
 from bnserve_service import Settings, create_app
 from bnserve_service.cli import build_parser
+from bnserve_service.reference.openapi import openapi_document
 from tests.integration.dockerfile import instructions
 
 ROOT = Path(__file__).parents[2]
@@ -24,19 +27,39 @@ def documents(name):
     return [document for document in yaml.safe_load_all((FOLDER / name).read_text()) if document]
 
 
+def objects_of(names):
+    return {
+        f"{document['kind']}/{document['metadata']['name']}": document for name in names for document in documents(name)
+    }
+
+
 RESOURCES = yaml.safe_load((FOLDER / "kustomization.yaml").read_text())["resources"]
-OBJECTS = {
-    f"{document['kind']}/{document['metadata']['name']}": document for name in RESOURCES for document in documents(name)
+OBJECTS = objects_of(RESOURCES)
+COMPONENTS = {path.parent.name for path in FOLDER.glob("*/kustomization.yaml")}
+ADDED = {
+    name: objects_of(
+        f"{name}/{file}"
+        for file in yaml.safe_load((FOLDER / name / "kustomization.yaml").read_text()).get("resources", [])
+    )
+    for name in COMPONENTS
 }
+"""By component: what it adds to the objects."""
 POD = OBJECTS["Deployment/bnserve"]["spec"]["template"]
 CONTAINER = POD["spec"]["containers"][0]
 LABELS = POD["metadata"]["labels"]
 
 
+OF_KUBERNETES = {
+    name: document
+    for name, document in (OBJECTS | ADDED["ingress"] | ADDED["monitoring"]).items()
+    if document["kind"] != "ServiceMonitor"  # of an operator, which brings its schema
+}
+
+
 @pytest.mark.parametrize("version", VERSIONS)
-@pytest.mark.parametrize("name", OBJECTS)
+@pytest.mark.parametrize("name", OF_KUBERNETES)
 def test_it_is_what_the_schema_asks_for(name, version):
-    kubernetes_validate.validate(OBJECTS[name], version, strict=True)
+    kubernetes_validate.validate(OF_KUBERNETES[name], version, strict=True)
 
 
 def test_a_mistake_is_found():
@@ -47,8 +70,34 @@ def test_a_mistake_is_found():
 
 
 def test_every_file_is_applied():
-    others = {"kustomization.yaml", "prometheus-adapter-values.yaml"}
-    assert {path.name for path in FOLDER.iterdir()} - others == set(RESOURCES)
+    assert {path.name for path in FOLDER.glob("*.yaml")} - {"kustomization.yaml"} == set(RESOURCES)
+    text = (FOLDER / "kustomization.yaml").read_text()
+    assert set(re.findall(r"^#   - (\w+)", text, re.MULTILINE)) == COMPONENTS, "each is offered there"
+
+
+@pytest.fixture(scope="module")
+def with_components(tmp_path_factory):
+    """All objects as kubectl would apply them, with every component that is offered."""
+    kubectl = shutil.which("kubectl")
+    if kubectl is None:
+        pytest.skip("kubectl is not installed, and Debian's is too old to know components")
+    folder = tmp_path_factory.mktemp("kubernetes") / "bnserve"
+    shutil.copytree(FOLDER, folder)
+    file = folder / "kustomization.yaml"
+    file.write_text(re.sub(r"^# (components:|  - )", r"\1", file.read_text(), flags=re.MULTILINE))
+    done = subprocess.run([kubectl, "kustomize", str(folder)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    found = [document for document in yaml.safe_load_all(done.stdout) if document]
+    return {f"{document['kind']}/{document['metadata']['name']}": document for document in found}
+
+
+def test_components_go_together(with_components):
+    assert set(with_components) == set(OBJECTS) | set(ADDED["ingress"]) | set(ADDED["monitoring"])
+    assert {document["metadata"].get("namespace", "bnserve") for document in with_components.values()} == {"bnserve"}
+    scaled, default = with_components["HorizontalPodAutoscaler/bnserve"], OBJECTS["HorizontalPodAutoscaler/bnserve"]
+    kubernetes_validate.validate(scaled, VERSIONS[-1], strict=True)
+    assert scaled["spec"]["metrics"][:-1] == default["spec"]["metrics"], "the queue comes beside the processors"
+    assert scaled["spec"]["behavior"] == default["spec"]["behavior"]
 
 
 def test_nothing_is_missing():
@@ -130,13 +179,53 @@ def test_what_it_writes_lies_in_memory():
     assert {volumes[name] for name in places.values()} == {"Memory"}
 
 
-def test_the_autoscaler_follows_gauges_that_there_are():
-    (rule,) = documents("prometheus-adapter-values.yaml")[0]["rules"]["custom"]
+def test_the_autoscaler_needs_nothing_that_not_every_cluster_has():
+    scaled = OBJECTS["HorizontalPodAutoscaler/bnserve"]["spec"]
+    assert [metric["type"] for metric in scaled["metrics"]] == ["Resource"], "one that is missing keeps every pod"
+    assert scaled["scaleTargetRef"]["name"] == OBJECTS["Deployment/bnserve"]["metadata"]["name"]
+    assert CONTAINER["resources"]["requests"]["cpu"], "utilisation is a part of what was asked for"
+    assert "replicas" not in OBJECTS["Deployment/bnserve"]["spec"]
+
+
+def test_the_queue_that_the_autoscaler_may_follow_is_made_of_gauges_that_there_are():
+    (rule,) = documents("queue/prometheus-adapter-values.yaml")[0]["rules"]["custom"]
     exposed = create_app(Settings()).parts.metrics.exposition().decode()
     used = set(re.findall(r"\bbnserve_\w+", rule["seriesQuery"] + rule["metricsQuery"]))
     assert used == {"bnserve_queue_samples", "bnserve_queue_capacity_samples"}
     assert all(re.search(rf"^{name} ", exposed, re.MULTILINE) for name in used)
-    scaled = OBJECTS["HorizontalPodAutoscaler/bnserve"]["spec"]
-    assert scaled["metrics"][0]["pods"]["metric"]["name"] == rule["name"]["as"]
-    assert scaled["scaleTargetRef"]["name"] == OBJECTS["Deployment/bnserve"]["metadata"]["name"]
-    assert "replicas" not in OBJECTS["Deployment/bnserve"]["spec"]
+    followed = documents("queue/horizontalpodautoscaler.yaml")[0]["spec"]["metrics"][-1]
+    assert followed["pods"]["metric"]["name"] == rule["name"]["as"]
+
+
+def test_from_outside_callers_reach_what_they_use_and_operators_nothing():
+    (ingress,) = documents("ingress/ingress.yaml")
+    (rule,) = ingress["spec"]["rules"]
+    assert ingress["spec"]["tls"][0]["hosts"] == [rule["host"]]
+    paths = rule["http"]["paths"]
+    backends = [path["backend"]["service"] for path in paths]
+    service = OBJECTS["Service/bnserve"]
+    assert all(backend["name"] == service["metadata"]["name"] for backend in backends)
+    assert {backend["port"]["name"] for backend in backends} == {port["name"] for port in service["spec"]["ports"]}
+    exact = {path["path"] for path in paths if path["pathType"] == "Exact"}
+    below = tuple(path["path"] for path in paths if path["pathType"] == "Prefix")
+    app = create_app(Settings())
+    operations = {path: kind.operation for kind in app.parts.kinds for path in kind.paths}
+    offered = set(openapi_document(app, operations, with_tokens=False)["paths"])
+    passed = {path for path in offered if path in exact or path.startswith(below)}
+    assert offered - passed == {"/metrics", "/v1/reload"}
+    size = int(ingress["metadata"]["annotations"]["nginx.ingress.kubernetes.io/proxy-body-size"].removesuffix("m"))
+    assert size * 2**20 >= Settings().max_analysis_bytes
+    (policy,) = documents("ingress/networkpolicy.yaml")
+    assert policy["spec"]["podSelector"]["matchLabels"] == LABELS
+
+
+def test_the_operator_of_prometheus_finds_every_pods_metrics_once(with_components):
+    (monitor,) = documents("monitoring/servicemonitor.yaml")
+    services = [document for document in with_components.values() if document["kind"] == "Service"]
+    wanted = monitor["spec"]["selector"]["matchLabels"].items()
+    (found,) = [service for service in services if wanted <= service["metadata"]["labels"].items()]
+    (endpoint,) = monitor["spec"]["endpoints"]
+    (port,) = found["spec"]["ports"]
+    assert (endpoint["port"], port["targetPort"]) == (port["name"], "metrics")
+    assert found["spec"]["selector"] == LABELS
+    assert found["metadata"]["labels"][monitor["spec"]["jobLabel"]] == "bnserve", "the job of the rules of alerts"
