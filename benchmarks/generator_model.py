@@ -106,6 +106,6 @@ class GeneratorModel:
         found = self.predict_batch(frequencies, ParameterBatch.one(parameters), **settings)
         return Polarizations(plus=found.plus[0], cross=found.cross[0], status=found.status)
 
-    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
-        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+    def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> Any:
+        """Seconds from the moments that the signal passes frequencies (Hz) to the merger."""
         return time_until_merger(self, frequency, parameters)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import overload
 
-from numpy.typing import DTypeLike
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
 from bnserve_client._asynchronous import AsyncConnections
 from bnserve_client._likelihoods import AsyncLikelihood
@@ -127,8 +129,12 @@ class AsyncModel(ConnectedModel):
         """Amplitude and phase; see :meth:`.Model.predict_amplitude_phase`."""
         return await self._connections.run(self._remote.predict_amplitude_phase(frequencies, batch, options))
 
-    async def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
-        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+    @overload
+    async def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float: ...
+    @overload
+    async def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]: ...
+    async def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]:
+        """Seconds from frequencies to the merger; see :meth:`.Model.time_until_merger`."""
         return await self._connections.run(self._remote.time_until_merger(frequency, parameters))
 
     async def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> AsyncLikelihood:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import overload
 
-from numpy.typing import DTypeLike
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
 from bnserve_client._blocking import Connections
 from bnserve_client._likelihoods import Likelihood
@@ -206,8 +208,21 @@ class Model(ConnectedModel):
         """
         return self._connections.run(self._remote.predict_amplitude_phase(frequencies, batch, options))
 
-    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
-        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger; ``OutOfBand`` above the band."""
+    @overload
+    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float: ...
+    @overload
+    def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]: ...
+    def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]:
+        """Seconds from the moment that the (2, 2) mode passes ``frequency`` (Hz) to the merger.
+
+        One frequency, or a vector in any order; one ``ParametersWithExtrinsic``, or a batch: a number, ``(M,)``,
+        ``(N,)`` or ``(N, M)``, in one evaluation of the service.
+
+        Raises
+        ------
+        OutOfBand
+            A frequency is above the band at the mass of a binary.
+        """
         return self._connections.run(self._remote.time_until_merger(frequency, parameters))
 
     def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from numpy.typing import DTypeLike
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
 from bnserve_client._addresses import Address
 from bnserve_client._evaluation import Arrays, Evaluator, Question, Upload, check_model
@@ -26,7 +27,7 @@ from bnserve_protocol import (
     GridLike,
     GridUnknown,
     Limits,
-    MergerStencil,
+    MergerTimes,
     Mode,
     ModelDescription,
     ModelIdentity,
@@ -188,13 +189,14 @@ class RemoteModel:
             arrays = {**arrays, "amplitude": arrays["amplitude"][0], "phase": arrays["phase"][0]}
         return AmplitudePhase(**arrays)
 
-    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> Conversation[float]:
-        """Seconds from ``frequency`` to the merger."""
-        stencil = MergerStencil.within(self.pinned.description, frequency, parameters)
-        answer = yield from self.predict_amplitude_phase(
-            stencil.frequencies, stencil.unshifted(parameters), stencil.options
-        )
-        return stencil.seconds(answer.phase)
+    def time_until_merger(
+        self, frequency: GridLike, parameters: BatchLike
+    ) -> Conversation[float | NDArray[np.float64]]:
+        """Seconds from frequencies to the merger."""
+        times = MergerTimes(self.pinned.description, frequency, parameters)
+        answer = yield from self.predict_amplitude_phase(times.grid, times.batch, times.options)
+        seconds = times.seconds(answer.phase)
+        return seconds if seconds.ndim else float(seconds)
 
     def _question(
         self, frequencies: GridLike, batch: BatchLike, result: OutputName, options: EvaluationOptions, dtype: DTypeLike

@@ -84,7 +84,7 @@ from bnserve_protocol._likelihood import (
 from bnserve_protocol._likelihood_batches import LikelihoodBatch, LikelihoodBatchLike
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodParameters
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
-from bnserve_protocol._merger_time import MergerStencil, time_until_merger
+from bnserve_protocol._merger_time import MergerStencil, MergerTimes, time_until_merger
 from bnserve_protocol._model import (
     Limits,
     ModelDescription,
@@ -127,17 +127,17 @@ __all__ = [
     "DeadlineExceeded", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions",
     "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies",
     "InvalidParameters", "InvalidRequest", "InvalidRows", "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike",
-    "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MergerStencil", "Mode",
-    "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown", "Modes", "NotAcceptable", "NotBnserve",
-    "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded", "PackageMissing", "ParameterBatch",
-    "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown", "Polarizations", "ProcessorDescription",
-    "QuotaExceeded", "RowStatus", "RunManifest", "SchemaUnknown", "StoreUnknown", "TimeGrid", "TimeMarginalisation",
-    "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType",
-    "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies", "as_numbers",
-    "as_real_number", "as_real_numbers", "check_dtype", "check_invalid_rows", "check_location", "check_model_digest",
-    "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert", "decode_analysis",
-    "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid", "plain_options",
-    "printable", "refuse_rows", "require", "the_mode", "time_steps", "time_until_merger",
+    "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MergerStencil",
+    "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown", "Modes",
+    "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded", "PackageMissing",
+    "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown", "Polarizations",
+    "ProcessorDescription", "QuotaExceeded", "RowStatus", "RunManifest", "SchemaUnknown", "StoreUnknown", "TimeGrid",
+    "TimeMarginalisation", "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid",
+    "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies",
+    "as_numbers", "as_real_number", "as_real_numbers", "check_dtype", "check_invalid_rows", "check_location",
+    "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert",
+    "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid",
+    "plain_options", "printable", "refuse_rows", "require", "the_mode", "time_steps", "time_until_merger",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -92,10 +92,7 @@ def as_frequencies(grid: GridLike) -> NDArray[np.float64]:
     """
     if isinstance(grid, UniformGrid):
         return grid.frequencies()
-    try:
-        numbers = as_real_numbers(grid, "Hz")
-    except NotNumbers as error:
-        raise InvalidFrequencies(f"Frequencies must be a vector of numbers in Hz; what was given {error}.") from error
+    numbers = _numbers(grid)
     if numbers.ndim != 1:
         raise InvalidFrequencies(f"Frequencies must be a vector; got an array of shape {numbers.shape}.")
     frequencies = np.ascontiguousarray(numbers)
@@ -103,11 +100,40 @@ def as_frequencies(grid: GridLike) -> NDArray[np.float64]:
         raise InvalidFrequencies("The frequency grid is empty; give at least one frequency.")
     if frequencies[0] > 0.0 and math.isfinite(frequencies[-1]) and (frequencies[1:] > frequencies[:-1]).all():
         return frequencies  # all is well in one pass (NaN compares as false); what follows finds out what is not
-    _refuse_where(~np.isfinite(frequencies), frequencies, "is not finite")
-    _refuse_where(frequencies <= 0.0, frequencies, "is not positive; leave out the zero-frequency bin")
+    _refuse_not_positive(frequencies)
     _refuse_where(np.diff(frequencies, prepend=-np.inf) == 0.0, frequencies, "is repeated; give each frequency once")
     _refuse_where(np.diff(frequencies, prepend=-np.inf) < 0.0, frequencies, "is out of order; sort the frequencies")
     return frequencies
+
+
+def any_frequencies(given: GridLike) -> NDArray[np.float64]:
+    """Frequencies in Hz that are no grid: one, shape ``()``, or some in any order, ``(M,)``.
+
+    Raises
+    ------
+    InvalidFrequencies
+        None, in more than one dimension, not finite, not positive, what counts as no numbers, or is in a unit that is
+        none of frequency.
+    """
+    numbers = given.frequencies() if isinstance(given, UniformGrid) else _numbers(given)
+    if numbers.ndim > 1 or not numbers.size:
+        raise InvalidFrequencies(
+            f"What is wanted is one frequency in Hz or a vector of them; got an array of shape {numbers.shape}."
+        )
+    _refuse_not_positive(numbers.reshape(-1))
+    return numbers
+
+
+def _numbers(given: ArrayLike) -> NDArray[np.float64]:
+    try:
+        return as_real_numbers(given, "Hz")
+    except NotNumbers as error:
+        raise InvalidFrequencies(f"Frequencies must be a vector of numbers in Hz; what was given {error}.") from error
+
+
+def _refuse_not_positive(frequencies: NDArray[np.float64]) -> None:
+    _refuse_where(~np.isfinite(frequencies), frequencies, "is not finite")
+    _refuse_where(frequencies <= 0.0, frequencies, "is not positive; leave out the zero-frequency bin")
 
 
 def plain_grid(grid: GridLike) -> UniformGrid | NDArray[np.float64]:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Protocol, runtime_checkable
+from typing import Any, Protocol, overload, runtime_checkable
 
 import msgspec
-from numpy.typing import DTypeLike
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
 
 from bnserve_protocol._batches import BatchLike
 from bnserve_protocol._constants import SOLAR_MASS_SECONDS
@@ -142,8 +143,16 @@ class WaveformModel(Protocol):
     ) -> AmplitudePhase:
         """Amplitude and phase of one mode; ``(M,)`` for one ``ParametersWithExtrinsic``, ``(N, M)`` for a batch."""
 
-    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
-        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger."""
+    @overload
+    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float: ...
+    @overload
+    def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]: ...
+    def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]:
+        """Seconds from the moment that the (2, 2) mode passes ``frequency`` (Hz) to the merger.
+
+        A number for one frequency and one ``ParametersWithExtrinsic``; ``(M,)`` for M frequencies, ``(N,)`` or ``(N,
+        M)`` for a batch.
+        """
 
 
 class Limits(msgspec.Struct, frozen=True, kw_only=True):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import operator
 import os
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple, Self, overload
 
 import numpy as np
-from numpy.typing import DTypeLike
+from numpy.typing import DTypeLike, NDArray
 
 from bnserve_protocol import (
     DEFAULT_OPTIONS,
@@ -253,8 +253,21 @@ class Model:
             amplitude=amplitude, phase=phase, status=answer.status, estimated_mismatch=answer.estimates
         )
 
-    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float:
-        """Seconds from the moment the signal passes ``frequency`` (Hz) to the merger; ``OutOfBand`` above the band."""
+    @overload
+    def time_until_merger(self, frequency: float, parameters: ParametersWithExtrinsic) -> float: ...
+    @overload
+    def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]: ...
+    def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]:
+        """Seconds from the moment that the (2, 2) mode passes ``frequency`` (Hz) to the merger.
+
+        One frequency, or a vector in any order; one ``ParametersWithExtrinsic``, or a batch: a number, ``(M,)``,
+        ``(N,)`` or ``(N, M)``, in one evaluation.
+
+        Raises
+        ------
+        OutOfBand
+            A frequency is above the band at the mass of a binary.
+        """
         return time_until_merger(self, frequency, parameters)
 
     def warm_up(self) -> None:

@@ -163,6 +163,23 @@ def test_the_time_until_merger_is_equal(model, local, frequency):
     assert model.time_until_merger(frequency, ONE) == local.time_until_merger(frequency, ONE)
 
 
+@pytest.mark.parametrize("parameters", [ONE, binaries(1), binaries(40)], ids=["one", "a batch of one", "a batch"])
+@pytest.mark.parametrize("frequencies", [40.0, [900.0, 20.0, 20.0, 20.01]], ids=["one frequency", "many"])
+def test_times_until_merger_are_equal_in_bits(model, local, frequencies, parameters):
+    there, here = (one.time_until_merger(frequencies, parameters) for one in (model, local))
+    assert type(there) is type(here)
+    assert np.shape(there) == (() if parameters is ONE else (len(parameters),)) + np.shape(frequencies)
+    assert np.asarray(there).tobytes() == np.asarray(here).tobytes()
+
+
+def test_times_until_merger_are_one_request(remote, monkeypatch):
+    asked = []
+    send = remote._connections.send
+    monkeypatch.setattr(remote._connections, "send", lambda sent: asked.append(sent) or send(sent))
+    assert remote.time_until_merger(np.geomspace(20.0, 1000.0, 10), binaries(100)).shape == (100, 10)
+    assert len(asked) == 1
+
+
 PARTS = {
     "predict": ("plus", "cross"),
     "predict_batch": ("plus", "cross"),
@@ -206,6 +223,9 @@ def test_the_time_until_merger_from_above_the_band_is_the_same_error(model, loca
     there = failure(lambda: model.time_until_merger(1.001 * TOP, heavy))
     assert there == failure(lambda: local.time_until_merger(1.001 * TOP, heavy))
     assert there[0] is OutOfBand
+    there = failure(lambda: model.time_until_merger([20.0, 1.001 * TOP], [ONE, ONE, heavy]))
+    assert there == failure(lambda: local.time_until_merger([20.0, 1.001 * TOP], [ONE, ONE, heavy]))
+    assert "Row 2: 2050.05 Hz is above" in there[2]
 
 
 def test_a_difference_of_the_phase_does_not_see_the_top_of_the_band(model, local):

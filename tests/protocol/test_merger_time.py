@@ -4,8 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from astropy import units as u
 
 from bnserve_protocol import (
+    PARAMETER_NAMES,
     AmplitudePhase,
     InvalidFrequencies,
     InvalidParameters,
@@ -13,6 +15,7 @@ from bnserve_protocol import (
     ModelDescription,
     OutOfBand,
     ParametersWithExtrinsic,
+    UniformGrid,
     time_until_merger,
 )
 
@@ -42,15 +45,19 @@ class Analytic:
         reference_mass=ONE.total_mass / 2.0,
     )
 
+    def __init__(self):
+        self.asked = []
+
     def predict_amplitude_phase(self, frequencies, batch, *, options):
         assert options.alignment == "merger"
+        assert options.modes == ((2, 2),)
+        self.asked.append((len(batch), len(frequencies)))
         phase = -2.0 * np.pi * CHIRP_TIME * 0.6 * frequencies ** (-5.0 / 3.0)
-        phase = phase + batch.reference_phase + 2.0 * np.pi * frequencies * batch.time_shift
-        above = frequencies * batch.total_mass > TOP * ONE.total_mass * (1.0 + 1e-9)
-        if options.above_band == "error" and above.any():
-            raise OutOfBand("above the band")
+        phase = phase * np.ones((len(batch), 1)) + batch["reference_phase"][:, None]
+        phase += 2.0 * np.pi * frequencies * batch["time_shift"][:, None]
+        above = frequencies * batch["total_mass"][:, None] > TOP * ONE.total_mass * (1.0 + 1e-9)
         phase[above] = 0.0
-        return AmplitudePhase(amplitude=np.where(above, 0.0, 1.0), phase=phase, status=np.zeros(1, np.uint8))
+        return AmplitudePhase(amplitude=np.where(above, 0.0, 1.0), phase=phase, status=np.zeros(len(batch), np.uint8))
 
 
 @pytest.mark.parametrize("frequency", [1.0, 18.0, 400.0, 1500.0])
@@ -70,21 +77,68 @@ def test_up_to_the_top_of_the_band_it_is_the_slope_of_the_phase_below(mass, frac
 
 @pytest.mark.parametrize("fraction", [1.0001, 1.001, 1.5])
 def test_above_the_band_there_is_no_time(fraction):
-    with pytest.raises(OutOfBand):
+    with pytest.raises(OutOfBand, match=r"^Row 0: .* is above the model's band, which ends at 2048 Hz"):
         time_until_merger(Analytic(), fraction * TOP, ONE)
 
 
+def test_the_binary_and_the_frequency_above_the_band_are_named():
+    batch = [ONE, replace(ONE, total_mass=2.0 * ONE.total_mass), ONE]
+    with pytest.raises(OutOfBand, match=r"^Row 1: 1500 Hz .* ends at 1024 Hz at total mass 5\.52 Msun") as raised:
+        time_until_merger(Analytic(), [20.0, 1500.0, 900.0], batch)
+    assert [(one.row, one.value) for one in raised.value.errors] == [(1, 1500.0)]
+
+
+MANY = [1400.0, 20.0, 55.0, 20.0, 2040.0, 20.02]
+"""Hz, in no order, one twice, two whose stencils overlap, one at the top of the band."""
+MASSES = np.array([1.0, 0.7, 0.999])
+
+
+@pytest.mark.parametrize("frequencies", [MANY, tuple(MANY), np.array(MANY), np.array(MANY) * u.Hz])
+def test_frequencies_may_be_many_in_any_order(frequencies):
+    model = Analytic()
+    found = time_until_merger(model, frequencies, ONE)
+    np.testing.assert_allclose(found, CHIRP_TIME * np.array(MANY) ** (-8 / 3), rtol=1e-8)
+    assert len(model.asked) == 1
+
+
+def test_binaries_may_be_many():
+    model, batch = Analytic(), [replace(ONE, total_mass=mass * ONE.total_mass) for mass in MASSES]
+    found = time_until_merger(model, MANY, batch)
+    assert found.shape == (3, 6)
+    np.testing.assert_allclose(found, np.tile(CHIRP_TIME * np.array(MANY) ** (-8 / 3), (3, 1)), rtol=1e-8)
+    assert time_until_merger(model, 40.0, batch).shape == (3,)
+    assert time_until_merger(model, [40.0], batch).shape == (3, 1)
+    assert [rows for rows, _ in model.asked] == [3, 3, 3]
+
+
+def test_each_number_is_that_of_its_binary_at_its_frequency():
+    """Not a bit depends on what else is asked."""
+    batch = [replace(ONE, total_mass=mass * ONE.total_mass, time_shift=mass) for mass in MASSES]
+    together = time_until_merger(Analytic(), MANY, batch)
+    alone = [[time_until_merger(Analytic(), frequency, one) for frequency in MANY] for one in batch]
+    assert together.tolist() == alone
+    assert isinstance(alone[0][0], float)
+
+
+def test_a_batch_is_a_batch_whatever_its_size():
+    columns = {name: getattr(ONE, name) for name in PARAMETER_NAMES}
+    assert time_until_merger(Analytic(), 20.0, [ONE]).shape == (1,)
+    assert time_until_merger(Analytic(), 20.0, columns).shape == (1,)
+    assert time_until_merger(Analytic(), 20.0, []).shape == (0,)
+    assert time_until_merger(Analytic(), [20.0, 30.0], []).shape == (0, 2)
+    assert time_until_merger(Analytic(), UniformGrid(20.0, 30.0, 1.0), ONE).shape == (11,)
+
+
+@pytest.mark.parametrize("batch", [3, "binaries", {"mass_ratio": 1.0}])
+def test_what_are_no_binaries_is_refused(batch):
+    with pytest.raises(InvalidParameters):
+        time_until_merger(Analytic(), 20.0, batch)
+
+
 def test_a_stencil_from_below_ends_at_its_frequency():
-    inside, edge = (MergerStencil.within(Analytic.description, f, ONE) for f in (0.99 * TOP, TOP))
-    assert not inside.from_below
-    assert edge.from_below
+    edge = MergerStencil(TOP, from_below=True)
     assert edge.frequencies[-1] == TOP
     assert (np.diff(edge.frequencies) > 0).all()
-
-
-def test_a_stencil_is_for_one_binary():
-    with pytest.raises(InvalidParameters):
-        MergerStencil.within(Analytic.description, 100.0, [ONE, ONE])
 
 
 def test_shifts_of_time_and_phase_do_not_matter():
@@ -99,7 +153,7 @@ def test_the_stencil_asks_for_four_frequencies_around_the_one_given():
     assert frequencies.mean() == pytest.approx(100.0)
 
 
-@pytest.mark.parametrize("frequency", [0.0, -20.0, np.nan, np.inf, "20 Hz"])
+@pytest.mark.parametrize("frequency", [0.0, -20.0, np.nan, np.inf, "20 Hz", [], [20.0, -1.0], [20.0, np.nan], [[20.0]]])
 def test_a_frequency_that_is_none_is_refused(frequency):
     with pytest.raises(InvalidFrequencies):
         time_until_merger(Analytic(), frequency, ONE)

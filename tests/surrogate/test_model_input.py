@@ -208,9 +208,7 @@ def test_an_unknown_option_is_refused(name):
 
 
 def test_one_binary_means_one(model):
-    two = [ONE, ONE]
-    for call in (lambda: model.predict(GRID, two), lambda: model.time_until_merger(20.0, two)):
-        assert "predict_batch" in refused(InvalidParameters, call).detail
+    assert "predict_batch" in refused(InvalidParameters, lambda: model.predict(GRID, [ONE, ONE])).detail
     assert "got 0" in refused(InvalidParameters, lambda: model.predict(GRID, [])).detail
     refused(InvalidParameters, lambda: model.predict(GRID, "GW170817"))
 
