@@ -93,7 +93,7 @@ from bnserve_protocol._model import (
     WaveformModel,
     check_model_digest,
 )
-from bnserve_protocol._modes import Mode
+from bnserve_protocol._modes import PHASE_AT_REFERENCE, Mode, turn_to_reference
 from bnserve_protocol._options import (
     DEFAULT_OPTIONS,
     DtypeName,
@@ -120,9 +120,9 @@ from bnserve_protocol._version import __version__
 
 __all__ = [
     "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "ERRORS_BY_CODE", "INTRINSIC_NAMES", "IN_PLANE_NAMES", "LIKELIHOOD_NAMES",
-    "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS", "PARAMETER_NAMES", "PARAMETER_UNITS", "PRIOR_NAMES",
-    "SOLAR_MASS_SECONDS", "AccessDenied", "AmplitudePhase", "Analysis", "AnalysisInvalid", "AnalysisKind",
-    "AnalysisSettings", "AnalysisUnknown", "AnswerCorrupted", "ArtifactCorrupted", "ArtifactError",
+    "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS", "PARAMETER_NAMES", "PARAMETER_UNITS", "PHASE_AT_REFERENCE",
+    "PRIOR_NAMES", "SOLAR_MASS_SECONDS", "AccessDenied", "AmplitudePhase", "Analysis", "AnalysisInvalid",
+    "AnalysisKind", "AnalysisSettings", "AnalysisUnknown", "AnswerCorrupted", "ArtifactCorrupted", "ArtifactError",
     "ArtifactIncomplete", "BatchLike", "BnserveError", "Calibration", "ComplexArray", "ConnectionFailed",
     "DeadlineExceeded", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions",
     "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies",
@@ -138,6 +138,7 @@ __all__ = [
     "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert",
     "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid",
     "plain_options", "printable", "refuse_rows", "require", "the_mode", "time_steps", "time_until_merger",
+    "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:
