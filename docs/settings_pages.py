@@ -11,6 +11,8 @@ from itertools import pairwise
 from pathlib import Path
 from typing import Any, get_args, get_origin
 
+from pydantic import AwareDatetime
+
 from bnserve_service import Settings, Token
 
 HEAD = "<!-- Made from the code by `python docs/generate.py`. -->"
@@ -47,7 +49,8 @@ def _kind(annotation: Any) -> str:
         return " or ".join(f"`{option}`" for option in options)
     if options:
         return _kind(options[0])
-    names = {str: "text", int: "whole number", float: "number", bool: "true or false", Path: "path", Token: "table"}
+    names = {str: "text", int: "whole number", float: "number", bool: "true or false", Path: "path", Token: "table",
+             AwareDatetime: "date and time"}  # fmt: skip
     return names[annotation]
 
 
@@ -107,9 +110,11 @@ Each is a table `[[tokens]]`, as `bnserve tokens new` prints it ([guide](../guid
 
 
 EXAMPLES = {"uds": "/run/bnserve/http.sock", "metrics_port": 9090, "threads": 4, "max_incoming_bytes": 268_435_456,
-            "tls_cert": "/etc/bnserve/tls.pem", "tls_key": "/etc/bnserve/tls.key"}  # fmt: skip
+            "tls_cert": "/etc/bnserve/tls.pem", "tls_key": "/etc/bnserve/tls.key",
+            "tokens_file": "/etc/bnserve/tokens.toml", "token_list": "/etc/bnserve/tokens.txt"}  # fmt: skip
 """Of settings that are not set."""
-TOKEN_EXAMPLES = {"name": "alice", "rows_per_second": 20000.0, "burst_rows": 100000.0, "max_concurrent": 8,
+TOKEN_EXAMPLES = {"name": "alice", "expires": "2027-01-01T00:00:00Z", "rows_per_second": 20000.0,
+                  "burst_rows": 100000.0, "max_concurrent": 8, "rows_per_day": 10_000_000,
                   "max_stored_bytes": 268_435_456, "sha256": "0" * 63 + "1"}  # fmt: skip
 
 

@@ -1,6 +1,7 @@
 """Help for tests that start a server as its users do: a process of its own, asked over its port."""
 
 import socket
+import ssl
 import subprocess
 import time
 import urllib.request
@@ -20,10 +21,11 @@ def free_port() -> int:
         return probe.getsockname()[1]
 
 
-def is_ready(address: str) -> bool:
-    """Whether the server at ``address`` says that it is ready."""
+def is_ready(address: str, trusted: Path | None = None) -> bool:
+    """Whether the server at ``address`` says that it is ready; ``trusted`` is the authority of its certificate."""
+    context = ssl.create_default_context(cafile=trusted) if address.startswith("https") else None
     try:
-        with urllib.request.urlopen(f"{address}/v2/health/ready", timeout=5) as answer:
+        with urllib.request.urlopen(f"{address}/v2/health/ready", timeout=5, context=context) as answer:
             return answer.status == 200
     except (URLError, OSError):
         return False

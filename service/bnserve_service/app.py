@@ -17,8 +17,7 @@ from starlette.types import Receive, Scope, Send
 from bnserve_protocol import BnserveError, Unavailable, decode_analysis
 from bnserve_service.admission.control import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
-from bnserve_service.admission.quotas import rate_quotas
-from bnserve_service.admission.tokens import Token
+from bnserve_service.admission.token_book import TokenBook
 from bnserve_service.evaluation.endpoint import EvaluationEndpoint, FastPath
 from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
 from bnserve_service.evaluation.questions import Kind, Question
@@ -60,6 +59,7 @@ class Parts:
     maintenance: Maintenance
     metrics: Metrics
     bodies: BodyReader
+    tokens: TokenBook | None
     renewals: Renewals
     shared: Path | None = None
     """What all worker processes of one server share, as :func:`create_app` says."""
@@ -96,10 +96,10 @@ class Application(FastAPI):
         self.parts = parts
         self.wait_for_models = wait_for_models
         self.follow = follow
-        self.front = _front(parts, self._routers(), parts.kinds, HostCheck.of(parts.settings), parts.settings.tokens)
+        self.front = _front(parts, self._routers(), parts.kinds, HostCheck.of(parts.settings), parts.tokens)
         """What a server calls: HTTP is served by ourselves, the rest (the lifespan) by FastAPI."""
         self.front.others = super().__call__
-        self.metrics = _front(parts, [metrics_router(parts.metrics)], (), HostCheck.of_metrics(parts.settings), ())
+        self.metrics = _front(parts, [metrics_router(parts.metrics)], (), HostCheck.of_metrics(parts.settings), None)
         """The application of the metrics port, if there is one."""
         self.fast_path = FastPath(parts.kinds, parts.evaluation, parts.lifecycle, self.front)
 
@@ -113,7 +113,8 @@ class Application(FastAPI):
         Its router would match every path again, and its exception middlewares answer errors in a form of their own.
         """
         parts, limits = self.parts, self.parts.settings.limits()
-        quotas = StorageQuotas(parts.settings.tokens, {"grid": parts.grids, "analysis": parts.analyses}, parts.shared)
+        most = parts.tokens.stored_bytes if parts.tokens is not None else _no_limit
+        quotas = StorageQuotas(most, {"grid": parts.grids, "analysis": parts.analyses}, parts.shared)
         receiver = Receiver(parts.bodies, quotas)
         routers = [
             model_router(parts.registry, limits),
@@ -127,12 +128,12 @@ class Application(FastAPI):
         for router in routers:
             self.include_router(router)
         operations = {path: kind.operation for kind in parts.kinds for path in kind.paths}
-        document = openapi_document(self, operations, bool(parts.settings.tokens))
+        document = openapi_document(self, operations, parts.settings.asks_for_tokens)
         return [*routers, explorer_router(msgspec.json.encode(document))]
 
 
 def _front(
-    parts: Parts, routers: list[APIRouter], kinds: tuple[Kind[Any], ...], hosts: HostCheck, tokens: tuple[Token, ...]
+    parts: Parts, routers: list[APIRouter], kinds: tuple[Kind[Any], ...], hosts: HostCheck, tokens: TokenBook | None
 ) -> Front:
     evaluations = {
         path: EvaluationEndpoint(kind, parts.evaluation, parts.settings, parts.bodies)
@@ -143,7 +144,7 @@ def _front(
     return Front(
         places_of(evaluations, routes),
         hosts,
-        TokenCheck(tokens, rate_quotas(tokens, parts.shared)) if tokens else None,
+        TokenCheck(tokens) if tokens is not None else None,
         parts.queue.turns.turn,
         parts.metrics,
         parts.lifecycle,
@@ -230,11 +231,18 @@ def create_app(
         maintenance=maintenance,
         metrics=metrics,
         bodies=bodies,
+        tokens=TokenBook(settings.token_files(), shared) if settings.asks_for_tokens else None,
         renewals=Renewals(settings.poll_seconds),
         shared=shared,
     )
     _watch(parts)
+    if parts.tokens is not None:
+        parts.renewals.add(parts.tokens.renew)
     return Application(parts, wait_for_models, follow)
+
+
+def _no_limit(owner: str) -> None:
+    """How much somebody may keep who is nobody in particular."""
 
 
 def _missing(settings: Settings, shared: Path | None) -> BnserveError | None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import difflib
 import re
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from bnserve_protocol import Limits
 from bnserve_protocol.wire import JSON
+from bnserve_service.admission.token_files import TokenFiles, parse_toml, refuse_the_same_twice
 from bnserve_service.admission.tokens import Token
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.guarded_files import read_text
@@ -62,7 +62,13 @@ class Settings(BaseModel):
     workers: int = Field(default=1, ge=1, le=256)
     """Worker processes; with more than one, a supervisor replaces those that die or hang."""
     tokens: tuple[Token, ...] = ()
-    """Empty: no authentication."""
+    """Empty: no authentication, unless a file of tokens is named."""
+    tokens_file: Path | None = None
+    """TOML file whose `[[tokens]]` count in place of these, and are read again when it changes, at once with SIGHUP: a
+    token that is taken out is not let in any more. It is the file of `--config` itself where that has tokens."""
+    token_list: Path | None = None
+    """File of more tokens as they are, one a line, without limits and without the scopes for operators; read again when
+    it changes."""
     access_log: bool = False
     """One line per request on standard error."""
 
@@ -144,10 +150,7 @@ class Settings(BaseModel):
 
     @model_validator(mode="after")
     def _tokens_differ(self) -> Settings:
-        digests = [token.sha256 for token in self.tokens]
-        twice = [token.name for token in self.tokens if digests.count(token.sha256) > 1]
-        if twice:
-            raise ValueError(f"the tokens {', '.join(twice)} have the same sha256; keep one of them")
+        refuse_the_same_twice(self.tokens)
         return self
 
     @model_validator(mode="after")
@@ -172,6 +175,15 @@ class Settings(BaseModel):
         if self.queue_samples < largest:
             raise ValueError(f"queue_samples must be at least {largest}, or the largest allowed request never fits")
         return self
+
+    @property
+    def asks_for_tokens(self) -> bool:
+        """Whether callers need one."""
+        return bool(self.tokens or self.tokens_file or self.token_list)
+
+    def token_files(self) -> TokenFiles:
+        """Who is let in, as the files are when it is asked."""
+        return TokenFiles(self.tokens, self.tokens_file, self.token_list)
 
     @property
     def speaks_tls(self) -> bool:
@@ -210,15 +222,25 @@ def load_settings(path: Path | None = None, overrides: Mapping[str, Any] | None 
     SettingsInvalid
         The file cannot be read, or holds an unknown key (the nearest known one is suggested) or a wrong value.
     """
-    values = _read_toml(path) if path is not None else {}
+    content = None if path is None else read_text(path, "settings file")
+    values = {} if content is None else parse_toml(content)
+    if content is not None and "tokens" in values:
+        content.check_access()
+        values = _with_place(values, content.path)
+        if {"tokens", "token_list"} & {key for key, value in (overrides or {}).items() if value is not None}:
+            del values["tokens"], values["tokens_file"]  # what the command line says counts in their place
     values |= {key: value for key, value in (overrides or {}).items() if value is not None}
     if unknown := [key for key in values if key not in Settings.model_fields]:
         raise SettingsInvalid(" ".join(_unknown_key(key) for key in unknown))
     try:
-        return Settings.model_validate(values)
+        settings = Settings.model_validate(values)
     except ValidationError as error:
         found = [(".".join(map(str, item["loc"])) or "settings", item["msg"]) for item in error.errors()]
         raise SettingsInvalid(" ".join(["Invalid settings.", *(f"{key}: {fault}." for key, fault in found)])) from error
+    tokens = settings.token_files().changed()  # what is wrong with files is said now
+    if settings.token_list is not None and not tokens:
+        raise SettingsInvalid(f"The token file '{settings.token_list}' holds no token.")
+    return settings
 
 
 def _unknown_key(key: str) -> str:
@@ -227,12 +249,8 @@ def _unknown_key(key: str) -> str:
     return f"Unknown setting '{key}'. {hint}"
 
 
-def _read_toml(path: Path) -> dict[str, Any]:
-    content = read_text(path, "settings file")
-    try:
-        values = tomllib.loads(content.text)
-    except tomllib.TOMLDecodeError as error:
-        raise SettingsInvalid(f"The settings file '{path}' is not valid TOML: {error}.") from error
-    if "tokens" in values:
-        content.check_access()
-    return values
+def _with_place(values: dict[str, Any], path: Path) -> dict[str, Any]:
+    """Settings with tokens, and where these are."""
+    if "tokens_file" in values:
+        raise SettingsInvalid(f"Tokens are in one file: take [[tokens]] out of '{path}', or its line tokens_file.")
+    return values | {"tokens_file": path.absolute()}

@@ -27,16 +27,16 @@ class ServerProcess:
 
 
 @contextmanager
-def serving(log: Path, *arguments: str) -> Iterator[ServerProcess]:
-    """``bnserve serve`` on a free port, which it prints."""
+def serving(log: Path, *arguments: str, trusted: Path | None = None) -> Iterator[ServerProcess]:
+    """``bnserve serve`` on a free port, which it prints; ``trusted`` is the authority of its certificate."""
 
     def address() -> str | None:
-        found = re.search(r"^bnserve listens on (http://\S+)$", log.read_text(), re.MULTILINE)
+        found = re.search(r"^bnserve listens on (https?://\S+)$", log.read_text(), re.MULTILINE)
         return found.group(1) if found else None
 
     def ready() -> bool:
         known = address()
-        return known is not None and is_ready(known)
+        return known is not None and is_ready(known, trusted)
 
     command = [*COMMAND, "serve", "--port", "0", *arguments]
     with running(command, log, ready, env=os.environ | {"PYTHONUNBUFFERED": "1"}) as process:

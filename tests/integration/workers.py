@@ -124,9 +124,9 @@ def own_memory(pid: int) -> float:
 
 
 @contextmanager
-def serving_with(log: Path, count: int, *arguments: str) -> Iterator[Workers]:
+def serving_with(log: Path, count: int, *arguments: str, trusted: Path | None = None) -> Iterator[Workers]:
     """``bnserve serve --workers N`` on a free port, with all of its workers, and metrics on another port."""
-    with serving(log, "--workers", str(count), "--metrics-port", "0", *arguments) as server:
+    with serving(log, "--workers", str(count), "--metrics-port", "0", *arguments, trusted=trusted) as server:
         metrics = re.search(r"^bnserve metrics on (\S+)$", log.read_text(), re.MULTILINE)
         assert metrics is not None
         workers = Workers(server, count, metrics.group(1))

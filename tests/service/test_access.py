@@ -11,6 +11,7 @@ import pytest
 
 from bnserve_protocol import Unauthorized
 from bnserve_service import Settings, Token
+from bnserve_service.admission.token_book import TokenBook
 from bnserve_service.http import access
 from bnserve_service.http.requests import new_context
 from tests.service.asking import MSGPACK, ask, evaluate, question, raw_connection, read_response
@@ -73,7 +74,7 @@ def test_every_token_is_compared_also_after_one_was_found(monkeypatch):
 
     monkeypatch.setattr(access, "hmac", SimpleNamespace(compare_digest=compare))
     tokens = [Token.of(text) for text in ("the first of three", "the second of three", "the third of three")]
-    middleware = access.TokenCheck(tokens, {})
+    middleware = access.TokenCheck(TokenBook(Settings(tokens=tuple(tokens)).token_files()))
     for text in ("the first of three", "the third of three", "none of them"):
         compared.clear()
         with suppress(Unauthorized):

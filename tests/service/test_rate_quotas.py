@@ -11,7 +11,7 @@ from bnserve_client import Model, ParametersWithExtrinsic
 from bnserve_protocol import QuotaExceeded
 from bnserve_service import Settings, Token
 from bnserve_service.admission import quotas as quotas_module
-from bnserve_service.admission.quotas import rate_quotas
+from bnserve_service.admission.quotas import RateQuotas
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
 from bnserve_service.shared import counters as counters_module
@@ -27,8 +27,13 @@ def clock(monkeypatch):
     class Clock:
         now = 1000.0
 
+        day = 20_000.0
+
         def monotonic(self):
             return self.now
+
+        def time(self):
+            return 86_400.0 * self.day
 
     clock = Clock()
     monkeypatch.setattr(quotas_module, "time", clock)
@@ -37,7 +42,9 @@ def clock(monkeypatch):
 
 def quota(shared=None, **limits):
     token = Token.of("the-token-of-secret", "somebody", **limits)
-    return rate_quotas([Token.of("the-token-of-other", max_concurrent=1), token], shared)[token.sha256]
+    quotas = RateQuotas(shared)
+    quotas.of(Token.of("the-token-of-other", max_concurrent=1))
+    return quotas.of(token)
 
 
 def rows_of(total_masses):
@@ -49,7 +56,7 @@ def bearer(text):
 
 
 def test_a_token_without_limits_has_no_quota_to_count():
-    assert rate_quotas([Token.of("the-token-of-secret", max_stored_bytes=2000)]) == {}
+    assert RateQuotas().of(Token.of("the-token-of-secret", max_stored_bytes=2000)) is None
 
 
 def test_rows_are_paid_from_an_account_that_fills_at_the_rate(clock):
@@ -109,6 +116,47 @@ def test_rows_that_cannot_be_evaluated_are_given_back(clock):
         mine.check()
 
 
+def test_rows_of_a_day_end_at_midnight_in_all_workers(clock, tmp_path):
+    first, second = (quota(tmp_path, rows_per_day=100) for _ in range(2))
+    clock.day += 0.25
+    first.take(60)
+    second.take(60)  # a request passes while a row is left, however many it has
+    for mine in (first, second):
+        with pytest.raises(QuotaExceeded, match="100 rows evaluated per day") as refused:
+            mine.check()
+        assert refused.value.retry_after == pytest.approx(0.75 * 86_400.0)
+    clock.day += 0.5
+    with pytest.raises(QuotaExceeded):
+        quota(tmp_path, rows_per_day=100).take(1)  # a worker that was replaced
+    clock.day += 0.25
+    second.take(100)
+    with pytest.raises(QuotaExceeded):
+        first.take(1)
+
+
+def test_rows_of_a_day_that_were_not_evaluated_are_given_back(clock):
+    mine = quota(rows_per_day=100)
+    with pytest.raises(QuotaExceeded, match="full"), mine.paying(100):
+        raise QuotaExceeded("the queue is full of others' work")
+    mine.take(100)
+    clock.day -= 3.0  # a clock that is set back gives nobody another day
+    with pytest.raises(QuotaExceeded):
+        mine.take(1)
+
+
+def test_what_is_left_is_told_before_it_is_used_up(clock):
+    mine = quota(rows_per_second=10.0, burst_rows=40.0, rows_per_day=1000)
+    clock.day += 0.5
+    mine.take(30)
+    told = {name.decode(): value.decode() for name, value in mine.headers()}
+    assert told["ratelimit-policy"] == '"rows";q=40;qu="rows";w=4, "day";q=1000;qu="rows";w=86400'
+    assert told["ratelimit"] == '"rows";r=10;t=3, "day";r=970;t=43200'
+    mine.take(100)
+    told = {name.decode(): value.decode() for name, value in mine.headers()}
+    assert told["ratelimit"] == '"rows";r=0;t=13, "day";r=870;t=43200'
+    assert quota(max_concurrent=3).headers() == []
+
+
 def test_requests_under_way_are_counted():
     mine = quota(max_concurrent=2)
     mine.begin()
@@ -148,9 +196,11 @@ def test_workers_share_one_account(clock, tmp_path):
             mine.take(1)
 
 
-def test_other_limits_are_another_account(clock, tmp_path):
+def test_other_limits_do_not_forgive_a_debt(clock, tmp_path):
     quota(tmp_path, rows_per_second=10.0).take(1000)
-    quota(tmp_path, rows_per_second=20.0).take(1000)
+    with pytest.raises(QuotaExceeded) as refused:
+        quota(tmp_path, rows_per_second=20.0).take(1)
+    assert refused.value.retry_after == pytest.approx(991.0 / 20.0)
 
 
 def test_a_clock_that_was_set_back_by_a_restart_does_not_lock_anybody_out(clock, tmp_path):
@@ -168,14 +218,20 @@ def test_over_its_rows_a_token_is_refused_with_the_time_to_wait_and_others_are_n
             Token.of("the-token-of-other"),
         ),
     )
-    assert evaluate(server.address, rows_of([2.5] * 8), **bearer("greedy")).status == 200
+    passed = evaluate(server.address, rows_of([2.5] * 8), **bearer("greedy"))
+    assert passed.status == 200
+    assert passed.headers["ratelimit-policy"] == '"rows";q=4;qu="rows";w=8'
+    assert passed.headers["ratelimit"].startswith('"rows";r=0;t=')
     answer = evaluate(server.address, rows_of(2.5), **bearer("greedy"))
     assert (answer.status, answer.code) == (429, "share-exceeded")
     exact = answer.document["retry_after"]
     assert exact <= int(answer.headers["retry-after"]) <= exact + 1.0
     assert 5.0 < exact <= 10.0, "4 rows saved, 8 taken: 5 rows at half a row per second"
     assert "greedy" not in answer.body.decode()
-    assert evaluate(server.address, rows_of(2.5), **bearer("other")).status == 200
+    assert answer.headers["ratelimit"].startswith('"rows";r=0;t=')
+    other = evaluate(server.address, rows_of(2.5), **bearer("other"))
+    assert other.status == 200
+    assert "ratelimit" not in other.headers
 
 
 def test_the_client_waits_as_long_as_it_is_told(start):

@@ -57,9 +57,10 @@ class Case:
     def __init__(self, folder, is_common):
         tokens = [Token.of(LIMITED, "limited", max_stored_bytes=2000), Token.of(OTHER, "other")]
         self.limited, self.other = (token.sha256 for token in tokens)
+        most = {token.sha256: token.max_stored_bytes for token in tokens}
         self.kept = Kept(is_common)
         uploads = {"grid": self.kept, "analysis": self.kept}
-        workers = [StorageQuotas(tokens, uploads, folder) for _ in range(1 if folder is None else 2)]
+        workers = [StorageQuotas(most.get, uploads, folder) for _ in range(1 if folder is None else 2)]
         self.quotas, self.quotas_elsewhere = workers[0], workers[-1]
 
     def upload(self, owner, name, size, kind="grid"):

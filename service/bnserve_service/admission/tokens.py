@@ -5,13 +5,13 @@ from __future__ import annotations
 import hashlib
 from typing import Any, Literal, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import AwareDatetime, BaseModel, ConfigDict, Field, field_validator, model_validator
 
 from bnserve_service.errors import SettingsInvalid
 
-Scope: TypeAlias = Literal["evaluate", "upload", "admin"]
+Scope: TypeAlias = Literal["evaluate", "upload", "metrics", "admin"]
 USUAL_SCOPES: tuple[Scope, ...] = ("evaluate", "upload")
-"""What a sampler needs. ``admin`` is for operators: metrics, and looking at the stores now."""
+"""What a sampler needs. ``metrics`` is for a Prometheus, ``admin`` for operators: metrics and looking at the stores."""
 
 _SHORTEST_TOKEN = 16
 """Characters: shorter ones can be tried out. Those of ``bnserve tokens new`` have 47."""
@@ -29,13 +29,17 @@ class Token(BaseModel):
     sha256: str = Field(pattern=r"^[0-9a-f]{64}$")
     """Of its text; `bnserve tokens new` prints both."""
     scopes: tuple[Scope, ...] = USUAL_SCOPES
-    """What it may do; `admin` is for operators."""
+    """What it may do; `metrics` is for a Prometheus, `admin` for operators."""
+    expires: AwareDatetime | None = None
+    """When it ends, with its distance from UTC: `2027-01-01T00:00:00Z`."""
     rows_per_second: float | None = Field(default=None, gt=0.0, allow_inf_nan=False)
     """Rows evaluated per second in the long run; None for no limit."""
     burst_rows: float | None = Field(default=None, ge=1.0, allow_inf_nan=False)
     """Rows that may be saved up for a burst; None for those of one second."""
     max_concurrent: int | None = Field(default=None, ge=1)
     """Requests under way at the same time."""
+    rows_per_day: int | None = Field(default=None, ge=1)
+    """Rows evaluated per day, from midnight to midnight UTC."""
     max_stored_bytes: int | None = Field(default=None, ge=1024)
     """Uploaded grids and analyses together."""
 
@@ -60,7 +64,12 @@ class Token(BaseModel):
     @property
     def is_limited(self) -> bool:
         """Whether its requests have to be counted."""
-        return self.rows_per_second is not None or self.max_concurrent is not None
+        return any(each is not None for each in (self.rows_per_second, self.max_concurrent, self.rows_per_day))
+
+    @property
+    def ends(self) -> float:
+        """``time.time()`` from which it is not let in any more."""
+        return float("inf") if self.expires is None else self.expires.timestamp()
 
     @classmethod
     def of(cls, text: str, name: str = "token", scopes: tuple[Scope, ...] = USUAL_SCOPES, **limits: Any) -> Token:

@@ -36,7 +36,12 @@ def add_parser(subparsers: Any) -> None:
     add("--workers-threads", type=int, metavar="N", help="threads of each worker (its part of the processors)")
     add("--token", action="append", metavar="TOKEN", help="require this bearer token (repeatable); visible in the "
         "process list: on shared machines prefer --token-file or hashed tokens in the settings")  # fmt: skip
-    add("--token-file", type=Path, metavar="FILE", help="require one of the bearer tokens in this file, one per line")
+    add(
+        "--token-file",
+        type=Path,
+        metavar="FILE",
+        help="require one of the bearer tokens in this file, one a line; read again when it changes",
+    )
     add("--access-log", action="store_true", default=None, help="write one line per request")
     parser.set_defaults(run=run)
 
@@ -86,20 +91,12 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "workers": options.workers,
         "threads": options.workers_threads,
         "tokens": _tokens(options) or None,
+        "token_list": options.token_file,
         "access_log": options.access_log,
     }
 
 
 def _tokens(options: argparse.Namespace) -> list[Any]:
     from bnserve_service.admission.tokens import Token
-    from bnserve_service.errors import SettingsInvalid
-    from bnserve_service.guarded_files import read_text
 
-    texts = list(options.token or ())
-    if options.token_file is not None:
-        content = read_text(options.token_file, "token file")
-        content.check_access()
-        texts += [line.strip() for line in content.text.splitlines() if line.strip()]
-        if not texts:
-            raise SettingsInvalid(f"The token file '{options.token_file}' holds no token.")
-    return [Token.of(text, name=f"token-{number}") for number, text in enumerate(texts, start=1)]
+    return [Token.of(text, name=f"token-{number}") for number, text in enumerate(options.token or (), start=1)]

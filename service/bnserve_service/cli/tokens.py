@@ -6,6 +6,7 @@ import argparse
 import json
 import secrets
 import sys
+from datetime import UTC, datetime, timedelta
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 PREFIX = "bns_"
 """So that programs that look for leaked secrets can know one."""
-SCOPES = ("evaluate", "upload", "admin")
+SCOPES = ("evaluate", "upload", "metrics", "admin")
 
 
 def add_parser(subparsers: Any) -> None:
@@ -26,8 +27,10 @@ def add_parser(subparsers: Any) -> None:
     add = new.add_argument
     add("--name", required=True, help="who gets it: shown in logs, so that they need not show the token")
     add("--scope", action="append", choices=SCOPES, help="what it may do, repeatable (evaluate and upload)")
+    add("--days", type=float, metavar="N", help="it ends after so many days (never)")
     add("--rows-per-second", type=float, metavar="N", help="waveforms or log-likelihoods per second in the long run")
     add("--burst-rows", type=float, metavar="N", help="rows that may be saved up (those of one second)")
+    add("--rows-per-day", type=int, metavar="N", help="waveforms or log-likelihoods per day, in UTC")
     add("--max-concurrent", type=int, metavar="N", help="requests under way at the same time")
     add("--max-stored-bytes", type=int, metavar="N", help="uploaded grids and analyses")
     add("--json", action="store_true", help="print one JSON object instead, with the token in it")
@@ -55,14 +58,32 @@ def _token(text: str, options: argparse.Namespace) -> Token:
 
     limits = {
         name: value
-        for name in ("rows_per_second", "burst_rows", "max_concurrent", "max_stored_bytes")
+        for name in ("rows_per_second", "burst_rows", "rows_per_day", "max_concurrent", "max_stored_bytes")
         if (value := getattr(options, name)) is not None
     }
+    if options.days is not None:
+        limits["expires"] = _after(options.days)
     try:
         return Token.of(text, options.name, tuple(options.scope or USUAL_SCOPES), **limits)
     except ValidationError as error:
         reasons = "; ".join(f"{'.'.join(map(str, item['loc']))}: {item['msg']}" for item in error.errors())
         raise SettingsInvalid(f"There can be no such token: {reasons}.") from error
+
+
+def _after(days: float) -> datetime:
+    """That many days from now, to the second.
+
+    Raises
+    ------
+    SettingsInvalid
+        No such day is in the calendar, or it is over.
+    """
+    from bnserve_service.errors import SettingsInvalid
+
+    try:
+        return (datetime.now(UTC) + timedelta(days=days)).replace(microsecond=0)
+    except (OverflowError, ValueError) as error:
+        raise SettingsInvalid("--days is in how many days the token ends: a number such as 90.") from error
 
 
 def toml_lines(token: Token) -> list[str]:

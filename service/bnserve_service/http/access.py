@@ -10,14 +10,14 @@ from __future__ import annotations
 import hashlib
 import hmac
 import re
+import time
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from ipaddress import ip_address
 
 from bnserve_protocol import Forbidden, Unauthorized
-from bnserve_service.admission.quotas import RateQuota
+from bnserve_service.admission.token_book import Entry, TokenBook
 from bnserve_service.admission.tokens import Scope as TokenScope
-from bnserve_service.admission.tokens import Token
 from bnserve_service.http.requests import Header, RequestContext
 from bnserve_service.process.listening import is_loopback
 from bnserve_service.settings import ANY_HOST, Settings
@@ -28,10 +28,11 @@ _HEALTH = "/v2/"
 _READING = frozenset({"GET", "HEAD", "OPTIONS"})
 PUBLIC_ROUTES = frozenset({"/", "/docs", "/openapi.json"})
 """Pages without data of their own; what they show, they ask for with the visitor's token."""
-ADMIN_ROUTES = frozenset({"/metrics", "/v1/reload"})
-"""What concerns everybody who uses this server."""
-_SCOPES: dict[str, TokenScope] = {"POST": "evaluate", "PUT": "upload", "DELETE": "upload"}
-"""By method; what only reads needs a token, whatever its scopes."""
+_OF_ROUTES: dict[str, tuple[TokenScope, ...]] = {"/metrics": ("metrics", "admin"), "/v1/reload": ("admin",)}
+"""What concerns everybody who uses this server: each of these scopes lets a token do it."""
+_OF_METHODS: dict[str, tuple[TokenScope, ...]] = {"POST": ("evaluate",), "PUT": ("upload",), "DELETE": ("upload",)}
+"""Of all other routes; what only reads needs a token, whatever its scopes."""
+_PAYS = _OF_METHODS["POST"]
 
 
 class HostCheck:
@@ -106,15 +107,12 @@ class TokenCheck:
 
     Parameters
     ----------
-    tokens
+    book
         The tokens that are let in.
-    quotas
-        By digest: the quotas of those tokens that have limits.
     """
 
-    def __init__(self, tokens: Sequence[Token], quotas: Mapping[str, RateQuota]) -> None:
-        self._tokens = tuple(tokens)
-        self._quotas = dict(quotas)
+    def __init__(self, book: TokenBook) -> None:
+        self._book = book
 
     def check(self, context: RequestContext, headers: Sequence[Header], method: str) -> None:
         """Find out who asks, and whether he may ask for this.
@@ -122,23 +120,25 @@ class TokenCheck:
         Raises
         ------
         Unauthorized
-            There is no token, several, or none that is known.
+            There is no token, several, none that is known, or one that has ended.
         Forbidden
             The token lacks the scope.
         """
-        token = self._find(headers)
+        token, ends, quota = self._find(headers)
         context.caller, context.owner = token.name, token.sha256
-        needed = "admin" if context.route in ADMIN_ROUTES else _SCOPES.get(method)
-        if needed is not None and needed not in token.scopes:
-            raise Forbidden(f"This token lacks the scope '{needed}'; ask the operators for one that has it.")
-        context.quota = self._quotas.get(token.sha256)
-        context.pays = needed == "evaluate"
+        if ends <= time.time():
+            raise Unauthorized(f"This token ended on {token.expires}; ask the operators for another.")
+        needed = _OF_ROUTES.get(context.route) or _OF_METHODS.get(method, ())
+        if needed and not any(scope in token.scopes for scope in needed):
+            raise Forbidden(f"This token lacks the scope '{needed[0]}'; ask the operators for one that has it.")
+        context.quota = quota
+        context.pays = needed == _PAYS
 
-    def _find(self, headers: Sequence[Header]) -> Token:
+    def _find(self, headers: Sequence[Header]) -> Entry:
         given = [value for name, value in headers if name == b"authorization"]
         kind, _, text = (given[0] if len(given) == 1 else b"").partition(b" ")
         digest = hashlib.sha256(text.strip()).hexdigest()
-        found = [token for token in self._tokens if hmac.compare_digest(token.sha256, digest)]
+        found = [entry for entry in self._book.entries if hmac.compare_digest(entry.token.sha256, digest)]
         if len(given) > 1:
             raise Unauthorized("This request has several Authorization headers; send one.")
         if kind.lower() != b"bearer" or not found:

@@ -202,6 +202,8 @@ class Front:
         headers = [(b"x-request-id", context.request_id.encode("ascii"))]
         if context.request_digest is not None:
             headers.append((b"x-request-digest", context.request_digest.encode("ascii")))
+        if context.quota is not None and context.pays:
+            headers += context.quota.headers()
         if self._lifecycle.draining:
             headers.append((b"connection", b"close"))
         return headers

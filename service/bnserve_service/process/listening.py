@@ -38,7 +38,7 @@ def open_listener(settings: Settings) -> socket.socket:
     if settings.uds is not None:
         return listen_unix(settings.uds)
     listener = listen_tcp(settings.host, settings.port)
-    if not settings.tokens and not is_loopback(settings.host):
+    if not settings.asks_for_tokens and not is_loopback(settings.host):
         logger.warning(
             "NO TOKENS: whoever reaches %s may use this server, upload to it, read its metrics and reload its models. "
             "Make tokens with `bnserve tokens new`, or listen on 127.0.0.1.", address_of(listener),

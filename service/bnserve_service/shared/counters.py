@@ -17,6 +17,35 @@ without it, and at worst a request is counted wrongly."""
 _MOST_PROCESSES = 256
 
 
+class Processes:
+    """The processes of one server, which take turns, and of which each has a number of its own.
+
+    Parameters
+    ----------
+    shared
+        A folder that they share, and that outlives each of them; None for one process.
+    """
+
+    def __init__(self, shared: Path | None = None) -> None:
+        self.shared = shared
+        self.slots = 1 if shared is None else _MOST_PROCESSES
+        self._file = None if shared is None else _open(shared, "processes", 1)
+        self.slot = 0 if self._file is None else _claim_slot(self._file)
+
+    @contextlib.contextmanager
+    def alone(self) -> Iterator[None]:
+        """Keep the other processes out for a moment. (Within this process, only the event loop changes anything.)"""
+        if self._file is None:
+            yield
+            return
+        held = _lock(self._file)
+        try:
+            yield
+        finally:
+            if held:
+                fcntl.lockf(self._file, fcntl.LOCK_UN, 1, 0)
+
+
 class Counters:
     """``count`` float64, all 0 at first, and as many again that belong to this process and vanish with it.
 
@@ -24,26 +53,23 @@ class Counters:
     ----------
     count
         How many.
-    shared
-        A folder that the processes of one server share, and that outlives each of them; None for one process.
+    processes
+        Who shares them.
     name
         What the numbers are for: processes that give the same name and count share them.
     """
 
-    def __init__(self, count: int, shared: Path | None = None, name: str = "") -> None:
+    def __init__(self, count: int, processes: Processes, name: str = "") -> None:
         self._count = count
-        self._file: int | None = None
-        self._slot = 0
-        slots = 1
-        if shared is None:
-            memory: bytearray | mmap.mmap = bytearray(8 * 2 * count)
-        else:
-            slots = _MOST_PROCESSES
-            self._file = _open(shared, name, 8 * (1 + slots) * count)
-            memory = mmap.mmap(self._file, 8 * (1 + slots) * count)
-            self._slot = _claim_slot(self._file)
+        self._slot, self._slots = processes.slot, processes.slots
+        size = 8 * (1 + self._slots) * count
+        memory: bytearray | mmap.mmap = bytearray(size)
+        if processes.shared is not None:
+            file = _open(processes.shared, name, size)
+            memory = mmap.mmap(file, size)
+            os.close(file)
         self._values = memoryview(memory).cast("d")
-        self._slots = slots
+        self.alone = processes.alone
         for index in range(count):
             self.set_own(index, 0.0)  # what a process left behind that had this slot and is dead
 
@@ -64,19 +90,6 @@ class Counters:
     def over_processes(self, index: int) -> float:
         """The sum of what all processes have as their own there."""
         return sum(self._values[self._count + index :: self._count][: self._slots])
-
-    @contextlib.contextmanager
-    def alone(self) -> Iterator[None]:
-        """Keep the other processes out for a moment. (Within this process, only the event loop changes anything.)"""
-        if self._file is None:
-            yield
-            return
-        held = _lock(self._file)
-        try:
-            yield
-        finally:
-            if held:
-                fcntl.lockf(self._file, fcntl.LOCK_UN, 1, 0)
 
 
 def name_of(parts: Sequence[str]) -> str:

@@ -13,14 +13,13 @@ from __future__ import annotations
 import threading
 import time
 import uuid
-from collections.abc import Generator, Iterable, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal, TypeAlias
 
 from bnserve_protocol import QuotaExceeded, TooLarge
-from bnserve_service.admission.tokens import Token
 from bnserve_service.uploads.blobs import DIGEST, gone, locked
 from bnserve_service.uploads.stores import UploadStore
 
@@ -130,8 +129,8 @@ class StorageQuotas:
 
     Parameters
     ----------
-    tokens
-        The tokens of the settings.
+    most
+        How much an owner may keep; None for no limit.
     uploads
         Where they are, by kind.
     shared
@@ -139,9 +138,9 @@ class StorageQuotas:
     """
 
     def __init__(
-        self, tokens: Sequence[Token], uploads: Mapping[Kind, UploadStore[Any]], shared: Path | None = None
+        self, most: Callable[[str], int | None], uploads: Mapping[Kind, UploadStore[Any]], shared: Path | None = None
     ) -> None:
-        self._most = {token.sha256: token.max_stored_bytes for token in tokens if token.max_stored_bytes is not None}
+        self._most = most
         self._uploads = uploads
         self._records = Records() if shared is None else SharedRecords(shared / "storage-quotas")
 
@@ -160,7 +159,7 @@ class StorageQuotas:
         """
         upload = Upload(kind, sha256, nbytes, uuid.uuid4().hex)
         try:
-            if not self._most or not DIGEST.fullmatch(sha256):  # what is no digest is refused by whoever stores it
+            if not owner or not DIGEST.fullmatch(sha256):  # what is no digest is refused by whoever stores it
                 yield
                 return
             with self._records.alone():
@@ -177,7 +176,7 @@ class StorageQuotas:
 
     def _make_room(self, owner: str, upload: Upload) -> None:
         present = self._present(owner)  # also of those without a limit, whose records nobody else would tidy
-        most = self._most.get(owner)
+        most = self._most(owner)
         if most is None:
             return
         if upload.nbytes > most:
