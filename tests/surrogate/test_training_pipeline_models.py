@@ -19,9 +19,9 @@ from bnserve_surrogate.training.config import parse_configuration
 from bnserve_surrogate.training.data.generation import Generation, make_generator, training_set
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.publication import assemble, describe
-from bnserve_surrogate.training.reduction.metric import mismatch_metric
 from bnserve_surrogate.training.reduction.nodes import configured_nodes
 from bnserve_surrogate.training.reduction.reductions import ReducedResiduals, reduce_dataset
+from bnserve_surrogate.training.reduction.weights import mismatch_metric
 from bnserve_surrogate.training.regressors import coordinate_map, export_regressor, make_regressor
 from bnserve_surrogate.training.regressors.exported import model_tensors
 from tests.surrogate.smooth_waveforms import merger_phase, merger_time, residual_shapes, waveform
@@ -230,10 +230,10 @@ class Generator:
         reference_mass=2.8,
     )
 
-    def predict_amplitude_phase(self, frequencies, parameters, *, options):
-        theta = np.array([getattr(parameters, name) for name in INTRINSIC_NAMES])
-        amplitude, psi = waveform(theta, frequencies * parameters.total_mass * SOLAR_MASS_SECONDS)
-        return AmplitudePhase(amplitude=amplitude, phase=-psi, status=np.zeros(1, np.uint8))
+    def predict_amplitude_phase(self, frequencies, batch, *, options):
+        theta = np.array([batch[name][0] for name in INTRINSIC_NAMES])
+        amplitude, psi = waveform(theta, frequencies * batch["total_mass"][0] * SOLAR_MASS_SECONDS)
+        return AmplitudePhase(amplitude=amplitude[None], phase=-psi[None], status=np.zeros(1, np.uint8))
 
 
 @pytest.mark.parametrize("frequency", [6.0, 30.0, 500.0])

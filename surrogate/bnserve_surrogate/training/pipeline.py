@@ -16,14 +16,15 @@ from bnserve_surrogate.training.data.generation import (
 )
 from bnserve_surrogate.training.data.sampling import parameter_ranges
 from bnserve_surrogate.training.publication import Trained, assemble, describe, estimating, provenance, with_results
-from bnserve_surrogate.training.reduction.metric import mismatch_metric
-from bnserve_surrogate.training.reduction.nodes import check_reduction, configured_nodes
+from bnserve_surrogate.training.reduction.nodes import check_reduction, configured_nodes, mode_nodes
 from bnserve_surrogate.training.reduction.reductions import reduce_dataset
+from bnserve_surrogate.training.reduction.weights import mismatch_metric
 from bnserve_surrogate.training.regressors import check_regressor, coordinate_map, export_regressor, make_regressor
 from bnserve_surrogate.training.regressors.exported import model_tensors
+from bnserve_surrogate.training.regressors.ratios import train_ratios
 from bnserve_surrogate.training.search.hyperparameters import with_best_hyperparameters
 from bnserve_surrogate.training.sections import TrainingConfiguration
-from bnserve_surrogate.training.validation.error_estimate import estimate_from, with_error_estimate
+from bnserve_surrogate.training.validation.error_estimate import estimates_from, with_error_estimate
 from bnserve_surrogate.training.validation.measurement import validate_on_fresh
 
 
@@ -80,7 +81,7 @@ def train(
     check_room(configuration, directory)
     generator = configured_generator(configuration)
     generate = Generation(configuration, generator, directory, n_jobs, backend, progress)
-    dataset = training_set(generate, *configured_nodes(generate, say), say)
+    dataset = training_set(generate, *configured_nodes(generate, say), say, mode_nodes(configuration))
     say(f"Reduction: {configuration.reduction.kind}, {configuration.reduction.components} components")
     metric = mismatch_metric(dataset, configuration)
     reduction, targets, start_mf = reduce_dataset(configuration, generator, metric, dataset)
@@ -89,15 +90,18 @@ def train(
     regressor = make_regressor(configuration, metric).fit(coordinates(dataset.theta), targets)
     exported = export_regressor(regressor)
     tensors = model_tensors(reduction, exported, coordinates, dataset.mf_amplitude, dataset.mf_phase)
+    for ratio in train_ratios(configuration, dataset, coordinates):
+        tensors |= ratio.tensors
     metadata = describe(configuration, exported.metadata.get("mlp_activation", "tanh"), start_mf)
     say("Validation on fresh waveforms")
     model = assemble(configuration, metadata, tensors)
     section = configuration.validation
     counts = {"uniform": section.count, "edges": section.edge_count}
     validations = validate_on_fresh(generate, model, metadata, counts, section.seed)
-    estimate = estimate_from(validations, coordinates)
-    if estimate is not None:
-        tensors = with_error_estimate(tensors, estimate)
+    estimates = estimates_from(validations, coordinates)
+    for mode, estimate in estimates.items():
+        tensors = with_error_estimate(tensors, estimate, mode)
+    if estimates:
         metadata = estimating(metadata)
         model = assemble(configuration, metadata, tensors)
     origin = provenance(configuration, generator, dataset, tensors, time.monotonic() - started)

@@ -16,10 +16,19 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import __version__
 from bnserve_store import Manifest, ModelStore
-from bnserve_surrogate._artifact import ModeMetadata, SelfCheck, SurrogateMetadata, read_modes
+from bnserve_surrogate._artifact import (
+    CARRIER,
+    MODES,
+    ModeMetadata,
+    RatioMetadata,
+    SelfCheck,
+    SurrogateMetadata,
+    read_modes,
+)
 from bnserve_surrogate._model import Model
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import WaveformGenerator
+from bnserve_surrogate.training.data.modes import LEADING_POWERS
 from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.sections import TrainingConfiguration
 from bnserve_surrogate.training.validation.measurement import Validation, by_parameter
@@ -56,18 +65,26 @@ class Trained:
 def describe(configuration: TrainingConfiguration, activation: str, start_mf: float) -> SurrogateMetadata:
     """The metadata of a model that has just been fitted, before anything was measured."""
     ranges = configuration.ranges
-    mode = ModeMetadata(
+    extended = ranges.weaker_tides == "baseline"
+    tides = [ranges.tidal_deformability, ranges.tidal_deformability_2]
+    lambdas = [None if tide is None else (0.0, tide[1]) if extended else tide for tide in tides]
+    carrier = ModeMetadata(
         coordinates=configuration.regressor.coordinates,
         activation=activation,  # type: ignore[arg-type]
         merger_start_mf=start_mf,
     )
     return SurrogateMetadata(
-        modes={"22": mode},
+        modes={
+            CARRIER: carrier,
+            **{name: RatioMetadata(ratio_power=LEADING_POWERS[MODES[name]]) for name in configuration.modes},
+        },
         reference_mass=ranges.reference_mass,
         total_mass=ranges.total_mass,
         mass_ratio=ranges.mass_ratio,
         chi=ranges.chi,
-        lambda_=ranges.tidal_deformability,
+        lambda_=lambdas[0] or ranges.tidal_deformability,
+        lambda_2=lambdas[1],
+        least_trained_lambda=min(tide[0] for tide in tides if tide is not None) if extended else 0.0,
         frequency_band=ranges.frequency_band,
         citation=configuration.citation,
     )
@@ -75,8 +92,8 @@ def describe(configuration: TrainingConfiguration, activation: str, start_mf: fl
 
 def estimating(metadata: SurrogateMetadata) -> SurrogateMetadata:
     """The metadata of a model whose regressor has the estimated mismatch for its last output."""
-    mode = msgspec.structs.replace(metadata.modes["22"], estimates_mismatch=True)
-    return msgspec.structs.replace(metadata, modes={"22": mode})
+    modes = {name: msgspec.structs.replace(mode, estimates_mismatch=True) for name, mode in metadata.modes.items()}
+    return msgspec.structs.replace(metadata, modes=modes)
 
 
 def assemble(configuration: TrainingConfiguration, metadata: SurrogateMetadata, tensors: Tensors) -> Model:
@@ -110,8 +127,8 @@ def provenance(
 
 
 def _multiply_adds(tensors: Tensors) -> int:
-    names = ("22/polynomial_coefficients", *(name for name in tensors if name.startswith("22/mlp_weights_")))
-    return int(sum(tensors[name].size for name in names if name in tensors))
+    names = [name for name in tensors if name.split("/")[1].startswith(("polynomial_coefficients", "mlp_weights_"))]
+    return int(sum(tensors[name].size for name in names))
 
 
 def with_results(

@@ -33,21 +33,32 @@ class GeneratorSection(_Section, frozen=True, forbid_unknown_fields=True):
 
 
 class RangesSection(_Section, frozen=True, forbid_unknown_fields=True):
-    """The box, and the band that is guaranteed for every total mass in it."""
+    """The box, and the band that is guaranteed for every total mass in it.
+
+    ``tidal_deformability_2`` is the range of Lambda_2, where it is not that of Lambda_1. ``weaker_tides = "baseline"``
+    lets the model begin at Lambda = 0: below the range the baseline has the true Lambda, and what was learnt is that of
+    the range's lower end.
+    """
 
     mass_ratio: tuple[float, float] = (1.0, 3.0)
     chi: tuple[float, float] = (-0.5, 0.5)
     tidal_deformability: tuple[float, float] = (5.0, 5000.0)
+    tidal_deformability_2: tuple[float, float] | None = None
+    weaker_tides: Literal["refuse", "baseline"] = "refuse"
     total_mass: tuple[Positive, Positive] = (2.0, 4.0)
     reference_mass: Positive = 2.8
     frequency_band: tuple[Positive, Positive] = (5.0, 2048.0)
 
 
 class NodesSection(_Section, frozen=True, forbid_unknown_fields=True):
-    """``smooth``: ``count`` nodes for both quantities. ``greedy``: the paper's, on residuals or on waveforms."""
+    """``smooth``: ``count`` nodes for both quantities. ``greedy``: the paper's, on residuals or on waveforms.
+
+    ``modes`` smooth nodes are those of every mode beside (2, 2).
+    """
 
     kind: Literal["smooth", "greedy"] = "smooth"
     count: Annotated[int, Meta(ge=4, le=4000)] = 160
+    modes: Annotated[int, Meta(ge=4, le=4000)] = 100
     tolerance: Positive = 1e-5
     waveforms: Count = 128
     on: Literal["residuals", "waveforms"] = "residuals"
@@ -102,12 +113,14 @@ class NetworkSection(_Section, frozen=True, forbid_unknown_fields=True):
 class RegressorSection(_Section, frozen=True, forbid_unknown_fields=True):
     """``polynomial``, ``network``, or ``sum``: a network on what the polynomial leaves.
 
+    In ``symmetric`` coordinates a polynomial has the symmetry of the two labels at equal masses by construction.
+
     ``hyperparameters = "best"`` takes those found by a search for the number of waveforms, from the file ``pareto`` or,
     if that is empty, from the collection that comes with the package.
     """
 
     kind: Literal["polynomial", "network", "sum"] = "polynomial"
-    coordinates: Literal["physical", "raw"] = "physical"
+    coordinates: Literal["physical", "symmetric", "raw"] = "physical"
     hyperparameters: Literal["given", "best"] = "given"
     pareto: str = ""
     polynomial: PolynomialSection = PolynomialSection()
@@ -120,6 +133,15 @@ class ValidationSection(_Section, frozen=True, forbid_unknown_fields=True):
     count: Natural = 512
     edge_count: Natural = 128
     seed: int = 1000
+
+
+class ModeSection(_Section, frozen=True, forbid_unknown_fields=True):
+    """A mode beside (2, 2): how many components its ratio to (2, 2) gets, and the polynomial that predicts them."""
+
+    components: Count
+    degree: NotNegative
+    terms: Count | None = None
+    weights: tuple[float, float, float, float, float] = (0.6, 0.9, 0.9, 1.5, 1.5)
 
 
 class TrainingConfiguration(_Section, frozen=True, forbid_unknown_fields=True, kw_only=True):
@@ -135,4 +157,6 @@ class TrainingConfiguration(_Section, frozen=True, forbid_unknown_fields=True, k
     dataset: DatasetSection
     reduction: ReductionSection = ReductionSection()
     regressor: RegressorSection = RegressorSection()
+    modes: dict[str, ModeSection] = {}
+    """By their digits, ``"33"`` for (3, 3); they need a polynomial in symmetric coordinates."""
     validation: ValidationSection = ValidationSection()

@@ -28,6 +28,7 @@ from bnserve_surrogate.training.data.chunks import (
     write_whole,
 )
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
+from bnserve_surrogate.training.data.modes import NO_MODES, ModeNodes
 from bnserve_surrogate.training.data.residuals import baseline_fingerprint
 from bnserve_surrogate.training.data.sampling import ParameterRanges, Sampling, draw
 from bnserve_surrogate.training.data.workers import computed_chunks
@@ -52,6 +53,8 @@ class DatasetSpecification:
         Increasing dimensionless frequencies of the nodes, (n_A,) and (n_phi,).
     chunk_size
         Samples per file, which is also what an interruption can cost.
+    modes
+        Those beside (2, 2), whose ratios are kept.
     """
 
     generator: WaveformGenerator
@@ -62,6 +65,7 @@ class DatasetSpecification:
     mf_amplitude: FloatArray
     mf_phase: FloatArray
     chunk_size: int = 32
+    modes: ModeNodes = NO_MODES
 
     def __post_init__(self) -> None:
         for nodes in (self.mf_amplitude, self.mf_phase):
@@ -85,6 +89,7 @@ class DatasetSpecification:
             "phase_nodes": _array_digest(self.mf_phase),
             "baseline": baseline_fingerprint(np.union1d(self.mf_amplitude, self.mf_phase)),
             "chunk_size": self.chunk_size,
+            **self.modes.description,
         }
 
     @property
@@ -99,7 +104,7 @@ class DatasetSpecification:
     def task(self, start: int, stop: int) -> ChunkTask:
         """The computation of samples start..stop-1."""
         theta = draw(self.sampling, self.ranges, self.seed, self.purpose, start, stop)
-        return ChunkTask(self.generator, start, theta, self.mf_amplitude, self.mf_phase)
+        return ChunkTask(self.generator, start, theta, self.mf_amplitude, self.mf_phase, self.modes)
 
 
 @dataclass(frozen=True)
@@ -122,6 +127,8 @@ class ResidualDataset:
         What could not be generated, and why.
     digest
         Of the specification.
+    ratios, modes
+        (N, L, n_m) ratios of the modes beside (2, 2), see :mod:`~.modes`.
     """
 
     index: NDArray[np.int64]
@@ -132,13 +139,15 @@ class ResidualDataset:
     mf_phase: FloatArray
     failures: tuple[Failure, ...]
     digest: str
+    ratios: NDArray[np.complex128]
+    modes: ModeNodes = NO_MODES
 
     def __len__(self) -> int:
         return int(self.theta.shape[0])
 
     def subset(self, rows: NDArray[Any]) -> ResidualDataset:
         """Some of the samples, by a boolean mask or positions."""
-        columns = ("index", "theta", "log_amplitude_ratio", "psi_residual")
+        columns = ("index", "theta", "log_amplitude_ratio", "psi_residual", "ratios")
         return replace(self, **{name: getattr(self, name)[rows] for name in columns})
 
 
@@ -153,6 +162,8 @@ def joined(first: ResidualDataset, second: ResidualDataset, count: int) -> Resid
         first.mf_phase,
         (*first.failures, *(replace(failure, index=failure.index + count) for failure in second.failures)),
         hashlib.sha256(f"{first.digest}+{second.digest}".encode()).hexdigest(),
+        np.concatenate([first.ratios, second.ratios]),
+        first.modes,
     )
 
 
@@ -232,7 +243,7 @@ def _path(folder: Path, start: int, stop: int) -> Path:
 
 def _stored(folder: Path, specification: DatasetSpecification, count: int) -> dict[int, Chunk]:
     """Finished chunks by their first sample."""
-    sizes = specification.mf_amplitude.size, specification.mf_phase.size
+    sizes = specification.mf_amplitude.size, specification.mf_phase.size, specification.modes.shape
     found = {
         start: read_chunk(_path(folder, start, stop), *sizes) for start, stop in _spans(count, specification.chunk_size)
     }
@@ -255,6 +266,8 @@ def _collected(specification: DatasetSpecification, chunks: list[Chunk], count: 
         specification.mf_phase,
         failures,
         specification.digest,
+        whole.ratios,
+        specification.modes,
     )
 
 

@@ -23,6 +23,7 @@ from bnserve_surrogate.training.data.generators import (
     TEOBResumSPA,
     WaveformGenerator,
 )
+from bnserve_surrogate.training.data.modes import NO_MODES, ModeNodes
 from bnserve_surrogate.training.data.sampling import (
     EdgeSampling,
     Sampling,
@@ -113,7 +114,8 @@ def check_room(configuration: TrainingConfiguration, directory: Path) -> None:
         It cannot be written, or has no room for those that are not there yet.
     """
     section, measured = configuration.dataset, configuration.validation
-    waveforms = (section.count + section.edge_count) * 2 * configuration.nodes.count
+    numbers = 2 * configuration.nodes.count + 2 * len(configuration.modes) * configuration.nodes.modes
+    waveforms = (section.count + section.edge_count) * numbers
     waveforms += (measured.count + measured.edge_count) * 2 * VALIDATION_NODES
     with unwritable_named(directory):
         there = sum(path.stat().st_size for path in directory.glob("*/chunk-*.npz"))
@@ -148,12 +150,13 @@ class Generation:
         mf_amplitude: FloatArray,
         mf_phase: FloatArray,
         max_failed_fraction: float | None = None,
+        modes: ModeNodes = NO_MODES,
     ) -> ResidualDataset:
         """``count`` samples at these nodes; all may fail if ``max_failed_fraction`` is 1."""
         allowed = self.configuration.dataset.max_failed_fraction if max_failed_fraction is None else max_failed_fraction
         ranges = parameter_ranges(self.configuration)
         dataset = build_dataset(
-            DatasetSpecification(self.generator, ranges, sampling, seed, purpose, mf_amplitude, mf_phase),
+            DatasetSpecification(self.generator, ranges, sampling, seed, purpose, mf_amplitude, mf_phase, modes=modes),
             count,
             self.directory,
             n_jobs=self.n_jobs,
@@ -197,7 +200,11 @@ class Generation:
 
 
 def training_set(
-    generate: Generation, mf_amplitude: FloatArray, mf_phase: FloatArray, say: Callable[[str], None] = print
+    generate: Generation,
+    mf_amplitude: FloatArray,
+    mf_phase: FloatArray,
+    say: Callable[[str], None] = print,
+    modes: ModeNodes = NO_MODES,
 ) -> ResidualDataset:
     """The waveforms that a configuration is trained on, at these nodes; errors are those of :func:`build_dataset`.
 
@@ -211,9 +218,9 @@ def training_set(
     edges = f" and {section.edge_count} on faces and edges" if section.edge_count else ""
     say(f"Waveforms: {section.count}{edges} of {generator.name} {generator.version}")
     sampling = configured_sampling(generate.configuration)
-    dataset = generate(sampling, "train", section.seed, section.count, mf_amplitude, mf_phase)
+    dataset = generate(sampling, "train", section.seed, section.count, mf_amplitude, mf_phase, modes=modes)
     if section.edge_count:
-        others = generate(_EDGES, "train edges", section.seed, section.edge_count, mf_amplitude, mf_phase)
+        others = generate(_EDGES, "train edges", section.seed, section.edge_count, mf_amplitude, mf_phase, modes=modes)
         dataset = joined(dataset, others, section.count)
     say(f"  {len(dataset)} ready, {len(dataset.failures)} failed and left out")
     return dataset

@@ -38,6 +38,8 @@ class ParameterRanges:
         Aligned dimensionless spin of either star, between -1 and 1.
     tidal_deformability
         Lambda of either star, positive.
+    tidal_deformability_2
+        That of the second, if it is another.
 
     Raises
     ------
@@ -48,9 +50,12 @@ class ParameterRanges:
     mass_ratio: Interval = (1.0, 3.0)
     chi: Interval = (-0.5, 0.5)
     tidal_deformability: Interval = (5.0, 5000.0)
+    tidal_deformability_2: Interval | None = None
 
     def __post_init__(self) -> None:
         bounds = {"mass_ratio": (1.0, np.inf), "chi": (-1.0, 1.0), "tidal_deformability": (0.0, np.inf)}
+        if self.tidal_deformability_2 is not None:
+            bounds["tidal_deformability_2"] = (0.0, np.inf)
         for name, (least, most) in bounds.items():
             interval = tuple(float(value) for value in getattr(self, name))
             if len(interval) != 2 or not (least <= interval[0] <= interval[1] <= most) or np.isinf(interval[1]):
@@ -72,18 +77,19 @@ class ParameterRanges:
 
     @property
     def settings(self) -> dict[str, Interval]:
-        """The three intervals by name."""
-        return asdict(self)
+        """The intervals by name."""
+        return {name: interval for name, interval in asdict(self).items() if interval is not None}
 
     def _corner(self, side: int) -> FloatArray:
         chi, tides = self.chi[side], self.tidal_deformability[side]
-        return np.array([self.mass_ratio[side], chi, chi, tides, tides])
+        others = tides if self.tidal_deformability_2 is None else self.tidal_deformability_2[side]
+        return np.array([self.mass_ratio[side], chi, chi, tides, others])
 
 
 def parameter_ranges(configuration: TrainingConfiguration) -> ParameterRanges:
     """The box of a configuration."""
     ranges = configuration.ranges
-    return ParameterRanges(ranges.mass_ratio, ranges.chi, ranges.tidal_deformability)
+    return ParameterRanges(ranges.mass_ratio, ranges.chi, ranges.tidal_deformability, ranges.tidal_deformability_2)
 
 
 def training_band(configuration: TrainingConfiguration) -> tuple[float, float]:
@@ -95,9 +101,18 @@ def training_band(configuration: TrainingConfiguration) -> tuple[float, float]:
     )
 
 
-def mf_band(configuration: TrainingConfiguration) -> tuple[float, float]:
-    """The training band in M f (dimensionless)."""
+def carrier_band(configuration: TrainingConfiguration) -> tuple[float, float]:
+    """Hz at the reference mass, of the (2, 2) mode: down to where every mode has passed the training band's beginning.
+
+    Mode m has the frequency f when (2, 2) has 2 f / m.
+    """
     low, high = training_band(configuration)
+    return low * 2.0 / max([2, *(int(mode[1]) for mode in configuration.modes)]), high
+
+
+def mf_band(configuration: TrainingConfiguration) -> tuple[float, float]:
+    """:func:`carrier_band` in M f (dimensionless)."""
+    low, high = carrier_band(configuration)
     mass = mass_seconds(configuration.ranges.reference_mass)
     return low * mass, high * mass
 

@@ -11,7 +11,7 @@ from joblib.externals.loky import ProcessPoolExecutor
 from joblib.externals.loky.process_executor import TerminatedWorkerError
 
 from bnserve_surrogate.joblib_workers import RAY, RayWorkers, ending_with_parent
-from bnserve_surrogate.training.data.chunks import Chunk, ChunkTask, assemble, compute_chunk, merge
+from bnserve_surrogate.training.data.chunks import Chunk, ChunkTask, compute_chunk, merge
 from bnserve_surrogate.training.errors import WorkersUnusable
 
 _CRASHED = "the generator ended its process (a crash in compiled code, or killed for memory)"
@@ -152,4 +152,4 @@ def _attempt(executor: Any, single: ChunkTask) -> tuple[Chunk, bool]:
     except BrokenProcessPool as error:
         _only_crashes(error)
         failed = [(single.start, _CRASHED)]
-        return assemble([], failed, single.mf_amplitude.size, single.mf_phase.size), True
+        return single.assemble([], failed), True

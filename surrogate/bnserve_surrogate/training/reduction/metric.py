@@ -19,12 +19,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from bnserve_surrogate.training.data.dataset import ResidualDataset
-from bnserve_surrogate.training.data.generators import mass_seconds
-from bnserve_surrogate.training.data.noise import noise_curve, noise_weights
-from bnserve_surrogate.training.data.residuals import baseline_amplitude
-from bnserve_surrogate.training.sections import TrainingConfiguration
-
 FloatArray: TypeAlias = NDArray[np.float64]
 
 _DENSE = 4000
@@ -196,19 +190,3 @@ def node_weights(nodes: ArrayLike, frequencies: ArrayLike, weights: ArrayLike) -
     if not (sparse > 0.0).all():
         raise ValueError("The dense grid must be much finer than the nodes and have weight around every node.")
     return sparse / sparse.sum()
-
-
-def mismatch_metric(dataset: ResidualDataset, configuration: TrainingConfiguration) -> MismatchMetric:
-    """The metric with the mean weights |h|^2 / S_n of the data set, at its nodes."""
-    mass = mass_seconds(configuration.ranges.reference_mass)
-    dense = dense_grid(dataset.mf_amplitude)
-    to_dense = spline_matrix(dataset.mf_amplitude, dense).T
-    every = max(1, len(dataset) // 1024)
-    amplitudes = np.array(
-        [
-            np.exp(ratio @ to_dense) * baseline_amplitude(theta, dense)
-            for theta, ratio in zip(dataset.theta[::every], dataset.log_amplitude_ratio[::every], strict=True)
-        ]
-    )
-    weights = noise_weights(dense / mass, amplitudes, noise_curve(configuration.reduction.noise)).mean(axis=0)
-    return MismatchMetric.from_dense(dataset.mf_amplitude, dataset.mf_phase, dense, weights)

@@ -10,13 +10,14 @@ from bnserve_surrogate.training.config import demand
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, build_dataset
 from bnserve_surrogate.training.data.generation import Generation
 from bnserve_surrogate.training.data.generators import REFERENCE_MASS, FloatArray, mass_seconds
+from bnserve_surrogate.training.data.modes import NO_MODES, ModeNodes
 from bnserve_surrogate.training.data.noise import noise_curve
 from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase, flatten_phase
 from bnserve_surrogate.training.data.sampling import (
     UniformSampling,
+    carrier_band,
     mf_band,
     parameter_ranges,
-    training_band,
 )
 from bnserve_surrogate.training.reduction.greedy import greedy_downsampling, multibanded_grid
 from bnserve_surrogate.training.reduction.metric import has_weight
@@ -66,7 +67,7 @@ def _coordinate(frequency: float) -> float:
 
 
 def configured_nodes(generate: Generation, say: Callable[[str], None] = print) -> tuple[FloatArray, FloatArray]:
-    """The amplitude's and the phase's nodes in M f; greedy ones are chosen on waveforms kept in the directory.
+    """(2, 2)'s nodes of amplitude and phase in M f; greedy ones are chosen on waveforms kept in the directory.
 
     Raises
     ------
@@ -76,13 +77,22 @@ def configured_nodes(generate: Generation, say: Callable[[str], None] = print) -
     configuration, section = generate.configuration, generate.configuration.nodes
     say(f"Nodes: {section.kind}")
     if section.kind == "smooth":
-        amplitude = smooth_nodes(*training_band(configuration), section.count, configuration.ranges.reference_mass)
+        amplitude = smooth_nodes(*carrier_band(configuration), section.count, configuration.ranges.reference_mass)
         phase = amplitude
     else:
         amplitude, phase = _greedy_nodes(generate)
         check_nodes(configuration, amplitude, phase)
     say(f"  {len(amplitude)} for the amplitude, {len(phase)} for the phase")
     return amplitude, phase
+
+
+def mode_nodes(configuration: TrainingConfiguration) -> ModeNodes:
+    """The modes beside (2, 2) of a configuration, and where their ratios are kept."""
+    modes = tuple((int(name[0]), int(name[1])) for name in configuration.modes)
+    if not modes:
+        return NO_MODES
+    band, mass = carrier_band(configuration), configuration.ranges.reference_mass
+    return ModeNodes(modes, smooth_nodes(*band, configuration.nodes.modes, mass))
 
 
 def _greedy_nodes(generate: Generation) -> tuple[FloatArray, FloatArray]:
@@ -122,7 +132,7 @@ def check_reduction(configuration: TrainingConfiguration, waveforms: int, descri
     InvalidParameters, InvalidFrequencies
         A noise curve that does not exist, or does not cover the band.
     """
-    band, mass = training_band(configuration), configuration.ranges.reference_mass
+    band, mass = carrier_band(configuration), configuration.ranges.reference_mass
     for noise in {configuration.reduction.noise, "ET-D"}:  # the second is that of the validation
         noise_curve(noise)(np.array(band))
     components = configuration.reduction.components

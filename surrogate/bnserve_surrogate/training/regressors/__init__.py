@@ -17,9 +17,14 @@ from bnserve_surrogate.training.regressors.exported import (
     export_regressor,
 )
 from bnserve_surrogate.training.regressors.mlp import MLP
-from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial, chebyshev_terms, weighted_exponents
+from bnserve_surrogate.training.regressors.polynomial import (
+    ChebyshevPolynomial,
+    chebyshev_terms,
+    weighted_exponents,
+    with_parity,
+)
 
 __all__ = [
     "MLP", "Beside", "ChebyshevPolynomial", "ExportedRegressor", "NotExportable", "Sum", "chebyshev_terms",
-    "check_regressor", "coordinate_map", "export_regressor", "make_regressor", "weighted_exponents",
+    "check_regressor", "coordinate_map", "export_regressor", "make_regressor", "weighted_exponents", "with_parity",
 ]  # fmt: skip  # each has a line of its own above

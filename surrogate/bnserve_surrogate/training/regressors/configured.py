@@ -9,13 +9,14 @@ from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.kernel import MAX_DEGREE
 from bnserve_surrogate.training.config import demand
 from bnserve_surrogate.training.data.generators import FloatArray
+from bnserve_surrogate.training.data.modes import LEADING_POWERS
 from bnserve_surrogate.training.data.sampling import parameter_ranges
 from bnserve_surrogate.training.reduction.metric import MismatchMetric
 from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors.combined import Beside, Sum
 from bnserve_surrogate.training.regressors.mlp import MLP
 from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial, weighted_exponents
-from bnserve_surrogate.training.sections import NetworkSection, PolynomialSection, TrainingConfiguration
+from bnserve_surrogate.training.sections import ModeSection, NetworkSection, PolynomialSection, TrainingConfiguration
 
 FEWEST_FOR_A_NETWORK = 8
 """They determine the least polynomial beside it, of degree one."""
@@ -33,7 +34,8 @@ def coordinate_map(configuration: TrainingConfiguration, theta: FloatArray) -> C
     if configuration.regressor.coordinates == "raw":
         return CoordinateMap.standardised(theta)
     ranges = parameter_ranges(configuration)
-    return CoordinateMap.physical(ranges.lower, ranges.upper)
+    make = CoordinateMap.symmetric if configuration.regressor.coordinates == "symmetric" else CoordinateMap.physical
+    return make(ranges.lower, ranges.upper)
 
 
 def make_regressor(configuration: TrainingConfiguration, metric: MismatchMetric) -> Any:
@@ -45,7 +47,10 @@ def make_regressor(configuration: TrainingConfiguration, metric: MismatchMetric)
 
     def polynomial(output_weights: list[float]) -> ChebyshevPolynomial:
         options = section.polynomial
-        return ChebyshevPolynomial(options.degree, options.weights, options.terms, output_weights=output_weights)
+        parity = 0 if section.coordinates == "symmetric" else None
+        return ChebyshevPolynomial(
+            options.degree, options.weights, options.terms, output_weights=output_weights, parity=parity
+        )
 
     if section.kind == "polynomial":
         return polynomial([1.0] * components + scalar_weights)
@@ -62,11 +67,18 @@ def check_regressor(configuration: TrainingConfiguration, waveforms: int, descri
     Raises
     ------
     ConfigurationInvalid
-        Fewer waveforms than a network needs, beside it or to stop by, or than the polynomial has terms.
+        Fewer waveforms than a network needs, beside it or to stop by, or than the polynomial has terms; a network in
+        symmetric coordinates, or modes that do not exist or go with something else than a polynomial in those.
     InvalidParameters
         As :func:`weighted_exponents`.
     """
     section = configuration.regressor
+    symmetric = section.kind == "polynomial" and section.coordinates == "symmetric"
+    demand(
+        symmetric or section.coordinates != "symmetric",
+        'a network has not the symmetry of the labels; choose kind = "polynomial", or "physical" coordinates',
+    )
+    _check_modes(configuration, symmetric, waveforms, described)
     if section.kind != "polynomial":
         _check_network(section.network, waveforms, described)
     if section.kind != "network":
@@ -87,7 +99,23 @@ def _check_network(network: NetworkSection, waveforms: int, described: str) -> N
     )
 
 
-def _check_polynomial(polynomial: PolynomialSection, waveforms: int, described: str) -> None:
+def _check_modes(configuration: TrainingConfiguration, symmetric: bool, waveforms: int, described: str) -> None:
+    known = [f"{degree}{order}" for degree, order in LEADING_POWERS]
+    for name, mode in configuration.modes.items():
+        demand(name in known, f"unknown mode '{name}' in [modes]; known: {', '.join(known)}, beside \"22\"")
+        demand(
+            symmetric,
+            'modes beside (2, 2) need kind = "polynomial" and coordinates = "symmetric" in [regressor]',
+        )
+        numbers = 2 * configuration.nodes.modes
+        demand(
+            mode.components <= min(waveforms, numbers),
+            f"{mode.components} components of the mode {name} cannot be found in {numbers} numbers of {described}",
+        )
+        _check_polynomial(mode, waveforms, described)
+
+
+def _check_polynomial(polynomial: PolynomialSection | ModeSection, waveforms: int, described: str) -> None:
     degree, weights = polynomial.degree, polynomial.weights
     # As many as the simplex of the degrees has volume, at the least: where these are very many, they are not listed.
     possible = min(weights) > 0.0 and degree <= MAX_DEGREE * min(weights)

@@ -18,6 +18,7 @@ from scipy.linalg import cho_solve, lapack, solve_triangular
 from sklearn.base import BaseEstimator, RegressorMixin
 
 from bnserve_protocol import InvalidParameters
+from bnserve_surrogate._coordinates import ANTISYMMETRIC_AXES
 from bnserve_surrogate.training.regressors.exported import ExportedRegressor
 
 FloatArray: TypeAlias = NDArray[np.float64]
@@ -58,6 +59,13 @@ def weighted_exponents(degree: float, weights: Sequence[float]) -> Exponents:
             for power in range(int(room / weight) + 1)
         ]
     return np.array([exponents for exponents, _ in terms], dtype=np.uint8)
+
+
+def with_parity(exponents: Exponents, parity: int | None) -> Exponents:
+    """Those of ``exponents`` (T, 5) that are even (0) or odd (1) when the labels of the stars are exchanged."""
+    if parity is None:
+        return exponents
+    return exponents[exponents[:, list(ANTISYMMETRIC_AXES)].sum(axis=1) % 2 == parity]
 
 
 def chebyshev_terms(coordinates: ArrayLike, exponents: ArrayLike) -> FloatArray:
@@ -216,6 +224,8 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         points reach 40 times the median; a failed waveform 1,000 times. None screens nothing.
     max_outlier_fraction
         At most this fraction of the samples is left out, worst first.
+    parity
+        0 or 1: in the symmetric coordinates, keep only terms that are even or odd under exchange of the stars' labels.
 
     Attributes
     ----------
@@ -233,6 +243,7 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         output_weights: ArrayLike | None = None,
         outlier_factor: float | None = 100.0,
         max_outlier_fraction: float = 0.01,
+        parity: int | None = None,
     ) -> None:
         self.degree = degree
         self.weights = weights
@@ -240,6 +251,7 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         self.output_weights = output_weights
         self.outlier_factor = outlier_factor
         self.max_outlier_fraction = max_outlier_fraction
+        self.parity = parity
 
     def fit(self, X: ArrayLike, Y: ArrayLike) -> Self:  # noqa: N803 (scikit-learn's names)
         """Fit to coordinates (N, D) in [-1, 1] and outputs (N, K) or (N,).
@@ -253,7 +265,7 @@ class ChebyshevPolynomial(RegressorMixin, BaseEstimator):
         """
         points, targets = _checked(X, Y, len(self.weights))
         self._scalar_output = np.ndim(Y) == 1
-        exponents = weighted_exponents(self.degree, self.weights)
+        exponents = with_parity(weighted_exponents(self.degree, self.weights), self.parity)
         if len(points) < len(exponents):
             raise InvalidParameters(
                 f"{len(exponents)} terms cannot be determined by {len(points)} samples; lower the degree or add "

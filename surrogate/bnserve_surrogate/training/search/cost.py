@@ -18,9 +18,10 @@ from bnserve_surrogate.training.data.generation import Generation, configured_ge
 from bnserve_surrogate.training.data.generators import FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.residuals import flatten_phase
 from bnserve_surrogate.training.errors import DatasetInUse, TrainingError
-from bnserve_surrogate.training.reduction.metric import MismatchMetric, mismatch_metric
+from bnserve_surrogate.training.reduction.metric import MismatchMetric
 from bnserve_surrogate.training.reduction.nodes import configured_nodes
 from bnserve_surrogate.training.reduction.reductions import PaperReduction, ReducedResiduals, Reduction, reduce_dataset
+from bnserve_surrogate.training.reduction.weights import mismatch_metric
 from bnserve_surrogate.training.regressors import Beside, coordinate_map, make_regressor
 from bnserve_surrogate.training.sections import TrainingConfiguration
 

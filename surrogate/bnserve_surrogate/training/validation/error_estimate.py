@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import binom
 
+from bnserve_surrogate._artifact import CARRIER
 from bnserve_surrogate._coordinates import CoordinateMap
 from bnserve_surrogate.training.data.generators import FloatArray
-from bnserve_surrogate.training.regressors import chebyshev_terms, weighted_exponents
+from bnserve_surrogate.training.regressors import chebyshev_terms, weighted_exponents, with_parity
 from bnserve_surrogate.training.validation.measurement import Validation
 
 PROMISED_FACTOR = 3.0
@@ -51,7 +52,11 @@ class ErrorEstimate:
 
 
 def fit_error_estimate(
-    coordinates: FloatArray, mismatch: FloatArray, kinds: NDArray[np.int64], degree: float = _DEGREE
+    coordinates: FloatArray,
+    mismatch: FloatArray,
+    kinds: NDArray[np.int64],
+    degree: float = _DEGREE,
+    parity: int | None = None,
 ) -> ErrorEstimate | None:
     """Fit and calibrate an estimate.
 
@@ -65,6 +70,8 @@ def fit_error_estimate(
         (N,) from where each is: the promise is kept for every kind.
     degree
         Largest total degree; lowered until there are ten waveforms for every term.
+    parity
+        0 in symmetric coordinates, in which an estimate does not depend on the labels.
 
     Returns
     -------
@@ -72,10 +79,10 @@ def fit_error_estimate(
     """
     if len(mismatch) < 100:
         return None
-    exponents = weighted_exponents(degree, (1.0,) * 5)
+    exponents = with_parity(weighted_exponents(degree, (1.0,) * 5), parity)
     while 10 * len(exponents) > len(mismatch):
         degree -= 1.0
-        exponents = weighted_exponents(degree, (1.0,) * 5)
+        exponents = with_parity(weighted_exponents(degree, (1.0,) * 5), parity)
     logarithm = np.log(np.maximum(mismatch, 1e-16))
     terms = chebyshev_terms(coordinates, exponents).T
     unseen = _unseen_residuals(terms, logarithm, _folds(coordinates))
@@ -86,13 +93,21 @@ def fit_error_estimate(
     return ErrorEstimate(exponents, np.asarray(coefficients, dtype=np.float64))
 
 
-def estimate_from(validations: dict[str, Validation], coordinates: CoordinateMap) -> ErrorEstimate | None:
-    """Fitted to all waveforms of the validation; calibrated for the middle and for the edges, each by itself."""
-    parts = validations.values()
-    theta = np.concatenate([validation.theta for validation in parts])
-    mismatch = np.concatenate([validation.mismatch for validation in parts])
+def estimates_from(validations: dict[str, Validation], coordinates: CoordinateMap) -> dict[str, ErrorEstimate]:
+    """Of every mode; fitted to all waveforms of the validation, calibrated for the middle and for the edges each.
+
+    Empty if there are too few.
+    """
+    parts = list(validations.values())
+    theta = coordinates(np.concatenate([validation.theta for validation in parts]))
     kinds = np.concatenate([np.full(len(validation.mismatch), kind) for kind, validation in enumerate(parts)])
-    return fit_error_estimate(coordinates(theta), mismatch, kinds)
+    errors = {CARRIER: [validation.mismatch for validation in parts]}
+    errors |= {name: [validation.modes[name] for validation in parts] for name in parts[0].modes}
+    parity = 0 if coordinates.kind == "symmetric" else None
+    found = {
+        name: fit_error_estimate(theta, np.concatenate(error), kinds, parity=parity) for name, error in errors.items()
+    }
+    return {name: estimate for name, estimate in found.items() if estimate is not None}
 
 
 def _folds(coordinates: FloatArray) -> NDArray[np.int64]:
@@ -124,17 +139,21 @@ def _upper_limit(residual: FloatArray) -> float:
     return float(np.sort(residual)[-1 - max(allowed, 0)])
 
 
-def with_error_estimate(tensors: dict[str, NDArray[Any]], estimate: ErrorEstimate) -> dict[str, NDArray[Any]]:
-    """The tensors of a mode with the estimate's logarithm as one more, last output of the regressor."""
+def with_error_estimate(
+    tensors: dict[str, NDArray[Any]], estimate: ErrorEstimate, mode: str = CARRIER
+) -> dict[str, NDArray[Any]]:
+    """The tensors with the estimate's logarithm as one more, last output of a mode's regressor."""
     widened = dict(tensors)
-    outputs = tensors["22/basis"].shape[0]
-    widened["22/basis"] = np.vstack([tensors["22/basis"], np.zeros((1, tensors["22/basis"].shape[1]))])
-    widened["22/merger_alignment"] = np.vstack([tensors["22/merger_alignment"], np.zeros((1, 2))])
-    for name, array in tensors.items():
-        if name.startswith("22/mlp_") and name.removeprefix("22/mlp_").split("_")[1] == str(_last_layer(tensors)):
-            widened[name] = np.concatenate([array, np.zeros((*array.shape[:-1], 1))], axis=-1)
-    exponents = tensors.get("22/polynomial_exponents", np.zeros((0, 5), np.uint8))
-    coefficients = tensors.get("22/polynomial_coefficients", np.zeros((0, outputs)))
+    own = {name.removeprefix(f"{mode}/"): array for name, array in tensors.items() if name.startswith(f"{mode}/")}
+    outputs = own["basis"].shape[0]
+    for name in ("basis", "merger_alignment"):
+        if name in own:
+            widened[f"{mode}/{name}"] = np.vstack([own[name], np.zeros((1, own[name].shape[1]))])
+    for name, array in own.items():
+        if name.startswith("mlp_") and name.removeprefix("mlp_").split("_")[1] == str(_last_layer(own)):
+            widened[f"{mode}/{name}"] = np.concatenate([array, np.zeros((*array.shape[:-1], 1))], axis=-1)
+    exponents = own.get("polynomial_exponents", np.zeros((0, 5), np.uint8))
+    coefficients = own.get("polynomial_coefficients", np.zeros((0, outputs)))
     coefficients = np.hstack([coefficients, np.zeros((len(coefficients), 1))])
     position = {tuple(row): number for number, row in enumerate(exponents.tolist())}
     for row, value in zip(estimate.exponents.tolist(), estimate.coefficients, strict=True):
@@ -144,10 +163,10 @@ def with_error_estimate(tensors: dict[str, NDArray[Any]], estimate: ErrorEstimat
             exponents = np.vstack([exponents, np.array(row, np.uint8)])
             coefficients = np.vstack([coefficients, np.zeros(outputs + 1)])
             coefficients[-1, -1] = value
-    widened["22/polynomial_exponents"] = np.ascontiguousarray(exponents, dtype=np.uint8)
-    widened["22/polynomial_coefficients"] = np.ascontiguousarray(coefficients)
+    widened[f"{mode}/polynomial_exponents"] = np.ascontiguousarray(exponents, dtype=np.uint8)
+    widened[f"{mode}/polynomial_coefficients"] = np.ascontiguousarray(coefficients)
     return widened
 
 
-def _last_layer(tensors: dict[str, NDArray[Any]]) -> int:
-    return sum(name.startswith("22/mlp_weights_") for name in tensors) - 1
+def _last_layer(own: dict[str, NDArray[Any]]) -> int:
+    return sum(name.startswith("mlp_weights_") for name in own) - 1

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -11,7 +11,6 @@ import numpy as np
 
 from bnserve_protocol import (
     INTRINSIC_NAMES,
-    MEGAPARSEC_SECONDS,
     EvaluationOptions,
     InvalidFrequencies,
     InvalidParameters,
@@ -23,12 +22,14 @@ from bnserve_surrogate._model import Model
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generation import VALIDATION_NODES, Generation
 from bnserve_surrogate.training.data.generators import FloatArray, mass_seconds
+from bnserve_surrogate.training.data.modes import ModeNodes
 from bnserve_surrogate.training.data.noise import noise_curve, noise_weights
 from bnserve_surrogate.training.data.residuals import baseline_amplitude, baseline_phase
-from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling, training_band
+from bnserve_surrogate.training.data.sampling import EdgeSampling, Sampling, UniformSampling, carrier_band
 from bnserve_surrogate.training.reduction.metric import spline_matrix
-from bnserve_surrogate.training.reduction.nodes import smooth_nodes
+from bnserve_surrogate.training.reduction.nodes import mode_nodes, smooth_nodes
 from bnserve_surrogate.training.validation.mismatch import NodeMismatch
+from bnserve_surrogate.training.validation.modes import mode_errors, strain_scale
 
 QUANTILES = {"median": 0.5, "90 %": 0.9, "99 %": 0.99, "max": 1.0}
 _DENSE = 4000
@@ -70,6 +71,8 @@ class Validation:
     phase: FloatArray
     frequencies: FloatArray
     measure_baseline: Callable[[], FloatArray]
+    modes: dict[str, FloatArray] = field(default_factory=dict)
+    """Of each mode beside (2, 2), what it adds to the mismatch of the whole: see :func:`mode_errors`, (N,)."""
 
     @cached_property
     def baseline_mismatch(self) -> FloatArray:
@@ -90,6 +93,7 @@ class Validation:
             "count": len(self.mismatch),
             **({} if calibration is None else {"above_three_times_estimate": calibration}),
             "mismatch": quantiles(self.mismatch),
+            **({"modes": {name: quantiles(error) for name, error in self.modes.items()}} if self.modes else {}),
             **({"baseline_mismatch": quantiles(self.baseline_mismatch)} if baseline else {}),
             "merger_time_error_seconds": quantiles(np.abs(self.merger_time)),
             "merger_phase_error_radians": quantiles(np.abs(self.merger_phase)),
@@ -155,8 +159,9 @@ def validate(
     f = mf / mass_seconds(mass)
     batch = _batch(dataset.theta, mass)
     theirs_log_amplitude, theirs_psi = _truth(dataset)
-    ours = model.predict_amplitude_phase(f, batch, options=EvaluationOptions(alignment="merger"))
-    log_amplitude = np.log(ours.amplitude / _strain_scale(batch, mass)) - theirs_log_amplitude
+    options = EvaluationOptions(alignment="merger", modes=((2, 2),))
+    ours = model.predict_amplitude_phase(f, batch, options=options)
+    log_amplitude = np.log(ours.amplitude / strain_scale(batch)) - theirs_log_amplitude
     difference = -ours.phase - theirs_psi
     splined = np.exp(theirs_log_amplitude @ spline_matrix(f, dense).T)
     weights = noise_weights(dense, splined, noise_curve(noise))
@@ -172,6 +177,9 @@ def validate(
         log_amplitude=log_amplitude,
         phase=difference - line,
         frequencies=f,
+        modes=mode_errors(
+            model, dataset, batch, (theirs_log_amplitude, theirs_psi), result, (dense[0], dense[-1]), noise
+        ),
         measure_baseline=lambda: at_nodes(-dataset.log_amplitude_ratio, -dataset.psi_residual).mismatch,
     )
 
@@ -213,11 +221,6 @@ def _truth(dataset: ResidualDataset) -> tuple[FloatArray, FloatArray]:
     return np.array(log_amplitude) + dataset.log_amplitude_ratio, np.array(psi) + dataset.psi_residual
 
 
-def _strain_scale(batch: ParameterBatch, total_mass: float) -> FloatArray:
-    q = batch["mass_ratio"]
-    return np.asarray((q / (1.0 + q) ** 2 * mass_seconds(total_mass) ** 2 / MEGAPARSEC_SECONDS)[:, None])
-
-
 def validate_on_fresh(
     generate: Generation, model: Model, metadata: SurrogateMetadata, counts: dict[str, int], seed: int, **at: Any
 ) -> dict[str, Validation]:
@@ -231,9 +234,10 @@ def validate_on_fresh(
         As for :func:`validate`, which says what it raises.
     """
     configuration = generate.configuration
-    nodes = smooth_nodes(*training_band(configuration), VALIDATION_NODES, configuration.ranges.reference_mass)
-    return {
-        kind: validate(model, metadata, generate(_SAMPLING[kind], f"validate {kind}", seed, count, nodes, nodes), **at)
-        for kind, count in counts.items()
-        if count > 0
-    }
+    nodes = smooth_nodes(*carrier_band(configuration), VALIDATION_NODES, configuration.ranges.reference_mass)
+    modes = ModeNodes(mode_nodes(configuration).modes, nodes)
+
+    def fresh(kind: str, count: int) -> ResidualDataset:
+        return generate(_SAMPLING[kind], f"validate {kind}", seed, count, nodes, nodes, modes=modes)
+
+    return {kind: validate(model, metadata, fresh(kind, count), **at) for kind, count in counts.items() if count > 0}

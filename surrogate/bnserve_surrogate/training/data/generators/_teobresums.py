@@ -31,6 +31,9 @@ the next (a mismatch of up to 5e-8), at 0.25 by a tenth of that for the same cos
 amplitudes are zero or NaN."""
 _LOWEST_MARGIN = 0.06 * mass_seconds()
 """At least 0.06 Hz at the reference mass below the first frequency."""
+_APART = 1e-6
+"""Equal stars with equal spins have an amplitude of (3, 3) and (4, 3) that is zero divided by zero, up to 1e12 instead
+of nothing: their other modes are those of a mass ratio so much larger."""
 _ROUNDING = 1e-9
 """Relative width by which a frequency that was converted to M f may miss the first one."""
 _FIRST_MF = 5.0 * 2.0 / 2.8 * mass_seconds()
@@ -116,6 +119,7 @@ class TEOBResumSPA:
             "sampling_rate": _SAMPLING_RATE,
             "radial_steps_below": _RADIAL_STEPS_BELOW,
             "first_mf": self.first_mf,
+            "equal_stars_apart": _APART,
         }
 
     @property
@@ -164,6 +168,8 @@ class TEOBResumSPA:
                     f"M f = {own[0]:.6g} of the mode {(degree, order)} is below {0.5 * order:g} times first_mf = "
                     f"{self.first_mf:.6g}, where the signal starts; lower first_mf."
                 )
+        if len(mf) > 1 and abs(theta[1] - theta[2]) < _APART:
+            theta = np.array([max(theta[0], 1.0 + _APART), *theta[1:]])
         every = np.unique(np.concatenate(list(mf.values())))
         answer = _code().EOBRunPy(self._request(theta, every, [MODE_NUMBERS[mode] for mode in mf]))
         frequencies, modes, time_domain = answer[0], answer[5], answer[6]
