@@ -1,0 +1,240 @@
+"""Source of the compiled contraction of several modes: see :mod:`.build`.
+
+As with one mode (:mod:`bnserve_inference.kernel._source`), a row is evaluated by the same sequence of operations
+wherever it stands in a batch; plain loops over lanes of fixed width, no allocation.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba import njit
+
+from bnserve_inference.kernel._layout import BLOCK, Sky
+from bnserve_inference.kernel._source import _geometry
+from bnserve_inference.kernel._sums import Floats, Integers, add_terms, errors_at, lane_sum, spline_at
+from bnserve_inference.modes_kernel._layout import GROUP_BLOCKS, SHARED_BLOCKS, Argument
+from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
+from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
+from bnserve_surrogate.kernel._simd import from_bits
+
+_COLUMNS = len(Sky)
+_TWO_PI = 2.0 * np.pi
+
+
+@njit(**JIT_OPTIONS)
+def _factors(row: int, arguments: Integers, pattern: Floats, factors: Floats) -> None:
+    """F+ plus + Fx cross of every mode in every detector, complex."""
+    detectors, modes = arguments[Argument.DETECTORS], arguments[Argument.MODES]
+    plus = floats_at(arguments[Argument.PLUS] + 8 * modes * row, modes)
+    cross = floats_at(arguments[Argument.CROSS] + 16 * modes * row, 2 * modes)
+    for d in range(detectors):
+        f_plus, f_cross = pattern[3 * d], pattern[3 * d + 1]
+        for a in range(modes):
+            at = 2 * (d * modes + a)
+            factors[at] = f_plus * plus[a] + f_cross * cross[2 * a]
+            factors[at + 1] = f_cross * cross[2 * a + 1]
+
+
+@njit(**JIT_OPTIONS)
+def _add_mode(wave: Floats, start: int, filled: int, cr: float, ci: float, hr: Floats, hi: Floats) -> None:
+    """Add a mode's strain from ``start`` on, times its factor."""
+    for j in range(filled):
+        a, b = wave[2 * (start + j)], wave[2 * (start + j) + 1]
+        hr[j] += cr * a - ci * b
+        hi[j] += cr * b + ci * a
+
+
+@njit(**JIT_OPTIONS)
+def _calibrate(amplitude: Floats, phase: Floats, hr: Floats, hi: Floats) -> None:
+    """Strain times (1 + dA) (2 + i dphi) / (2 - i dphi), in its place."""
+    for j in range(hr.shape[0]):
+        p = phase[j]
+        scale = (1.0 + amplitude[j]) / (4.0 + p * p)
+        c = scale * (4.0 - p * p)
+        s = scale * (4.0 * p)
+        a, b = hr[j], hi[j]
+        hr[j] = a * c - b * s
+        hi[j] = a * s + b * c
+
+
+@njit(**JIT_OPTIONS)
+def _turns(f: Floats, time: float, c: Floats, s: Floats) -> None:
+    """exp(-2 pi i f time)."""
+    turn = -_TWO_PI * time
+    for j in range(f.shape[0]):
+        s[j], c[j] = sincos(f[j] * turn)
+
+
+@njit(**JIT_OPTIONS)
+def _fixed(c: Floats, s: Floats, kr: Floats, ki: Floats, wr: Floats, wi: Floats, pr: Floats, pi: Floats) -> None:
+    """Strain, turned, times weights."""
+    for j in range(c.shape[0]):
+        hr = kr[j] * c[j] - ki[j] * s[j]
+        hi = kr[j] * s[j] + ki[j] * c[j]
+        pr[j] = wr[j] * hr - wi[j] * hi
+        pi[j] = wr[j] * hi + wi[j] * hr
+
+
+@njit(**JIT_OPTIONS)
+def _splined(
+    c: Floats, s: Floats, kr: Floats, ki: Floats, table: Floats, rows: Any, spline: Any, pr: Floats, pi: Floats
+) -> None:
+    """Strain, turned, times a sum of six rows of B-spline coefficients; ``rows`` as ``spline_at`` gives them."""
+    n = c.shape[0]
+    first, row, imaginary = rows
+    b0, b1, b2, b3, b4, b5 = spline
+    r0, i0 = floats_in(table, first, n), floats_in(table, first + imaginary, n)
+    r1, i1 = floats_in(table, first + row, n), floats_in(table, first + row + imaginary, n)
+    r2, i2 = floats_in(table, first + 2 * row, n), floats_in(table, first + 2 * row + imaginary, n)
+    r3, i3 = floats_in(table, first + 3 * row, n), floats_in(table, first + 3 * row + imaginary, n)
+    r4, i4 = floats_in(table, first + 4 * row, n), floats_in(table, first + 4 * row + imaginary, n)
+    r5, i5 = floats_in(table, first + 5 * row, n), floats_in(table, first + 5 * row + imaginary, n)
+    for j in range(n):
+        hr = kr[j] * c[j] - ki[j] * s[j]
+        hi = kr[j] * s[j] + ki[j] * c[j]
+        wr = b0 * r0[j] + b1 * r1[j] + b2 * r2[j] + b3 * r3[j] + b4 * r4[j] + b5 * r5[j]
+        wi = b0 * i0[j] + b1 * i1[j] + b2 * i2[j] + b3 * i3[j] + b4 * i4[j] + b5 * i5[j]
+        pr[j] = wr * hr - wi * hi
+        pi[j] = wr * hi + wi * hr
+
+
+@njit(**JIT_OPTIONS)
+def _pair(
+    ar: Floats, ai: Floats, br: Floats, bi: Floats, qr: Floats, qi: Floats, shared: int, pr: Floats, pi: Floats
+) -> None:
+    """Weights times conj(a) b; weights that are shared are real."""
+    if shared == 1:
+        for j in range(ar.shape[0]):
+            pr[j] = qr[j] * (ar[j] * br[j] + ai[j] * bi[j])
+            pi[j] = qr[j] * (ar[j] * bi[j] - ai[j] * br[j])
+    else:
+        for j in range(ar.shape[0]):
+            u = ar[j] * br[j] + ai[j] * bi[j]
+            v = ar[j] * bi[j] - ai[j] * br[j]
+            pr[j] = qr[j] * u - qi[j] * v
+            pi[j] = qr[j] * v + qi[j] * u
+
+
+@njit(inline="always")
+def _blocks(scratch: Floats, first: int, number: int, size: int) -> Any:
+    """Real and imaginary parts of a pair of blocks of the working memory."""
+    return floats_in(scratch, first + 2 * number * BLOCK, size), floats_in(
+        scratch, first + (2 * number + 1) * BLOCK, size
+    )
+
+
+@njit(**JIT_OPTIONS)
+def _gather(row: int, d: int, first: int, size: int, arguments: Integers, factors: Floats, blocks: Floats) -> None:
+    """The strain of each group in a detector at a block of nodes, with calibration errors."""
+    modes, groups, points = arguments[Argument.MODES], arguments[Argument.GROUPS], arguments[Argument.POINTS]
+    wave = floats_at(arguments[Argument.STRAIN] + 16 * modes * points * row, 2 * modes * points)
+    group_of = integers_at(arguments[Argument.GROUP_OF], modes)
+    for j in range(2 * groups * BLOCK):
+        blocks[j] = 0.0
+    filled = min(size, points - first)
+    for a in range(modes):
+        hr, hi = _blocks(blocks, 0, group_of[a], size)
+        at = 2 * (d * modes + a)
+        _add_mode(wave, a * points + first, filled, factors[at], factors[at + 1], hr, hi)
+    nodes = arguments[Argument.CALIBRATION_NODES]
+    if nodes > 0:
+        place = 8 * nodes * (row * arguments[Argument.DETECTORS] + d)
+        width = padded(points)
+        splines = floats_at(arguments[Argument.SPLINES], nodes * width)
+        amplitude, phase = _blocks(blocks, 0, groups, size)
+        errors_at(floats_at(arguments[Argument.AMPLITUDE_ERRORS] + place, nodes), splines, width, first, amplitude)
+        errors_at(floats_at(arguments[Argument.PHASE_ERRORS] + place, nodes), splines, width, first, phase)
+        for g in range(groups):
+            hr, hi = _blocks(blocks, 0, g, size)
+            _calibrate(amplitude, phase, hr, hi)
+
+
+@njit(**JIT_OPTIONS)
+def _add_products(
+    row: int, d: int, first: int, size: int, arguments: Integers, arrival: float, delay: float, blocks: Floats
+) -> None:
+    """Add a block of nodes of one detector to <d|h> of each group at all times, and to its terms where wanted."""
+    groups, points, knots = arguments[Argument.GROUPS], arguments[Argument.POINTS], arguments[Argument.KNOTS]
+    times, width = arguments[Argument.TIMES], padded(points)
+    f = floats_in(floats_at(arguments[Argument.NODES], width), first, size)
+    grid, step = floats_at(arguments[Argument.TIME_GRID], 2), from_bits(arguments[Argument.STEP])
+    table_size = 2 * width * knots
+    out = floats_at(arguments[Argument.PRODUCTS] + 16 * groups * times * row, 2 * groups * times)
+    pr, pi = _blocks(blocks, 0, groups, size)  # where the errors were
+    c, s = _blocks(blocks, 0, groups + 1, size)
+    for k in range(times):
+        time = (arrival + k * step) + delay
+        _turns(f, time, c, s)
+        for g in range(groups):
+            hr, hi = _blocks(blocks, 0, g, size)
+            place = d if arguments[Argument.SHARED] == 1 else d * groups + g
+            table = floats_at(arguments[Argument.LINEAR_WEIGHTS] + 8 * table_size * place, table_size)
+            if knots == 1:
+                _fixed(c, s, hr, hi, floats_in(table, first, size), floats_in(table, width + first, size), pr, pi)
+            else:
+                rows, spline = spline_at(time, grid, knots, width, first)
+                _splined(c, s, hr, hi, table, rows, spline, pr, pi)
+            out[2 * (g * times + k)] += lane_sum(pr)
+            out[2 * (g * times + k) + 1] += lane_sum(pi)
+            if k == times - 1 and arguments[Argument.SPECTRUM] != 0:
+                filled = min(size, points - first)
+                line = arguments[Argument.SPECTRUM] + 16 * ((row * groups + g) * points + first)
+                add_terms(pr, pi, 1.0, 0.0, floats_at(line, 2 * filled))
+
+
+@njit(**JIT_OPTIONS)
+def _add_pairs(row: int, d: int, first: int, size: int, arguments: Integers, blocks: Floats) -> None:
+    """Add a block of nodes of one detector to <h|h'> of each pair of groups."""
+    groups, width = arguments[Argument.GROUPS], padded(arguments[Argument.POINTS])
+    shared = arguments[Argument.SHARED]
+    pairs = groups * (groups + 1) // 2
+    out = floats_at(arguments[Argument.PAIRS] + 16 * pairs * row, 2 * pairs)
+    pr, pi = _blocks(blocks, 0, groups, size)
+    at = 0
+    for g in range(groups):
+        ar, ai = _blocks(blocks, 0, g, size)
+        for k in range(g, groups):
+            br, bi = _blocks(blocks, 0, k, size)
+            place = width * d if shared == 1 else 2 * width * (d * pairs + at)
+            weights = floats_at(arguments[Argument.PAIR_WEIGHTS] + 8 * place, 2 * width)
+            imaginary = first if shared == 1 else width + first
+            _pair(
+                ar, ai, br, bi, floats_in(weights, first, size), floats_in(weights, imaginary, size), shared, pr, pi
+            )
+            out[2 * at] += lane_sum(pr)
+            out[2 * at + 1] += lane_sum(pi)
+            at += 1
+
+
+@njit(**JIT_OPTIONS)
+def contract(arguments: Integers) -> int:
+    """Inner products of every row: see :class:`Argument`; returns 0."""
+    detectors, modes, groups = arguments[Argument.DETECTORS], arguments[Argument.MODES], arguments[Argument.GROUPS]
+    sidereal = floats_at(arguments[Argument.SIDEREAL], 2)
+    responses = floats_at(arguments[Argument.RESPONSES], 9 * detectors)
+    locations = floats_at(arguments[Argument.LOCATIONS], 3 * detectors)
+    size = (3 + 2 * modes) * detectors + (GROUP_BLOCKS * groups + SHARED_BLOCKS) * BLOCK
+    scratch = floats_at(arguments[Argument.SCRATCH], size)
+    pattern = floats_in(scratch, 0, 3 * detectors)
+    factors = floats_in(scratch, 3 * detectors, 2 * detectors * modes)
+    blocks = floats_in(scratch, (3 + 2 * modes) * detectors, (GROUP_BLOCKS * groups + SHARED_BLOCKS) * BLOCK)
+    width = padded(arguments[Argument.POINTS])
+    products, pairs = groups * arguments[Argument.TIMES], groups * (groups + 1) // 2
+    terms = groups * arguments[Argument.POINTS] if arguments[Argument.SPECTRUM] != 0 else 0
+    for row in range(arguments[Argument.ROWS]):
+        place = floats_at(arguments[Argument.SKY] + 8 * _COLUMNS * row, _COLUMNS)
+        _geometry(place, sidereal, responses, locations, pattern)
+        _factors(row, arguments, pattern, factors)
+        floats_at(arguments[Argument.PRODUCTS] + 16 * products * row, 2 * products)[:] = 0.0
+        floats_at(arguments[Argument.PAIRS] + 16 * pairs * row, 2 * pairs)[:] = 0.0
+        if terms > 0:
+            floats_at(arguments[Argument.SPECTRUM] + 16 * terms * row, 2 * terms)[:] = 0.0
+        for first in range(0, width, BLOCK):
+            block = min(BLOCK, width - first)
+            for d in range(detectors):
+                _gather(row, d, first, block, arguments, factors, blocks)
+                _add_products(row, d, first, block, arguments, place[Sky.TIME], pattern[3 * d + 2], blocks)
+                _add_pairs(row, d, first, block, arguments, blocks)
+    return 0
