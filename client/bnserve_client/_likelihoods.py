@@ -134,7 +134,7 @@ class _Remote:
         self._model = model
         self._invalid_rows = check_invalid_rows(invalid_rows)
         self._evaluator = model._remote.evaluator
-        check_model_of(analysis, self._evaluator.identity)
+        check_model_of(analysis, model.description)
         self._analysis = analysis
         self._samples = likelihood_samples(analysis)
         self._counter = Counter()

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions, Ranges
+from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Ranges
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
 from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
+from bnserve_inference._modes import QUADRUPOLE, chosen_modes, known_modes, orders, quadrupole_options
 from bnserve_inference._rows import chirp_mass
 from bnserve_inference._search import Box, middle, refuse_missing_ranges, usual_masses
 from bnserve_inference._units import in_units
@@ -22,12 +23,15 @@ from bnserve_protocol import (
     AnalysisInvalid,
     AnalysisKind,
     BatchLike,
-    EvaluationOptions,
     FieldError,
     ParameterBatch,
     WaveformModel,
 )
 
+Floats = NDArray[np.float64]
+
+_FAINT = 0.2
+"""Norm of what is not of the order of the (2, 2) mode, which has one; it is less."""
 TIME_TOLERANCE = 1e-5
 """Error of <d|h> from interpolating weights over time, for a signal of norm one: times the signal-to-noise ratio."""
 
@@ -108,8 +112,15 @@ def roq_analysis(
     options = band.timed(_covered(options, basis.prior))
     band.check(options)
     basis.check_model(model)
+    modes = chosen_modes(options.modes, model.description)
+    if len(model.description.modes) > 1 and modes != (QUADRUPOLE,):
+        raise AnalysisInvalid(
+            f"A basis holds the (2, 2) mode alone, and {model.description.name} has {len(model.description.modes)} "
+            "modes: say that it is enough, with modes=[(2, 2)] in the options, or take relative binning for all.",
+            errors=[FieldError(reason="not (2, 2) alone", parameter="modes")],
+        )
     reference = middle(basis.prior)
-    fitting = Fitting(band, model, basis.alignment, options, None)
+    fitting = Fitting(band, model, basis.alignment, options, None, modes)
     if options.calibration is not None or basis.tabulated:
         refuse_missing_ranges(options.prior)
     weighted = fitted_quadrature(fitting, basis) if basis.tabulated else fitting.weighted(basis)
@@ -117,7 +128,7 @@ def roq_analysis(
         around = reference or Box.of(options.prior, model).middle()
         calibrated = CalibratedBasis.around(basis, around, band.frequencies, model)
         weighted = fitted_calibrated_quadrature(fitting, calibrated)
-    return _reduced("roq", band, weighted, model, basis.alignment, options, reference, basis.model_digest or None)
+    return _reduced("roq", weighted, replace(fitting, fiducial=reference), basis.model_digest or None)
 
 
 @in_units(trigger_time="s", f_min="Hz", f_max="Hz", phase_tolerance="rad")
@@ -160,46 +171,53 @@ def relative_binning_analysis(
     band = Band(data, trigger_time, f_min, f_max)
     one = ParameterBatch.one(fiducial)
     options = band.timed(_covered(options, usual_masses(options.prior, one, model)), float(chirp_mass(one)[0]))
+    modes = chosen_modes(options.modes, model.description)
+    several = len(model.description.modes) > 1
+    if several and QUADRUPOLE not in known_modes(model.description):
+        raise AnalysisInvalid(
+            "Relative binning follows the phase of the (2, 2) mode, which this model lacks: take the full analysis."
+        )
+    options = replace(options, modes=modes if several else None)
     band.check(options)
-    basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment)
-    weighted = fitted_bins(Fitting(band, model, alignment, options, one), basis)
-    return _reduced("relative_binning", band, weighted, model, alignment, options, one, None)
+    followed = orders(modes) if several else QUADRUPOLE[1:]
+    basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment, followed)
+    fitting = Fitting(band, model, alignment, options, one, modes)
+    return _reduced("relative_binning", fitted_bins(fitting, basis), fitting, None)
 
 
-def _reduced(
-    kind: AnalysisKind,
-    band: Band,
-    weighted: Weighted,
-    model: WaveformModel,
-    alignment: Alignment,
-    options: LikelihoodOptions,
-    reference: ParameterBatch | None,
-    model_digest: str | None,
-) -> Analysis:
-    basis, quadratic = weighted.basis, weighted.quadratic
-    amplitudes = _amplitudes(basis, quadratic, model, reference, alignment)
-    grid, table, _ = time_table(weighted.weights, amplitudes, TIME_TOLERANCE)
+def _reduced(kind: AnalysisKind, weighted: Weighted, fitting: Fitting, model_digest: str | None) -> Analysis:
+    """The analysis of a basis with its sums; ``fitting.fiducial`` is a typical binary, or None."""
+    basis, quadratic, band = weighted.basis, weighted.quadratic, fitting.band
+    grid, table, _ = time_table(weighted.weights, _amplitudes(weighted, fitting), TIME_TOLERANCE)
     arrays = band.arrays(list(table), list(quadratic))
     arrays |= {"linear_nodes": basis.linear_nodes, "quadratic_nodes": basis.quadratic_nodes}
-    return Analysis(settings=band.settings(kind, alignment, options, grid, model_digest), arrays=arrays)
+    settings = band.settings(kind, fitting.alignment, fitting.options, grid, model_digest)
+    return Analysis(settings=settings, arrays=arrays)
 
 
-def _amplitudes(
-    basis: Basis,
-    quadratic: NDArray[np.float64],
-    model: WaveformModel,
-    reference: ParameterBatch | None,
-    alignment: Alignment,
-) -> NDArray[np.float64]:
-    """Size of a typical strain at the linear nodes, ``(D, L)``, of norm one in every detector."""
+def _amplitudes(weighted: Weighted, fitting: Fitting) -> NDArray[np.float64]:
+    """Size of a typical strain at the linear nodes, ``(D, L)``, of norm one in every detector; of every order."""
+    basis, quadratic, reference, model = weighted.basis, weighted.quadratic, fitting.fiducial, fitting.model
     f, q = basis.linear_nodes, basis.quadratic_nodes
+    if isinstance(basis, FiducialBasis) and len(basis.orders) > 1:
+        return _amplitudes_of_orders(basis, quadratic, model)
     if reference is None:
         at_linear, at_quadratic = f ** (-7.0 / 6.0), q ** (-7.0 / 6.0)
     else:
-        options = EvaluationOptions(alignment=alignment)
+        options = quadrupole_options(model, alignment=fitting.alignment)
         at_linear = np.abs(model.predict_factored(f, reference, options=options).h[0])
         at_quadratic = np.abs(model.predict_factored(q, reference, options=options).h[0])
     return at_linear / np.sqrt(np.abs(quadratic @ at_quadratic**2))[:, None]
+
+
+def _amplitudes_of_orders(basis: FiducialBasis, pairs: NDArray[np.complex128], model: WaveformModel) -> Floats:
+    found, at = [], 0
+    for place, order in enumerate(basis.orders):
+        size = np.abs(basis.reference(model, order, basis.linear_nodes))
+        share = _FAINT if QUADRUPOLE[1] in basis.orders and order != QUADRUPOLE[1] else 1.0
+        found.append(share * size / np.sqrt(np.abs(pairs[:, at].real @ size**2))[:, None])
+        at += len(basis.orders) - place
+    return np.concatenate(found, axis=1)
 
 
 def _covered(options: LikelihoodOptions, ranges: Ranges) -> LikelihoodOptions:

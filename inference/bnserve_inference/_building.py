@@ -21,7 +21,9 @@ from bnserve_protocol import (
     AnalysisSettings,
     Calibration,
     DistanceMarginalisation,
+    EvaluationOptions,
     FieldError,
+    Mode,
     TimeGrid,
     TimeMarginalisation,
     check_prior,
@@ -69,6 +71,8 @@ class LikelihoodOptions:
     error_bound
         By how much ln L may differ from that on the full grid, within 25 of its maximum. It holds for relative binning,
         and for quadratures with a calibration or from a table; a basis of the model's own waveforms has a tolerance.
+    modes
+        ``(l, m)`` of the modes of the signal, such as ``[(2, 2), (3, 3)]``; None for all that the model has.
     """
 
     prior: Ranges = field(default_factory=dict)
@@ -77,9 +81,11 @@ class LikelihoodOptions:
     distance_marginalisation: DistanceMarginalisation | None = None
     calibration: Calibration | None = None
     error_bound: float = DEFAULT_ERROR_BOUND
+    modes: Sequence[Mode] | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "prior", real_ranges(self.prior))
+        object.__setattr__(self, "modes", EvaluationOptions(modes=self.modes).modes)  # type: ignore[arg-type]
 
 
 class Band:
@@ -203,6 +209,7 @@ class Band:
             model_digest=model_digest,
             noise_log_likelihood=self.noise_log_likelihood,
             error_bound=msgspec.UNSET if kind == "full" else options.error_bound,
+            modes=msgspec.UNSET if options.modes is None else tuple(options.modes),
         )
 
     def arrays(

@@ -10,14 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
+from bnserve_inference._modes import modes_of, orders
+from bnserve_inference._phase_integral import FIXED, PhaseIntegral
 from bnserve_inference._rows import check_batch, row_statuses
+from bnserve_inference._signals import Tile, signals_of
 from bnserve_inference._time_integral import TimeIntegral
-from bnserve_inference.kernel import Contraction, Sky
 from bnserve_protocol import (
     Analysis,
-    ComplexArray,
-    EvaluationOptions,
-    Factored,
     InvalidRows,
     Likelihood,
     LikelihoodBatch,
@@ -31,6 +30,7 @@ from bnserve_protocol import (
     refuse_rows,
 )
 
+Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 _TILE_POINTS = 2**16
@@ -58,25 +58,27 @@ class LocalLikelihood:
     Raises
     ------
     AnalysisInvalid
-        The analysis was made for another model.
+        The analysis was made for another model, or for modes that this one lacks.
     """
 
     def __init__(self, model: WaveformModel, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> None:
         check_model_of(analysis, model.description)
         self._model, self._analysis, self._invalid_rows = model, analysis, check_invalid_rows(invalid_rows)
-        settings = analysis.settings
-        self._contraction = Contraction(analysis)
-        self._options = EvaluationOptions(out_of_domain="flag", alignment=settings.alignment)
+        settings, modes = analysis.settings, modes_of(analysis.settings, model.description)
         distances = settings.distance_marginalisation
         self._distance = None if distances is None else DistanceIntegral(distances)
+        self._phases = None
+        if settings.phase_marginalisation and len(orders(modes)) > 1:
+            self._phases = PhaseIntegral(orders(modes), FIXED if self._distance is None else self._distance.factors)
+        self._signals = signals_of(model, analysis, self._phases)
         self._fixed = {"reference_phase": 0.0} if settings.phase_marginalisation else {}
         if self._distance is not None:
             self._fixed["distance_mpc"] = self._distance.reference
-        points = len(self._contraction.frequencies)
-        self._tile = min(_MOST_ROWS, max(1, _TILE_POINTS // points))
-        self._times = None if settings.time_marginalisation is None else TimeIntegral(settings, points)
-        if self._times is not None:
-            self._tile = min(self._tile, max(1, _TILE_TIMES // self._times.times))
+        self._tile = min(_MOST_ROWS, max(1, _TILE_POINTS // self._signals.samples))
+        self._times = None
+        if settings.time_marginalisation is not None:
+            self._times = TimeIntegral(settings, len(self._signals.frequencies))
+            self._tile = min(self._tile, max(1, _TILE_TIMES // (self._times.times * self._signals.groups)))
         self._counts = LikelihoodCounts()
         self._lock = threading.Lock()
 
@@ -98,7 +100,7 @@ class LocalLikelihood:
     @property
     def frequencies(self) -> Floats:
         """Where the model is evaluated, ``(M,)`` in Hz."""
-        return self._contraction.frequencies
+        return self._signals.frequencies
 
     def log_likelihood(self, batch: LikelihoodBatchLike) -> Floats:
         """ln of the ratio of the likelihoods with and without the signal, ``(N,)``.
@@ -132,43 +134,37 @@ class LocalLikelihood:
         return _bind_again, (type(self), self._model, self._analysis, self._invalid_rows)
 
     def _evaluate_tile(self, batch: LikelihoodBatch) -> tuple[Floats, NDArray[np.uint8]]:
-        factored = self._model.predict_factored(
-            self.frequencies, batch.waveform_batch(**self._fixed), options=self._options
-        )
-        status = np.array(factored.status)
-        status[_nowhere_inside(factored.h) & (status == RowStatus.OK)] = RowStatus.OUT_OF_BAND
+        tile = self._signals.tile(batch, self._fixed)
+        status = np.array(tile.status)
+        status[tile.empty & (status == RowStatus.OK)] = RowStatus.OUT_OF_BAND
         # Rows that the model flagged are NaN, and so is what numbers without end make of others.
         with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
-            values = self._combine(factored, batch)
+            values = self._combine(tile)
         status[(status == RowStatus.OK) & ~np.isfinite(values)] = RowStatus.NOT_FINITE
         values[status != RowStatus.OK] = -np.inf
         return values, status
 
-    def _combine(self, factored: Factored, batch: LikelihoodBatch) -> Floats:
-        sky, errors = self._sky(factored, batch), self._contraction.calibration_of(batch)
-        h = np.asarray(factored.h, dtype=np.complex128)
+    def _combine(self, tile: Tile) -> Floats:
         if self._times is not None:
-            return self._times.log_likelihood(self._contraction, h, sky, errors, self._marginalised)
-        inner = self._contraction(h, sky, errors)
-        return self._marginalised(inner.data[:, 0], inner.norm)
+            return self._times.log_likelihood(tile.contract, tile.sky, self._marginalised)
+        inner = tile.contract(tile.sky, 1, 0.0, False)
+        return self._marginalised(np.ascontiguousarray(inner.data[:, :, 0].T), inner.norms)
 
-    def _sky(self, factored: Factored, batch: LikelihoodBatch) -> Floats:
-        """Places and times of the rows, columns as in :class:`Sky`."""
-        sky = np.empty((len(batch), len(Sky)))
-        sky[:, Sky.RIGHT_ASCENSION] = batch["right_ascension"]
-        sky[:, Sky.DECLINATION] = batch["declination"]
-        sky[:, Sky.POLARIZATION] = batch["polarization_angle"]
-        sky[:, Sky.TIME] = batch["coalescence_time"]
-        sky[:, Sky.PLUS] = factored.plus
-        sky[:, Sky.CROSS_REAL], sky[:, Sky.CROSS_IMAGINARY] = factored.cross.real, factored.cross.imag
-        return sky
-
-    def _marginalised(self, products: NDArray[np.complex128], norms: Floats) -> Floats:
+    def _marginalised(self, products: Complex, norms: NDArray[Any]) -> Floats:
+        """ln L of <d|h>, ``(G, K)``, and <h|h>, ``(C, K)``."""
+        if self._phases is not None:
+            return self._phases.log_likelihood(products, norms, self._at_one_phase)
         phase = self._analysis.settings.phase_marginalisation
-        sizes = np.hypot(products.real, products.imag) if phase else np.ascontiguousarray(products.real)
+        product = products[0]
+        sizes = np.hypot(product.real, product.imag) if phase else np.ascontiguousarray(product.real)
         if self._distance is not None:
-            return self._distance.log_likelihood(sizes, norms, phase)
-        return (log_bessel_i0(sizes) if phase else sizes) - 0.5 * norms
+            return self._distance.log_likelihood(sizes, norms[0], phase)
+        return np.asarray((log_bessel_i0(sizes) if phase else sizes) - 0.5 * norms[0])
+
+    def _at_one_phase(self, products: Floats, norms: Floats) -> Floats:
+        if self._distance is not None:
+            return self._distance.log_likelihood(products, norms, False)
+        return products - 0.5 * norms
 
     def _count(self, status: NDArray[np.uint8]) -> None:
         found = np.bincount(status, minlength=len(RowStatus))
@@ -189,14 +185,6 @@ def _bind_again(
 ) -> LocalLikelihood:
     """A likelihood that was pickled or copied."""
     return cls(model, analysis, invalid_rows=invalid_rows)
-
-
-def _nowhere_inside(h: ComplexArray) -> NDArray[np.bool_]:
-    """The rows, (N,), that are zero at all frequencies (N, M): they lie above the model's band altogether."""
-    empty = np.asarray(h[:, 0] == 0.0)
-    for row in np.flatnonzero(empty):
-        empty[row] = not h[row].any()
-    return empty
 
 
 def likelihood(model: WaveformModel, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:

@@ -4,19 +4,25 @@ Zackay, Dai, Venumadhav (2018) and Cornish (2010). What they interpolate linearl
 in a coordinate in which the bins are uniform, and the squared modulus by itself; h at the edges is then all that is
 needed, and the whole is a quadrature with one weight per edge, like a reduced-order one.
 
+A signal of several modes is interpolated mode by mode, because sums of modes beat: the strain of order m, relative to
+h0_m(f) = abs(h0(x)) exp(i m / 2 arg h0(x)), where h0 is the fiducial (2, 2) mode at x = 2 f / m, which it passes at the
+same instant. That, unlike the fiducial mode, vanishes nowhere: amplitudes of odd modes change sign.
+
 The squared moduli serve a basis of waveforms under calibration errors, too: they are so alike that a handful of nodes
 tells them apart, far too few to sample the errors.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+import itertools
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._modes import QUADRUPOLE, quadrupole_options
 from bnserve_inference._splines import cardinal_spline, cardinal_values
 from bnserve_protocol import AnalysisInvalid, EvaluationOptions, FieldError, ParameterBatch, WaveformModel
 
@@ -33,23 +39,34 @@ _QUADRATIC_TOLERANCE = 1.0
 
 @dataclass(frozen=True, eq=False)
 class FiducialBasis:
-    """B_j(f) = h0(f) s_j(x(f)) / h0(F_j), where the spline s_j is one at the edge F_j and zero at the others."""
+    """B_j(f) = h0(f) s_j(x(f)) / h0(F_j), where the spline s_j is one at the edge F_j and zero at the others.
+
+    There are such rows for every order m of the modes, ``orders``, one after the other. ``options`` ask for the (2, 2)
+    mode of the fiducial binary.
+    """
 
     linear_nodes: Floats
     frequencies: Floats
     fiducial: ParameterBatch
     options: EvaluationOptions
     curvatures: Floats
+    orders: tuple[int, ...] = (2,)
 
     @property
     def quadratic_nodes(self) -> Floats:
         """The same edges."""
         return self.linear_nodes
 
+    @property
+    def all_nodes(self) -> Floats:
+        """The edges, once for each order."""
+        return np.tile(self.linear_nodes, len(self.orders))
+
     @classmethod
     def build(
-        cls, frequencies: Floats, fiducial: ParameterBatch, model: WaveformModel, phase_tolerance: float, alignment: str
-    ) -> FiducialBasis:
+        cls, frequencies: Floats, fiducial: ParameterBatch, model: WaveformModel, phase_tolerance: float,
+        alignment: str, orders: tuple[int, ...] = (2,),
+    ) -> FiducialBasis:  # fmt: skip
         """Bins on the grid ``frequencies`` (Hz) for one binary; see ``relative_binning_analysis``.
 
         Raises
@@ -62,40 +79,70 @@ class FiducialBasis:
                 f"The phase tolerance must be a positive number of radians; got {phase_tolerance!r}.",
                 errors=[FieldError(reason="not positive", parameter="phase_tolerance")],
             )
-        options = EvaluationOptions(alignment=alignment)  # type: ignore[arg-type]
+        options = quadrupole_options(model, alignment=alignment)
         strain = model.predict_factored(frequencies, fiducial, options=options).h[0]
         present = np.flatnonzero(strain)
         if len(present) < 2:
             raise AnalysisInvalid("The fiducial waveform vanishes in the band; choose another one or another band.")
         top = float(frequencies[present[-1]])
         nodes = bin_edges(float(frequencies[0]), top, phase_tolerance, most=len(present))
-        return cls(nodes, frequencies, fiducial, options, cardinal_spline(spread(nodes, nodes[0], top)))
+        return cls(nodes, frequencies, fiducial, options, cardinal_spline(spread(nodes, nodes[0], top)), orders)
 
     def through(self, nodes: Floats) -> FiducialBasis:
         """The same with other edges, whose first and last are those of this."""
         curvatures = cardinal_spline(spread(nodes, float(nodes[0]), float(nodes[-1])))
-        return FiducialBasis(nodes, self.frequencies, self.fiducial, self.options, curvatures)
+        return replace(self, linear_nodes=nodes, curvatures=curvatures)
 
     def linear_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
         """Rows of h on the grid, piece by piece."""
-        at_nodes = model.predict_factored(self.linear_nodes, self.fiducial, options=self.options).h[0]
-        for place, f, splines in self._pieces():
-            strain = model.predict_factored(f, self.fiducial, options=self.options).h[0]
-            yield place, splines * strain / at_nodes[:, None]
+        at_nodes = [self.reference(model, order, self.linear_nodes) for order in self.orders]
+        for place, f, splines in self._pieces(_CHUNK // len(self.orders)):
+            rows = [
+                splines * self.reference(model, order, f) / at[:, None]
+                for order, at in zip(self.orders, at_nodes, strict=True)
+            ]
+            yield place, rows[0] if len(rows) == 1 else np.concatenate(rows)
 
     def quadratic_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, Floats]]:
-        """Rows of abs(h)**2 on the grid, piece by piece."""
-        at_nodes = model.predict_factored(self.linear_nodes, self.fiducial, options=self.options).h[0]
+        """Rows of abs(h)**2 on the grid, piece by piece, of a single order."""
+        (order,) = self.orders
+        at_nodes = self.reference(model, order, self.linear_nodes)
         for place, f, splines in self._pieces():
-            strain = model.predict_factored(f, self.fiducial, options=self.options).h[0]
-            yield place, splines * np.abs(strain) ** 2 / np.abs(at_nodes[:, None]) ** 2
+            yield place, splines * np.abs(self.reference(model, order, f)) ** 2 / np.abs(at_nodes[:, None]) ** 2
 
-    def _pieces(self) -> Iterator[tuple[slice, Floats, Floats]]:
+    def pair_weights(self, model: WaveformModel, densities: Sequence[Floats]) -> NDArray[np.complex128]:
+        """What conj(h) h' of every pair of orders meets at the edges, complex ``(D, P, L)``.
+
+        ``densities`` is ``4 / (T S)`` of every detector on the grid.
+        """
+        stacked = np.array(densities)
+        pairs = list(itertools.combinations_with_replacement(range(len(self.orders)), 2))
+        sums = np.zeros((len(self.linear_nodes), len(stacked), len(pairs)), dtype=np.complex128)
+        for place, f, splines in self._pieces():
+            h = [self.reference(model, order, f) for order in self.orders]
+            products = np.array([h[one].conj() * h[other] for one, other in pairs])
+            weighted = (stacked[:, None, place] * products).reshape(-1, len(f))
+            sums += (splines @ weighted.real.T + 1j * (splines @ weighted.imag.T)).reshape(sums.shape)
+        at = [self.reference(model, order, self.linear_nodes) for order in self.orders]
+        at_nodes = np.array([at[one].conj() * at[other] for one, other in pairs])
+        return np.ascontiguousarray(np.moveaxis(sums, 0, 2) / at_nodes)
+
+    def reference(self, model: WaveformModel, order: int, f: Floats) -> NDArray[np.complex128]:
+        """h0_m at frequencies, ``(M,)``; nowhere zero up to the end of the fiducial waveform."""
+        if order == QUADRUPOLE[1]:
+            return np.asarray(model.predict_factored(f, self.fiducial, options=self.options).h[0], np.complex128)
+        last = self.linear_nodes[-1:]
+        polar = model.predict_amplitude_phase(2.0 / order * f, self.fiducial, options=self.options)
+        end = model.predict_amplitude_phase(last, self.fiducial, options=self.options).amplitude[0]
+        amplitude = np.where(polar.amplitude[0] > 0.0, polar.amplitude[0], end)
+        return np.asarray(amplitude * np.exp(0.5j * order * polar.phase[0]))
+
+    def _pieces(self, most: int = _CHUNK) -> Iterator[tuple[slice, Floats, Floats]]:
         first, top = float(self.linear_nodes[0]), float(self.linear_nodes[-1])
         end = int(np.searchsorted(self.frequencies, top, side="right"))
         x_nodes = spread(self.linear_nodes, first, top)
-        for start in range(0, end, _CHUNK):
-            place = slice(start, min(start + _CHUNK, end))
+        for start in range(0, end, most):
+            place = slice(start, min(start + most, end))
             f = self.frequencies[place]
             yield place, f, cardinal_values(x_nodes, self.curvatures, spread(f, first, top))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 from bnserve_inference._bins import Bins
 from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
+from bnserve_inference._modes import options_for
+from bnserve_inference._modes_trial import ModesTrial
 from bnserve_inference._search import COORDINATES, Box, climb
 from bnserve_inference._trial import CalibrationErrors, Comparison, Trial
 from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights
-from bnserve_protocol import AnalysisInvalid, FieldError, ParameterBatch, WaveformModel
+from bnserve_protocol import AnalysisInvalid, FieldError, Mode, ParameterBatch, WaveformModel
 
 Floats = NDArray[np.float64]
 
@@ -28,11 +30,11 @@ _ATTEMPTS = 8
 
 @dataclass(frozen=True, eq=False)
 class Weighted:
-    """A basis with its sums over the data, and over the noise ``(D, Q)``."""
+    """A basis with its sums over the data, and over the noise ``(D, Q)``; complex ``(D, P, Q)`` for pairs of orders."""
 
     basis: Basis
     weights: Weights
-    quadratic: Floats
+    quadratic: NDArray[Any]
 
 
 class Compared(NamedTuple):
@@ -53,6 +55,8 @@ class Fitting:
         Of the analysis; all ranges that matter are in the prior of the options.
     fiducial
         A binary that is thought to fit, or None.
+    modes
+        Of the signal.
     """
 
     band: Band
@@ -60,6 +64,7 @@ class Fitting:
     alignment: Alignment
     options: LikelihoodOptions
     fiducial: ParameterBatch | None
+    modes: tuple[Mode, ...]
 
     @property
     def allowed(self) -> float:
@@ -77,15 +82,29 @@ class Fitting:
         """The sums of a basis."""
         low, high = self.options.prior["coalescence_time"]
         arrivals = TimeRange(low - ARRIVAL_MARGIN, high + ARRIVAL_MARGIN)
-        quadratic = quadratic_weights(basis.quadratic_chunks(self.model), self.band.densities)
+        quadratic: NDArray[Any]
+        if isinstance(basis, FiducialBasis) and len(basis.orders) > 1:
+            quadratic, nodes = basis.pair_weights(self.model, self.band.densities), basis.all_nodes
+        else:
+            quadratic, nodes = self.quadratic(basis), basis.linear_nodes
         chunks = basis.linear_chunks(self.model)
-        weights = Weights(chunks, basis.linear_nodes, self.band.frequencies, self.band.data, arrivals)
+        weights = Weights(chunks, nodes, self.band.frequencies, self.band.data, arrivals)
         return Weighted(basis, weights, quadratic)
+
+    def quadratic(self, basis: Basis) -> Floats:
+        """The sums of squared moduli of a basis over the noise, ``(D, Q)``."""
+        return quadratic_weights(basis.quadratic_chunks(self.model), self.band.densities)
+
+    def _trial(self, weighted: Weighted) -> Trial | ModesTrial:
+        basis, weights, quadratic = weighted.basis, weighted.weights, weighted.quadratic
+        if quadratic.ndim == 3 and isinstance(basis, FiducialBasis):
+            return ModesTrial(self.band, self.model, self.alignment, basis, weights, quadratic, self.modes)
+        options = options_for(self.model, self.modes, alignment=self.alignment, out_of_domain="flag")
+        return Trial(self.band, self.model, options, basis, weights, quadratic)
 
     def compared(self, weighted: Weighted, seed: int, seen: ParameterBatch | None) -> Compared:
         """Binaries that fit with the basis, others of the prior, and those ``seen``: with it and on the full grid."""
-        basis, box = weighted.basis, Box.of(self.options.prior, self.model)
-        trial = Trial(self.band, self.model, self.alignment, basis, weighted.weights, weighted.quadratic)
+        box, trial = Box.of(self.options.prior, self.model), self._trial(weighted)
 
         def value(unit: Floats) -> Floats:
             batch = box.binaries(unit)
@@ -183,8 +202,7 @@ def fitted_calibrated_quadrature(fitting: Fitting, basis: CalibratedBasis) -> We
         if attempt:
             bins.narrow(worst / fitting.allowed)
         basis = CalibratedBasis(basis.basis, bins.placed(float(found.best.max())))
-        quadratic = quadratic_weights(basis.quadratic_chunks(fitting.model), fitting.band.densities)
-        weighted = Weighted(basis, weighted.weights, quadratic)
+        weighted = Weighted(basis, weighted.weights, fitting.quadratic(basis))
     worst = float(max(found.linear.max(), found.total.max()))
     raise AnalysisInvalid(
         f"The basis cannot stand calibration errors as wide as these: ln L may be wrong by {worst / _SHARE:.2g} in the "

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._phase_integral import Distances
 from bnserve_protocol import DistanceMarginalisation
 
 Floats = NDArray[np.float64]
@@ -65,6 +66,8 @@ class DistanceIntegral:
     ----------
     reference
         Distance in Mpc at which the products are to be given.
+    factors
+        The least and the largest u, and by how much more than by 40 the integrand may fall where it still counts.
     """
 
     def __init__(self, prior: DistanceMarginalisation) -> None:
@@ -73,6 +76,7 @@ class DistanceIntegral:
         self._ends = self.reference / prior.maximum, self.reference / prior.minimum
         power, ratio = prior.power + 1.0, float(np.log(prior.maximum / prior.minimum))
         self._depth = _DEPTH + abs(power) * ratio  # what is left out has that much more, or less, of the prior
+        self.factors = Distances(*self._ends, self._depth - _DEPTH)
         self._log_norm = _log_integral_of_power(power, ratio)
 
     def log_likelihood(self, products: Floats, norms: Floats, phase: bool) -> Floats:

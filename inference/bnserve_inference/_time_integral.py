@@ -11,18 +11,20 @@ interpolated between them.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._log_quadrature import TOLERANCE, log_mean_exponential
-from bnserve_inference.kernel import Contraction, Sky
+from bnserve_inference._signals import Contract
+from bnserve_inference.kernel import Sky
 from bnserve_protocol import AnalysisSettings, time_steps
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-Marginal = Callable[[Complex, Floats], Floats]
-"""ln L of <d|h> and <h|h>, ``(K,)`` each."""
+Marginal = Callable[[Complex, NDArray[Any]], Floats]
+"""ln L of <d|h>, ``(G, K)``, and <h|h>, ``(C, K)``."""
 _TOGETHER = 12
 """Values that are interpolated together: ten to a cycle, they leave 5e-11 of <d|h>, and 7e-9 between the outermost."""
 _LONG = 0.25
@@ -59,55 +61,64 @@ class TimeIntegral:
         if self._full:
             self._chirp_z = ChirpZ(points, self.times, self._step / settings.duration)
 
-    def log_likelihood(
-        self,
-        contraction: Contraction,
-        h: Complex,
-        sky: Floats,
-        errors: tuple[Floats, Floats] | None,
-        marginal: Marginal,
-    ) -> Floats:
+    def log_likelihood(self, contract: Contract, sky: Floats, marginal: Marginal) -> Floats:
         """ln of the mean over the times, ``(N,)``; NaN where it cannot be had to :data:`TOLERANCE`.
 
         Parameters
         ----------
-        contraction, h, sky, errors
-            As :class:`Contraction` is called; the column of times is ignored.
+        contract, sky
+            Of the signals of N rows; the column of times is ignored.
         marginal
             What is integrated, of <d|h> and <h|h>.
         """
-        slow = np.zeros((len(h), self.times), dtype=np.complex128)
-        norms = np.empty((len(self._stands), len(h)))
+        slow, norms = self._at_knots_of(contract, sky)
+        count, groups, _ = slow.shape
+        rows = np.arange(count).repeat(self.times)
+        places = np.tile(np.arange(self.times, dtype=np.float64), count)
+        by_group = np.ascontiguousarray(slow.swapaxes(0, 1))
+        products = self._turned(by_group.reshape(groups, -1), places)
+        knots = marginal(products, self._norms(norms, rows, places)).reshape(count, self.times)
+
+        def values_at(which: NDArray[np.int64], at: Floats) -> Floats:
+            between = np.array([_interpolated(group, which, at) for group in by_group])
+            return marginal(self._turned(between, at), self._norms(norms, which, at))
+
+        values, error = log_mean_exponential(knots, values_at)
+        return np.where(error <= TOLERANCE, values, np.nan)
+
+    def _at_knots_of(self, contract: Contract, sky: Floats) -> tuple[Complex, NDArray[Any]]:
+        """<d|h> of each group at all times, without its fast oscillation, ``(N, G, times)``, and <h|h> with the Earth
+        at each of its places, ``(stands, C, N)``."""
+        slow, norms = None, []
         for place, stand in enumerate(self._stands):
             there = sky.copy()
             there[:, Sky.TIME] = self._start
             there[:, Sky.RIGHT_ASCENSION] -= self._rate * stand
             if self._full:
-                inner = contraction(h, there, errors, spectrum=True)
+                inner = contract(there, 1, 0.0, True)
                 assert inner.spectrum is not None
-                products = np.array([self._chirp_z(row) for row in inner.spectrum])
+                shape = (*inner.spectrum.shape[:2], self.times)
+                terms = inner.spectrum.reshape(-1, inner.spectrum.shape[2])
+                products = np.array([self._chirp_z(row) for row in terms]).reshape(shape)
             else:
-                inner = contraction(h, there, errors, times=self.times, step=self._step)
+                inner = contract(there, self.times, self._step, False)
                 products = inner.data
-            slow += products.reshape(slow.shape) * (self._slow * self._at_knots[place])
-            norms[place] = inner.norm
-        rows = np.arange(len(h)).repeat(self.times)
-        places = np.tile(np.arange(self.times, dtype=np.float64), len(h))
-        knots = marginal(self._turned(slow.reshape(-1), places), self._norms(norms, rows, places)).reshape(slow.shape)
-
-        def values_at(which: NDArray[np.int64], at: Floats) -> Floats:
-            return marginal(self._turned(_interpolated(slow, which, at), at), self._norms(norms, which, at))
-
-        values, error = log_mean_exponential(knots, values_at)
-        return np.where(error <= TOLERANCE, values, np.nan)
+            if slow is None:
+                slow = np.zeros(products.shape, dtype=np.complex128)
+            slow += products * (self._slow * self._at_knots[place])
+            norms.append(inner.norms)
+        assert slow is not None
+        return slow, np.array(norms)
 
     def _turned(self, slow: Complex, places: Floats) -> Complex:
-        return np.asarray(slow * np.exp(-1j * self._turn * places))
+        # Not by an operator: where the second factor is large and nobody's, numpy writes the product over it, with the
+        # factors in the other order, which rounds differently.
+        return np.multiply(slow, np.exp(-1j * self._turn * places))
 
-    def _norms(self, norms: Floats, rows: NDArray[np.int64], places: Floats) -> Floats:
-        total = np.zeros(len(rows))
+    def _norms(self, norms: NDArray[Any], rows: NDArray[np.int64], places: Floats) -> NDArray[Any]:
+        total = np.zeros((norms.shape[1], len(rows)), dtype=norms.dtype)
         for weights, there in zip(self._weights(places * self._step), norms, strict=True):
-            total += weights * there[rows]
+            total += weights * there[:, rows]
         return total
 
     def _weights(self, offsets: Floats) -> Floats:

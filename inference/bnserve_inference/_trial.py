@@ -7,13 +7,14 @@ a h is Re(conj(a) z) - abs(a)^2 n / 2, which is largest, abs(z)^2 / 2 n, at a = 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._building import Alignment, Band, Basis
+from bnserve_inference._building import Band, Basis
 from bnserve_inference._calibration import calibration_factors
 from bnserve_inference._weights import Weights
 from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch, WaveformModel
@@ -78,21 +79,27 @@ class Trial:
 
     Parameters
     ----------
-    band, model, alignment
+    band, model
         Of the analysis.
+    options
+        Ask the model for the mode; binaries that it does not cover are flagged.
     basis, weights, quadratic
         The basis with its sums over the data, and over the noise, ``(D, Q)``.
+    group
+        Which of the rows of the weights are those of the mode: whole multiples of the nodes are before them.
     """
 
     def __init__(
-        self, band: Band, model: WaveformModel, alignment: Alignment, basis: Basis, weights: Weights, quadratic: Floats
-    ) -> None:
-        self._band, self._model = band, model
-        self._options = EvaluationOptions(alignment=alignment, out_of_domain="flag")
+        self, band: Band, model: WaveformModel, options: EvaluationOptions, basis: Basis, weights: Weights,
+        quadratic: Floats, group: int = 0,
+    ) -> None:  # fmt: skip
+        self._band, self._model, self._options = band, model, options
         self._linear_nodes, self._quadratic_nodes = basis.linear_nodes, basis.quadratic_nodes
         self._quadratic = quadratic
-        whole = 16 * len(band.data) * len(basis.linear_nodes) * weights.times.width / _STEP
-        self._times, self._products = weights.products(_STEP * max(1.0, whole / _MOST_BYTES))
+        whole = 16 * len(band.data) * len(weights.nodes) * weights.times.width / _STEP
+        self._times, self._all = weights.products(_STEP * max(1.0, whole / _MOST_BYTES))
+        count = len(basis.linear_nodes)
+        self._group, self._products = group, self._all[:, :, group * count : (group + 1) * count]
         self._coarse = self._products[:, :: max(1, int(_COARSE * _MOST_BYTES / max(whole, _MOST_BYTES)))].astype(
             np.complex64
         )
@@ -126,6 +133,13 @@ class Trial:
             z[:, d], times[:, d] = over_times[np.arange(len(batch)), places], self._times[places]
         return _compared(z, n, *self._on_the_grid(batch, times, errors))
 
+    def arrivals(self, detector: int, strain: Complex) -> tuple[Floats, Complex]:
+        """When the mode fits best in a detector, ``(K,)``, of the strain of every group at the nodes, ``(K, G, L)``,
+        and <d|h> of all groups then, ``(K, G)``."""
+        table = self._all[detector].reshape(len(self._times), strain.shape[1], -1)
+        places = np.argmax(np.abs(strain[:, self._group] @ table[:, self._group].T), axis=1)
+        return self._times[places], np.einsum("kgj,kgj->kg", strain, table[places])
+
     def _at_nodes(self, batch: ParameterBatch) -> tuple[Complex, Floats, NDArray[np.bool_]]:
         """Strain ``(K, L)``, its squared modulus ``(K, Q)``, and which rows the model does not cover."""
         linear = self._model.predict_factored(self._linear_nodes, batch, options=self._options)
@@ -139,21 +153,27 @@ class Trial:
         self, batch: ParameterBatch, times: Floats, errors: CalibrationErrors | None
     ) -> tuple[Complex, Floats]:
         """<d|h> at ``times`` and <h|h> on the full grid, ``(K, D)`` each."""
-        band, count = self._band, len(self._band.frequencies)
+        band = self._band
         z, n = np.zeros(times.shape, dtype=np.complex128), np.zeros(times.shape)
-        piece = max(64, _PIECE // times.size)
-        ramp = np.exp(-2j * np.pi / band.duration * np.arange(piece) * times[:, :, None])
-        for start in range(0, count, piece):
-            place = slice(start, min(start + piece, count))
-            f = band.frequencies[place]
+        for place, f, ramp in pieces(band, times):
             strain = np.asarray(self._model.predict_factored(f, batch, options=self._options).h)
             factors = None if errors is None else errors.factors(f)
             for d in range(times.shape[1]):
                 there = strain if factors is None else strain * factors[:, d]
-                turned = np.einsum("km,km->k", there * band.data[d][place], ramp[:, d, : len(f)])
+                turned = np.einsum("km,km->k", there * band.data[d][place], ramp[:, d])
                 z[:, d] += turned * np.exp(-2j * np.pi * f[0] * times[:, d])
                 n[:, d] += np.square(np.abs(there)) @ band.densities[d][place]
         return z, n
+
+
+def pieces(band: Band, times: Floats) -> Iterator[tuple[slice, Floats, Complex]]:
+    """The grid in pieces: places ``(m,)``, frequencies, and, of arrivals at ``times`` ``(K, D)``, exp(-2 pi i (f - f_0)
+    t) with the first frequency f_0 of the piece, ``(K, D, m)``."""
+    count, piece = len(band.frequencies), max(64, _PIECE // times.size)
+    ramp = np.exp(-2j * np.pi / band.duration * np.arange(piece) * times[:, :, None])
+    for start in range(0, count, piece):
+        place = slice(start, min(start + piece, count))
+        yield place, band.frequencies[place], ramp[:, :, : place.stop - start]
 
 
 def _compared(z: Complex, n: Floats, z_full: Complex, n_full: Floats) -> Comparison:

@@ -45,6 +45,9 @@ class Analysis:
         frame), ``linear_weights/X`` complex128 ``(T, L)`` and ``quadratic_weights/X`` float64 ``(Q,)``. For ``"roq"``
         and ``"relative_binning"`` also ``linear_nodes`` ``(L,)`` and ``quadratic_nodes`` ``(Q,)``, increasing, in Hz;
         for ``"full"`` both are :attr:`AnalysisSettings.grid`. T is 1 without a time grid, and at least 6 with one.
+        Relative binning with modes of G > 1 orders m has linear weights ``(T, G L)``, those of the lowest order first,
+        and, for the G (G + 1) / 2 pairs of orders (0, 0), (0, 1), ..., (1, 1), ..., complex128 quadratic weights
+        ``(P, Q)`` of conj(h) h'; with several modes, linear and quadratic nodes are the same.
 
     Raises
     ------
@@ -173,7 +176,7 @@ def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) 
     Raises
     ------
     AnalysisInvalid
-        It is made for another model.
+        It is made for another model, or for modes that the description of this one lacks.
     InvalidRequest
         It is no analysis at all.
     """
@@ -182,12 +185,21 @@ def check_model_of(analysis: Analysis, model: ModelIdentity | ModelDescription) 
             f"A likelihood is that of an Analysis; got {type(analysis).__name__}. full_analysis, roq_analysis and "
             "relative_binning_analysis of bnserve_inference build one."
         )
-    wanted = analysis.settings.model_digest
+    wanted, modes = analysis.settings.model_digest, analysis.settings.modes
     if wanted not in (None, model.digest):
         raise AnalysisInvalid(
             f"The analysis was made for the model {wanted}, and this is {model.name} {model.version} ({model.digest}). "
             "Use that model, or build the analysis again for this one.",
             errors=[FieldError(reason="made for another model", parameter="model_digest", value=model.digest)],
+        )
+    if isinstance(model, ModelIdentity) or isinstance(modes, msgspec.UnsetType):
+        return
+    there = {tuple(mode) for mode in model.modes}
+    if missing := [mode for mode in modes if mode not in there]:
+        raise AnalysisInvalid(
+            f"The analysis is of modes that {model.name} {model.version} lacks: {', '.join(map(str, missing))}. The "
+            f"model has {', '.join(map(str, sorted(there)))}; use another one, or build the analysis for these.",
+            errors=[FieldError(reason="not a mode of the model", parameter="modes", value=str(missing[0]))],
         )
 
 
@@ -201,8 +213,9 @@ def likelihood_nodes(analysis: Analysis) -> int:
 def likelihood_samples(analysis: Analysis) -> int:
     """Work of one log-likelihood in samples, the unit of :attr:`Limits.max_samples`.
 
-    A sample is one frequency of one waveform. In every detector each node costs about as much again, and a sum over
-    coalescence times as much as its times in every detector.
+    A sample is one frequency of one mode of one waveform. In every detector each node costs about as much again, and a
+    sum over coalescence times as much as its times in every detector. An analysis that does not name its modes counts
+    as of one.
     """
     return analysis.samples
 
@@ -210,4 +223,5 @@ def likelihood_samples(analysis: Analysis) -> int:
 def _samples(analysis: Analysis) -> int:
     detectors = len(analysis.settings.detectors)
     times = 0 if analysis.settings.time_marginalisation is None else time_steps(analysis.settings)[0] + 1
-    return likelihood_nodes(analysis) * (1 + detectors) + detectors * times
+    modes = 1 if isinstance(analysis.settings.modes, msgspec.UnsetType) else len(analysis.settings.modes)
+    return likelihood_nodes(analysis) * modes * (1 + detectors) + detectors * times

@@ -16,6 +16,7 @@ from bnserve_protocol._prior_checks import check_integrals, check_prior, require
 
 _MOST_DETECTORS = 16
 _MOST_CALIBRATION_NODES = 64
+_LARGEST_DEGREE = 64
 _LIMITS = {"f_max": 1e6, "duration": 1e7, "sidereal_time": 1e6, "sidereal_rate": 1.0}
 """Hz, seconds, radians and radians a second: far beyond any analysis, and phases of their products have digits left."""
 
@@ -45,9 +46,31 @@ def check_settings(settings: AnalysisSettings) -> None:
     check_integrals(settings)
     if settings.calibration is not None:
         _check_calibration(settings.calibration)
+    _check_modes(settings)
     bound = settings.error_bound
     if not isinstance(bound, msgspec.UnsetType):
         require(0.0 < bound < math.inf, "error_bound", bound, "must be positive and finite")
+
+
+def _check_modes(settings: AnalysisSettings) -> None:
+    if isinstance(settings.modes, msgspec.UnsetType):
+        return
+    if not settings.modes or len(set(settings.modes)) != len(settings.modes):
+        raise AnalysisInvalid(
+            "The modes of an analysis are distinct pairs (l, m), at least one; leave them out for all."
+        )
+    for degree, order in settings.modes:
+        if not 1 <= order <= degree <= _LARGEST_DEGREE or degree < 2:
+            raise AnalysisInvalid(
+                f"The modes of an analysis have 2 <= l <= {_LARGEST_DEGREE} and 1 <= m <= l; got ({degree}, {order}).",
+                errors=[FieldError(reason="no mode", parameter="modes", value=f"({degree}, {order})")],
+            )
+    if settings.kind == "roq":
+        raise AnalysisInvalid(
+            "A reduced-order quadrature holds the (2, 2) mode alone: leave the modes of its analysis out, or take "
+            "relative binning or the full analysis.",
+            errors=[FieldError(reason="not (2, 2) alone", parameter="modes")],
+        )
 
 
 def _check_detectors(detectors: tuple[str, ...]) -> None:
@@ -92,19 +115,30 @@ def check_arrays(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]])
             errors=[FieldError(reason=reason, parameter=name[:80])],
         )
     linear, quadratic = _node_counts(settings, arrays)
+    groups = _groups(settings)
     for name, array in arrays.items():
         shape: tuple[int | None, ...]
         kind = name.split("/")[0]
+        dtype = "f"
         if kind == "linear_weights":
-            shape = (None, linear)
+            shape, dtype = (None, groups * linear), "c"
+        elif kind == "quadratic_weights" and groups > 1:
+            shape, dtype = (groups * (groups + 1) // 2, quadratic), "c"
         elif kind == "quadratic_weights":
             shape = (quadratic,)
         else:
             shape = {"response": (3, 3), "location": (3,)}.get(kind, array.shape)
-        _check_array(name, array, shape, "c" if kind == "linear_weights" else "f")
+        _check_array(name, array, shape, dtype)
     for name in settings.detectors:
         check_location(name, arrays[f"location/{name}"])
         _check_knots(settings, len(arrays[f"linear_weights/{name}"]))
+
+
+def _groups(settings: AnalysisSettings) -> int:
+    """How many weights a node has: modes of one order m have the same ones, and on the full grid all modes have."""
+    if settings.kind == "full" or isinstance(settings.modes, msgspec.UnsetType):
+        return 1
+    return len({order for _, order in settings.modes})
 
 
 def _expected(settings: AnalysisSettings) -> Iterator[str]:
@@ -130,6 +164,9 @@ def _node_counts(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]])
                 f"f_max ({settings.f_max} Hz).",
                 errors=[FieldError(reason="not increasing within the band", parameter=name)],
             )
+    several = not isinstance(settings.modes, msgspec.UnsetType) and len(settings.modes) > 1
+    if several and not np.array_equal(arrays["linear_nodes"], arrays["quadratic_nodes"]):
+        raise AnalysisInvalid("With several modes, 'linear_nodes' and 'quadratic_nodes' of an analysis are the same.")
     return len(arrays["linear_nodes"]), len(arrays["quadratic_nodes"])
 
 

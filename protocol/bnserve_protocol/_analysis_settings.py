@@ -11,7 +11,10 @@ import numpy as np
 from bnserve_protocol._errors import AnalysisInvalid, FieldError
 from bnserve_protocol._given import NotNumbers, as_real_number
 from bnserve_protocol._grids import UniformGrid
+from bnserve_protocol._modes import MOST_MODES, Mode
 
+ONLY_MODE: tuple[Mode, ...] = ((2, 2),)
+"""Of every analysis but those that say otherwise."""
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
 
 DEFAULT_ERROR_BOUND = 0.05
@@ -125,6 +128,9 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     error_bound
         By how much ln L of an approximate analysis may differ from that on the full grid; not written where it is
         :data:`DEFAULT_ERROR_BOUND`.
+    modes
+        ``(l, m)`` of the modes of the signal. Not written: for ``"full"`` all that the model has, for the others, which
+        are made for modes, (2, 2) alone.
     """
 
     kind: AnalysisKind
@@ -145,6 +151,7 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     model_digest: str | None = None
     noise_log_likelihood: float = 0.0
     error_bound: float | msgspec.UnsetType = msgspec.UNSET
+    modes: Annotated[tuple[Mode, ...], msgspec.Meta(max_length=MOST_MODES)] | msgspec.UnsetType = msgspec.UNSET
     schema_version: Literal[1] = 1
 
     @property
@@ -201,6 +208,9 @@ def canonical(settings: AnalysisSettings) -> AnalysisSettings:
         raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
     if found.error_bound == DEFAULT_ERROR_BOUND:
         found = msgspec.structs.replace(found, error_bound=msgspec.UNSET)
+    if not isinstance(found.modes, msgspec.UnsetType):
+        alone = found.kind != "full" and found.modes == ONLY_MODE
+        found = msgspec.structs.replace(found, modes=msgspec.UNSET if alone else tuple(sorted(found.modes)))
     if found.calibration is not None:
         fields = {f.name: (getattr(found.calibration, f.name), f.default) for f in msgspec.structs.fields(Calibration)}
         stated = {name: value for name, (value, default) in fields.items() if value != default}

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+import msgspec
+
 from bnserve_protocol._analysis_settings import (
     AnalysisSettings,
     DistanceMarginalisation,
@@ -79,11 +81,14 @@ def check_integrals(settings: AnalysisSettings) -> None:
                 "be ignored: leave it out, and give the range to 'distance_marginalisation'.",
                 errors=[FieldError(reason="integrated over", parameter="distance_mpc")],
             )
-    low, high = settings.prior.get("reference_phase", (0.0, 2.0 * math.pi))
-    if settings.phase_marginalisation and high - low < 2.0 * math.pi * (1.0 - _SLACK):
+    whole = 2.0 * math.pi
+    if not isinstance(settings.modes, msgspec.UnsetType) and any(order % 2 for _, order in settings.modes):
+        whole = 4.0 * math.pi  # a mode turns by m / 2 times the reference phase
+    low, high = settings.prior.get("reference_phase", (0.0, whole))
+    if settings.phase_marginalisation and high - low < whole * (1.0 - _SLACK):
         raise AnalysisInvalid(
-            f"The phase is integrated over the whole circle, and 'prior' states [{low}, {high}] for 'reference_phase', "
-            "which would be ignored: leave it out.",
+            f"The phase is integrated over the whole circle, {whole / math.pi:g} pi of 'reference_phase' with these "
+            f"modes, and 'prior' states [{low}, {high}] for it, which would be ignored: leave it out.",
             errors=[FieldError(reason="integrated over", parameter="reference_phase")],
         )
 

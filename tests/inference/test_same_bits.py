@@ -7,8 +7,10 @@ import numpy as np
 import pytest
 
 from bnserve_inference import likelihood
-from bnserve_inference.kernel._contraction import ASSEMBLY
-from bnserve_inference.kernel.build import sources
+from bnserve_inference.kernel import build as one_mode
+from bnserve_inference.kernel._contraction import ASSEMBLY as ONE_MODE
+from bnserve_inference.modes_kernel import build as several_modes
+from bnserve_inference.modes_kernel._contraction import ASSEMBLY as SEVERAL_MODES
 from bnserve_protocol import (
     Calibration,
     DistanceMarginalisation,
@@ -29,6 +31,11 @@ ALL = {
         "distance_marginalisation": DistanceMarginalisation(minimum=20.0, maximum=200.0),
     },
     "time": {"time_marginalisation": TimeMarginalisation(minimum=-0.01, maximum=0.01, step=5e-4)},
+    "time, phase and distance": {
+        "time_marginalisation": TimeMarginalisation(minimum=-0.01, maximum=0.01, step=5e-4),
+        "phase_marginalisation": True,
+        "distance_marginalisation": DistanceMarginalisation(minimum=20.0, maximum=200.0),
+    },
     "calibration": {"calibration": Calibration(nodes=4, f_min=F_MIN, f_max=F_MAX)},
 }
 
@@ -92,6 +99,7 @@ def test_an_analysis_that_travelled_gives_the_same_bits(model, data):
     assert (likelihood(model, there).log_likelihood(batch) == expected).all()
 
 
-def test_the_compiled_contraction_is_of_these_sources():
-    first_line = ASSEMBLY.read_text().split("\n", 1)[0]
-    assert first_line == DIGEST_PREFIX + source_digest(sources()), "run: python -m bnserve_inference.kernel.build"
+@pytest.mark.parametrize(("assembly", "build"), [(ONE_MODE, one_mode), (SEVERAL_MODES, several_modes)])
+def test_the_compiled_contractions_are_of_these_sources(assembly, build):
+    first_line = assembly.read_text().split("\n", 1)[0]
+    assert first_line == DIGEST_PREFIX + source_digest(build.sources()), f"run: python -m {build.__name__}"

@@ -214,6 +214,21 @@ BAD_SETTINGS = {
         {"prior": SETTINGS.prior, "time_marginalisation": ENDLESS},
         "minimum < maximum",
     ),
+    "no modes": ({"kind": "relative_binning", "modes": ()}, "at least one"),
+    "a mode twice": ({"kind": "relative_binning", "modes": ((2, 2), (2, 2))}, "distinct pairs"),
+    "a mode of no harmonic": ({"kind": "relative_binning", "modes": ((2, 3),)}, r"1 <= m <= l; got \(2, 3\)"),
+    "a mode below the horizon": ({"kind": "relative_binning", "modes": ((2, -2),)}, r"1 <= m <= l; got \(2, -2\)"),
+    "a monopole": ({"kind": "relative_binning", "modes": ((1, 1),)}, r"2 <= l .*; got \(1, 1\)"),
+    "modes of a quadrature": ({"modes": ((2, 2), (3, 3))}, r"holds the \(2, 2\) mode alone"),
+    "half the circle of odd modes": (
+        {
+            "kind": "relative_binning",
+            "modes": ((2, 2), (3, 3)),
+            "prior": SETTINGS.prior | {"reference_phase": (0.0, 2.0 * np.pi)},
+            "phase_marginalisation": True,
+        },
+        "over the whole circle, 4 pi of 'reference_phase'",
+    ),
     "kind": ({"kind": "guess"}, "do not fit their schema"),
     "type": ({"f_min": "20"}, "do not fit their schema"),
 }
@@ -229,6 +244,52 @@ def test_settings_that_contradict_themselves_are_refused(case):
 def test_the_whole_circle_beside_an_integral_over_the_phase_is_nothing_said_twice():
     circle = SETTINGS.prior | {"reference_phase": (0.0, 2.0 * np.pi)}
     Analysis(msgspec.structs.replace(SETTINGS, prior=circle, phase_marginalisation=True), arrays())
+
+
+def test_modes_have_one_order_and_one_way_to_say_nothing():
+    settings, given = full()
+    plain = Analysis(settings, given)
+    assert plain.settings.modes is msgspec.UNSET
+    assert "modes" not in msgpack.unpackb(body_of(plain), strict_map_key=False)["settings"]
+    some = Analysis(msgspec.structs.replace(settings, modes=((3, 3), (2, 2))), given)
+    assert some.settings.modes == ((2, 2), (3, 3))
+    assert decode_analysis(body_of(some)).digest == some.digest != plain.digest
+    assert Analysis(msgspec.structs.replace(settings, modes=((2, 2), (3, 3))), given).digest == some.digest
+    alone = Analysis(msgspec.structs.replace(SETTINGS, modes=((2, 2),)), arrays())
+    assert alone.digest == Analysis(SETTINGS, arrays()).digest
+
+
+BINNED = msgspec.structs.replace(SETTINGS, kind="relative_binning", modes=((2, 1), (2, 2), (3, 2), (3, 3)))
+
+
+def binned_arrays(pairs=6, orders=3, **changes):
+    """Of modes of three orders, at four nodes."""
+    found = arrays(linear=4, quadratic=4) | {"quadratic_nodes": np.linspace(20.0, 100.0, 4)}
+    for name in BINNED.detectors:
+        found[f"linear_weights/{name}"] = np.ones((41, 4 * orders), complex)
+        found[f"quadratic_weights/{name}"] = np.ones((pairs, 4), complex)
+    return found | changes
+
+
+def test_bins_have_weights_for_every_order_and_every_pair_of_orders():
+    one = Analysis(SETTINGS, arrays())
+    several = Analysis(BINNED, binned_arrays())
+    assert decode_analysis(body_of(several)).digest == several.digest
+    assert several.samples == 4 * (4 + 4) * (1 + 2)  # of four modes
+    assert one.samples == (3 + 2) * (1 + 2)
+
+
+@pytest.mark.parametrize(
+    ("change", "reason"),
+    [
+        ({"orders": 2}, r"'linear_weights/H1' .* of shape \(T, 12\)"),
+        ({"pairs": 5}, r"'quadratic_weights/H1' .* complex128 of shape \(6, 4\)"),
+        ({"quadratic_nodes": np.linspace(21.0, 100.0, 4)}, "are the same"),
+    ],
+)
+def test_bins_of_several_modes_that_do_not_fit_are_refused(change, reason):
+    with pytest.raises(AnalysisInvalid, match=reason):
+        Analysis(BINNED, binned_arrays(**change))
 
 
 def test_the_step_between_times_is_chosen_by_the_band_and_travels():

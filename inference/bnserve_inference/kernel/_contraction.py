@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference._calibration import calibration_splines
 from bnserve_inference.kernel._layout import Argument, scratch_size
-from bnserve_protocol import Analysis, LikelihoodBatch
+from bnserve_protocol import Analysis
 from bnserve_protocol.wire import address_of
 from bnserve_surrogate.kernel import Workspace, load_assembly, padded
 
@@ -54,28 +54,28 @@ class Contraction:
 
     def __init__(self, analysis: Analysis) -> None:
         settings, arrays = analysis.settings, analysis.arrays
-        self.detectors, calibration = settings.detectors, settings.calibration
+        detectors, calibration = settings.detectors, settings.calibration
         linear, quadratic = nodes = analysis.linear_nodes, analysis.quadratic_nodes
         self.frequencies = linear if settings.kind == "full" else np.union1d(linear, quadratic)
-        self.calibration_nodes = 0 if calibration is None else calibration.nodes
-        weights = [arrays[f"linear_weights/{name}"] for name in self.detectors]
+        self._calibration_nodes = 0 if calibration is None else calibration.nodes
+        weights = [arrays[f"linear_weights/{name}"] for name in detectors]
         tables = _padded(np.array([np.stack([table.real, table.imag], axis=1) for table in weights]))
         grid = settings.time_grid
         self._held = [
             np.array([0.0, 1.0] if grid is None else [grid.start, grid.step]),
             np.array([settings.sidereal_time, settings.sidereal_rate]),
-            np.array([arrays[f"response/{name}"] for name in self.detectors]),
-            np.array([arrays[f"location/{name}"] for name in self.detectors]),
+            np.array([arrays[f"response/{name}"] for name in detectors]),
+            np.array([arrays[f"location/{name}"] for name in detectors]),
             _padded(linear),
             np.searchsorted(self.frequencies, linear).astype(np.int64),
             np.searchsorted(self.frequencies, quadratic).astype(np.int64),
             tables,
-            _padded(np.array([arrays[f"quadratic_weights/{name}"] for name in self.detectors])),
+            _padded(np.array([arrays[f"quadratic_weights/{name}"] for name in detectors])),
             *((_NONE, _NONE) if calibration is None else (_padded(calibration_splines(calibration, f)) for f in nodes)),
         ]
-        counts = len(self.detectors), len(self.frequencies), len(linear), len(quadratic), tables.shape[1]
+        counts = len(detectors), len(self.frequencies), len(linear), len(quadratic), tables.shape[1]
         self._arguments = [*counts, *map(address_of, self._held)]
-        self._scratch_size = scratch_size(len(self.detectors))
+        self._scratch_size = scratch_size(len(detectors))
 
     def __call__(
         self, h: NDArray[np.complex128], sky: Floats, calibration: tuple[Floats, Floats] | None,
@@ -108,24 +108,13 @@ class Contraction:
             workspace.reserve(self._scratch_size)
         workspace.arguments[:] = [
             *self._arguments, rows, address_of(strain), sky_at,
-            0 if calibration is None else self.calibration_nodes, *errors_at,
+            0 if calibration is None else self._calibration_nodes, *errors_at,
             times, int(np.float64(step).view(np.int64)), address_of(products), address_of(norms),
             0 if terms is None else address_of(terms), workspace.scratch_at,
         ]  # fmt: skip
         if load_contraction()(*workspace.addresses) != 0:
             raise RuntimeError("The contraction stopped with an error.")
         return InnerProducts(data=products, norm=norms, spectrum=terms)
-
-    def calibration_of(self, batch: LikelihoodBatch) -> tuple[Floats, Floats] | None:
-        """The calibration errors of a batch as ``(N, D, nodes)`` twice; None where the batch has none."""
-        if not batch.calibration_amplitude:
-            return None
-        zero = np.zeros((len(batch), self.calibration_nodes))
-        amplitude, phase = (
-            np.stack([arrays.get(name, zero) for name in self.detectors], axis=1)
-            for arrays in (batch.calibration_amplitude, batch.calibration_phase)
-        )
-        return amplitude, phase
 
 
 def _padded(array: Floats) -> Floats:

@@ -45,7 +45,7 @@ class GroupProducts(NamedTuple):
 
 
 class ModesContraction:
-    """The arrays of an analysis, as :class:`~bnserve_inference.modes_kernel._layout.Argument` says, and calls with them.
+    """The arrays of an analysis, as :class:`~bnserve_inference.modes_kernel._layout.Argument` says; calls with them.
 
     Parameters
     ----------

@@ -28,7 +28,7 @@ class Argument(IntEnum):
     KNOTS = auto()
     """Rows of a table of linear weights: one, or one for each knot of a spline in time."""
     SHARED = auto()
-    """1 where all groups have the same linear weights, and all pairs the same real weights; 0 where each has its own."""
+    """1 where all groups have the same linear weights, and all pairs the same real ones; 0 where each has its own."""
     TIME_GRID = auto()
     """float64 ``(2,)``: time of the first knot and between knots, seconds."""
     SIDEREAL = auto()

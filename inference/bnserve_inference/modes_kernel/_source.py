@@ -200,9 +200,7 @@ def _add_pairs(row: int, d: int, first: int, size: int, arguments: Integers, blo
             place = width * d if shared == 1 else 2 * width * (d * pairs + at)
             weights = floats_at(arguments[Argument.PAIR_WEIGHTS] + 8 * place, 2 * width)
             imaginary = first if shared == 1 else width + first
-            _pair(
-                ar, ai, br, bi, floats_in(weights, first, size), floats_in(weights, imaginary, size), shared, pr, pi
-            )
+            _pair(ar, ai, br, bi, floats_in(weights, first, size), floats_in(weights, imaginary, size), shared, pr, pi)
             out[2 * at] += lane_sum(pr)
             out[2 * at + 1] += lane_sum(pi)
             at += 1

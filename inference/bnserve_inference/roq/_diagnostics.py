@@ -63,6 +63,7 @@ def describe(quadrature: ReducedOrderQuadrature) -> str:
     return "\n".join(
         [
             f"model       {quadrature.model_name} {quadrature.model_version} ({quadrature.model_digest})",
+            f"modes       {', '.join(map(str, quadrature.modes))}",
             f"band        {quadrature.f_min:g} to {quadrature.f_max:g} Hz in steps of 1 / {quadrature.duration:g} s: "
             f"{points} frequencies; alignment {quadrature.alignment}",
             f"prior       {prior}",

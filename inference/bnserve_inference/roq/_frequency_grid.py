@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._modes import quadrupole_options
 from bnserve_inference.roq._errors import ConstructionFailed
 from bnserve_inference.roq._interpolant import Alignment, FloatArray, evaluate_term
 from bnserve_inference.roq._sampling import Prior
-from bnserve_protocol import EvaluationOptions, ParameterBatch, UniformGrid, WaveformModel
+from bnserve_protocol import ParameterBatch, UniformGrid, WaveformModel
 
 _STENCIL = 1e-3
 """Relative half-width of the difference that gives the time at a frequency."""
@@ -120,7 +121,7 @@ def _time_spread(
     centres = np.geomspace(full.f_min * (1.0 + 2.0 * _STENCIL), full.f_max * (1.0 - 2.0 * _STENCIL), 64)
     sides = np.concatenate([centres * (1.0 - _STENCIL), centres * (1.0 + _STENCIL)])
     order = np.argsort(sides)
-    options = EvaluationOptions(alignment=alignment, above_band="error")
+    options = quadrupole_options(model, alignment=alignment, above_band="error")
     answer = model.predict_amplitude_phase(sides[order], binaries, options=options)
     phase = np.empty_like(answer.phase)
     phase[:, order] = answer.phase

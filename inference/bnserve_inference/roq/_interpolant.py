@@ -9,7 +9,8 @@ from typing import Any, Literal, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import EvaluationOptions, ParameterBatch, UniformGrid, WaveformModel
+from bnserve_inference._modes import quadrupole_options
+from bnserve_protocol import ParameterBatch, UniformGrid, WaveformModel
 
 FloatArray: TypeAlias = NDArray[np.float64]
 AnyArray: TypeAlias = NDArray[Any]
@@ -139,14 +140,14 @@ def evaluate_term(
 ) -> AnyArray:
     """The waveforms h (1/Hz, complex128) or their squared moduli (1/Hz^2, float64), ``(N, M)``.
 
-    h is the mode in the direction of the orbital angular momentum; the polarisations are multiples of it.
+    h is the (2, 2) mode in the direction of the orbital angular momentum, whatever others the model has.
 
     Raises
     ------
     InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
         As the model raises them, for what it does not cover.
     """
-    options = EvaluationOptions(alignment=alignment)
+    options = quadrupole_options(model, alignment=alignment)
     if term == "linear":
         return np.asarray(model.predict_factored(frequencies, binaries, options=options).h, dtype=np.complex128)
     amplitude = model.predict_amplitude_phase(frequencies, binaries, options=options).amplitude

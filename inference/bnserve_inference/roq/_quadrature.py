@@ -12,11 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._modes import QUADRUPOLE
 from bnserve_inference._units import real_ranges
 from bnserve_inference.roq._errors import BasisFileInvalid, BasisMismatch, PriorNotCovered
 from bnserve_inference.roq._file import read_basis, write_basis
 from bnserve_inference.roq._interpolant import Alignment, FloatArray, Interpolant, TabulatedInterpolant
-from bnserve_protocol import UniformGrid, WaveformModel
+from bnserve_protocol import Mode, UniformGrid, WaveformModel
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +57,11 @@ class ReducedOrderQuadrature:
     model_version: str = ""
     model_digest: str = ""
     diagnostics: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def modes(self) -> tuple[Mode, ...]:
+        """The modes that it holds: (2, 2) alone, whatever others its model has."""
+        return (QUADRUPOLE,)
 
     @property
     def delta_f(self) -> float:

@@ -122,7 +122,7 @@ class Likelihoods(Kind[LikelihoodQuestion]):
         asked = decode_likelihood_request(body, request.media_type, self._limits.max_rows)
         if asked.analysis not in (None, analysis.digest):
             raise InvalidRequest("The body names another analysis than the path; they must be the same.")
-        check_model_of(analysis, model.identity)
+        check_model_of(analysis, model.model.description)
         batch = asked.batch
         samples = likelihood_samples(analysis)
         _check_sizes(len(batch), samples, self._limits)
@@ -132,7 +132,7 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             model=model,
             batch=batch,
             key=(id(model), analysis.digest, batch.absent, nodes),
-            cost=len(batch) * (samples + ROW_COST) + REQUEST_COST,
+            cost=len(batch) * (samples * _unnamed_modes(analysis, model) + ROW_COST) + REQUEST_COST,
             answer_bytes=len(batch) * _BYTES_PER_ROW,
             answer_type=request.answer_type,
             digest=request.digest,
@@ -158,6 +158,12 @@ class Likelihoods(Kind[LikelihoodQuestion]):
         if question.answer_type == JSON:
             return [encode_likelihood_answer_json(answer)]
         return encode_likelihood_answer(answer, array_keys(question.answer_type))
+
+
+def _unnamed_modes(analysis: Analysis, model: LoadedModel) -> int:
+    """By how much more a row of an analysis costs than its samples say, which count one mode where none are named."""
+    unnamed = analysis.settings.kind == "full" and isinstance(analysis.settings.modes, msgspec.UnsetType)
+    return len(model.model.description.modes) if unnamed else 1
 
 
 def _check_sizes(rows: int, samples: int, limits: ServiceLimits) -> None:
