@@ -1,4 +1,4 @@
-; sources: f57d55ed5243c97c1f5c7ac6bfcd715ffd42e9051a94a008560cbb321bddc382
+; sources: f1900d27b33af0f84f532949793b7510a90eace0ce413291e88f0576da929f9a
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

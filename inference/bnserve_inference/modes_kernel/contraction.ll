@@ -1,4 +1,4 @@
-; sources: df69a3657d9992fa6d7f58f65fa1e77916a3e4d87d978b252d622a51b5cc7b4d
+; sources: 135301c14fee7d39a96b23179b1927fe6f960c96de2c1174a901cf93ee8dbead
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
