@@ -1,0 +1,5 @@
+"""Binaries that precess: their spins followed through the band, and their modes seen from the turning orbit."""
+
+from bnserve_surrogate.precession._twist import twist
+
+__all__ = ["twist"]
