@@ -57,6 +57,7 @@ NAMED_BY_OTHERS = {
     "inference/bnserve_inference/kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/modes_kernel/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/kernel/build.py": "run with `python -m`",
+    "surrogate/bnserve_surrogate/precession/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/joblib_workers.py": "used by inference",
 }
 """Public modules of packages that are an API, and why."""
