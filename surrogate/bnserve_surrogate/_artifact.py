@@ -16,7 +16,7 @@ Of the (2, 2), with its prefix ``22/``:
 ``mlp_weights_{i}``         (n, m)      optional: layers of a network, with ``mlp_biases_{i}`` (m,)
 ==========================  ==========  ================================================================================
 
-Of every other mode, with its prefix (``33/``), the ratio R of :mod:`bnserve_surrogate.kernel._ratio`, in the
+Of every other mode, with its prefix (``33/``), the ratio R of :mod:`bnserve_surrogate.kernel.modes`, in the
 coordinates of the (2, 2):
 
 ==========================  ==========  ================================================================================
@@ -114,6 +114,9 @@ class SelfCheck(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields
     frequencies: list[float]
     amplitude: list[float]
     phase: list[float]
+    """Those of the (2, 2)."""
+    amplitudes: dict[str, list[float]] = {}
+    """Those of the other modes."""
 
 
 class SurrogateMetadata(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -267,7 +270,7 @@ def read_modes(metadata: SurrogateMetadata, tensors: Mapping[str, NDArray[Any]])
         Shapes do not fit together, nodes are not increasing, or an exponent is out of place.
     """
     carrier = _read_carrier(metadata, _own(CARRIER, tensors, _REQUIRED))
-    ratios = {MODES[name]: _read_ratio(name, mode, metadata, tensors) for name, mode in metadata.ratios.items()}
+    ratios = {MODES[name]: _read_ratio(name, mode, tensors) for name, mode in metadata.ratios.items()}
     return KernelModes(carrier, ratios)
 
 
@@ -299,9 +302,7 @@ def _read_carrier(metadata: SurrogateMetadata, own: dict[str, NDArray[Any]]) -> 
     )
 
 
-def _read_ratio(
-    name: str, mode: RatioMetadata, metadata: SurrogateMetadata, tensors: Mapping[str, NDArray[Any]]
-) -> RatioModel:
+def _read_ratio(name: str, mode: RatioMetadata, tensors: Mapping[str, NDArray[Any]]) -> RatioModel:
     own = _own(name, tensors, _REQUIRED_OF_RATIOS)
     _check_types(name, own)
     outputs, width = _shape2(name, own, "basis")
@@ -309,15 +310,7 @@ def _read_ratio(
     _require(name, "basis", width == 2 * len(own["nodes"]))
     _require(name, "mean", own["mean"].shape == (width,))
     _check_polynomial(name, own, outputs)
-    own |= {axis: tensors[f"{CARRIER}/{axis}"] for axis in ("coordinate_offset", "coordinate_scale")}
-    return build_ratio_model(
-        MODES[name],
-        mode.ratio_power,
-        own,
-        metadata.carrier.coordinates,
-        least_lambda=metadata.least_trained_lambda,
-        estimates_mismatch=mode.estimates_mismatch,
-    )
+    return build_ratio_model(MODES[name], mode.ratio_power, own, estimates_mismatch=mode.estimates_mismatch)
 
 
 def _check_types(mode: str, own: dict[str, NDArray[Any]]) -> None:

@@ -40,6 +40,7 @@ def refuse_rows(
     frequencies: NDArray[np.float64],
     ranges: list[ParameterDescription],
     mf_band: tuple[float, float],
+    least_mf: float = LEAST_MF,
 ) -> None:
     """Say what is wrong with the rows that the kernel did not evaluate.
 
@@ -55,6 +56,8 @@ def refuse_rows(
         The trained range of every parameter, in the order of the batch's columns.
     mf_band
         The trained band in M f (dimensionless).
+    least_mf
+        M f below which the phase exceeds double precision.
 
     Raises
     ------
@@ -95,15 +98,19 @@ def refuse_rows(
             + ' Use out_of_domain="flag" to get such rows back as NaN.',
             errors=problems,
         )
-    raise _out_of_band(int(np.argmax(status == RowStatus.OUT_OF_BAND)), values, frequencies, mf_band)
+    raise _out_of_band(int(np.argmax(status == RowStatus.OUT_OF_BAND)), values, frequencies, mf_band, least_mf)
 
 
 def _out_of_band(
-    row: int, values: NDArray[np.float64], frequencies: NDArray[np.float64], mf_band: tuple[float, float]
+    row: int,
+    values: NDArray[np.float64],
+    frequencies: NDArray[np.float64],
+    mf_band: tuple[float, float],
+    least_mf: float,
 ) -> OutOfBand:
     hint = (
         " So low, its phase exceeds double precision."
-        if frequencies[0] * values[row, 7] * SOLAR_MASS_SECONDS < LEAST_MF
+        if frequencies[0] * values[row, 7] * SOLAR_MASS_SECONDS < least_mf
         else ""
     )
     low, high = (edge / (values[row, 7] * SOLAR_MASS_SECONDS) for edge in mf_band)

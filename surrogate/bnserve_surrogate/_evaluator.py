@@ -6,6 +6,7 @@ Phases go on above the trained band, where the strain is zero: as straight lines
 from __future__ import annotations
 
 import ctypes
+import math
 import operator
 import threading
 from concurrent.futures import ThreadPoolExecutor
@@ -31,10 +32,22 @@ from bnserve_protocol import (
     TooLarge,
     check_options,
     chosen_modes,
+    the_mode,
 )
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
-from bnserve_surrogate.kernel import EDGE, KernelModel, Output, Outputs, Policy, evaluate
+from bnserve_surrogate._mode_phases import ModePhases
+from bnserve_surrogate.kernel import (
+    EDGE,
+    LEAST_MF,
+    KernelModes,
+    ModePlan,
+    Output,
+    Outputs,
+    Policy,
+    evaluate,
+    plan_modes,
+)
 from bnserve_surrogate.kernel._evaluate import GridCache, PreparedGrid, is_list
 
 _ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
@@ -54,7 +67,9 @@ _WORTH_A_THREAD = 20_000
 """Values below which a batch is not divided among threads."""
 _PIECES = 4
 """Into so many pieces for each thread a batch is divided."""
-_MODES: tuple[Mode, ...] = ((2, 2),)
+_CARRIER: tuple[Mode, ...] = ((2, 2),)
+_MOST_PLANS = 64
+"""Different choices of modes that are remembered; there are thousands."""
 _DISTANCE = PARAMETER_NAMES.index("distance_mpc")
 _values_of = operator.attrgetter(*PARAMETER_NAMES)
 _TOTAL_MASS, _PHASE, _TIME = (PARAMETER_NAMES.index(name) for name in ("total_mass", "reference_phase", "time_shift"))
@@ -72,15 +87,22 @@ class Answer(NamedTuple):
     estimates: Floats | None
 
 
+class _NotYet:
+    """No plan, where None is one."""
+
+
+_NOT_YET = _NotYet()
+
+
 class _OneRow(threading.local):
     """Room at known addresses for one waveform, since finding out an array's address takes longer than a copy."""
 
-    def __init__(self) -> None:
+    def __init__(self, modes: int) -> None:
         self.parameters = (ctypes.c_double * len(PARAMETER_NAMES))()
         self.parameters_at = ctypes.addressof(self.parameters)
-        self.rest = (ctypes.c_double * 5)()
-        plus = ctypes.addressof(self.rest)
-        self.plus, self.cross, self.estimate, self.status = plus, plus + 8, plus + 24, plus + 32
+        self.rest = (ctypes.c_double * (2 + 3 * modes))()
+        self.estimate = ctypes.addressof(self.rest)
+        self.status, self.plus, self.cross = self.estimate + 8, self.estimate + 16, self.estimate + 16 + 8 * modes
         self.frequencies = np.empty(_FEW)
         self.frequencies_at = address_of(self.frequencies)
         wide = np.empty((2, _FEW), np.complex128)
@@ -92,11 +114,11 @@ class _OneRow(threading.local):
 
 
 class Evaluator:
-    """One mode on prepared grids.
+    """The modes of a model on prepared grids.
 
     Parameters
     ----------
-    mode
+    modes
         Kernel arrays.
     ranges
         Unit and trained range of every parameter.
@@ -106,12 +128,14 @@ class Evaluator:
         Among how many threads a large batch is divided.
     """
 
-    def __init__(self, mode: KernelModel, ranges: list[ParameterDescription], mass: float, threads: int = 1) -> None:
-        self._mode = mode
+    def __init__(self, modes: KernelModes, ranges: list[ParameterDescription], mass: float, threads: int = 1) -> None:
+        self._kernel_modes, self._mode = modes, modes.carrier
+        self.modes: tuple[Mode, ...] = (*_CARRIER, *modes.ratios)
+        self._plans: dict[tuple[Mode, ...] | None, ModePlan | None] = {}
         self._ranges = ranges
         self._mass = mass
         self._grids = GridCache()
-        self._one_row = _OneRow()
+        self._one_row = _OneRow(len(self.modes))
         self._threads = threads
         self._pool = ThreadPoolExecutor(threads - 1, "bnserve-evaluation") if threads > 1 else None
 
@@ -125,8 +149,11 @@ class Evaluator:
         """One waveform on a grid that is prepared already, the shortest way; None if anything about it is unusual."""
         name = dtype if isinstance(dtype, str) else ""
         kind = _KINDS.get(name)
-        usual = type(options) is EvaluationOptions and options.modes is None and options.reference_frequency is None
+        usual = type(options) is EvaluationOptions and options.reference_frequency is None
         if kind is None or not usual or not is_list(frequencies):
+            return None
+        plan = self._plans.get(options.modes, _NOT_YET)
+        if isinstance(plan, _NotYet):
             return None
         points = len(frequencies)
         grid = self._grids.candidate(frequencies)
@@ -148,32 +175,30 @@ class Evaluator:
         else:
             given, results = address_of(frequencies), result_memory.empty((2, points + -points % _TILE), name)
             first = address_of(results)
-        estimate = room.estimate if self._mode.estimates_mismatch else 0
+        estimate = room.estimate if (self._mode if plan is None else plan).estimates_mismatch else 0
         outputs = Outputs(kind, first, first + results.strides[0], room.plus, room.cross, room.status, estimate)
         policy = _policy(options) | Policy.STOP_AT_BAD_ROWS
         alignment = _ALIGNMENTS[options.alignment]
-        if evaluate(self._mode, grid, 1, room.parameters_at, alignment, policy, outputs, given) != 0:
+        if evaluate(self._mode, grid, 1, room.parameters_at, alignment, policy, outputs, given, plan) != 0:
             return None
         plus, cross = results[:, :points].copy() if few else results[:, :points]
-        estimates = np.array((room.rest[3],)) if estimate else None
+        estimates = np.array((room.rest[0],)) if estimate else None
         return Polarizations(plus, cross, np.zeros(1, np.uint8), estimates)
 
     def batch(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, kind: Output) -> Answer:
-        """N waveforms.
+        """N waveforms, their modes summed or, of the strain, one by one.
 
         Raises
         ------
         InvalidParameters, OutOfDomain, InvalidFrequencies, OutOfBand
             As :meth:`~bnserve_surrogate.Model.predict`.
         InvalidRequest
-            ``options`` are none.
+            ``options`` are none, or name a mode that is not there, or several where one has to be.
         TooLarge
             More than there is memory for.
         """
         check_options(options)
-        chosen_modes(options, _MODES)
-        if options.reference_frequency is not None:
-            raise InvalidRequest("This model has no 'reference_frequency'; leave it out.")
+        plan = self._plan(options)
         coerced = ParameterBatch.coerce(batch)
         if coerced.in_plane is not None:
             raise InvalidRequest(
@@ -181,38 +206,112 @@ class Evaluator:
                 "inclination, no one amplitude and phase. Leave out chi_1x, chi_1y, chi_2x and chi_2y."
             )
         try:
-            return self._batch(self._grids.prepare(frequencies), coerced, options, kind)
+            grid = self._grids.prepare(frequencies)
+            if options.reference_frequency is not None:
+                coerced = self._referenced(coerced, options)
+            if kind is Output.AMPLITUDE_PHASE and plan is not None:
+                return self._amplitude_phase(grid, coerced, options, plan)
+            return self._batch(grid, coerced, options, kind, plan)
         except MemoryError as error:
             raise TooLarge(
                 f"There is no memory for {len(coerced)} waveforms on so many frequencies; evaluate fewer rows at a "
                 'time, on fewer frequencies, or with dtype="complex64".'
             ) from error
 
-    def _batch(self, grid: PreparedGrid, coerced: ParameterBatch, options: EvaluationOptions, kind: Output) -> Answer:
-        rows, points = len(coerced), len(grid.frequencies)
+    def _plan(self, options: EvaluationOptions) -> ModePlan | None:
+        """How the modes of some options are evaluated; None for the (2, 2) alone."""
+        plan = self._plans.get(options.modes, _NOT_YET)
+        if isinstance(plan, _NotYet):
+            chosen = chosen_modes(options, self.modes)
+            plan = None if chosen == _CARRIER else plan_modes(self._kernel_modes, chosen)
+            if len(self._plans) >= _MOST_PLANS:
+                self._plans.clear()
+            self._plans[options.modes] = plan
+        return plan
+
+    def _batch(
+        self,
+        grid: PreparedGrid,
+        coerced: ParameterBatch,
+        options: EvaluationOptions,
+        kind: Output,
+        plan: ModePlan | None = None,
+    ) -> Answer:
+        rows, points, modes = len(coerced), len(grid.frequencies), 1 if plan is None else len(plan.modes)
         two = kind not in (Output.STRAIN, Output.STRAIN_SINGLE)
-        arrays = [result_memory.empty((rows, points), _DTYPES[kind]) for _ in range(1 + two)]
+        shape = (rows, points) if two or plan is None else (rows, modes, points)
+        arrays = [result_memory.empty(shape, _DTYPES[kind]) for _ in range(1 + two)]
         second = arrays[1] if two else None
-        of_rows = np.empty(5 * rows)  # one block, because finding out an address takes longer than a copy
-        plus, cross = of_rows[:rows], of_rows[rows : 3 * rows].view(np.complex128)
-        estimates = of_rows[3 * rows : 4 * rows] if self._mode.estimates_mismatch else None
-        status = of_rows[4 * rows :].view(np.uint8)[:rows]
+        # One block, because finding out an address takes longer than a copy.
+        of_rows, factors = np.empty((2 + 3 * modes) * rows), rows * modes
+        plus, cross = of_rows[:factors], of_rows[factors : 3 * factors].view(np.complex128)
+        if plan is not None:
+            plus, cross = plus.reshape(rows, modes), cross.reshape(rows, modes)
+        estimating = (self._mode if plan is None else plan).estimates_mismatch
+        estimates = of_rows[3 * factors : 3 * factors + rows] if estimating else None
+        status = of_rows[3 * factors + rows :].view(np.uint8)[:rows]
         first_at, second_at, at = (
             address_of(arrays[0]),
             0 if second is None else address_of(second),
             address_of(of_rows),
         )
-        estimates_at = 0 if estimates is None else at + 24 * rows
-        outputs = Outputs(kind, first_at, second_at, at, at + 8 * rows, at + 32 * rows, estimates_at)
-        bad = self._run(grid, coerced, options, outputs, points * arrays[0].itemsize)
+        after = at + 24 * factors
+        estimates_at = 0 if estimates is None else after
+        outputs = Outputs(kind, first_at, second_at, at, at + 8 * factors, after + 8 * rows, estimates_at, modes)
+        row_bytes = arrays[0].itemsize * math.prod(shape[1:])
+        bad = self._run(grid, coerced, options, outputs, row_bytes, plan)
         if bad and options.out_of_domain == "error":
-            refuse_rows(coerced, status, grid.frequencies, self._ranges, self._mode.mf_band)
+            least = LEAST_MF if plan is None else plan.least_mf
+            refuse_rows(coerced, status, grid.frequencies, self._ranges, self._mode.mf_band, least)
         if (coerced.values[:, _DISTANCE] < NEAR).any():
             numbers = [plus, cross] if estimates is None else [plus, cross, estimates]
             refuse_overflow(coerced, arrays, numbers, status, options)
         if kind is Output.AMPLITUDE_PHASE:
             self._continue(arrays[1], grid.frequencies, coerced, options, status == RowStatus.OK)
         return Answer(arrays[0], second, plus, cross, status, estimates)
+
+    def _amplitude_phase(
+        self, grid: PreparedGrid, batch: ParameterBatch, options: EvaluationOptions, plan: ModePlan
+    ) -> Answer:
+        """Amplitude and phase of a mode other than the (2, 2)."""
+        if len(plan.modes) > 1:
+            the_mode(options, self.modes)  # says so
+        answer = self._batch(grid, batch, options, Output.STRAIN, plan)
+        kept = EvaluationOptions(out_of_domain="flag", alignment=options.alignment)
+
+        def carrier(f: Floats, rows: ParameterBatch) -> Floats:
+            scaled = self._grids.prepare(f * (2.0 / plan.modes[0][1]))
+            phase: Floats = self._batch(scaled, rows, kept, Output.AMPLITUDE_PHASE).second
+            return phase * (0.5 * plan.modes[0][1])
+
+        def strain(f: Floats, rows: ParameterBatch) -> NDArray[np.complex128]:
+            return self._batch(self._grids.prepare(f), rows, kept, Output.STRAIN, plan).first[:, 0]
+
+        band = plan.ratio_band[0], self._mode.mf_band[1]
+        h, phases = answer.first[:, 0], ModePhases(carrier, strain, band, self._mass)
+        phase = phases.continuous(grid.frequencies, batch, h)
+        return answer._replace(first=np.abs(h), second=phase, plus=answer.plus[:, 0], cross=answer.cross[:, 0])
+
+    def _referenced(self, batch: ParameterBatch, options: EvaluationOptions) -> ParameterBatch:
+        """The same binaries with such ``reference_phase`` that each (2, 2) has its given one where its frequency is the
+        reference frequency, without the time shift: as LAL's, whose phiRef is half of it.
+
+        Rows that are not evaluated are left as they are.
+        """
+        values = batch.values.copy()
+        values[:, [_PHASE, _TIME]] = 0.0
+        grid = self._grids.prepare(np.array([options.reference_frequency]))
+        kept = EvaluationOptions(out_of_domain="flag", alignment=options.alignment)
+        there = self._batch(grid, ParameterBatch(values), kept, Output.AMPLITUDE_PHASE)
+        values[:, [_PHASE, _TIME]] = batch.values[:, [_PHASE, _TIME]]
+        found = there.status == RowStatus.OK
+        if (there.status == RowStatus.OUT_OF_BAND).any():
+            raise InvalidRequest(
+                f"At a reference_frequency of {options.reference_frequency:g} Hz a phase exceeds double precision; use "
+                "a higher one."
+            )
+        values[found, _PHASE] -= there.second[found, 0]
+        return ParameterBatch(values)
 
     def _continue(
         self, phase: Floats, f: Floats, batch: ParameterBatch, options: EvaluationOptions, evaluated: NDArray[np.bool_]
@@ -247,7 +346,13 @@ class Evaluator:
             line += offset
 
     def _run(
-        self, grid: PreparedGrid, batch: ParameterBatch, options: EvaluationOptions, outputs: Outputs, row_bytes: int
+        self,
+        grid: PreparedGrid,
+        batch: ParameterBatch,
+        options: EvaluationOptions,
+        outputs: Outputs,
+        row_bytes: int,
+        plan: ModePlan | None,
     ) -> int:
         """Evaluate a batch, in pieces if there are threads for them; the number of rows that were not evaluated."""
         policy = _policy(options)
@@ -260,9 +365,9 @@ class Evaluator:
         def piece(start: int, stop: int) -> int:
             own = outputs.shifted(start, row_bytes)
             at = parameters + start * row_parameters
-            return evaluate(self._mode, grid, stop - start, at, alignment, policy, own)
+            return evaluate(self._mode, grid, stop - start, at, alignment, policy, own, 0, plan)
 
-        if self._pool is None or rows <= _TILE or rows * len(grid.frequencies) < _WORTH_A_THREAD:
+        if self._pool is None or rows <= _TILE or rows * outputs.modes * len(grid.frequencies) < _WORTH_A_THREAD:
             return piece(0, rows)
         size = -(-rows // (self._threads * _PIECES * _TILE)) * _TILE
         starts = iter(range(0, rows, size))  # taken in turns, so that nobody waits for a thread that is slow to wake

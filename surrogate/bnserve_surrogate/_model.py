@@ -25,10 +25,12 @@ from bnserve_protocol import (
     Polarizations,
     RunManifest,
     check_dtype,
+    check_options,
+    the_mode,
     time_until_merger,
 )
 from bnserve_store import Artifact, ModelStore
-from bnserve_surrogate._artifact import SurrogateMetadata, read_modes
+from bnserve_surrogate._artifact import MODES, SurrogateMetadata, read_modes
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._pinning import version_with_digest
@@ -79,7 +81,7 @@ class Model:
         self._metadata = metadata
         threads = _checked(threads)
         self._description = description
-        self._evaluator = Evaluator(modes.carrier, description.parameters, metadata.total_mass[0], threads)
+        self._evaluator = Evaluator(modes, description.parameters, metadata.total_mass[0], threads)
         self._origin: _Origin | None = None
 
     @classmethod
@@ -216,8 +218,16 @@ class Model:
         dtype: DTypeLike = "complex128",
     ) -> Modes:
         """N waveforms by their modes, ``h`` complex ``(N, L, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
-        one = self.predict_factored(frequencies, batch, options=options, dtype=dtype)
-        return Modes.of_one(self._description.modes[0], one)
+        answer = self._evaluator.batch(frequencies, batch, options, _strain(dtype))
+        one = answer.first.ndim == 2
+        return Modes(
+            modes=options.modes or self._evaluator.modes,
+            h=answer.first[:, None] if one else answer.first,
+            plus=answer.plus[:, None] if one else answer.plus,
+            cross=answer.cross[:, None] if one else answer.cross,
+            status=answer.status,
+            estimated_mismatch=answer.estimates,
+        )
 
     def predict_factored(
         self,
@@ -227,13 +237,16 @@ class Model:
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Factored:
-        """N waveforms before the polarisations are multiplied out. ``dtype`` and errors as :meth:`predict`."""
-        kind = Output.STRAIN if check_dtype(dtype) == "complex128" else Output.STRAIN_SINGLE
-        answer = self._evaluator.batch(frequencies, batch, options, kind)
+        """N waveforms before the polarisations are multiplied out, of one mode. ``dtype`` and errors as
+        :meth:`predict`."""
+        check_options(options)
+        the_mode(options, self._evaluator.modes)
+        answer = self._evaluator.batch(frequencies, batch, options, _strain(dtype))
+        one = answer.first.ndim == 2
         return Factored(
-            h=answer.first,
-            plus=answer.plus,
-            cross=answer.cross,
+            h=answer.first if one else answer.first[:, 0],
+            plus=answer.plus if one else answer.plus[:, 0],
+            cross=answer.cross if one else answer.cross[:, 0],
             status=answer.status,
             estimated_mismatch=answer.estimates,
         )
@@ -243,7 +256,8 @@ class Model:
     ) -> AmplitudePhase:
         """Amplitude (1/Hz) and continuous phase (rad); ``(M,)`` for one binary, ``(N, M)`` for a batch.
 
-        Above the band the amplitude is zero and the phase goes on as a straight line. Raises as :meth:`predict`.
+        Above the band the amplitude is zero and the phase goes on as a straight line; that of m = 3 and 4 as a smooth
+        one. Raises as :meth:`predict`.
         """
         answer = self._evaluator.batch(frequencies, batch, options, Output.AMPLITUDE_PHASE)
         amplitude, phase = answer.first, answer.second
@@ -289,7 +303,12 @@ class Model:
         check = self._metadata.self_check
         if check is None:
             return bool(np.isfinite(self.predict(self._metadata.frequency_band, self.typical_binary()).plus).all())
-        answer = self.predict_amplitude_phase(np.array(check.frequencies), ParametersWithExtrinsic(**check.parameters))
+        f, binary = np.array(check.frequencies), ParametersWithExtrinsic(**check.parameters)
+        answer = self.predict_amplitude_phase(f, binary, options=EvaluationOptions(modes=((2, 2),)))
+        for name, expected in check.amplitudes.items():
+            mode = EvaluationOptions(modes=(MODES[name],))
+            if not np.allclose(abs(self.predict_factored(f, binary, options=mode).h), expected, rtol=1e-9, atol=0.0):
+                return False
         amplitude = np.allclose(answer.amplitude, check.amplitude, rtol=1e-9, atol=0.0)
         return amplitude and np.allclose(answer.phase, check.phase, rtol=1e-12, atol=1e-8)
 
@@ -308,6 +327,10 @@ class Model:
             )
         own = self._description
         return _load_again, (type(self), own.name, own.version, own.digest, *self._origin)
+
+
+def _strain(dtype: DTypeLike) -> Output:
+    return Output.STRAIN if check_dtype(dtype) == "complex128" else Output.STRAIN_SINGLE
 
 
 def _checked(threads: int) -> int:

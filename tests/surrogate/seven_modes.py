@@ -40,6 +40,8 @@ def seven_mode_tensors(seed=0, degree=5, nodes=NODES):
     coordinates = CoordinateMap.symmetric(LOWER, UPPER)
     tensors |= {"22/coordinate_offset": coordinates.offset, "22/coordinate_scale": coordinates.scale}
     _add_polynomial(tensors, "22", rng, degree + 1, 0, len(shipped["22/basis"]))
+    sizes = np.abs(shipped["22/polynomial_coefficients"]).max(axis=0)
+    tensors["22/polynomial_coefficients"][:, :-1] *= sizes[:-1]
     first, last = shipped["22/phase_nodes"][[0, -1]]
     for name, power in POWERS.items():
         order = MODES[name][1]

@@ -14,7 +14,7 @@ from bnserve_surrogate.kernel._layout import (
 )
 from bnserve_surrogate.kernel._loader import Workspace, kernel_bytes, load_assembly, load_kernel
 from bnserve_surrogate.kernel._mode import NODE_TOLERANCE, KernelModel, build_kernel_model
-from bnserve_surrogate.kernel._ratio import KernelModes, RatioModel, build_ratio_model
+from bnserve_surrogate.kernel.modes import KernelModes, ModePlan, RatioModel, build_ratio_model, plan_modes
 
 __all__ = [
     "ACTIVATIONS",
@@ -26,6 +26,7 @@ __all__ = [
     "NODE_TOLERANCE",
     "KernelModel",
     "KernelModes",
+    "ModePlan",
     "Output",
     "Outputs",
     "Policy",
@@ -38,4 +39,5 @@ __all__ = [
     "load_assembly",
     "load_kernel",
     "padded",
+    "plan_modes",
 ]

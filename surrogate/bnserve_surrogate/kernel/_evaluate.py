@@ -15,6 +15,7 @@ from bnserve_protocol.wire import address_of
 from bnserve_surrogate.kernel._layout import Argument
 from bnserve_surrogate.kernel._loader import Workspace, load_kernel
 from bnserve_surrogate.kernel._mode import KernelModel
+from bnserve_surrogate.kernel.modes import ModePlan
 
 _workspace = Workspace(len(Argument))
 _PADDING = 8
@@ -31,13 +32,16 @@ class Outputs(NamedTuple):
     cross: int
     status: int
     estimates: int
+    modes: int = 1
+    """How many factors a row has."""
 
     def shifted(self, rows: int, row_bytes: int) -> Outputs:
         """The same for the rows from number ``rows`` on."""
         second = self.second + rows * row_bytes if self.second else 0
         estimates = self.estimates + 8 * rows if self.estimates else 0
-        first, plus, cross = self.first + rows * row_bytes, self.plus + 8 * rows, self.cross + 16 * rows
-        return Outputs(self.kind, first, second, plus, cross, self.status + rows, estimates)
+        factors = rows * self.modes
+        first, plus, cross = self.first + rows * row_bytes, self.plus + 8 * factors, self.cross + 16 * factors
+        return Outputs(self.kind, first, second, plus, cross, self.status + rows, estimates, self.modes)
 
 
 def evaluate(
@@ -49,22 +53,24 @@ def evaluate(
     policy: int,
     outputs: Outputs,
     given: int = 0,
+    plan: ModePlan | None = None,
 ) -> int:
-    """Evaluate ``rows`` rows of parameters at an address.
+    """Evaluate ``rows`` rows of parameters at an address: the (2, 2), or the modes of a plan.
 
     Returns
     -------
     The number of rows that were not evaluated, or OTHER_GRID if the frequencies at ``given`` are not those of ``grid``.
     """
     workspace = _workspace
-    if workspace.scratch.size < model.scratch_size:
-        workspace.reserve(model.scratch_size)
+    needed = model.scratch_size if plan is None else plan.scratch_size
+    if workspace.scratch.size < needed:
+        workspace.reserve(needed)
     points, grid_at, stride, bins, table_at = grid.block
     contents_at, exponents_at, weights_at = model.addresses
     workspace.arguments[:] = [
         rows, parameters, points, grid_at, stride, bins, table_at, given, contents_at, exponents_at, weights_at,
         alignment, policy, workspace.scratch_at, outputs.kind, outputs.first, outputs.second, outputs.plus,
-        outputs.cross, outputs.status, outputs.estimates,
+        outputs.cross, outputs.status, outputs.estimates, 0 if plan is None else plan.address,
     ]  # fmt: skip
     if load_kernel()(*workspace.addresses) != 0:
         raise RuntimeError("The kernel stopped with an error.")

@@ -12,14 +12,19 @@ BLOCK = 1024
 """Frequencies evaluated together: the scratch of a block stays in the first-level cache."""
 CACHE_LINE, STREAMED = 64, 2**22
 """Bytes of a cache line, and of a result from which on it is written past the caches."""
+MODE_BLOCK = 512
+"""The same where modes are summed, which takes twice as many buffers."""
 DENSE = 2048
-"""Frequencies from which on a grid is dense: worth polynomials in every cell of the band."""
+"""Frequencies from which on a grid is dense: worth polynomials in every cell of the band. For a sum over modes each
+frequency counts once for every order m."""
 ACTIVATIONS = {"tanh": 0, "relu": 1, "logistic": 2}
 COORDINATES = {"raw": 0, "physical": 1, "symmetric": 2}
 MAX_DEGREE = 64
 """Highest degree of a Chebyshev polynomial in a model."""
 MAX_WIDTH = 1024
 """Widest layer of a network in a model."""
+ANY = 1 << 30
+"""For parts of the scratch and of the weights whose length nothing asks for."""
 EDGE = 1e-9
 """Relative width by which a frequency may miss the band's edge through rounding and still be inside."""
 MOST_PHASE = 1e14
@@ -83,13 +88,15 @@ class Argument(IntEnum):
     SECOND = auto()
     """``(N, M)``: h_cross or the phase; or 0."""
     PLUS = auto()
-    """float64 ``(N,)``: (1 + cos^2 iota) / 2."""
+    """float64 ``(N,)``: (1 + cos^2 iota) / 2; ``(N, L)`` for L modes."""
     CROSS = auto()
-    """complex128 ``(N,)``: -i cos iota."""
+    """complex128 ``(N,)``: -i cos iota; ``(N, L)`` for L modes."""
     STATUS = auto()
     """uint8 ``(N,)``, a RowStatus each."""
     ESTIMATES = auto()
     """float64 ``(N,)``, or 0."""
+    MODES = auto()
+    """A :class:`Plan`, or 0 for the (2, 2) alone. With one ``FIRST`` is ``(N, L, M)`` where strain is asked for."""
 
 
 class Policy(IntEnum):
@@ -108,6 +115,42 @@ class Output(IntEnum):
     POLARIZATIONS = auto()
     POLARIZATIONS_SINGLE = auto()
     AMPLITUDE_PHASE = auto()
+
+
+class Plan(IntEnum):
+    """Which modes are evaluated: int64, these, then for each mode what stands at the places of :class:`PlanMode`."""
+
+    MODES = 0
+    ORDERS = auto()
+    """How many different m."""
+    NUMBERS = auto()
+    """Address of float64: five coefficients of each mode's harmonic, see :mod:`..modes._harmonics`; then the end of the
+    band in M f, and the coordinate of it in its cell."""
+    LINEAR = auto()
+    """Floats that the linear synthesis of eight rows takes, of all modes but the (2, 2)."""
+    TOP_CELL = auto()
+    """The cell in which the band ends."""
+    SLOWEST = auto()
+    """The highest m, or 2: the lowest M f at which there is a phase is half of it times that of the (2, 2)."""
+
+
+class PlanMode(IntEnum):
+    """What is known of a mode; those of one m follow each other."""
+
+    ORDER = 0
+    """m."""
+    PLACE = auto()
+    """Its number in the answer."""
+    POWER = auto()
+    """Of v in its ratio to the carrier; 0 for the (2, 2), which has no arrays of its own."""
+    CONTENTS = auto()
+    EXPONENTS = auto()
+    WEIGHTS = auto()
+    LINEAR_AT = auto()
+    ENDS_OF = auto()
+    """The first mode that has the same m and knots."""
+    ESTIMATES = auto()
+    """Whether its last output is the logarithm of an error."""
 
 
 class Entry(IntEnum):

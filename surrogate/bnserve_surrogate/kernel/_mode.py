@@ -76,11 +76,16 @@ class KernelModel:
 def scratch_size(contents: NDArray[np.int64]) -> int:
     """See the kernel's source: tiles of the regressor, linear synthesis, cubics of every cell, buffers of one block."""
     knots = padded(contents[Entry.AMPLITUDE_NODES]) + padded(contents[Entry.PHASE_NODES])
-    regressor = 5 * (contents[Entry.DEGREE] + 1) + contents[Entry.TERMS] + 2 * (LANES + padded(contents[Entry.WIDEST]))
-    outputs = LANES + padded(contents[Entry.OUTPUTS])
     cells = padded(contents[Entry.CELLS])
     row = 5 * knots + (4 * LANES + 1) * cells + 4 * (BLOCK + LANES) + 128
-    return int(LANES * (10 + outputs + 2 * knots + LANES + regressor) + row)
+    return int(LANES * (10 + 2 * knots + LANES) + regressor_scratch(contents) + row)
+
+
+def regressor_scratch(contents: NDArray[np.int64]) -> int:
+    """Floats of scratch that the regressor needs for eight rows: its outputs, and how it comes by them."""
+    products = 5 * (contents[Entry.DEGREE] + 1) + contents[Entry.TERMS]
+    layers = 2 * (LANES + padded(contents[Entry.WIDEST]))
+    return int(LANES * (LANES + padded(contents[Entry.OUTPUTS]) + products + layers))
 
 
 def build_kernel_model(

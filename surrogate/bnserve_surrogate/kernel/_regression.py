@@ -11,10 +11,10 @@ from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_surrogate._coordinates import transform_physical, transform_symmetric
-from bnserve_surrogate.kernel._layout import ACTIVATIONS, COORDINATES, LANES, TILE, Entry
+from bnserve_surrogate.kernel._layout import ACTIVATIONS, ANY, COORDINATES, LANES, TILE, Entry
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential
 from bnserve_surrogate.kernel._matrices import Floats, multiply
-from bnserve_surrogate.kernel._memory import at, load, padded, store
+from bnserve_surrogate.kernel._memory import at, floats_in, load, padded, store
 from bnserve_surrogate.kernel._simd import bits_of, fma, from_bits, smaller, splat
 
 Integers = NDArray[np.int64]
@@ -26,14 +26,14 @@ _MAGNITUDE = 2**63 - 1
 
 @njit(**JIT_OPTIONS)
 def regress(
-    parameters: Floats, rows: int, contents: Integers, exponents: Integers, weights: Floats, scratch: Floats
+    coordinates: Floats, rows: int, contents: Integers, exponents: Integers, weights: Floats, scratch: Floats
 ) -> Floats:
     """The regressor's outputs for up to eight rows.
 
     Parameters
     ----------
-    parameters
-        ``(8 * 5,)``: mass ratio, spins and tidal deformabilities of each row.
+    coordinates
+        ``(5, 8)``, see :func:`fill_coordinates`.
     rows
         How many of them are wanted.
     contents, exponents, weights
@@ -48,8 +48,6 @@ def regress(
     outputs = padded(contents[Entry.OUTPUTS])
     width = LANES + outputs
     out, rest = scratch[: LANES * width], scratch[LANES * width :]
-    coordinates, rest = rest[: 5 * LANES], rest[5 * LANES :]
-    _coordinates(parameters, contents, weights[contents[Entry.COORDINATES_AT] :], rest, coordinates)
     for i in range(LANES * width):
         out[i] = 0.0
     for i in range(LANES):
@@ -66,8 +64,27 @@ def regress(
 
 
 @njit(**JIT_OPTIONS)
-def _coordinates(parameters: Floats, contents: Integers, scaling: Floats, scratch: Floats, out: Floats) -> None:
-    """The five coordinates of eight rows, ``(5, 8)``; tides weaker than the least trained ones count as these."""
+def synthesise(
+    coordinates: Floats, rows: int, contents: Integers, exponents: Integers, weights: Floats, width: int,
+    linear: Floats, scratch: Floats,
+) -> Floats:  # fmt: skip
+    """Everything linear in the outputs of up to eight rows, ``(8, width)``; returns the outputs as :func:`regress`."""
+    outputs = regress(coordinates, rows, contents, exponents, weights, scratch)
+    per_row = LANES + padded(contents[Entry.OUTPUTS])
+    synthesis = floats_in(weights, contents[Entry.SYNTHESIS_AT], ANY)
+    for first in range(0, rows, TILE):
+        scalars = floats_in(outputs, first * per_row + LANES - 1, ANY)
+        own = floats_in(linear, first * width, ANY)
+        multiply(1 + contents[Entry.OUTPUTS], scalars, per_row, 1, synthesis, width, own, width)
+    return outputs
+
+
+@njit(**JIT_OPTIONS)
+def fill_coordinates(parameters: Floats, contents: Integers, scaling: Floats, scratch: Floats, out: Floats) -> None:
+    """The five coordinates of eight rows, ``(5, 8)``; tides weaker than the least trained ones count as these.
+
+    ``parameters``, ``(8, 5)``: mass ratio, spins and tidal deformabilities of each row.
+    """
     one, kind, least = scratch[:5], contents[Entry.COORDINATES], scaling[10]
     for lane in range(LANES):
         row = parameters[5 * lane : 5 * lane + 5]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate._freezing import FREEZING_END, FREEZING_START
-from bnserve_surrogate.kernel._layout import BLOCK, DENSE, EDGE, LANES, Argument, Column, Entry, Output
+from bnserve_surrogate.kernel._layout import ANY, BLOCK, DENSE, EDGE, LANES, Argument, Column, Entry, Output
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import at, floats_at, floats_in, integers_at, integers_in, padded
 from bnserve_surrogate.kernel._places import find_ends, first_not_below, locate
@@ -31,8 +31,6 @@ from bnserve_surrogate.kernel._writing import write_block
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-ANY = 1 << 30
-"""For parts of the scratch and of the weights whose length nothing asks for."""
 BUFFER = BLOCK + LANES
 
 
@@ -64,7 +62,7 @@ def _views(scratch: Floats, n_a: int, n_p: int, n_c: int) -> Any:
 
 
 @njit(inline="always")
-def _prepared(arguments: Integers) -> Any:
+def prepared_grid(arguments: Integers) -> Any:
     """The grid, and what :func:`locate` is told about it."""
     points, stride, bins = arguments[Argument.POINTS], arguments[Argument.STRIDE], arguments[Argument.BINS]
     grid = floats_at(arguments[Argument.GRID], 5 * stride)
@@ -74,7 +72,7 @@ def _prepared(arguments: Integers) -> Any:
 
 
 @njit(inline="always")
-def _edges(places: Any, shift: float, band: Floats) -> Any:
+def edges_of_band(places: Any, shift: float, band: Floats) -> Any:
     """The first frequencies in the band, above it, and, no further, where the amplitude freezes and is frozen."""
     start = locate(*places, np.log(band[0] * (1.0 - EDGE)) - shift)
     stop = locate(*places, np.log(band[1] * (1.0 + EDGE)) - shift)
@@ -91,7 +89,7 @@ def _divided(start: int, points: int, band_start: int, band_stop: int) -> Any:
 
 
 @njit(inline="always")
-def _fill_cubics(linear: Floats, contents: Integers, weights: Floats, n_a: int, n_p: int, cubics: Any) -> Any:
+def fill_cubics(linear: Floats, contents: Integers, weights: Floats, n_a: int, n_p: int, cubics: Any) -> Any:
     """The cubics of both splines from their linear synthesis; returns their knots."""
     knots_a = floats_in(weights, contents[Entry.AMPLITUDE_KNOTS_AT], ANY)
     knots_p = floats_in(weights, contents[Entry.PHASE_KNOTS_AT], ANY)
@@ -110,7 +108,7 @@ def _find_ends(places: Any, contents: Integers, knots: Any, sizes: Any, shift: f
 
 
 @njit(inline="always")
-def _residuals(
+def fill_residuals(
     shared: bool, log_f: Floats, segment: Any, shift: float, knots: Any, ends: Any, cells: Any, cubics: Any, sizes: Any,
     a: Floats, p: Floats,
 ) -> Any:  # fmt: skip
@@ -126,7 +124,7 @@ def _residuals(
 
 
 @njit(inline="always")
-def _add_baseline(
+def add_baseline(
     grid: Floats, stride: int, start: int, size: int, freezes: Any, mass: float, series: Floats, constant: float,
     a: Floats, p: Floats, amplitude: Floats, phase: Floats,
 ) -> None:  # fmt: skip
@@ -148,19 +146,21 @@ def evaluate_row(
 ) -> None:  # fmt: skip
     """One row from its linear synthesis to its values on all frequencies."""
     points, stride, alignment = arguments[Argument.POINTS], arguments[Argument.STRIDE], arguments[Argument.ALIGNMENT]
-    grid, places = _prepared(arguments)
+    grid, places = prepared_grid(arguments)
     sizes = (padded(contents[Entry.AMPLITUDE_NODES]), padded(contents[Entry.PHASE_NODES]))
     n_a, n_c, shared = sizes[0], padded(contents[Entry.CELLS]), contents[Entry.SHARED_NODES] != 0
     gauge, edge = floats_in(linear, 2 * (sizes[0] + sizes[1]), 4), (linear[0], linear[2 * n_a])
     series, cubics, ends, (a, p, amplitude, phase), tail, fitted, work = _views(scratch, sizes[0], sizes[1], n_c)
-    knots = _fill_cubics(linear, contents, weights, sizes[0], sizes[1], cubics)
+    knots = fill_cubics(linear, contents, weights, sizes[0], sizes[1], cubics)
     mass = row[Column.TOTAL_MASS] * SOLAR_MASS_SECONDS
     shift, band = np.log(mass), floats_in(weights, contents[Entry.BAND_AT], 3)
-    (band_start, band_stop), freezes = _edges(places, shift, band)
+    (band_start, band_stop), freezes = edges_of_band(places, shift, band)
     dense = contents[Entry.CELLS] > 0 and points >= DENSE and arguments[Argument.OUTPUT] != Output.AMPLITUDE_PHASE
     own = floats_in(weights, contents[Entry.CELLS_AT], ANY)
     if dense:
-        fit_cells(row, linear, contents, weights, alignment, cubics, n_a, series, work, *fitted)
+        fit_cells(
+            row, linear, contents, weights, alignment, cubics, n_a, series, work, *fitted, 0, contents[Entry.CELLS]
+        )
         find_ends(places, own, contents[Entry.CELLS], shift, band_stop, ends[2])
     constant, cells = 0.0, (0, 0)
     if not dense or band_start > 0:
@@ -171,12 +171,12 @@ def evaluate_row(
         if below > start:
             extend_below(floats_in(grid, start, ANY), below - start, mass, band[0], edge, -gauge[1], a, p)
         if not dense:
-            cells = _residuals(
+            cells = fill_residuals(
                 shared, places[0], (start, below, inside), shift, knots, ends, cells, cubics, sizes, a, p
             )
         size = (below if dense else inside) - start
         if size > 0:
-            _add_baseline(grid, stride, start, size, freezes, mass, series, constant, a, p, amplitude, phase)
+            add_baseline(grid, stride, start, size, freezes, mass, series, constant, a, p, amplitude, phase)
         if dense:
             out = (floats_in(amplitude, below - start, ANY), floats_in(phase, below - start, ANY))
             columns = (floats_in(own, n_c, n_c), floats_in(own, 2 * n_c, n_c))
@@ -187,17 +187,19 @@ def evaluate_row(
 @njit(**JIT_OPTIONS)
 def fit_cells(
     row: Floats, linear: Floats, contents: Integers, weights: Floats, alignment: int, cubics: tuple[Floats, Floats],
-    stride: int, series: Floats, work: Floats, polynomials_a: Floats, polynomials_p: Floats,
+    stride: int, series: Floats, work: Floats, polynomials_a: Floats, polynomials_p: Floats, first: int, last: int,
 ) -> None:  # fmt: skip
-    """Polynomials of amplitude and phase in every cell of the band: see :mod:`~bnserve_surrogate.kernel._mode`."""
-    cells = contents[Entry.CELLS]
-    n_c = padded(cells)
-    size = LANES * cells
+    """Polynomials of amplitude and phase in some cells of the band: see :mod:`~bnserve_surrogate.kernel._mode`.
+
+    The coefficients of other cells than ``first`` to ``last`` are left as they are.
+    """
+    cells, n_c = last - first, padded(contents[Entry.CELLS])
+    whole, start, size = LANES * contents[Entry.CELLS], LANES * first, LANES * cells
     own = floats_in(weights, contents[Entry.CELLS_AT], ANY)
-    owners = contents[contents[Entry.OWNERS_AT] :]
+    owners = contents[contents[Entry.OWNERS_AT] + first :]
     matrices = floats_in(own, 3 * n_c, 2 * LANES * LANES)
-    nodes = floats_in(own, 3 * n_c + 2 * LANES * LANES, 5 * size)
-    log_mf, cbrt_mf = floats_in(nodes, size, size), floats_in(nodes, 2 * size, size)
+    nodes = floats_in(own, 3 * n_c + 2 * LANES * LANES + start, ANY)
+    log_mf, cbrt_mf = floats_in(nodes, whole, size), floats_in(nodes, 2 * whole, size)
     residuals, values = floats_in(work, 0, LANES * n_c), floats_in(work, LANES * n_c, LANES * n_c)
     knots = floats_in(weights, contents[Entry.PHASE_KNOTS_AT], ANY)
     gauge = floats_in(linear, 4 * stride, 4)
@@ -206,9 +208,11 @@ def fit_cells(
     freezing, frozen = first_not_below(nodes, FREEZING_START, size), first_not_below(nodes, FREEZING_END, size)
     spline_at_nodes(log_mf, knots, cubics[0], stride, owners, cells, residuals)
     segments = (freezing, frozen, size)
-    amplitudes(nodes, cbrt_mf, floats_in(nodes, 4 * size, size), segments, 1.0, series, constant, residuals, values)
-    fill_polynomials(values, floats_in(matrices, LANES * LANES, LANES * LANES), cells, polynomials_a)
+    amplitudes(nodes, cbrt_mf, floats_in(nodes, 4 * whole, size), segments, 1.0, series, constant, residuals, values)
+    fill_polynomials(
+        values, floats_in(matrices, LANES * LANES, LANES * LANES), cells, floats_in(polynomials_a, start, ANY)
+    )
     spline_at_nodes(log_mf, knots, cubics[1], stride, owners, cells, residuals)
     plain, logarithmic = floats_in(series, 8, 16), floats_in(series, 24, 10)
-    phases(nodes, log_mf, cbrt_mf, floats_in(nodes, 3 * size, size), size, plain, logarithmic, residuals, values)
-    fill_polynomials(values, matrices, cells, polynomials_p)
+    phases(nodes, log_mf, cbrt_mf, floats_in(nodes, 3 * whole, size), size, plain, logarithmic, residuals, values)
+    fill_polynomials(values, matrices, cells, floats_in(polynomials_p, start, ANY))

@@ -44,20 +44,20 @@ def write_block(
         size = 2 * (stop - start)
         h = singles_at(first + 8 * place, size)
         other = singles_at(second + 8 * place, size if output == Output.POLARIZATIONS_SINGLE else 0)
-        streamed = _streamed(arguments, first + 8 * place, second + 8 * place, other.shape[0] > 0, 8)
+        streamed = streamed_from(arguments, first + 8 * place, second + 8 * place, other.shape[0] > 0, 8)
         to_complex(amplitude, phase, inside - start, factors, streamed, h, other, singles_in(tail, 0, 4 * LANES))
         _zeros(h, other, 2 * (inside - start))
     else:
         size = 2 * (stop - start)
         wide = floats_at(first + 16 * place, size)
         other_wide = floats_at(second + 16 * place, size if output == Output.POLARIZATIONS else 0)
-        streamed = _streamed(arguments, first + 16 * place, second + 16 * place, other_wide.shape[0] > 0, 16)
+        streamed = streamed_from(arguments, first + 16 * place, second + 16 * place, other_wide.shape[0] > 0, 16)
         to_complex(amplitude, phase, inside - start, factors, streamed, wide, other_wide, tail)
         _zeros(wide, other_wide, 2 * (inside - start))
 
 
 @njit(inline="always")
-def _put(out: Any, j: int, count: int, streamed: int, real: Any, imaginary: Any, tail: Any) -> None:
+def put(out: Any, j: int, count: int, streamed: int, real: Any, imaginary: Any, tail: Any) -> None:
     if count < LANES:
         store_complex(tail, 0, real, imaginary)
         for i in range(2 * count):
@@ -89,14 +89,14 @@ def to_complex(
         sine, cosine = sincos(load(phase, j))
         a = load(amplitude, j)
         real, imaginary = rounded_to(first, a * cosine), rounded_to(first, a * sine)
-        _put(first, j, count, streamed, real * plus, imaginary * plus, tail)
+        put(first, j, count, streamed, real * plus, imaginary * plus, tail)
         if two:
-            _put(second, j, count, streamed, imaginary * (0.0 - cross), real * cross, tail)
+            put(second, j, count, streamed, imaginary * (0.0 - cross), real * cross, tail)
         j += count
 
 
 @njit(**JIT_OPTIONS)
-def _streamed(arguments: Integers, first: int, second: int, two: bool, size: int) -> int:
+def streamed_from(arguments: Integers, first: int, second: int, two: bool, size: int) -> int:
     """How many values stand before the first cache line's beginning, or -1 if the caches hold the whole result."""
     small = arguments[Argument.ROWS] * arguments[Argument.POINTS] * size * (2 if two else 1) < STREAMED
     apart = two and (first - second) % CACHE_LINE != 0

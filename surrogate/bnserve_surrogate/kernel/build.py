@@ -32,11 +32,13 @@ _KERNEL = (
     "layout", "math", "matrices", "memory", "places", "points", "regression", "row", "series", "simd", "source",
     "writing",
 )  # fmt: skip
+_MODES = ("carriers", "row", "sums", "synthesis")
 
 
 def sources() -> list[Path]:
     """Everything that the kernel is compiled from."""
-    files = [*(f"kernel/_{name}.py" for name in _KERNEL), "_coordinates.py", "_freezing.py"]
+    files = [*(f"kernel/_{name}.py" for name in _KERNEL), *(f"kernel/modes/_{name}.py" for name in _MODES)]
+    files += ["_coordinates.py", "_freezing.py"]
     return [_PACKAGE / file for file in files] + sorted((_PACKAGE / "baseline").glob("*.py"))
 
 
@@ -109,7 +111,10 @@ def _detach(entry: Any, entry_point: str) -> str:
     return _shorten(str(module))
 
 
-_APART = r"bnserve_surrogate6kernel\d+_(points|source|regression|matrices|row|series|places|writing)\d"
+_APART = (
+    r"bnserve_surrogate6kernel(5modes)?\d+_"
+    r"(points|source|regression|matrices|row|series|places|writing|carriers|sums|synthesis)\d"
+)
 
 
 def _internal(definition: re.Match[str]) -> str:

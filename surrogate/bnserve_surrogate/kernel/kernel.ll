@@ -1,4 +1,4 @@
-; sources: b151d09300d67d765e8346714d96dfcfb3d1e39135362dc355697c8a0c6f15bf
+; sources: e854319e4f55cfddbfede0ad962f25c0e15942eb3924c64bc456d25040d7142a
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -40,12 +40,16 @@ declare void @llvm.memset.p0.i64(ptr writeonly captures(none), i8, i64, i1 immar
 ; Function Attrs: nofree noinline norecurse nounwind
 define internal fastcc noundef range(i32 0, 2) i32 @inner_0(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.arguments.4) unnamed_addr #2 {
 entry:
-  %.1861 = alloca i64, align 8
-  store i64 0, ptr %.1861, align 8
-  %.2356 = alloca ptr, align 8
-  store ptr null, ptr %.2356, align 8
-  %excinfo.11 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.11, align 8
+  %.2032 = alloca i64, align 8
+  store i64 0, ptr %.2032, align 8
+  %.2686 = alloca ptr, align 8
+  store ptr null, ptr %.2686, align 8
+  %excinfo.13 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.13, align 8
+  %.2735 = alloca ptr, align 8
+  store ptr null, ptr %.2735, align 8
+  %excinfo.14 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.14, align 8
   %.46 = getelementptr i8, ptr %arg.arguments.4, i64 16
   %.47 = load i64, ptr %.46, align 8
   %.76 = getelementptr i8, ptr %arg.arguments.4, i64 32
@@ -64,12 +68,12 @@ B190:                                             ; preds = %entry
   br label %B284
 
 B284:                                             ; preds = %B284.if, %B190
-  %.3731116 = phi i64 [ %.380, %B284.if ], [ 0, %B190 ]
-  %exitcond.not = icmp eq i64 %..47, %.3731116
+  %.3731275 = phi i64 [ %.380, %B284.if ], [ 0, %B190 ]
+  %exitcond.not = icmp eq i64 %..47, %.3731275
   br i1 %exitcond.not, label %B344, label %B284.if
 
-common.ret:                                       ; preds = %B1480.endif.if, %B1574, %B1430, %B324
-  %common.ret.op = phi i32 [ 0, %B324 ], [ 0, %B1430 ], [ 0, %B1574 ], [ %.2374, %B1480.endif.if ]
+common.ret:                                       ; preds = %B1946.if, %B1902.if, %B1995, %B1758, %B324
+  %common.ret.op = phi i32 [ 0, %B324 ], [ 0, %B1758 ], [ 0, %B1995 ], [ %.2753, %B1946.if ], [ %.2700, %B1902.if ]
   ret i32 %common.ret.op
 
 B324:                                             ; preds = %B284.if
@@ -77,167 +81,304 @@ B324:                                             ; preds = %B284.if
   br label %common.ret
 
 B344:                                             ; preds = %B284, %entry
+  %.527 = getelementptr i8, ptr %arg.arguments.4, i64 64
+  %.528 = load i64, ptr %.527, align 8
+  %.612 = getelementptr i8, ptr %arg.arguments.4, i64 80
+  %.613 = load i64, ptr %.612, align 8
   %.697 = load i64, ptr %arg.arguments.4, align 8
+  %.730 = getelementptr i8, ptr %arg.arguments.4, i64 8
+  %.731 = load i64, ptr %.730, align 8
   %.733 = mul nsw i64 %.697, 10
+  %.817 = getelementptr i8, ptr %arg.arguments.4, i64 152
+  %.818 = load i64, ptr %.817, align 8
+  %.903 = getelementptr i8, ptr %arg.arguments.4, i64 136
+  %.904 = load i64, ptr %.903, align 8
+  %.983 = getelementptr i8, ptr %arg.arguments.4, i64 144
+  %.984 = load i64, ptr %.983, align 8
   %.986 = shl nsw i64 %.697, 1
-  %.11361120.not = icmp slt i64 %.697, 1
-  br i1 %.11361120.not, label %B1574, label %B830.if.lr.ph
+  %.1091 = getelementptr i8, ptr %arg.arguments.4, i64 168
+  %.1092 = load i64, ptr %.1091, align 8
+  %.1093.not = icmp eq i64 %.1092, 0
+  br i1 %.1093.not, label %B976, label %B858
 
-B1142:                                            ; preds = %B834.else.endif.endif
-  %.1964 = getelementptr i8, ptr %.1321, i64 48
-  %.1965 = load double, ptr %.1964, align 8
-  %.1978.le = tail call contract double @llvm.cos.f64(double %.1965)
-  br label %B1236
+B858:                                             ; preds = %B344
+  %.1126 = inttoptr i64 %.1092 to ptr
+  %.1201 = getelementptr i8, ptr %.1126, i64 40
+  %.1202 = load i64, ptr %.1201, align 8
+  %.1206 = sitofp i64 %.1202 to double
+  %.1210 = fmul contract double %.1206, 5.000000e-01
+  %.1212 = fmul contract double %.1210, 1.000000e-09
+  br label %B976
 
-B1236:                                            ; preds = %B834.else.endif.endif, %B1142
-  %"$phi1236.1.2.1" = phi double [ %.1978.le, %B1142 ], [ 0x7FF8000000000000, %B834.else.endif.endif ]
-  %.1998 = fmul contract double %"$phi1236.1.2.1", %"$phi1236.1.2.1"
-  %.1999 = fadd contract double %.1998, 1.000000e+00
-  %.2000 = fmul contract double %.1999, 5.000000e-01
-  %2 = shl i64 %.114211191121, 3
-  %scevgep132 = getelementptr i8, ptr %14, i64 %2
-  store double %.2000, ptr %scevgep132, align 8
-  %scevgep131 = getelementptr i8, ptr %lsr.iv129, i64 -8
-  store double 0.000000e+00, ptr %scevgep131, align 8
-  %.2064 = fneg contract double %"$phi1236.1.2.1"
-  store double %.2064, ptr %lsr.iv129, align 8
-  %.2101 = icmp ne i64 %.1881, 0
-  %.2106 = zext i1 %.2101 to i64
-  %.2107 = add nuw nsw i64 %bad.2.01123, %.2106
-  %scevgep130 = getelementptr i8, ptr %lsr.iv129, i64 16
-  %lsr.iv.next134 = add i64 %lsr.iv133, 10
-  %exitcond1140.not = icmp eq i64 %.697, %.1149
-  br i1 %exitcond1140.not, label %B1348, label %B830.if
+B976:                                             ; preds = %B858, %B344
+  %least.2.0 = phi double [ %.1212, %B858 ], [ 1.000000e-09, %B344 ]
+  %.13067 = icmp sgt i64 %.697, 0
+  br i1 %.13067, label %B1010.lr.ph, label %B1995
 
-B1348:                                            ; preds = %B1236
-  %.2123.not = icmp eq i64 %.2107, 0
-  br i1 %.2123.not, label %B1434, label %B1360
+B1010.lr.ph:                                      ; preds = %B976
+  %2 = inttoptr i64 %.111 to ptr
+  %3 = getelementptr double, ptr %2, i64 %.47
+  %4 = getelementptr i8, ptr %3, i64 -8
+  %.1983.inv = icmp sgt i64 %.47, 0
+  %.1305127810 = add nsw i64 %.697, -1
+  %5 = mul i64 %.77, 40
+  %sunkaddr156 = select i1 %.1983.inv, i64 0, i64 %5
+  %6 = inttoptr i64 %.613 to ptr
+  %7 = inttoptr i64 %.731 to ptr
+  %sunkaddr24 = inttoptr i64 %.528 to ptr
+  %sunkaddr25 = getelementptr i8, ptr %sunkaddr24, i64 136
+  %sunkaddr27 = getelementptr i8, ptr %sunkaddr24, i64 128
+  %sunkaddr28 = getelementptr inbounds i8, ptr %4, i64 %sunkaddr156
+  %sunkaddr29 = getelementptr i8, ptr %arg.arguments.4, i64 96
+  %8 = inttoptr i64 %.818 to ptr
+  %9 = inttoptr i64 %.904 to ptr
+  %10 = inttoptr i64 %.984 to ptr
+  br label %B1010
 
-B1360:                                            ; preds = %B1348
-  %sunkaddr31.le = getelementptr i8, ptr %arg.arguments.4, i64 96
-  %.2154 = load i64, ptr %sunkaddr31.le, align 8
-  %.2155 = and i64 %.2154, 4
-  %.2156.not = icmp eq i64 %.2155, 0
-  br i1 %.2156.not, label %B1434, label %B1430
+B1010:                                            ; preds = %B1634, %B1010.lr.ph
+  %.1296.sroa.0.014 = phi i64 [ 0, %B1010.lr.ph ], [ %.1296.sroa.0.0, %B1634 ]
+  %.1305127813 = phi i64 [ %.1305127810, %B1010.lr.ph ], [ %.13051278, %B1634 ]
+  %.1312128212 = phi i64 [ 1, %B1010.lr.ph ], [ %.13121282, %B1634 ]
+  %bad.2.011 = phi i64 [ 0, %B1010.lr.ph ], [ %.2396, %B1634 ]
+  %.1348 = mul nsw i64 %.1296.sroa.0.014, 10
+  %.1388 = icmp slt i64 %.1296.sroa.0.014, 0
+  %.1389 = select i1 %.1388, i64 %.733, i64 0
+  %.1390 = add i64 %.1389, %.1348
+  %.1393 = icmp slt i64 %.1390, 0
+  br i1 %.1393, label %B1010.else.if, label %B1010.else.endif, !prof !1
 
-B1430:                                            ; preds = %B1360
-  store i64 %.2107, ptr %retptr, align 8
+B1320:                                            ; preds = %B1010.else.endif.endif
+  %.2135 = getelementptr i8, ptr %.1491, i64 48
+  %.2136 = load double, ptr %.2135, align 8
+  %.2144.le = tail call contract double @llvm.cos.f64(double %.2136)
+  br label %B1414
+
+B1414:                                            ; preds = %B1010.else.endif.endif, %B1320
+  %"$phi1414.1.2.1" = phi double [ 0x7FF8000000000000, %B1010.else.endif.endif ], [ %.2144.le, %B1320 ]
+  %.2191 = load i64, ptr %.1091, align 8
+  %.2192.not = icmp eq i64 %.2191, 0
+  br i1 %.2192.not, label %B1566, label %B1460
+
+B1460:                                            ; preds = %B1414
+  %.55.i = inttoptr i64 %.2191 to ptr
+  %.140.i = load i64, ptr %.55.i, align 8, !noalias !2
+  %.486511.not.i = icmp slt i64 %.140.i, 1
+  br i1 %.486511.not.i, label %B1634, label %B366.if.lr.ph.i
+
+B366.if.lr.ph.i:                                  ; preds = %B1460
+  %.2223 = getelementptr i8, ptr %.1491, i64 48
+  %.2224 = load double, ptr %.2223, align 8
+  %.336.i = load i64, ptr %.983, align 8, !noalias !2
+  %.258.i = load i64, ptr %.903, align 8, !noalias !2
+  %.173.i = getelementptr i8, ptr %.55.i, i64 16
+  %.174.i = load i64, ptr %.173.i, align 8, !noalias !2
+  %11 = inttoptr i64 %.174.i to ptr
+  %.609.i = mul nsw i64 %.140.i, %.1296.sroa.0.014
+  %.755.i = fmul contract double %"$phi1414.1.2.1", %"$phi1414.1.2.1"
+  %.1048.i = fcmp contract ord double %"$phi1414.1.2.1", 0.000000e+00
+  %"$phi646.1.2.1.i" = select i1 %.1048.i, double 0.000000e+00, double 0x7FF8000000000000
+  %scevgep.i = getelementptr i8, ptr %11, i64 32
+  %scevgep83.i = getelementptr i8, ptr %.55.i, i64 56
+  %.2237.le = tail call contract double @llvm.sin.f64(double %.2224)
+  %12 = inttoptr i64 %.336.i to ptr
+  %13 = inttoptr i64 %.258.i to ptr
+  br label %B366.if.i
+
+B366.if.i:                                        ; preds = %B366.if.i, %B366.if.lr.ph.i
+  %lsr.iv87.i = phi i64 [ %.140.i, %B366.if.lr.ph.i ], [ %lsr.iv.next.i, %B366.if.i ]
+  %lsr.iv84.i = phi ptr [ %scevgep83.i, %B366.if.lr.ph.i ], [ %scevgep85.i, %B366.if.i ]
+  %lsr.iv.i = phi ptr [ %scevgep.i, %B366.if.lr.ph.i ], [ %scevgep78.i, %B366.if.i ]
+  %scevgep86.i = getelementptr i8, ptr %lsr.iv84.i, i64 -8
+  %.638.i = load i64, ptr %lsr.iv84.i, align 8, !noalias !2
+  %.639.i = add nsw i64 %.638.i, %.609.i
+  %.735.i = load i64, ptr %scevgep86.i, align 8, !noalias !2
+  %.735.i.fr = freeze i64 %.735.i
+  %.771.i = and i64 %.735.i.fr, 1
+  %.772.not.i = icmp eq i64 %.771.i, 0
+  %_factors_v21__vphi34_0.2.1.i = select i1 %.772.not.i, double 1.000000e+00, double %.2237.le
+  %sunkaddr160 = getelementptr i8, ptr %lsr.iv.i, i64 -32
+  %.818.i = load double, ptr %sunkaddr160, align 8, !noalias !2
+  %scevgep80.i = getelementptr i8, ptr %lsr.iv.i, i64 -16
+  %.848.i = load double, ptr %scevgep80.i, align 8, !noalias !2
+  %.878.i = load double, ptr %lsr.iv.i, align 8, !noalias !2
+  %.880.i = fmul contract double %.755.i, %.878.i
+  %.881.i = fadd contract double %.848.i, %.880.i
+  %.883.i = fmul contract double %.755.i, %.881.i
+  %.884.i = fadd contract double %.818.i, %.883.i
+  %scevgep81.i = getelementptr i8, ptr %lsr.iv.i, i64 -24
+  %.914.i = load double, ptr %scevgep81.i, align 8, !noalias !2
+  %scevgep82.i = getelementptr i8, ptr %lsr.iv.i, i64 -8
+  %.944.i = load double, ptr %scevgep82.i, align 8, !noalias !2
+  %.951.i = fmul contract double %.755.i, %.944.i
+  %.954.i = fadd contract double %.914.i, %.951.i
+  %.956.i = fmul contract double %"$phi1414.1.2.1", %.954.i
+  %.959.i = fmul contract double %_factors_v21__vphi34_0.2.1.i, %.884.i
+  %.960.i = fmul contract double %_factors_v21__vphi34_0.2.1.i, %.956.i
+  %.961.i = fsub contract double 0.000000e+00, %.960.i
+  %14 = lshr i64 %.639.i, 33
+  %.997.i = and i64 %14, 1073741824
+  %15 = getelementptr double, ptr %13, i64 %.639.i
+  %.1011.i = getelementptr double, ptr %15, i64 %.997.i
+  store double %.959.i, ptr %.1011.i, align 8, !noalias !2
+  %.idx4.i = shl i64 %.639.i, 4
+  %16 = getelementptr i8, ptr %12, i64 %.idx4.i
+  %17 = getelementptr i8, ptr %16, i64 8
+  %.1044.i = getelementptr double, ptr %17, i64 %.997.i
+  store double %.961.i, ptr %.1044.i, align 8, !noalias !2
+  %.1090.i = getelementptr double, ptr %16, i64 %.997.i
+  store double %"$phi646.1.2.1.i", ptr %.1090.i, align 8, !noalias !2
+  %scevgep78.i = getelementptr i8, ptr %lsr.iv.i, i64 40
+  %scevgep85.i = getelementptr i8, ptr %lsr.iv84.i, i64 72
+  %lsr.iv.next.i = add i64 %lsr.iv87.i, -1
+  %exitcond.not.i = icmp eq i64 %lsr.iv.next.i, 0
+  br i1 %exitcond.not.i, label %B1634, label %B366.if.i
+
+B1566:                                            ; preds = %B1414
+  %.2283 = fmul contract double %"$phi1414.1.2.1", %"$phi1414.1.2.1"
+  %.2284 = fadd contract double %.2283, 1.000000e+00
+  %.2285 = fmul contract double %.2284, 5.000000e-01
+  %18 = getelementptr double, ptr %9, i64 %.1296.sroa.0.014
+  %.2315 = getelementptr double, ptr %18, i64 %.2087
+  store double %.2285, ptr %.2315, align 8
+  %.2333 = select i1 %.1388, i64 %.986, i64 0
+  %.idx = shl i64 %.1296.sroa.0.014, 4
+  %19 = getelementptr i8, ptr %10, i64 %.idx
+  %.2347 = getelementptr double, ptr %19, i64 %.2333
+  store double 0.000000e+00, ptr %.2347, align 8
+  %.2350 = fneg contract double %"$phi1414.1.2.1"
+  %20 = getelementptr i8, ptr %19, i64 8
+  %.2386 = getelementptr double, ptr %20, i64 %.2333
+  store double %.2350, ptr %.2386, align 8
+  br label %B1634
+
+B1634:                                            ; preds = %B366.if.i, %B1566, %B1460
+  %.2390 = icmp ne i64 %.2052, 0
+  %.2395 = zext i1 %.2390 to i64
+  %.2396 = add nuw nsw i64 %bad.2.011, %.2395
+  %.1306 = icmp sgt i64 %.1305127813, 0
+  %.1319 = zext i1 %.1306 to i64
+  %.13121282 = add i64 %.1312128212, %.1319
+  %.1315 = sext i1 %.1306 to i64
+  %.13051278 = add nsw i64 %.1305127813, %.1315
+  %.1296.sroa.0.0 = select i1 %.1306, i64 %.1312128212, i64 0
+  br i1 %.1306, label %B1010, label %B1676
+
+B1676:                                            ; preds = %B1634
+  %.2414.not = icmp eq i64 %.2396, 0
+  br i1 %.2414.not, label %B1762, label %B1688
+
+B1688:                                            ; preds = %B1676
+  %sunkaddr29.le = getelementptr i8, ptr %arg.arguments.4, i64 96
+  %.2445 = load i64, ptr %sunkaddr29.le, align 8
+  %.2446 = and i64 %.2445, 4
+  %.2447.not = icmp eq i64 %.2446, 0
+  br i1 %.2447.not, label %B1762, label %B1758
+
+B1758:                                            ; preds = %B1688
+  store i64 %.2396, ptr %retptr, align 8
   br label %common.ret
 
-B1434:                                            ; preds = %B1360, %B1348
-  %3 = add nuw i64 %.697, 7
-  %.2259 = lshr i64 %3, 3
-  %4 = add nuw nsw i64 %.2259, 2
-  br label %B1478.if
+B1762:                                            ; preds = %B1688, %B1676
+  %21 = add nuw i64 %.697, 7
+  %.2550 = lshr i64 %21, 3
+  %22 = add nuw nsw i64 %.2550, 2
+  %23 = inttoptr i64 %.904 to ptr
+  %24 = inttoptr i64 %.984 to ptr
+  br label %B1806.if
 
-B1574:                                            ; preds = %B1478.backedge, %B344
-  %bad.2.0.lcssa713 = phi i64 [ 0, %B344 ], [ %.2107, %B1478.backedge ]
+B1902:                                            ; preds = %B1806.if
+  store ptr null, ptr %.2686, align 8
+  %.2700 = call fastcc i32 @inner_1(ptr nonnull %.2686, ptr nonnull %excinfo.13, i64 %31, i64 %.13.i, ptr nonnull %arg.arguments.4, ptr %sunkaddr24, ptr %6, ptr %7, ptr %8, i64 %.697)
+  %cond = icmp eq i32 %.2700, 0
+  br i1 %cond, label %B1994, label %B1902.if, !prof !0
+
+B1946:                                            ; preds = %B1806.if
+  store ptr null, ptr %.2735, align 8
+  %.2753 = call fastcc i32 @inner_2(ptr nonnull %.2735, ptr nonnull %excinfo.14, i64 %31, i64 %.13.i, ptr nonnull %arg.arguments.4, ptr %sunkaddr24, ptr %6, ptr %7, ptr %8, i64 %.697, ptr %23, i64 %.697, ptr %24, i64 %.986)
+  %cond1 = icmp eq i32 %.2753, 0
+  br i1 %cond1, label %B1994, label %B1946.if, !prof !0
+
+B1994:                                            ; preds = %B1946, %B1902
+  %lsr.iv.next19 = add nsw i64 %lsr.iv18, -1
+  %lsr.iv.next21 = add i64 %lsr.iv20, 8
+  %.2571 = icmp sgt i64 %lsr.iv18, 3
+  br i1 %.2571, label %B1806.if, label %B1995
+
+B1995:                                            ; preds = %B1994, %B976
+  %bad.2.0.lcssa1723 = phi i64 [ 0, %B976 ], [ %.2396, %B1994 ]
   fence seq_cst
-  store i64 %bad.2.0.lcssa713, ptr %retptr, align 8
+  store i64 %bad.2.0.lcssa1723, ptr %retptr, align 8
   br label %common.ret
 
 B284.if:                                          ; preds = %B284
-  %.380 = add nuw i64 %.3731116, 1
-  %5 = shl i64 %.3731116, 3
-  %scevgep135 = getelementptr i8, ptr %1, i64 %5
-  %.434 = load double, ptr %scevgep135, align 8
-  %scevgep136 = getelementptr i8, ptr %0, i64 %5
-  %.464 = load double, ptr %scevgep136, align 8
+  %.380 = add nuw i64 %.3731275, 1
+  %25 = shl i64 %.3731275, 3
+  %scevgep = getelementptr i8, ptr %1, i64 %25
+  %.434 = load double, ptr %scevgep, align 8
+  %scevgep147 = getelementptr i8, ptr %0, i64 %25
+  %.464 = load double, ptr %scevgep147, align 8
   %.465 = fcmp contract une double %.434, %.464
   br i1 %.465, label %B324, label %B284
 
-B830.if.lr.ph:                                    ; preds = %B344
-  %.903 = getelementptr i8, ptr %arg.arguments.4, i64 136
-  %.904 = load i64, ptr %.903, align 8
-  %.817 = getelementptr i8, ptr %arg.arguments.4, i64 152
-  %.818 = load i64, ptr %.817, align 8
-  %.730 = getelementptr i8, ptr %arg.arguments.4, i64 8
-  %.731 = load i64, ptr %.730, align 8
-  %.612 = getelementptr i8, ptr %arg.arguments.4, i64 80
-  %.613 = load i64, ptr %.612, align 8
-  %.527 = getelementptr i8, ptr %arg.arguments.4, i64 64
-  %.528 = load i64, ptr %.527, align 8
-  %.983 = getelementptr i8, ptr %arg.arguments.4, i64 144
-  %.984 = load i64, ptr %.983, align 8
-  %6 = inttoptr i64 %.984 to ptr
-  %7 = inttoptr i64 %.111 to ptr
-  %.1813.inv = icmp sgt i64 %.47, 0
-  %8 = getelementptr double, ptr %7, i64 %.47
-  %9 = getelementptr i8, ptr %8, i64 -8
-  %scevgep = getelementptr i8, ptr %6, i64 8
-  %10 = mul i64 %.77, 40
-  %sunkaddr141 = select i1 %.1813.inv, i64 0, i64 %10
-  %11 = inttoptr i64 %.613 to ptr
-  %12 = inttoptr i64 %.731 to ptr
-  %sunkaddr = inttoptr i64 %.528 to ptr
-  %sunkaddr27 = getelementptr i8, ptr %sunkaddr, i64 136
-  %sunkaddr29 = getelementptr i8, ptr %sunkaddr, i64 128
-  %sunkaddr30 = getelementptr inbounds i8, ptr %9, i64 %sunkaddr141
-  %sunkaddr31 = getelementptr i8, ptr %arg.arguments.4, i64 96
-  %13 = inttoptr i64 %.818 to ptr
-  %14 = inttoptr i64 %.904 to ptr
-  br label %B830.if
+B1010.else.if:                                    ; preds = %B1010
+  br label %B1010.else.endif
 
-B830.if:                                          ; preds = %B830.if.lr.ph, %B1236
-  %lsr.iv133 = phi i64 [ 10, %B830.if.lr.ph ], [ %lsr.iv.next134, %B1236 ]
-  %lsr.iv129 = phi ptr [ %scevgep, %B830.if.lr.ph ], [ %scevgep130, %B1236 ]
-  %bad.2.01123 = phi i64 [ 0, %B830.if.lr.ph ], [ %.2107, %B1236 ]
-  %.114211191121 = phi i64 [ 0, %B830.if.lr.ph ], [ %.1149, %B1236 ]
-  %.1149 = add nuw nsw i64 %.114211191121, 1
-  %15 = add i64 %lsr.iv133, -10
-  %.1228.not = icmp slt i64 %.114211191121, %.697
-  br i1 %.1228.not, label %B834.else.endif.endif, label %B834.else.endif.if, !prof !1
+B1010.else.endif:                                 ; preds = %B1010.else.if, %B1010
+  %.1378.sroa.0.1 = phi i64 [ 0, %B1010.else.if ], [ %.1390, %B1010 ]
+  %.1398.not = icmp slt i64 %.1390, %.733
+  br i1 %.1398.not, label %B1010.else.endif.endif, label %B1010.else.endif.if, !prof !5
 
-B834.else.endif.if:                               ; preds = %B830.if
-  br label %B834.else.endif.endif
+B1010.else.endif.if:                              ; preds = %B1010.else.endif
+  br label %B1010.else.endif.endif
 
-B834.else.endif.endif:                            ; preds = %B834.else.endif.if, %B830.if
-  %.1208.sroa.0.3 = phi i64 [ %.733, %B834.else.endif.if ], [ %15, %B830.if ]
-  %.1321 = getelementptr double, ptr %12, i64 %.1208.sroa.0.3
-  %.1388 = load i64, ptr %sunkaddr27, align 8
-  %16 = lshr i64 %.1388, 33
-  %.1426 = and i64 %16, 1073741824
-  %.1427 = add i64 %.1426, %.1388
-  %17 = tail call i64 @llvm.smax.i64(i64 %.1427, i64 0)
-  %.1415.sroa.0.3 = tail call i64 @llvm.smin.i64(i64 %17, i64 1073741824)
-  %.1528 = getelementptr double, ptr %11, i64 %.1415.sroa.0.3
-  %.1589 = load i64, ptr %sunkaddr29, align 8
-  %18 = lshr i64 %.1589, 33
-  %.1627 = and i64 %18, 1073741824
-  %.1628 = add i64 %.1627, %.1589
-  %19 = tail call i64 @llvm.smax.i64(i64 %.1628, i64 0)
-  %.1616.sroa.0.3 = tail call i64 @llvm.smin.i64(i64 %19, i64 1073741824)
-  %.1729 = getelementptr double, ptr %11, i64 %.1616.sroa.0.3
-  %.1797 = load double, ptr %7, align 8
-  %.1829 = load double, ptr %sunkaddr30, align 8
-  %.1859 = load i64, ptr %sunkaddr31, align 8
-  store i64 0, ptr %.1861, align 8
-  call fastcc void @inner_1(ptr nonnull %.1861, ptr %.1321, double %.1797, double %.1829, ptr %.1528, ptr %.1729, i64 %.1859)
-  %.1881 = load i64, ptr %.1861, align 8
-  %20 = getelementptr i8, ptr %13, i64 %.114211191121
-  %.1931 = trunc i64 %.1881 to i8
-  store i8 %.1931, ptr %20, align 1
-  %.1934 = icmp eq i64 %.1881, 0
-  br i1 %.1934, label %B1142, label %B1236
+B1010.else.endif.endif:                           ; preds = %B1010.else.endif.if, %B1010.else.endif
+  %.1378.sroa.0.3 = phi i64 [ %.733, %B1010.else.endif.if ], [ %.1378.sroa.0.1, %B1010.else.endif ]
+  %.1491 = getelementptr double, ptr %7, i64 %.1378.sroa.0.3
+  %.1558 = load i64, ptr %sunkaddr25, align 8
+  %26 = lshr i64 %.1558, 33
+  %.1596 = and i64 %26, 1073741824
+  %.1597 = add i64 %.1596, %.1558
+  %27 = tail call i64 @llvm.smax.i64(i64 %.1597, i64 0)
+  %.1585.sroa.0.3 = tail call i64 @llvm.smin.i64(i64 %27, i64 1073741824)
+  %.1698 = getelementptr double, ptr %6, i64 %.1585.sroa.0.3
+  %.1759 = load i64, ptr %sunkaddr27, align 8
+  %28 = lshr i64 %.1759, 33
+  %.1797 = and i64 %28, 1073741824
+  %.1798 = add i64 %.1797, %.1759
+  %29 = tail call i64 @llvm.smax.i64(i64 %.1798, i64 0)
+  %.1786.sroa.0.3 = tail call i64 @llvm.smin.i64(i64 %29, i64 1073741824)
+  %.1899 = getelementptr double, ptr %6, i64 %.1786.sroa.0.3
+  %.1967 = load double, ptr %2, align 8
+  %.1999 = load double, ptr %sunkaddr28, align 8
+  %.2029 = load i64, ptr %sunkaddr29, align 8
+  store i64 0, ptr %.2032, align 8
+  call fastcc void @inner_3(ptr nonnull %.2032, ptr %.1491, double %.1967, double %.1999, ptr %.1698, ptr %.1899, i64 %.2029, double %least.2.0)
+  %.2052 = load i64, ptr %.2032, align 8
+  %.2087 = select i1 %.1388, i64 %.697, i64 0
+  %30 = getelementptr i8, ptr %8, i64 %.1296.sroa.0.014
+  %.2101 = getelementptr i8, ptr %30, i64 %.2087
+  %.2102 = trunc i64 %.2052 to i8
+  store i8 %.2102, ptr %.2101, align 1
+  %.2105 = icmp eq i64 %.2052, 0
+  br i1 %.2105, label %B1320, label %B1414
 
-B1478.if:                                         ; preds = %B1478.backedge, %B1434
-  %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B1478.backedge ], [ %4, %B1434 ]
-  %.228611291132 = phi i64 [ %21, %B1478.backedge ], [ 0, %B1434 ]
-  %21 = add nuw i64 %.228611291132, 8
-  %.13.i = tail call i64 @llvm.smin.i64(i64 %.697, i64 %21)
-  store ptr null, ptr %.2356, align 8
-  %.2374 = call fastcc i32 @inner_2(ptr nonnull %.2356, ptr nonnull %excinfo.11, i64 %.228611291132, i64 %.13.i, ptr nonnull %arg.arguments.4, ptr %sunkaddr, ptr %11, ptr %12, ptr %13, i64 %.697, ptr %14, i64 %.697, ptr %6, i64 %.986)
-  %cond = icmp eq i32 %.2374, 0
-  br i1 %cond, label %B1478.backedge, label %B1480.endif.if, !prof !0
+B1806.if:                                         ; preds = %B1994, %B1762
+  %lsr.iv20 = phi i64 [ %lsr.iv.next21, %B1994 ], [ 8, %B1762 ]
+  %lsr.iv18 = phi i64 [ %lsr.iv.next19, %B1994 ], [ %22, %B1762 ]
+  %31 = add i64 %lsr.iv20, -8
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.697, i64 %lsr.iv20)
+  %.2675 = load i64, ptr %.1091, align 8
+  %.2676.not = icmp eq i64 %.2675, 0
+  br i1 %.2676.not, label %B1946, label %B1902
 
-B1478.backedge:                                   ; preds = %B1478.if
-  %lsr.iv.next26 = add nsw i64 %lsr.iv25, -1
-  %.2280 = icmp sgt i64 %lsr.iv25, 3
-  br i1 %.2280, label %B1478.if, label %B1574
+B1902.if:                                         ; preds = %B1902
+  %.2701 = load ptr, ptr %excinfo.13, align 8
+  store ptr %.2701, ptr %excinfo, align 8
+  br label %common.ret
 
-B1480.endif.if:                                   ; preds = %B1478.if
-  %.2375 = load ptr, ptr %excinfo.11, align 8
-  store ptr %.2375, ptr %excinfo, align 8
+B1946.if:                                         ; preds = %B1946
+  %.2754 = load ptr, ptr %excinfo.14, align 8
+  store ptr %.2754, ptr %excinfo, align 8
   br label %common.ret
 }
 
@@ -247,205 +388,841 @@ declare i64 @llvm.smax.i64(i64, i64) #3
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare double @llvm.cos.f64(double) #3
 
-; Function Attrs: mustprogress nofree noinline norecurse nosync nounwind willreturn memory(argmem: readwrite)
-define internal fastcc void @inner_1(ptr noalias nonnull writeonly captures(none) initializes((0, 8)) %retptr, ptr readonly captures(none) %arg.row.4, double %arg.first, double %arg.last, ptr readonly captures(none) %arg.limits.4, ptr readonly captures(none) %arg.band.4, i64 %arg.policy) unnamed_addr #4 {
-entry:
-  %.210 = load double, ptr %arg.row.4, align 8
-  %.218.le = fsub contract double %.210, %.210
-  %.219.le = fcmp contract ord double %.218.le, 0.000000e+00
-  br i1 %.219.le, label %B132, label %common.ret
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.sin.f64(double) #3
 
-common.ret:                                       ; preds = %B230, %entry, %B132, %B132.1, %B132.2, %B132.3, %B132.4, %B132.5, %B132.6, %B132.7, %B132.8, %B768
-  %..sink = phi i64 [ %., %B768 ], [ 1, %entry ], [ 1, %B132.8 ], [ 1, %B132.7 ], [ 1, %B132.6 ], [ 1, %B132.5 ], [ 1, %B132.4 ], [ 1, %B132.3 ], [ 1, %B132.2 ], [ 1, %B132.1 ], [ 1, %B132 ], [ 2, %B230 ]
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc noundef range(i32 0, 2) i32 @inner_1(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr readonly captures(none) %arg.parameters.4, ptr readonly captures(none) %arg.status.4, i64 range(i64 1, -9223372036854775808) %arg.status.5.0) unnamed_addr #4 {
+entry:
+  %.1085 = alloca ptr, align 8
+  store ptr null, ptr %.1085, align 8
+  %.1597 = alloca ptr, align 8
+  store ptr null, ptr %.1597, align 8
+  %.1938 = alloca ptr, align 8
+  store ptr null, ptr %.1938, align 8
+  %excinfo.16 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.16, align 8
+  %.1988 = alloca ptr, align 8
+  store ptr null, ptr %.1988, align 8
+  %.109 = getelementptr i8, ptr %arg.arguments.4, i64 104
+  %.110 = load i64, ptr %.109, align 8
+  %0 = inttoptr i64 %.110 to ptr
+  %.499 = add nsw i64 %arg.stop, -1
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.499, i64 %arg.start)
+  %.539.idx = mul nsw i64 %.13.i, 80
+  %.539 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx
+  %.618 = load double, ptr %.539, align 8
+  %.646 = getelementptr i8, ptr %.539, i64 24
+  %.647 = load double, ptr %.646, align 8
+  %scevgep178 = getelementptr i8, ptr %0, i64 32
+  store double %.618, ptr %0, align 8
+  %scevgep180 = getelementptr i8, ptr %0, i64 8
+  store double %.647, ptr %scevgep180, align 8
+  %.738 = getelementptr i8, ptr %.539, i64 32
+  %.739 = load double, ptr %.738, align 8
+  %.767 = getelementptr i8, ptr %.539, i64 8
+  %.768 = load double, ptr %.767, align 8
+  %scevgep182 = getelementptr i8, ptr %0, i64 16
+  store double %.739, ptr %scevgep182, align 8
+  %scevgep183 = getelementptr i8, ptr %0, i64 24
+  store double %.768, ptr %scevgep183, align 8
+  %.860 = getelementptr i8, ptr %.539, i64 16
+  %.861 = load double, ptr %.860, align 8
+  store double %.861, ptr %scevgep178, align 8
+  %lsr.iv.next186 = add i64 %arg.start, 1
+  %.13.i.1 = tail call i64 @llvm.smin.i64(i64 %.499, i64 %lsr.iv.next186)
+  %.539.idx.1 = mul nsw i64 %.13.i.1, 80
+  %.539.1 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx.1
+  %.618.1 = load double, ptr %.539.1, align 8
+  %.646.1 = getelementptr i8, ptr %.539.1, i64 24
+  %.647.1 = load double, ptr %.646.1, align 8
+  %scevgep178.1 = getelementptr i8, ptr %0, i64 72
+  %scevgep179.1 = getelementptr i8, ptr %0, i64 40
+  store double %.618.1, ptr %scevgep179.1, align 8
+  %scevgep180.1 = getelementptr i8, ptr %0, i64 48
+  store double %.647.1, ptr %scevgep180.1, align 8
+  %.738.1 = getelementptr i8, ptr %.539.1, i64 32
+  %.739.1 = load double, ptr %.738.1, align 8
+  %.767.1 = getelementptr i8, ptr %.539.1, i64 8
+  %.768.1 = load double, ptr %.767.1, align 8
+  %scevgep182.1 = getelementptr i8, ptr %0, i64 56
+  store double %.739.1, ptr %scevgep182.1, align 8
+  %scevgep183.1 = getelementptr i8, ptr %0, i64 64
+  store double %.768.1, ptr %scevgep183.1, align 8
+  %.860.1 = getelementptr i8, ptr %.539.1, i64 16
+  %.861.1 = load double, ptr %.860.1, align 8
+  store double %.861.1, ptr %scevgep178.1, align 8
+  %lsr.iv.next186.1 = add i64 %arg.start, 2
+  %.13.i.2 = tail call i64 @llvm.smin.i64(i64 %.499, i64 %lsr.iv.next186.1)
+  %.539.idx.2 = mul nsw i64 %.13.i.2, 80
+  %.539.2 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx.2
+  %.618.2 = load double, ptr %.539.2, align 8
+  %.646.2 = getelementptr i8, ptr %.539.2, i64 24
+  %.647.2 = load double, ptr %.646.2, align 8
+  %scevgep178.2 = getelementptr i8, ptr %0, i64 112
+  %scevgep179.2 = getelementptr i8, ptr %0, i64 80
+  store double %.618.2, ptr %scevgep179.2, align 8
+  %scevgep180.2 = getelementptr i8, ptr %0, i64 88
+  store double %.647.2, ptr %scevgep180.2, align 8
+  %.738.2 = getelementptr i8, ptr %.539.2, i64 32
+  %.739.2 = load double, ptr %.738.2, align 8
+  %.767.2 = getelementptr i8, ptr %.539.2, i64 8
+  %.768.2 = load double, ptr %.767.2, align 8
+  %scevgep182.2 = getelementptr i8, ptr %0, i64 96
+  store double %.739.2, ptr %scevgep182.2, align 8
+  %scevgep183.2 = getelementptr i8, ptr %0, i64 104
+  store double %.768.2, ptr %scevgep183.2, align 8
+  %.860.2 = getelementptr i8, ptr %.539.2, i64 16
+  %.861.2 = load double, ptr %.860.2, align 8
+  store double %.861.2, ptr %scevgep178.2, align 8
+  %lsr.iv.next186.2 = add i64 %arg.start, 3
+  %.13.i.3 = tail call i64 @llvm.smin.i64(i64 %.499, i64 %lsr.iv.next186.2)
+  %.539.idx.3 = mul nsw i64 %.13.i.3, 80
+  %.539.3 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx.3
+  %.618.3 = load double, ptr %.539.3, align 8
+  %.646.3 = getelementptr i8, ptr %.539.3, i64 24
+  %.647.3 = load double, ptr %.646.3, align 8
+  %scevgep178.3 = getelementptr i8, ptr %0, i64 152
+  %scevgep179.3 = getelementptr i8, ptr %0, i64 120
+  store double %.618.3, ptr %scevgep179.3, align 8
+  %scevgep180.3 = getelementptr i8, ptr %0, i64 128
+  store double %.647.3, ptr %scevgep180.3, align 8
+  %.738.3 = getelementptr i8, ptr %.539.3, i64 32
+  %.739.3 = load double, ptr %.738.3, align 8
+  %.767.3 = getelementptr i8, ptr %.539.3, i64 8
+  %.768.3 = load double, ptr %.767.3, align 8
+  %scevgep182.3 = getelementptr i8, ptr %0, i64 136
+  store double %.739.3, ptr %scevgep182.3, align 8
+  %scevgep183.3 = getelementptr i8, ptr %0, i64 144
+  store double %.768.3, ptr %scevgep183.3, align 8
+  %.860.3 = getelementptr i8, ptr %.539.3, i64 16
+  %.861.3 = load double, ptr %.860.3, align 8
+  store double %.861.3, ptr %scevgep178.3, align 8
+  %lsr.iv.next186.3 = add i64 %arg.start, 4
+  %.13.i.4 = tail call i64 @llvm.smin.i64(i64 %.499, i64 %lsr.iv.next186.3)
+  %.539.idx.4 = mul nsw i64 %.13.i.4, 80
+  %.539.4 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx.4
+  %.618.4 = load double, ptr %.539.4, align 8
+  %.646.4 = getelementptr i8, ptr %.539.4, i64 24
+  %.647.4 = load double, ptr %.646.4, align 8
+  %scevgep178.4 = getelementptr i8, ptr %0, i64 192
+  %scevgep179.4 = getelementptr i8, ptr %0, i64 160
+  store double %.618.4, ptr %scevgep179.4, align 8
+  %scevgep180.4 = getelementptr i8, ptr %0, i64 168
+  store double %.647.4, ptr %scevgep180.4, align 8
+  %.738.4 = getelementptr i8, ptr %.539.4, i64 32
+  %.739.4 = load double, ptr %.738.4, align 8
+  %.767.4 = getelementptr i8, ptr %.539.4, i64 8
+  %.768.4 = load double, ptr %.767.4, align 8
+  %scevgep182.4 = getelementptr i8, ptr %0, i64 176
+  store double %.739.4, ptr %scevgep182.4, align 8
+  %scevgep183.4 = getelementptr i8, ptr %0, i64 184
+  store double %.768.4, ptr %scevgep183.4, align 8
+  %.860.4 = getelementptr i8, ptr %.539.4, i64 16
+  %.861.4 = load double, ptr %.860.4, align 8
+  store double %.861.4, ptr %scevgep178.4, align 8
+  %lsr.iv.next186.4 = add i64 %arg.start, 5
+  %.13.i.5 = tail call i64 @llvm.smin.i64(i64 %.499, i64 %lsr.iv.next186.4)
+  %.539.idx.5 = mul nsw i64 %.13.i.5, 80
+  %.539.5 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx.5
+  %.618.5 = load double, ptr %.539.5, align 8
+  %.646.5 = getelementptr i8, ptr %.539.5, i64 24
+  %.647.5 = load double, ptr %.646.5, align 8
+  %scevgep178.5 = getelementptr i8, ptr %0, i64 232
+  %scevgep179.5 = getelementptr i8, ptr %0, i64 200
+  store double %.618.5, ptr %scevgep179.5, align 8
+  %scevgep180.5 = getelementptr i8, ptr %0, i64 208
+  store double %.647.5, ptr %scevgep180.5, align 8
+  %.738.5 = getelementptr i8, ptr %.539.5, i64 32
+  %.739.5 = load double, ptr %.738.5, align 8
+  %.767.5 = getelementptr i8, ptr %.539.5, i64 8
+  %.768.5 = load double, ptr %.767.5, align 8
+  %scevgep182.5 = getelementptr i8, ptr %0, i64 216
+  store double %.739.5, ptr %scevgep182.5, align 8
+  %scevgep183.5 = getelementptr i8, ptr %0, i64 224
+  store double %.768.5, ptr %scevgep183.5, align 8
+  %.860.5 = getelementptr i8, ptr %.539.5, i64 16
+  %.861.5 = load double, ptr %.860.5, align 8
+  store double %.861.5, ptr %scevgep178.5, align 8
+  %lsr.iv.next186.5 = add i64 %arg.start, 6
+  %.13.i.6 = tail call i64 @llvm.smin.i64(i64 %.499, i64 %lsr.iv.next186.5)
+  %.539.idx.6 = mul nsw i64 %.13.i.6, 80
+  %.539.6 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx.6
+  %.618.6 = load double, ptr %.539.6, align 8
+  %.646.6 = getelementptr i8, ptr %.539.6, i64 24
+  %.647.6 = load double, ptr %.646.6, align 8
+  %scevgep178.6 = getelementptr i8, ptr %0, i64 272
+  %scevgep179.6 = getelementptr i8, ptr %0, i64 240
+  store double %.618.6, ptr %scevgep179.6, align 8
+  %scevgep180.6 = getelementptr i8, ptr %0, i64 248
+  store double %.647.6, ptr %scevgep180.6, align 8
+  %.738.6 = getelementptr i8, ptr %.539.6, i64 32
+  %.739.6 = load double, ptr %.738.6, align 8
+  %.767.6 = getelementptr i8, ptr %.539.6, i64 8
+  %.768.6 = load double, ptr %.767.6, align 8
+  %scevgep182.6 = getelementptr i8, ptr %0, i64 256
+  store double %.739.6, ptr %scevgep182.6, align 8
+  %scevgep183.6 = getelementptr i8, ptr %0, i64 264
+  store double %.768.6, ptr %scevgep183.6, align 8
+  %.860.6 = getelementptr i8, ptr %.539.6, i64 16
+  %.861.6 = load double, ptr %.860.6, align 8
+  store double %.861.6, ptr %scevgep178.6, align 8
+  %lsr.iv.next186.6 = add i64 %arg.start, 7
+  %.13.i.7 = tail call i64 @llvm.smin.i64(i64 %.499, i64 %lsr.iv.next186.6)
+  %.539.idx.7 = mul nsw i64 %.13.i.7, 80
+  %.539.7 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.539.idx.7
+  %.618.7 = load double, ptr %.539.7, align 8
+  %.646.7 = getelementptr i8, ptr %.539.7, i64 24
+  %.647.7 = load double, ptr %.646.7, align 8
+  %scevgep178.7 = getelementptr i8, ptr %0, i64 312
+  %scevgep179.7 = getelementptr i8, ptr %0, i64 280
+  store double %.618.7, ptr %scevgep179.7, align 8
+  %scevgep180.7 = getelementptr i8, ptr %0, i64 288
+  store double %.647.7, ptr %scevgep180.7, align 8
+  %.738.7 = getelementptr i8, ptr %.539.7, i64 32
+  %.739.7 = load double, ptr %.738.7, align 8
+  %.767.7 = getelementptr i8, ptr %.539.7, i64 8
+  %.768.7 = load double, ptr %.767.7, align 8
+  %scevgep182.7 = getelementptr i8, ptr %0, i64 296
+  store double %.739.7, ptr %scevgep182.7, align 8
+  %scevgep183.7 = getelementptr i8, ptr %0, i64 304
+  store double %.768.7, ptr %scevgep183.7, align 8
+  %.860.7 = getelementptr i8, ptr %.539.7, i64 16
+  %.861.7 = load double, ptr %.860.7, align 8
+  store double %.861.7, ptr %scevgep178.7, align 8
+  %.280 = getelementptr inbounds nuw i8, ptr %0, i64 320
+  %.945 = getelementptr i8, ptr %arg.contents.4, i64 80
+  %.946 = load i64, ptr %.945, align 8
+  %.962 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.946
+  %.1031 = getelementptr i8, ptr %0, i64 640
+  store ptr null, ptr %.1085, align 8
+  call fastcc void @inner_4(ptr nonnull %.1085, ptr %0, ptr %arg.contents.4, ptr %.962, ptr nonnull %.1031, ptr nonnull %.280)
+  %.1179 = getelementptr i8, ptr %arg.arguments.4, i64 168
+  %.1180 = load i64, ptr %.1179, align 8
+  %.1181 = inttoptr i64 %.1180 to ptr
+  %.1258 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.1259 = load i64, ptr %.1258, align 8
+  %.neg = mul i64 %.1259, -4
+  %1 = and i64 %.neg, -32
+  %.1304 = sub i64 8, %1
+  %2 = shl i64 %1, 3
+  %.1382 = sub i64 144, %2
+  %.1410 = getelementptr i8, ptr %.1181, i64 24
+  %.1411 = load i64, ptr %.1410, align 8
+  %.1422 = getelementptr double, ptr %0, i64 %.1382
+  %.1531 = getelementptr double, ptr %.1422, i64 %.1411
+  store ptr null, ptr %.1597, align 8
+  call fastcc void @inner_5(ptr nonnull %.1597, i64 %arg.start, i64 %arg.stop, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr nonnull %.280, ptr nonnull %.1031, ptr %.1422, ptr %.1531)
+  %.1678 = sub i64 %arg.stop, %arg.start
+  %.17211219.not = icmp slt i64 %.1678, 1
+  br i1 %.17211219.not, label %B5043, label %B820.if.preheader
+
+B855:                                             ; preds = %B820.if
+  store ptr null, ptr %.1938, align 8
+  %.1956 = call fastcc i32 @inner_6(ptr nonnull %.1938, ptr nonnull %excinfo.16, i64 %8, i64 %lsr.iv171, ptr %lsr.iv167, ptr nonnull %lsr.iv174, i64 %.1304, ptr %.1422, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.1531)
+  %cond = icmp eq i32 %.1956, 0
+  br i1 %cond, label %B4671, label %B855.endif.endif.if, !prof !0
+
+B4669:                                            ; preds = %B820.if
+  store ptr null, ptr %.1988, align 8
+  call fastcc void @inner_7(ptr nonnull %.1988, i64 %8, ptr %arg.arguments.4)
+  br label %B4671
+
+B4671:                                            ; preds = %B855, %B4669
+  %scevgep168 = getelementptr i8, ptr %lsr.iv167, i64 80
+  %lsr.iv.next172 = add nuw nsw i64 %lsr.iv171, 1
+  %scevgep175 = getelementptr i8, ptr %lsr.iv174, i64 %6
+  %3 = xor i64 %lsr.iv171, %7
+  %exitcond.not = icmp eq i64 %3, -1
+  br i1 %exitcond.not, label %B5043, label %B820.if
+
+common.ret:                                       ; preds = %B855.endif.endif.if, %B5043
+  %common.ret.op = phi i32 [ 0, %B5043 ], [ %.1956, %B855.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B5043:                                            ; preds = %B4671, %entry
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B820.if.preheader:                                ; preds = %entry
+  %4 = mul i64 %arg.start, 80
+  %scevgep = getelementptr i8, ptr %arg.parameters.4, i64 %4
+  %scevgep169 = getelementptr i8, ptr %arg.status.4, i64 %arg.start
+  %.neg1 = mul i64 %.1259, -32
+  %5 = and i64 %.neg1, -256
+  %6 = sub i64 64, %5
+  %7 = sub i64 %arg.start, %arg.stop
+  br label %B820.if
+
+B820.if:                                          ; preds = %B820.if.preheader, %B4671
+  %lsr.iv174 = phi ptr [ %.1031, %B820.if.preheader ], [ %scevgep175, %B4671 ]
+  %lsr.iv171 = phi i64 [ 0, %B820.if.preheader ], [ %lsr.iv.next172, %B4671 ]
+  %lsr.iv167 = phi ptr [ %scevgep, %B820.if.preheader ], [ %scevgep168, %B4671 ]
+  %8 = add i64 %lsr.iv171, %arg.start
+  %.1776 = icmp slt i64 %8, 0
+  %.1777 = select i1 %.1776, i64 %arg.status.5.0, i64 0
+  %scevgep170 = getelementptr i8, ptr %scevgep169, i64 %.1777
+  %scevgep173 = getelementptr i8, ptr %scevgep170, i64 %lsr.iv171
+  %.1792 = load i8, ptr %scevgep173, align 1
+  %.1794 = icmp eq i8 %.1792, 0
+  br i1 %.1794, label %B855, label %B4669
+
+B855.endif.endif.if:                              ; preds = %B855
+  %.1957 = load ptr, ptr %excinfo.16, align 8
+  store ptr %.1957, ptr %excinfo, align 8
+  br label %common.ret
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc noundef range(i32 0, 2) i32 @inner_2(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr readonly captures(none) %arg.parameters.4, ptr readonly captures(none) %arg.status.4, i64 range(i64 1, -9223372036854775808) %arg.status.5.0, ptr readonly captures(none) %arg.plus.4, i64 range(i64 1, -9223372036854775808) %arg.plus.5.0, ptr readonly captures(none) %arg.cross.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.cross.5.0) unnamed_addr #4 {
+entry:
+  %.1113 = alloca ptr, align 8
+  store ptr null, ptr %.1113, align 8
+  %.1567 = alloca { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1567, i8 0, i64 56, i1 false)
+  %.2427 = alloca ptr, align 8
+  store ptr null, ptr %.2427, align 8
+  %excinfo.16 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.16, align 8
+  %.2475 = alloca ptr, align 8
+  store ptr null, ptr %.2475, align 8
+  %.137 = getelementptr i8, ptr %arg.arguments.4, i64 104
+  %.138 = load i64, ptr %.137, align 8
+  %0 = inttoptr i64 %.138 to ptr
+  %.527 = add nsw i64 %arg.stop, -1
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.527, i64 %arg.start)
+  %.567.idx = mul nsw i64 %.13.i, 80
+  %.567 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx
+  %.646 = load double, ptr %.567, align 8
+  %.674 = getelementptr i8, ptr %.567, i64 24
+  %.675 = load double, ptr %.674, align 8
+  %scevgep188 = getelementptr i8, ptr %0, i64 32
+  store double %.646, ptr %0, align 8
+  %scevgep190 = getelementptr i8, ptr %0, i64 8
+  store double %.675, ptr %scevgep190, align 8
+  %.766 = getelementptr i8, ptr %.567, i64 32
+  %.767 = load double, ptr %.766, align 8
+  %.795 = getelementptr i8, ptr %.567, i64 8
+  %.796 = load double, ptr %.795, align 8
+  %scevgep192 = getelementptr i8, ptr %0, i64 16
+  store double %.767, ptr %scevgep192, align 8
+  %scevgep193 = getelementptr i8, ptr %0, i64 24
+  store double %.796, ptr %scevgep193, align 8
+  %.888 = getelementptr i8, ptr %.567, i64 16
+  %.889 = load double, ptr %.888, align 8
+  store double %.889, ptr %scevgep188, align 8
+  %lsr.iv.next196 = add i64 %arg.start, 1
+  %.13.i.1 = tail call i64 @llvm.smin.i64(i64 %.527, i64 %lsr.iv.next196)
+  %.567.idx.1 = mul nsw i64 %.13.i.1, 80
+  %.567.1 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx.1
+  %.646.1 = load double, ptr %.567.1, align 8
+  %.674.1 = getelementptr i8, ptr %.567.1, i64 24
+  %.675.1 = load double, ptr %.674.1, align 8
+  %scevgep188.1 = getelementptr i8, ptr %0, i64 72
+  %scevgep189.1 = getelementptr i8, ptr %0, i64 40
+  store double %.646.1, ptr %scevgep189.1, align 8
+  %scevgep190.1 = getelementptr i8, ptr %0, i64 48
+  store double %.675.1, ptr %scevgep190.1, align 8
+  %.766.1 = getelementptr i8, ptr %.567.1, i64 32
+  %.767.1 = load double, ptr %.766.1, align 8
+  %.795.1 = getelementptr i8, ptr %.567.1, i64 8
+  %.796.1 = load double, ptr %.795.1, align 8
+  %scevgep192.1 = getelementptr i8, ptr %0, i64 56
+  store double %.767.1, ptr %scevgep192.1, align 8
+  %scevgep193.1 = getelementptr i8, ptr %0, i64 64
+  store double %.796.1, ptr %scevgep193.1, align 8
+  %.888.1 = getelementptr i8, ptr %.567.1, i64 16
+  %.889.1 = load double, ptr %.888.1, align 8
+  store double %.889.1, ptr %scevgep188.1, align 8
+  %lsr.iv.next196.1 = add i64 %arg.start, 2
+  %.13.i.2 = tail call i64 @llvm.smin.i64(i64 %.527, i64 %lsr.iv.next196.1)
+  %.567.idx.2 = mul nsw i64 %.13.i.2, 80
+  %.567.2 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx.2
+  %.646.2 = load double, ptr %.567.2, align 8
+  %.674.2 = getelementptr i8, ptr %.567.2, i64 24
+  %.675.2 = load double, ptr %.674.2, align 8
+  %scevgep188.2 = getelementptr i8, ptr %0, i64 112
+  %scevgep189.2 = getelementptr i8, ptr %0, i64 80
+  store double %.646.2, ptr %scevgep189.2, align 8
+  %scevgep190.2 = getelementptr i8, ptr %0, i64 88
+  store double %.675.2, ptr %scevgep190.2, align 8
+  %.766.2 = getelementptr i8, ptr %.567.2, i64 32
+  %.767.2 = load double, ptr %.766.2, align 8
+  %.795.2 = getelementptr i8, ptr %.567.2, i64 8
+  %.796.2 = load double, ptr %.795.2, align 8
+  %scevgep192.2 = getelementptr i8, ptr %0, i64 96
+  store double %.767.2, ptr %scevgep192.2, align 8
+  %scevgep193.2 = getelementptr i8, ptr %0, i64 104
+  store double %.796.2, ptr %scevgep193.2, align 8
+  %.888.2 = getelementptr i8, ptr %.567.2, i64 16
+  %.889.2 = load double, ptr %.888.2, align 8
+  store double %.889.2, ptr %scevgep188.2, align 8
+  %lsr.iv.next196.2 = add i64 %arg.start, 3
+  %.13.i.3 = tail call i64 @llvm.smin.i64(i64 %.527, i64 %lsr.iv.next196.2)
+  %.567.idx.3 = mul nsw i64 %.13.i.3, 80
+  %.567.3 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx.3
+  %.646.3 = load double, ptr %.567.3, align 8
+  %.674.3 = getelementptr i8, ptr %.567.3, i64 24
+  %.675.3 = load double, ptr %.674.3, align 8
+  %scevgep188.3 = getelementptr i8, ptr %0, i64 152
+  %scevgep189.3 = getelementptr i8, ptr %0, i64 120
+  store double %.646.3, ptr %scevgep189.3, align 8
+  %scevgep190.3 = getelementptr i8, ptr %0, i64 128
+  store double %.675.3, ptr %scevgep190.3, align 8
+  %.766.3 = getelementptr i8, ptr %.567.3, i64 32
+  %.767.3 = load double, ptr %.766.3, align 8
+  %.795.3 = getelementptr i8, ptr %.567.3, i64 8
+  %.796.3 = load double, ptr %.795.3, align 8
+  %scevgep192.3 = getelementptr i8, ptr %0, i64 136
+  store double %.767.3, ptr %scevgep192.3, align 8
+  %scevgep193.3 = getelementptr i8, ptr %0, i64 144
+  store double %.796.3, ptr %scevgep193.3, align 8
+  %.888.3 = getelementptr i8, ptr %.567.3, i64 16
+  %.889.3 = load double, ptr %.888.3, align 8
+  store double %.889.3, ptr %scevgep188.3, align 8
+  %lsr.iv.next196.3 = add i64 %arg.start, 4
+  %.13.i.4 = tail call i64 @llvm.smin.i64(i64 %.527, i64 %lsr.iv.next196.3)
+  %.567.idx.4 = mul nsw i64 %.13.i.4, 80
+  %.567.4 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx.4
+  %.646.4 = load double, ptr %.567.4, align 8
+  %.674.4 = getelementptr i8, ptr %.567.4, i64 24
+  %.675.4 = load double, ptr %.674.4, align 8
+  %scevgep188.4 = getelementptr i8, ptr %0, i64 192
+  %scevgep189.4 = getelementptr i8, ptr %0, i64 160
+  store double %.646.4, ptr %scevgep189.4, align 8
+  %scevgep190.4 = getelementptr i8, ptr %0, i64 168
+  store double %.675.4, ptr %scevgep190.4, align 8
+  %.766.4 = getelementptr i8, ptr %.567.4, i64 32
+  %.767.4 = load double, ptr %.766.4, align 8
+  %.795.4 = getelementptr i8, ptr %.567.4, i64 8
+  %.796.4 = load double, ptr %.795.4, align 8
+  %scevgep192.4 = getelementptr i8, ptr %0, i64 176
+  store double %.767.4, ptr %scevgep192.4, align 8
+  %scevgep193.4 = getelementptr i8, ptr %0, i64 184
+  store double %.796.4, ptr %scevgep193.4, align 8
+  %.888.4 = getelementptr i8, ptr %.567.4, i64 16
+  %.889.4 = load double, ptr %.888.4, align 8
+  store double %.889.4, ptr %scevgep188.4, align 8
+  %lsr.iv.next196.4 = add i64 %arg.start, 5
+  %.13.i.5 = tail call i64 @llvm.smin.i64(i64 %.527, i64 %lsr.iv.next196.4)
+  %.567.idx.5 = mul nsw i64 %.13.i.5, 80
+  %.567.5 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx.5
+  %.646.5 = load double, ptr %.567.5, align 8
+  %.674.5 = getelementptr i8, ptr %.567.5, i64 24
+  %.675.5 = load double, ptr %.674.5, align 8
+  %scevgep188.5 = getelementptr i8, ptr %0, i64 232
+  %scevgep189.5 = getelementptr i8, ptr %0, i64 200
+  store double %.646.5, ptr %scevgep189.5, align 8
+  %scevgep190.5 = getelementptr i8, ptr %0, i64 208
+  store double %.675.5, ptr %scevgep190.5, align 8
+  %.766.5 = getelementptr i8, ptr %.567.5, i64 32
+  %.767.5 = load double, ptr %.766.5, align 8
+  %.795.5 = getelementptr i8, ptr %.567.5, i64 8
+  %.796.5 = load double, ptr %.795.5, align 8
+  %scevgep192.5 = getelementptr i8, ptr %0, i64 216
+  store double %.767.5, ptr %scevgep192.5, align 8
+  %scevgep193.5 = getelementptr i8, ptr %0, i64 224
+  store double %.796.5, ptr %scevgep193.5, align 8
+  %.888.5 = getelementptr i8, ptr %.567.5, i64 16
+  %.889.5 = load double, ptr %.888.5, align 8
+  store double %.889.5, ptr %scevgep188.5, align 8
+  %lsr.iv.next196.5 = add i64 %arg.start, 6
+  %.13.i.6 = tail call i64 @llvm.smin.i64(i64 %.527, i64 %lsr.iv.next196.5)
+  %.567.idx.6 = mul nsw i64 %.13.i.6, 80
+  %.567.6 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx.6
+  %.646.6 = load double, ptr %.567.6, align 8
+  %.674.6 = getelementptr i8, ptr %.567.6, i64 24
+  %.675.6 = load double, ptr %.674.6, align 8
+  %scevgep188.6 = getelementptr i8, ptr %0, i64 272
+  %scevgep189.6 = getelementptr i8, ptr %0, i64 240
+  store double %.646.6, ptr %scevgep189.6, align 8
+  %scevgep190.6 = getelementptr i8, ptr %0, i64 248
+  store double %.675.6, ptr %scevgep190.6, align 8
+  %.766.6 = getelementptr i8, ptr %.567.6, i64 32
+  %.767.6 = load double, ptr %.766.6, align 8
+  %.795.6 = getelementptr i8, ptr %.567.6, i64 8
+  %.796.6 = load double, ptr %.795.6, align 8
+  %scevgep192.6 = getelementptr i8, ptr %0, i64 256
+  store double %.767.6, ptr %scevgep192.6, align 8
+  %scevgep193.6 = getelementptr i8, ptr %0, i64 264
+  store double %.796.6, ptr %scevgep193.6, align 8
+  %.888.6 = getelementptr i8, ptr %.567.6, i64 16
+  %.889.6 = load double, ptr %.888.6, align 8
+  store double %.889.6, ptr %scevgep188.6, align 8
+  %lsr.iv.next196.6 = add i64 %arg.start, 7
+  %.13.i.7 = tail call i64 @llvm.smin.i64(i64 %.527, i64 %lsr.iv.next196.6)
+  %.567.idx.7 = mul nsw i64 %.13.i.7, 80
+  %.567.7 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.567.idx.7
+  %.646.7 = load double, ptr %.567.7, align 8
+  %.674.7 = getelementptr i8, ptr %.567.7, i64 24
+  %.675.7 = load double, ptr %.674.7, align 8
+  %scevgep188.7 = getelementptr i8, ptr %0, i64 312
+  %scevgep189.7 = getelementptr i8, ptr %0, i64 280
+  store double %.646.7, ptr %scevgep189.7, align 8
+  %scevgep190.7 = getelementptr i8, ptr %0, i64 288
+  store double %.675.7, ptr %scevgep190.7, align 8
+  %.766.7 = getelementptr i8, ptr %.567.7, i64 32
+  %.767.7 = load double, ptr %.766.7, align 8
+  %.795.7 = getelementptr i8, ptr %.567.7, i64 8
+  %.796.7 = load double, ptr %.795.7, align 8
+  %scevgep192.7 = getelementptr i8, ptr %0, i64 296
+  store double %.767.7, ptr %scevgep192.7, align 8
+  %scevgep193.7 = getelementptr i8, ptr %0, i64 304
+  store double %.796.7, ptr %scevgep193.7, align 8
+  %.888.7 = getelementptr i8, ptr %.567.7, i64 16
+  %.889.7 = load double, ptr %.888.7, align 8
+  store double %.889.7, ptr %scevgep188.7, align 8
+  %.308 = getelementptr inbounds nuw i8, ptr %0, i64 320
+  %.973 = getelementptr i8, ptr %arg.contents.4, i64 80
+  %.974 = load i64, ptr %.973, align 8
+  %.990 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.974
+  %.1059 = getelementptr i8, ptr %0, i64 640
+  store ptr null, ptr %.1113, align 8
+  call fastcc void @inner_4(ptr nonnull %.1113, ptr %0, ptr %arg.contents.4, ptr %.990, ptr nonnull %.1059, ptr nonnull %.308)
+  %.fca.4.gep367 = getelementptr inbounds nuw i8, ptr %.1567, i64 32
+  %.1207 = getelementptr i8, ptr %arg.contents.4, i64 56
+  %.1208 = load i64, ptr %.1207, align 8
+  %.1209 = sub i64 0, %.1208
+  %.1217.1 = and i64 %.1209, 9223372036854775800
+  %.1281 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.1282 = load i64, ptr %.1281, align 8
+  %.1283 = sub i64 0, %.1282
+  %.1291.1 = and i64 %.1283, 9223372036854775800
+  %1 = add nuw i64 %.1291.1, %.1217.1
+  %.neg = mul i64 %1, -2
+  %.1328 = or disjoint i64 %.neg, 8
+  %2 = shl i64 %1, 4
+  %.1406 = sub i64 144, %2
+  %.1422 = getelementptr inbounds double, ptr %0, i64 %.1406
+  %.1508 = getelementptr i8, ptr %arg.arguments.4, i64 72
+  %.1509 = load i64, ptr %.1508, align 8
+  %.1510 = inttoptr i64 %.1509 to ptr
+  %.1561 = sub i64 %arg.stop, %arg.start
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1567, i8 0, i64 56, i1 false)
+  call fastcc void @inner_8(ptr nonnull %.1567, ptr nonnull %.308, i64 %.1561, ptr %arg.contents.4, ptr %.1510, ptr %arg.weights.4, i64 %.1328, ptr nonnull %.1059, ptr nonnull %.1422)
+  %.1593.fca.4.load = load ptr, ptr %.fca.4.gep367, align 8
+  %sunkaddr = getelementptr inbounds nuw i8, ptr %.1567, i64 40
+  %.1593.fca.5.0.load = load i64, ptr %sunkaddr, align 8
+  %.1655 = getelementptr i8, ptr %arg.contents.4, i64 24
+  %.1656 = load i64, ptr %.1655, align 8
+  %.1657 = sub i64 0, %.1656
+  %.1665.1 = and i64 %.1657, -8
+  %.1732 = getelementptr i8, ptr %arg.arguments.4, i64 160
+  %.1733 = load i64, ptr %.1732, align 8
+  %.1734.not = icmp eq i64 %.1733, 0
+  %.21501450.not = icmp slt i64 %.1561, 1
+  br i1 %.1734.not, label %B956, label %B876
+
+B876:                                             ; preds = %entry
+  br i1 %.21501450.not, label %B21081, label %B908.if.preheader
+
+B908.if.preheader:                                ; preds = %B876
+  %3 = add nuw i64 %.1561, 1
+  %4 = shl i64 %arg.stop, 3
+  %5 = inttoptr i64 %.1733 to ptr
+  br label %B908.if
+
+B956:                                             ; preds = %entry
+  br i1 %.21501450.not, label %B21081, label %B1146.if.preheader
+
+B1146.if.preheader:                               ; preds = %B908.if, %B956
+  %6 = add i64 %.1561, 1
+  %7 = shl i64 %arg.start, 4
+  %8 = getelementptr i8, ptr %arg.cross.4, i64 %7
+  %scevgep = getelementptr i8, ptr %8, i64 8
+  %9 = mul i64 %arg.start, 80
+  %scevgep173 = getelementptr i8, ptr %arg.parameters.4, i64 %9
+  %10 = shl i64 %.1283, 1
+  %11 = and i64 %10, 2305843009213693936
+  %12 = shl i64 %.1209, 1
+  %13 = and i64 %12, 2305843009213693936
+  %14 = add nuw nsw i64 %11, %13
+  %15 = shl i64 %14, 3
+  %16 = sub i64 64, %15
+  %17 = shl i64 %arg.plus.5.0, 3
+  %18 = shl i64 %arg.cross.5.0, 3
+  br label %B1146.if
+
+B1181:                                            ; preds = %B1146.if
+  %19 = select i1 %.2205, i64 %17, i64 0
+  %scevgep171 = getelementptr i8, ptr %arg.plus.4, i64 %19
+  %20 = shl i64 %.215614461451, 3
+  %scevgep172 = getelementptr i8, ptr %scevgep171, i64 %20
+  %.2388 = load double, ptr %scevgep172, align 8
+  %21 = select i1 %.2205, i64 %18, i64 0
+  %scevgep170 = getelementptr i8, ptr %lsr.iv168, i64 %21
+  %.2421 = load double, ptr %scevgep170, align 8
+  store ptr null, ptr %.2427, align 8
+  %.2443 = call fastcc i32 @inner_9(ptr nonnull %.2427, ptr nonnull %excinfo.16, i64 %.215614461451, ptr %lsr.iv174, ptr nonnull %lsr.iv178, i64 %.1328, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr nonnull %.1422, double %.2388, double %.2421)
+  %cond = icmp eq i32 %.2443, 0
+  br i1 %cond, label %B20709, label %B1181.endif.endif.if, !prof !0
+
+B20707:                                           ; preds = %B1146.if
+  store ptr null, ptr %.2475, align 8
+  call fastcc void @inner_7(ptr nonnull %.2475, i64 %.215614461451, ptr %arg.arguments.4)
+  br label %B20709
+
+B20709:                                           ; preds = %B1181, %B20707
+  %lsr.iv.next = add i64 %lsr.iv, -1
+  %scevgep169 = getelementptr i8, ptr %lsr.iv168, i64 16
+  %scevgep175 = getelementptr i8, ptr %lsr.iv174, i64 80
+  %scevgep179 = getelementptr i8, ptr %lsr.iv178, i64 %16
+  %.2163 = add i64 %.215614461451, 1
+  %.2150 = icmp sgt i64 %lsr.iv.next, 1
+  br i1 %.2150, label %B1146.if, label %B21081
+
+common.ret:                                       ; preds = %B1181.endif.endif.if, %B21081
+  %common.ret.op = phi i32 [ 0, %B21081 ], [ %.2443, %B1181.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B21081:                                           ; preds = %B20709, %B876, %B956
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B908.if:                                          ; preds = %B908.if, %B908.if.preheader
+  %lsr.iv184 = phi i64 [ 7, %B908.if.preheader ], [ %lsr.iv.next185, %B908.if ]
+  %lsr.iv180 = phi i64 [ %3, %B908.if.preheader ], [ %lsr.iv.next181, %B908.if ]
+  %.190914361438 = phi i64 [ %arg.start, %B908.if.preheader ], [ %.1916, %B908.if ]
+  %.1916 = add i64 %.190914361438, 1
+  %.1976 = load i64, ptr %.1655, align 8
+  %22 = add i64 %.1976, %lsr.iv184
+  %.1991 = icmp slt i64 %22, 0
+  %.1992 = select i1 %.1991, i64 %.1593.fca.5.0.load, i64 0
+  %23 = getelementptr double, ptr %.1593.fca.4.load, i64 %22
+  %.2006 = getelementptr double, ptr %23, i64 %.1992
+  %.2007 = load double, ptr %.2006, align 8
+  %.2015.le = tail call contract double @llvm.exp.f64(double %.2007)
+  %.2033 = icmp slt i64 %.190914361438, 0
+  %24 = select i1 %.2033, i64 %4, i64 0
+  %scevgep182 = getelementptr i8, ptr %5, i64 %24
+  %25 = shl i64 %.190914361438, 3
+  %scevgep183 = getelementptr i8, ptr %scevgep182, i64 %25
+  store double %.2015.le, ptr %scevgep183, align 8
+  %lsr.iv.next181 = add i64 %lsr.iv180, -1
+  %reass.sub1 = sub i64 %lsr.iv184, %.1665.1
+  %lsr.iv.next185 = add i64 %reass.sub1, 8
+  %.1903 = icmp sgt i64 %lsr.iv.next181, 1
+  br i1 %.1903, label %B908.if, label %B1146.if.preheader
+
+B1146.if:                                         ; preds = %B20709, %B1146.if.preheader
+  %lsr.iv178 = phi ptr [ %.1059, %B1146.if.preheader ], [ %scevgep179, %B20709 ]
+  %lsr.iv174 = phi ptr [ %scevgep173, %B1146.if.preheader ], [ %scevgep175, %B20709 ]
+  %lsr.iv168 = phi ptr [ %scevgep, %B1146.if.preheader ], [ %scevgep169, %B20709 ]
+  %lsr.iv = phi i64 [ %6, %B1146.if.preheader ], [ %lsr.iv.next, %B20709 ]
+  %.215614461451 = phi i64 [ %arg.start, %B1146.if.preheader ], [ %.2163, %B20709 ]
+  %.2205 = icmp slt i64 %.215614461451, 0
+  %.2206 = select i1 %.2205, i64 %arg.status.5.0, i64 0
+  %scevgep176 = getelementptr i8, ptr %arg.status.4, i64 %.2206
+  %scevgep177 = getelementptr i8, ptr %scevgep176, i64 %.215614461451
+  %.2221 = load i8, ptr %scevgep177, align 1
+  %.2223 = icmp eq i8 %.2221, 0
+  br i1 %.2223, label %B1181, label %B20707
+
+B1181.endif.endif.if:                             ; preds = %B1181
+  %.2444 = load ptr, ptr %excinfo.16, align 8
+  store ptr %.2444, ptr %excinfo, align 8
+  br label %common.ret
+}
+
+; Function Attrs: mustprogress nofree noinline norecurse nosync nounwind willreturn memory(argmem: readwrite)
+define internal fastcc void @inner_3(ptr noalias nonnull writeonly captures(none) initializes((0, 8)) %retptr, ptr readonly captures(none) %arg.row.4, double %arg.first, double %arg.last, ptr readonly captures(none) %arg.limits.4, ptr readonly captures(none) %arg.band.4, i64 %arg.policy, double %arg.least) unnamed_addr #5 {
+entry:
+  %.213 = load double, ptr %arg.row.4, align 8
+  %.221.le = fsub contract double %.213, %.213
+  %.222.le = fcmp contract ord double %.221.le, 0.000000e+00
+  br i1 %.222.le, label %B132, label %common.ret
+
+common.ret:                                       ; preds = %B230, %entry, %B132, %B132.1, %B132.2, %B132.3, %B132.4, %B132.5, %B132.6, %B132.7, %B132.8, %B758
+  %..sink = phi i64 [ %., %B758 ], [ 1, %entry ], [ 1, %B132.8 ], [ 1, %B132.7 ], [ 1, %B132.6 ], [ 1, %B132.5 ], [ 1, %B132.4 ], [ 1, %B132.3 ], [ 1, %B132.2 ], [ 1, %B132.1 ], [ 1, %B132 ], [ 2, %B230 ]
   store i64 %..sink, ptr %retptr, align 8
   ret void
 
 B132:                                             ; preds = %entry
   %0 = getelementptr i8, ptr %arg.row.4, i64 8
-  %.210.1 = load double, ptr %0, align 8
-  %.218.le.1 = fsub contract double %.210.1, %.210.1
-  %.219.le.1 = fcmp contract ord double %.218.le.1, 0.000000e+00
-  br i1 %.219.le.1, label %B132.1, label %common.ret
+  %.213.1 = load double, ptr %0, align 8
+  %.221.le.1 = fsub contract double %.213.1, %.213.1
+  %.222.le.1 = fcmp contract ord double %.221.le.1, 0.000000e+00
+  br i1 %.222.le.1, label %B132.1, label %common.ret
 
 B132.1:                                           ; preds = %B132
   %1 = getelementptr i8, ptr %arg.row.4, i64 16
-  %.210.2 = load double, ptr %1, align 8
-  %.218.le.2 = fsub contract double %.210.2, %.210.2
-  %.219.le.2 = fcmp contract ord double %.218.le.2, 0.000000e+00
-  br i1 %.219.le.2, label %B132.2, label %common.ret
+  %.213.2 = load double, ptr %1, align 8
+  %.221.le.2 = fsub contract double %.213.2, %.213.2
+  %.222.le.2 = fcmp contract ord double %.221.le.2, 0.000000e+00
+  br i1 %.222.le.2, label %B132.2, label %common.ret
 
 B132.2:                                           ; preds = %B132.1
   %2 = getelementptr i8, ptr %arg.row.4, i64 24
-  %.210.3 = load double, ptr %2, align 8
-  %.218.le.3 = fsub contract double %.210.3, %.210.3
-  %.219.le.3 = fcmp contract ord double %.218.le.3, 0.000000e+00
-  br i1 %.219.le.3, label %B132.3, label %common.ret
+  %.213.3 = load double, ptr %2, align 8
+  %.221.le.3 = fsub contract double %.213.3, %.213.3
+  %.222.le.3 = fcmp contract ord double %.221.le.3, 0.000000e+00
+  br i1 %.222.le.3, label %B132.3, label %common.ret
 
 B132.3:                                           ; preds = %B132.2
   %3 = getelementptr i8, ptr %arg.row.4, i64 32
-  %.210.4 = load double, ptr %3, align 8
-  %.218.le.4 = fsub contract double %.210.4, %.210.4
-  %.219.le.4 = fcmp contract ord double %.218.le.4, 0.000000e+00
-  br i1 %.219.le.4, label %B132.4, label %common.ret
+  %.213.4 = load double, ptr %3, align 8
+  %.221.le.4 = fsub contract double %.213.4, %.213.4
+  %.222.le.4 = fcmp contract ord double %.221.le.4, 0.000000e+00
+  br i1 %.222.le.4, label %B132.4, label %common.ret
 
 B132.4:                                           ; preds = %B132.3
   %4 = getelementptr i8, ptr %arg.row.4, i64 40
-  %.210.5 = load double, ptr %4, align 8
-  %.218.le.5 = fsub contract double %.210.5, %.210.5
-  %.219.le.5 = fcmp contract ord double %.218.le.5, 0.000000e+00
-  br i1 %.219.le.5, label %B132.5, label %common.ret
+  %.213.5 = load double, ptr %4, align 8
+  %.221.le.5 = fsub contract double %.213.5, %.213.5
+  %.222.le.5 = fcmp contract ord double %.221.le.5, 0.000000e+00
+  br i1 %.222.le.5, label %B132.5, label %common.ret
 
 B132.5:                                           ; preds = %B132.4
   %5 = getelementptr i8, ptr %arg.row.4, i64 48
-  %.210.6 = load double, ptr %5, align 8
-  %.218.le.6 = fsub contract double %.210.6, %.210.6
-  %.219.le.6 = fcmp contract ord double %.218.le.6, 0.000000e+00
-  br i1 %.219.le.6, label %B132.6, label %common.ret
+  %.213.6 = load double, ptr %5, align 8
+  %.221.le.6 = fsub contract double %.213.6, %.213.6
+  %.222.le.6 = fcmp contract ord double %.221.le.6, 0.000000e+00
+  br i1 %.222.le.6, label %B132.6, label %common.ret
 
 B132.6:                                           ; preds = %B132.5
   %6 = getelementptr i8, ptr %arg.row.4, i64 56
-  %.210.7 = load double, ptr %6, align 8
-  %.218.le.7 = fsub contract double %.210.7, %.210.7
-  %.219.le.7 = fcmp contract ord double %.218.le.7, 0.000000e+00
-  br i1 %.219.le.7, label %B132.7, label %common.ret
+  %.213.7 = load double, ptr %6, align 8
+  %.221.le.7 = fsub contract double %.213.7, %.213.7
+  %.222.le.7 = fcmp contract ord double %.221.le.7, 0.000000e+00
+  br i1 %.222.le.7, label %B132.7, label %common.ret
 
 B132.7:                                           ; preds = %B132.6
   %7 = getelementptr i8, ptr %arg.row.4, i64 64
-  %.210.8 = load double, ptr %7, align 8
-  %.218.le.8 = fsub contract double %.210.8, %.210.8
-  %.219.le.8 = fcmp contract ord double %.218.le.8, 0.000000e+00
-  br i1 %.219.le.8, label %B132.8, label %common.ret
+  %.213.8 = load double, ptr %7, align 8
+  %.221.le.8 = fsub contract double %.213.8, %.213.8
+  %.222.le.8 = fcmp contract ord double %.221.le.8, 0.000000e+00
+  br i1 %.222.le.8, label %B132.8, label %common.ret
 
 B132.8:                                           ; preds = %B132.7
   %8 = getelementptr i8, ptr %arg.row.4, i64 72
-  %.210.9 = load double, ptr %8, align 8
-  %.218.le.9 = fsub contract double %.210.9, %.210.9
-  %.219.le.9 = fcmp contract ord double %.218.le.9, 0.000000e+00
-  br i1 %.219.le.9, label %B230, label %common.ret
+  %.213.9 = load double, ptr %8, align 8
+  %.221.le.9 = fsub contract double %.213.9, %.213.9
+  %.222.le.9 = fcmp contract ord double %.221.le.9, 0.000000e+00
+  br i1 %.222.le.9, label %B230, label %common.ret
 
 B230:                                             ; preds = %B132.8
-  %.324 = load double, ptr %arg.limits.4, align 8
-  %.325 = fcmp contract oge double %.210, %.324
+  %.329 = load double, ptr %arg.limits.4, align 8
+  %.330 = fcmp contract oge double %.213, %.329
   %9 = getelementptr i8, ptr %arg.limits.4, i64 80
-  %.390 = load double, ptr %9, align 8
-  %.391 = fcmp contract ole double %.210, %.390
-  %.392 = and i1 %.325, %.391
+  %.395 = load double, ptr %9, align 8
+  %.396 = fcmp contract ole double %.213, %.395
+  %.397 = and i1 %.330, %.396
   %10 = getelementptr i8, ptr %arg.limits.4, i64 8
-  %.324.1 = load double, ptr %10, align 8
-  %.325.1 = fcmp contract oge double %.210.1, %.324.1
+  %.329.1 = load double, ptr %10, align 8
+  %.330.1 = fcmp contract oge double %.213.1, %.329.1
   %11 = getelementptr i8, ptr %arg.limits.4, i64 88
-  %.390.1 = load double, ptr %11, align 8
-  %.391.1 = fcmp contract ole double %.210.1, %.390.1
-  %.392.1 = and i1 %.325.1, %.391.1
-  %.394.1 = and i1 %.392, %.392.1
+  %.395.1 = load double, ptr %11, align 8
+  %.396.1 = fcmp contract ole double %.213.1, %.395.1
+  %.397.1 = and i1 %.330.1, %.396.1
+  %.399.1 = and i1 %.397, %.397.1
   %12 = getelementptr i8, ptr %arg.limits.4, i64 16
-  %.324.2 = load double, ptr %12, align 8
-  %.325.2 = fcmp contract oge double %.210.2, %.324.2
+  %.329.2 = load double, ptr %12, align 8
+  %.330.2 = fcmp contract oge double %.213.2, %.329.2
   %13 = getelementptr i8, ptr %arg.limits.4, i64 96
-  %.390.2 = load double, ptr %13, align 8
-  %.391.2 = fcmp contract ole double %.210.2, %.390.2
-  %.392.2 = and i1 %.325.2, %.391.2
-  %.394.2 = and i1 %.394.1, %.392.2
+  %.395.2 = load double, ptr %13, align 8
+  %.396.2 = fcmp contract ole double %.213.2, %.395.2
+  %.397.2 = and i1 %.330.2, %.396.2
+  %.399.2 = and i1 %.399.1, %.397.2
   %14 = getelementptr i8, ptr %arg.limits.4, i64 24
-  %.324.3 = load double, ptr %14, align 8
-  %.325.3 = fcmp contract oge double %.210.3, %.324.3
+  %.329.3 = load double, ptr %14, align 8
+  %.330.3 = fcmp contract oge double %.213.3, %.329.3
   %15 = getelementptr i8, ptr %arg.limits.4, i64 104
-  %.390.3 = load double, ptr %15, align 8
-  %.391.3 = fcmp contract ole double %.210.3, %.390.3
-  %.392.3 = and i1 %.325.3, %.391.3
-  %.394.3 = and i1 %.394.2, %.392.3
+  %.395.3 = load double, ptr %15, align 8
+  %.396.3 = fcmp contract ole double %.213.3, %.395.3
+  %.397.3 = and i1 %.330.3, %.396.3
+  %.399.3 = and i1 %.399.2, %.397.3
   %16 = getelementptr i8, ptr %arg.limits.4, i64 32
-  %.324.4 = load double, ptr %16, align 8
-  %.325.4 = fcmp contract oge double %.210.4, %.324.4
+  %.329.4 = load double, ptr %16, align 8
+  %.330.4 = fcmp contract oge double %.213.4, %.329.4
   %17 = getelementptr i8, ptr %arg.limits.4, i64 112
-  %.390.4 = load double, ptr %17, align 8
-  %.391.4 = fcmp contract ole double %.210.4, %.390.4
-  %.392.4 = and i1 %.325.4, %.391.4
-  %.394.4 = and i1 %.394.3, %.392.4
+  %.395.4 = load double, ptr %17, align 8
+  %.396.4 = fcmp contract ole double %.213.4, %.395.4
+  %.397.4 = and i1 %.330.4, %.396.4
+  %.399.4 = and i1 %.399.3, %.397.4
   %18 = getelementptr i8, ptr %arg.limits.4, i64 40
-  %.324.5 = load double, ptr %18, align 8
-  %.325.5 = fcmp contract oge double %.210.5, %.324.5
+  %.329.5 = load double, ptr %18, align 8
+  %.330.5 = fcmp contract oge double %.213.5, %.329.5
   %19 = getelementptr i8, ptr %arg.limits.4, i64 120
-  %.390.5 = load double, ptr %19, align 8
-  %.391.5 = fcmp contract ole double %.210.5, %.390.5
-  %.392.5 = and i1 %.325.5, %.391.5
-  %.394.5 = and i1 %.394.4, %.392.5
+  %.395.5 = load double, ptr %19, align 8
+  %.396.5 = fcmp contract ole double %.213.5, %.395.5
+  %.397.5 = and i1 %.330.5, %.396.5
+  %.399.5 = and i1 %.399.4, %.397.5
   %20 = getelementptr i8, ptr %arg.limits.4, i64 48
-  %.324.6 = load double, ptr %20, align 8
-  %.325.6 = fcmp contract oge double %.210.6, %.324.6
+  %.329.6 = load double, ptr %20, align 8
+  %.330.6 = fcmp contract oge double %.213.6, %.329.6
   %21 = getelementptr i8, ptr %arg.limits.4, i64 128
-  %.390.6 = load double, ptr %21, align 8
-  %.391.6 = fcmp contract ole double %.210.6, %.390.6
-  %.392.6 = and i1 %.325.6, %.391.6
-  %.394.6 = and i1 %.394.5, %.392.6
+  %.395.6 = load double, ptr %21, align 8
+  %.396.6 = fcmp contract ole double %.213.6, %.395.6
+  %.397.6 = and i1 %.330.6, %.396.6
+  %.399.6 = and i1 %.399.5, %.397.6
   %22 = getelementptr i8, ptr %arg.limits.4, i64 56
-  %.324.7 = load double, ptr %22, align 8
-  %.325.7 = fcmp contract oge double %.210.7, %.324.7
+  %.329.7 = load double, ptr %22, align 8
+  %.330.7 = fcmp contract oge double %.213.7, %.329.7
   %23 = getelementptr i8, ptr %arg.limits.4, i64 136
-  %.390.7 = load double, ptr %23, align 8
-  %.391.7 = fcmp contract ole double %.210.7, %.390.7
-  %.392.7 = and i1 %.325.7, %.391.7
-  %.394.7 = and i1 %.394.6, %.392.7
+  %.395.7 = load double, ptr %23, align 8
+  %.396.7 = fcmp contract ole double %.213.7, %.395.7
+  %.397.7 = and i1 %.330.7, %.396.7
+  %.399.7 = and i1 %.399.6, %.397.7
   %24 = getelementptr i8, ptr %arg.limits.4, i64 64
-  %.324.8 = load double, ptr %24, align 8
-  %.325.8 = fcmp contract oge double %.210.8, %.324.8
+  %.329.8 = load double, ptr %24, align 8
+  %.330.8 = fcmp contract oge double %.213.8, %.329.8
   %25 = getelementptr i8, ptr %arg.limits.4, i64 144
-  %.390.8 = load double, ptr %25, align 8
-  %.391.8 = fcmp contract ole double %.210.8, %.390.8
-  %.392.8 = and i1 %.325.8, %.391.8
-  %.394.8 = and i1 %.394.7, %.392.8
+  %.395.8 = load double, ptr %25, align 8
+  %.396.8 = fcmp contract ole double %.213.8, %.395.8
+  %.397.8 = and i1 %.330.8, %.396.8
+  %.399.8 = and i1 %.399.7, %.397.8
   %26 = getelementptr i8, ptr %arg.limits.4, i64 72
-  %.324.9 = load double, ptr %26, align 8
-  %.325.9 = fcmp contract oge double %.210.9, %.324.9
+  %.329.9 = load double, ptr %26, align 8
+  %.330.9 = fcmp contract oge double %.213.9, %.329.9
   %27 = getelementptr i8, ptr %arg.limits.4, i64 152
-  %.390.9 = load double, ptr %27, align 8
-  %.391.9 = fcmp contract ole double %.210.9, %.390.9
-  %.392.9 = and i1 %.325.9, %.391.9
-  %.394.9 = and i1 %.394.8, %.392.9
-  %.437 = fcmp contract ogt double %.210.5, 0.000000e+00
-  %.472 = tail call contract double @llvm.fabs.f64(double %.210.8)
-  %.475 = fmul contract double %arg.last, 0x401921FB54442D18
-  %.506 = tail call contract double @llvm.fabs.f64(double %.210.9)
-  %.507 = fmul contract double %.475, %.506
-  %.508 = fadd contract double %.472, %.507
-  %.509 = fcmp contract ole double %.508, 1.000000e+14
-  %28 = and i1 %.437, %.509
-  %.510 = and i1 %28, %.394.9
-  br i1 %.510, label %B496, label %common.ret
+  %.395.9 = load double, ptr %27, align 8
+  %.396.9 = fcmp contract ole double %.213.9, %.395.9
+  %.397.9 = and i1 %.330.9, %.396.9
+  %.399.9 = and i1 %.399.8, %.397.9
+  %.442 = fcmp contract ogt double %.213.5, 0.000000e+00
+  %.477 = tail call contract double @llvm.fabs.f64(double %.213.8)
+  %.480 = fmul contract double %arg.last, 0x401921FB54442D18
+  %.511 = tail call contract double @llvm.fabs.f64(double %.213.9)
+  %.512 = fmul contract double %.480, %.511
+  %.513 = fadd contract double %.477, %.512
+  %.514 = fcmp contract ole double %.513, 1.000000e+14
+  %28 = and i1 %.442, %.514
+  %.515 = and i1 %28, %.399.9
+  br i1 %.515, label %B496, label %common.ret
 
 B496:                                             ; preds = %B230
-  %.565 = fmul contract double %.210.7, 0x3ED4A8B4A9ED04E3
-  %.571 = fmul contract double %arg.first, %.565
-  %.572 = fcmp olt double %.571, 1.000000e-09
-  %.581 = and i64 %arg.policy, 2
-  %.582.not = icmp eq i64 %.581, 0
-  br i1 %.582.not, label %B672, label %B614
+  %.572 = fmul contract double %.213.7, 0x3ED4A8B4A9ED04E3
+  %.578 = fmul contract double %arg.first, %.572
+  %.580 = fcmp olt double %.578, %arg.least
+  %.591 = and i64 %arg.policy, 2
+  %.592.not = icmp eq i64 %.591, 0
+  br i1 %.592.not, label %B662, label %B604
 
-B614:                                             ; preds = %B496
-  %.586 = fmul contract double %arg.last, %.565
-  %.617 = getelementptr i8, ptr %arg.band.4, i64 8
-  %.618 = load double, ptr %.617, align 8
-  %.620 = fmul contract double %.618, 0x3FF000000044B830
-  %.621 = fcmp contract ogt double %.586, %.620
-  %.623 = or i1 %.572, %.621
-  br label %B672
+B604:                                             ; preds = %B496
+  %.596 = fmul contract double %arg.last, %.572
+  %.627 = getelementptr i8, ptr %arg.band.4, i64 8
+  %.628 = load double, ptr %.627, align 8
+  %.630 = fmul contract double %.628, 0x3FF000000044B830
+  %.631 = fcmp contract ogt double %.596, %.630
+  %.633 = or i1 %.580, %.631
+  br label %B662
 
-B672:                                             ; preds = %B614, %B496
-  %outside.3.0 = phi i1 [ %.623, %B614 ], [ %.572, %B496 ]
-  %.638 = and i64 %arg.policy, 1
-  %.641.not = icmp eq i64 %.638, 0
-  br i1 %.641.not, label %B768, label %B710
+B662:                                             ; preds = %B604, %B496
+  %outside.3.0 = phi i1 [ %.633, %B604 ], [ %.580, %B496 ]
+  %.648 = and i64 %arg.policy, 1
+  %.651.not = icmp eq i64 %.648, 0
+  br i1 %.651.not, label %B758, label %B700
 
-B710:                                             ; preds = %B672
-  %.678 = getelementptr i8, ptr %arg.band.4, i64 24
-  %.679 = load double, ptr %.678, align 8
-  %.686 = fmul contract double %.679, 0x3FEFFFFFFF768FA1
-  %.687 = fcmp contract olt double %.571, %.686
-  %.689 = or i1 %outside.3.0, %.687
-  br label %B768
+B700:                                             ; preds = %B662
+  %.688 = getelementptr i8, ptr %arg.band.4, i64 24
+  %.689 = load double, ptr %.688, align 8
+  %.696 = fmul contract double %.689, 0x3FEFFFFFFF768FA1
+  %.697 = fcmp contract olt double %.578, %.696
+  %.699 = or i1 %outside.3.0, %.697
+  br label %B758
 
-B768:                                             ; preds = %B710, %B672
-  %outside.4.0 = phi i1 [ %.689, %B710 ], [ %outside.3.0, %B672 ]
+B758:                                             ; preds = %B700, %B662
+  %outside.4.0 = phi i1 [ %.699, %B700 ], [ %outside.3.0, %B662 ]
   %. = select i1 %outside.4.0, i64 3, i64 0
   br label %common.ret
 }
@@ -453,1289 +1230,176 @@ B768:                                             ; preds = %B710, %B672
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare i64 @llvm.smin.i64(i64, i64) #3
 
-; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc noundef range(i32 0, 2) i32 @inner_2(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr readonly captures(none) %arg.parameters.4, ptr readonly captures(none) %arg.status.4, i64 range(i64 1, -9223372036854775808) %arg.status.5.0, ptr readonly captures(none) %arg.plus.4, i64 range(i64 1, -9223372036854775808) %arg.plus.5.0, ptr readonly captures(none) %arg.cross.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.cross.5.0) unnamed_addr #5 {
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.fabs.f64(double) #3
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
+define internal fastcc void @inner_4(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.parameters.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.scaling.4, ptr captures(none) initializes((0, 40)) %arg.scratch.4, ptr writeonly captures(none) %arg.out.4) unnamed_addr #6 {
 entry:
-  %.1219 = alloca { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, align 8
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1219, i8 0, i64 56, i1 false)
-  %.2509 = alloca ptr, align 8
-  store ptr null, ptr %.2509, align 8
-  %excinfo.16 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.16, align 8
-  %.2557 = alloca ptr, align 8
-  store ptr null, ptr %.2557, align 8
-  %.137 = getelementptr i8, ptr %arg.arguments.4, i64 104
-  %.138 = load i64, ptr %.137, align 8
-  %0 = inttoptr i64 %.138 to ptr
-  %.414 = add nsw i64 %arg.stop, -1
-  %.13.i = tail call i64 @llvm.smin.i64(i64 %.414, i64 %arg.start)
-  %.454.idx = mul nsw i64 %.13.i, 80
-  %.454 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx
-  %.533 = load double, ptr %.454, align 8
-  %.561 = getelementptr i8, ptr %.454, i64 24
-  %.562 = load double, ptr %.561, align 8
-  %scevgep224 = getelementptr i8, ptr %0, i64 32
-  store double %.533, ptr %0, align 8
-  %scevgep226 = getelementptr i8, ptr %0, i64 8
-  store double %.562, ptr %scevgep226, align 8
-  %.653 = getelementptr i8, ptr %.454, i64 32
-  %.654 = load double, ptr %.653, align 8
-  %.682 = getelementptr i8, ptr %.454, i64 8
-  %.683 = load double, ptr %.682, align 8
-  %scevgep228 = getelementptr i8, ptr %0, i64 16
-  store double %.654, ptr %scevgep228, align 8
-  %scevgep229 = getelementptr i8, ptr %0, i64 24
-  store double %.683, ptr %scevgep229, align 8
-  %.775 = getelementptr i8, ptr %.454, i64 16
-  %.776 = load double, ptr %.775, align 8
-  store double %.776, ptr %scevgep224, align 8
-  %lsr.iv.next232 = add i64 %arg.start, 1
-  %.13.i.1 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232)
-  %.454.idx.1 = mul nsw i64 %.13.i.1, 80
-  %.454.1 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.1
-  %.533.1 = load double, ptr %.454.1, align 8
-  %.561.1 = getelementptr i8, ptr %.454.1, i64 24
-  %.562.1 = load double, ptr %.561.1, align 8
-  %scevgep224.1 = getelementptr i8, ptr %0, i64 72
-  %scevgep225.1 = getelementptr i8, ptr %0, i64 40
-  store double %.533.1, ptr %scevgep225.1, align 8
-  %scevgep226.1 = getelementptr i8, ptr %0, i64 48
-  store double %.562.1, ptr %scevgep226.1, align 8
-  %.653.1 = getelementptr i8, ptr %.454.1, i64 32
-  %.654.1 = load double, ptr %.653.1, align 8
-  %.682.1 = getelementptr i8, ptr %.454.1, i64 8
-  %.683.1 = load double, ptr %.682.1, align 8
-  %scevgep228.1 = getelementptr i8, ptr %0, i64 56
-  store double %.654.1, ptr %scevgep228.1, align 8
-  %scevgep229.1 = getelementptr i8, ptr %0, i64 64
-  store double %.683.1, ptr %scevgep229.1, align 8
-  %.775.1 = getelementptr i8, ptr %.454.1, i64 16
-  %.776.1 = load double, ptr %.775.1, align 8
-  store double %.776.1, ptr %scevgep224.1, align 8
-  %lsr.iv.next232.1 = add i64 %arg.start, 2
-  %.13.i.2 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.1)
-  %.454.idx.2 = mul nsw i64 %.13.i.2, 80
-  %.454.2 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.2
-  %.533.2 = load double, ptr %.454.2, align 8
-  %.561.2 = getelementptr i8, ptr %.454.2, i64 24
-  %.562.2 = load double, ptr %.561.2, align 8
-  %scevgep224.2 = getelementptr i8, ptr %0, i64 112
-  %scevgep225.2 = getelementptr i8, ptr %0, i64 80
-  store double %.533.2, ptr %scevgep225.2, align 8
-  %scevgep226.2 = getelementptr i8, ptr %0, i64 88
-  store double %.562.2, ptr %scevgep226.2, align 8
-  %.653.2 = getelementptr i8, ptr %.454.2, i64 32
-  %.654.2 = load double, ptr %.653.2, align 8
-  %.682.2 = getelementptr i8, ptr %.454.2, i64 8
-  %.683.2 = load double, ptr %.682.2, align 8
-  %scevgep228.2 = getelementptr i8, ptr %0, i64 96
-  store double %.654.2, ptr %scevgep228.2, align 8
-  %scevgep229.2 = getelementptr i8, ptr %0, i64 104
-  store double %.683.2, ptr %scevgep229.2, align 8
-  %.775.2 = getelementptr i8, ptr %.454.2, i64 16
-  %.776.2 = load double, ptr %.775.2, align 8
-  store double %.776.2, ptr %scevgep224.2, align 8
-  %lsr.iv.next232.2 = add i64 %arg.start, 3
-  %.13.i.3 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.2)
-  %.454.idx.3 = mul nsw i64 %.13.i.3, 80
-  %.454.3 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.3
-  %.533.3 = load double, ptr %.454.3, align 8
-  %.561.3 = getelementptr i8, ptr %.454.3, i64 24
-  %.562.3 = load double, ptr %.561.3, align 8
-  %scevgep224.3 = getelementptr i8, ptr %0, i64 152
-  %scevgep225.3 = getelementptr i8, ptr %0, i64 120
-  store double %.533.3, ptr %scevgep225.3, align 8
-  %scevgep226.3 = getelementptr i8, ptr %0, i64 128
-  store double %.562.3, ptr %scevgep226.3, align 8
-  %.653.3 = getelementptr i8, ptr %.454.3, i64 32
-  %.654.3 = load double, ptr %.653.3, align 8
-  %.682.3 = getelementptr i8, ptr %.454.3, i64 8
-  %.683.3 = load double, ptr %.682.3, align 8
-  %scevgep228.3 = getelementptr i8, ptr %0, i64 136
-  store double %.654.3, ptr %scevgep228.3, align 8
-  %scevgep229.3 = getelementptr i8, ptr %0, i64 144
-  store double %.683.3, ptr %scevgep229.3, align 8
-  %.775.3 = getelementptr i8, ptr %.454.3, i64 16
-  %.776.3 = load double, ptr %.775.3, align 8
-  store double %.776.3, ptr %scevgep224.3, align 8
-  %lsr.iv.next232.3 = add i64 %arg.start, 4
-  %.13.i.4 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.3)
-  %.454.idx.4 = mul nsw i64 %.13.i.4, 80
-  %.454.4 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.4
-  %.533.4 = load double, ptr %.454.4, align 8
-  %.561.4 = getelementptr i8, ptr %.454.4, i64 24
-  %.562.4 = load double, ptr %.561.4, align 8
-  %scevgep224.4 = getelementptr i8, ptr %0, i64 192
-  %scevgep225.4 = getelementptr i8, ptr %0, i64 160
-  store double %.533.4, ptr %scevgep225.4, align 8
-  %scevgep226.4 = getelementptr i8, ptr %0, i64 168
-  store double %.562.4, ptr %scevgep226.4, align 8
-  %.653.4 = getelementptr i8, ptr %.454.4, i64 32
-  %.654.4 = load double, ptr %.653.4, align 8
-  %.682.4 = getelementptr i8, ptr %.454.4, i64 8
-  %.683.4 = load double, ptr %.682.4, align 8
-  %scevgep228.4 = getelementptr i8, ptr %0, i64 176
-  store double %.654.4, ptr %scevgep228.4, align 8
-  %scevgep229.4 = getelementptr i8, ptr %0, i64 184
-  store double %.683.4, ptr %scevgep229.4, align 8
-  %.775.4 = getelementptr i8, ptr %.454.4, i64 16
-  %.776.4 = load double, ptr %.775.4, align 8
-  store double %.776.4, ptr %scevgep224.4, align 8
-  %lsr.iv.next232.4 = add i64 %arg.start, 5
-  %.13.i.5 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.4)
-  %.454.idx.5 = mul nsw i64 %.13.i.5, 80
-  %.454.5 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.5
-  %.533.5 = load double, ptr %.454.5, align 8
-  %.561.5 = getelementptr i8, ptr %.454.5, i64 24
-  %.562.5 = load double, ptr %.561.5, align 8
-  %scevgep224.5 = getelementptr i8, ptr %0, i64 232
-  %scevgep225.5 = getelementptr i8, ptr %0, i64 200
-  store double %.533.5, ptr %scevgep225.5, align 8
-  %scevgep226.5 = getelementptr i8, ptr %0, i64 208
-  store double %.562.5, ptr %scevgep226.5, align 8
-  %.653.5 = getelementptr i8, ptr %.454.5, i64 32
-  %.654.5 = load double, ptr %.653.5, align 8
-  %.682.5 = getelementptr i8, ptr %.454.5, i64 8
-  %.683.5 = load double, ptr %.682.5, align 8
-  %scevgep228.5 = getelementptr i8, ptr %0, i64 216
-  store double %.654.5, ptr %scevgep228.5, align 8
-  %scevgep229.5 = getelementptr i8, ptr %0, i64 224
-  store double %.683.5, ptr %scevgep229.5, align 8
-  %.775.5 = getelementptr i8, ptr %.454.5, i64 16
-  %.776.5 = load double, ptr %.775.5, align 8
-  store double %.776.5, ptr %scevgep224.5, align 8
-  %lsr.iv.next232.5 = add i64 %arg.start, 6
-  %.13.i.6 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.5)
-  %.454.idx.6 = mul nsw i64 %.13.i.6, 80
-  %.454.6 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.6
-  %.533.6 = load double, ptr %.454.6, align 8
-  %.561.6 = getelementptr i8, ptr %.454.6, i64 24
-  %.562.6 = load double, ptr %.561.6, align 8
-  %scevgep224.6 = getelementptr i8, ptr %0, i64 272
-  %scevgep225.6 = getelementptr i8, ptr %0, i64 240
-  store double %.533.6, ptr %scevgep225.6, align 8
-  %scevgep226.6 = getelementptr i8, ptr %0, i64 248
-  store double %.562.6, ptr %scevgep226.6, align 8
-  %.653.6 = getelementptr i8, ptr %.454.6, i64 32
-  %.654.6 = load double, ptr %.653.6, align 8
-  %.682.6 = getelementptr i8, ptr %.454.6, i64 8
-  %.683.6 = load double, ptr %.682.6, align 8
-  %scevgep228.6 = getelementptr i8, ptr %0, i64 256
-  store double %.654.6, ptr %scevgep228.6, align 8
-  %scevgep229.6 = getelementptr i8, ptr %0, i64 264
-  store double %.683.6, ptr %scevgep229.6, align 8
-  %.775.6 = getelementptr i8, ptr %.454.6, i64 16
-  %.776.6 = load double, ptr %.775.6, align 8
-  store double %.776.6, ptr %scevgep224.6, align 8
-  %lsr.iv.next232.6 = add i64 %arg.start, 7
-  %.13.i.7 = tail call i64 @llvm.smin.i64(i64 %.414, i64 %lsr.iv.next232.6)
-  %.454.idx.7 = mul nsw i64 %.13.i.7, 80
-  %.454.7 = getelementptr inbounds i8, ptr %arg.parameters.4, i64 %.454.idx.7
-  %.533.7 = load double, ptr %.454.7, align 8
-  %.561.7 = getelementptr i8, ptr %.454.7, i64 24
-  %.562.7 = load double, ptr %.561.7, align 8
-  %scevgep224.7 = getelementptr i8, ptr %0, i64 312
-  %scevgep225.7 = getelementptr i8, ptr %0, i64 280
-  store double %.533.7, ptr %scevgep225.7, align 8
-  %scevgep226.7 = getelementptr i8, ptr %0, i64 288
-  store double %.562.7, ptr %scevgep226.7, align 8
-  %.653.7 = getelementptr i8, ptr %.454.7, i64 32
-  %.654.7 = load double, ptr %.653.7, align 8
-  %.682.7 = getelementptr i8, ptr %.454.7, i64 8
-  %.683.7 = load double, ptr %.682.7, align 8
-  %scevgep228.7 = getelementptr i8, ptr %0, i64 296
-  store double %.654.7, ptr %scevgep228.7, align 8
-  %scevgep229.7 = getelementptr i8, ptr %0, i64 304
-  store double %.683.7, ptr %scevgep229.7, align 8
-  %.775.7 = getelementptr i8, ptr %.454.7, i64 16
-  %.776.7 = load double, ptr %.775.7, align 8
-  store double %.776.7, ptr %scevgep224.7, align 8
-  %.fca.4.gep568 = getelementptr inbounds nuw i8, ptr %.1219, i64 32
-  %.860 = getelementptr i8, ptr %arg.contents.4, i64 56
-  %.861 = load i64, ptr %.860, align 8
-  %.862 = sub i64 0, %.861
-  %.870.1 = and i64 %.862, 9223372036854775800
-  %.934 = getelementptr i8, ptr %arg.contents.4, i64 64
-  %.935 = load i64, ptr %.934, align 8
-  %.936 = sub i64 0, %.935
-  %.944.1 = and i64 %.936, 9223372036854775800
-  %1 = add nuw i64 %.944.1, %.870.1
-  %.neg = mul i64 %1, -2
-  %.981 = or disjoint i64 %.neg, 8
-  %.999 = getelementptr i8, ptr %0, i64 320
-  %.idx = mul i64 %1, -128
-  %2 = getelementptr i8, ptr %0, i64 %.idx
-  %.1075 = getelementptr i8, ptr %2, i64 832
-  %.1161 = getelementptr i8, ptr %arg.arguments.4, i64 72
-  %.1162 = load i64, ptr %.1161, align 8
-  %.1163 = inttoptr i64 %.1162 to ptr
-  %.1214 = sub i64 %arg.stop, %arg.start
-  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1219, i8 0, i64 56, i1 false)
-  call fastcc void @inner_3(ptr nonnull %.1219, ptr %0, i64 %.1214, ptr %arg.contents.4, ptr %.1163, ptr %arg.weights.4, ptr %.1075)
-  %.1243.fca.4.load = load ptr, ptr %.fca.4.gep568, align 8
-  %.fca.5.0.gep569 = getelementptr inbounds nuw i8, ptr %.1219, i64 40
-  %.1243.fca.5.0.load = load i64, ptr %.fca.5.0.gep569, align 8
-  %.1307 = getelementptr i8, ptr %arg.contents.4, i64 24
-  %.1308 = load i64, ptr %.1307, align 8
-  %.1309 = sub i64 0, %.1308
-  %.1317.1 = and i64 %.1309, -8
-  %.1385 = getelementptr i8, ptr %arg.contents.4, i64 104
-  %.1386 = load i64, ptr %.1385, align 8
-  %.1397 = getelementptr double, ptr %arg.weights.4, i64 %.1386
-  %3 = add nuw i64 %.1214, 3
-  %.1515 = lshr i64 %3, 2
-  %.1494.inv = icmp slt i64 %.1214, 1
-  %.15361452.not1490 = icmp eq i64 %.1515, 0
-  %.15361452.not = select i1 %.1494.inv, i1 true, i1 %.15361452.not1490
-  br i1 %.15361452.not, label %B1120, label %B1022.if.preheader
+  %.271 = load i64, ptr %arg.contents.4, align 8
+  %.303 = getelementptr i8, ptr %arg.scaling.4, i64 80
+  %.304 = load double, ptr %.303, align 8
+  %scevgep = getelementptr i8, ptr %arg.out.4, i64 256
+  %sunkaddr48 = getelementptr i8, ptr %arg.scaling.4, i64 40
+  %sunkaddr51 = getelementptr i8, ptr %arg.scratch.4, i64 8
+  %sunkaddr52 = getelementptr i8, ptr %arg.scaling.4, i64 8
+  %sunkaddr53 = getelementptr i8, ptr %arg.scaling.4, i64 48
+  %sunkaddr56 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr57 = getelementptr i8, ptr %arg.scaling.4, i64 16
+  %sunkaddr58 = getelementptr i8, ptr %arg.scaling.4, i64 56
+  %sunkaddr61 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr62 = getelementptr i8, ptr %arg.scaling.4, i64 24
+  %sunkaddr63 = getelementptr i8, ptr %arg.scaling.4, i64 64
+  %sunkaddr66 = getelementptr i8, ptr %arg.scratch.4, i64 32
+  %sunkaddr67 = getelementptr i8, ptr %arg.scaling.4, i64 32
+  %sunkaddr68 = getelementptr i8, ptr %arg.scaling.4, i64 72
+  %sunkaddr21 = getelementptr i8, ptr %arg.scratch.4, i64 8
+  %sunkaddr24 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr29 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr32 = getelementptr i8, ptr %arg.scratch.4, i64 32
+  %sunkaddr7 = getelementptr i8, ptr %arg.scratch.4, i64 8
+  %sunkaddr10 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr13 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr16 = getelementptr i8, ptr %arg.scratch.4, i64 32
+  %sunkaddr37 = getelementptr i8, ptr %arg.scratch.4, i64 8
+  %sunkaddr40 = getelementptr i8, ptr %arg.scratch.4, i64 16
+  %sunkaddr43 = getelementptr i8, ptr %arg.scratch.4, i64 24
+  %sunkaddr46 = getelementptr i8, ptr %arg.scratch.4, i64 32
+  br label %B118.if
 
-B1120:                                            ; preds = %B1118.endif.endif.endif, %entry
-  %.1814 = getelementptr i8, ptr %arg.arguments.4, i64 160
-  %.1815 = load i64, ptr %.1814, align 8
-  %.1816.not = icmp eq i64 %.1815, 0
-  br i1 %.1816.not, label %B1334, label %B1254
+B270:                                             ; preds = %B118.if
+  %.38.le.i = tail call contract double @llvm.log.f64(double %.1045)
+  %.21.i = fadd contract double %.1045, 1.000000e+00
+  %.30.i = fdiv contract double 1.000000e+00, %.21.i
+  %.25.i = fdiv contract double %.1045, %.21.i
+  store double %.38.le.i, ptr %arg.scratch.4, align 8, !noalias !6
+  %.72.i = tail call contract double @llvm.pow.f64(double %.13.i, double 4.000000e-01)
+  %.73.i = fmul contract double %.72.i, %.25.i
+  store double %.73.i, ptr %sunkaddr7, align 8, !noalias !6
+  %.103.i = tail call contract double @llvm.pow.f64(double %.13.i13, double 4.000000e-01)
+  %.104.i = fmul contract double %.103.i, %.30.i
+  store double %.104.i, ptr %sunkaddr10, align 8, !noalias !6
+  %.134.i = fmul contract double %.1075, %.25.i
+  %.135.i = fmul contract double %.30.i, %.1105
+  %.136.i = fadd contract double %.134.i, %.135.i
+  %.137.i = fmul contract double %.25.i, 0x3FD585A9E9585A9F
+  %.138.i = fmul contract double %.30.i, %.137.i
+  %.139.i = fadd contract double %.1075, %.1105
+  %.140.i = fmul contract double %.139.i, %.138.i
+  %.141.i = fsub contract double %.136.i, %.140.i
+  store double %.141.i, ptr %sunkaddr13, align 8, !noalias !6
+  %.171.i = fsub contract double %.1075, %.1105
+  %.172.i = fmul contract double %.171.i, 5.000000e-01
+  store double %.172.i, ptr %sunkaddr16, align 8, !noalias !6
+  br label %B570.if
 
-B1254:                                            ; preds = %B1120
-  br i1 %.1494.inv, label %B2041, label %B1286.if.preheader
+B370:                                             ; preds = %B118.if
+  %.38.le.i.i = tail call contract double @llvm.log.f64(double %.1045)
+  %.21.i.i = fadd contract double %.1045, 1.000000e+00
+  %.30.i.i = fdiv contract double 1.000000e+00, %.21.i.i
+  %.25.i.i = fdiv contract double %.1045, %.21.i.i
+  store double %.38.le.i.i, ptr %arg.scratch.4, align 8, !noalias !9
+  %.72.i.i = tail call contract double @llvm.pow.f64(double %.13.i, double 4.000000e-01)
+  %.73.i.i = fmul contract double %.72.i.i, %.25.i.i
+  store double %.73.i.i, ptr %sunkaddr21, align 8, !noalias !9
+  %.103.i.i = tail call contract double @llvm.pow.f64(double %.13.i13, double 4.000000e-01)
+  %.104.i.i = fmul contract double %.103.i.i, %.30.i.i
+  store double %.104.i.i, ptr %sunkaddr24, align 8, !noalias !9
+  %.134.i.i = fmul contract double %.1075, %.25.i.i
+  %.135.i.i = fmul contract double %.30.i.i, %.1105
+  %.136.i.i = fadd contract double %.134.i.i, %.135.i.i
+  %.137.i.i = fmul contract double %.25.i.i, 0x3FD585A9E9585A9F
+  %.138.i.i = fmul contract double %.30.i.i, %.137.i.i
+  %.139.i.i = fadd contract double %.1075, %.1105
+  %.140.i.i = fmul contract double %.139.i.i, %.138.i.i
+  %.141.i.i = fsub contract double %.136.i.i, %.140.i.i
+  store double %.141.i.i, ptr %sunkaddr29, align 8, !noalias !9
+  %.171.i.i = fsub contract double %.1075, %.1105
+  %.172.i.i = fmul contract double %.171.i.i, 5.000000e-01
+  store double %.172.i.i, ptr %sunkaddr32, align 8, !noalias !9
+  %.107.i = fsub contract double %.73.i.i, %.104.i.i
+  %.166.i = fadd contract double %.73.i.i, %.104.i.i
+  store double %.107.i, ptr %sunkaddr21, align 8, !noalias !14
+  store double %.166.i, ptr %sunkaddr24, align 8, !noalias !14
+  br label %B570.if
 
-B1286.if.preheader:                               ; preds = %B1254
-  %4 = add nuw i64 %.1214, 1
-  %5 = shl i64 %arg.stop, 3
-  %6 = inttoptr i64 %.1815 to ptr
-  br label %B1286.if
+B448:                                             ; preds = %B118.if
+  store double %.1045, ptr %arg.scratch.4, align 8
+  store double %.1075, ptr %sunkaddr37, align 8
+  store double %.1105, ptr %sunkaddr40, align 8
+  store double %.13.i, ptr %sunkaddr43, align 8
+  store double %.13.i13, ptr %sunkaddr46, align 8
+  br label %B570.if
 
-B1334:                                            ; preds = %B1120
-  br i1 %.1494.inv, label %B2041, label %B1524.if.preheader
-
-B1524.if.preheader:                               ; preds = %B1286.if, %B1334
-  %7 = add i64 %.1214, 1
-  %8 = shl i64 %arg.start, 4
-  %9 = getelementptr i8, ptr %arg.cross.4, i64 %8
-  %scevgep = getelementptr i8, ptr %9, i64 8
-  %10 = mul i64 %arg.start, 80
-  %scevgep178 = getelementptr i8, ptr %arg.parameters.4, i64 %10
-  %11 = shl i64 %.936, 1
-  %12 = and i64 %11, 2305843009213693936
-  %13 = shl i64 %.862, 1
-  %14 = and i64 %13, 2305843009213693936
-  %15 = add nuw nsw i64 %12, %14
-  %16 = shl i64 %15, 3
-  %17 = sub i64 64, %16
-  %18 = shl i64 %arg.plus.5.0, 3
-  %19 = shl i64 %arg.cross.5.0, 3
-  br label %B1524.if
-
-B1559:                                            ; preds = %B1524.if
-  %20 = select i1 %.2287, i64 %18, i64 0
-  %scevgep176 = getelementptr i8, ptr %arg.plus.4, i64 %20
-  %21 = shl i64 %.223814691474, 3
-  %scevgep177 = getelementptr i8, ptr %scevgep176, i64 %21
-  %.2470 = load double, ptr %scevgep177, align 8
-  %22 = select i1 %.2287, i64 %19, i64 0
-  %scevgep175 = getelementptr i8, ptr %lsr.iv173, i64 %22
-  %.2503 = load double, ptr %scevgep175, align 8
-  store ptr null, ptr %.2509, align 8
-  %.2525 = call fastcc i32 @inner_4(ptr nonnull %.2509, ptr nonnull %excinfo.16, i64 %.223814691474, ptr %lsr.iv179, ptr nonnull %lsr.iv183, i64 %.981, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.1075, double %.2470, double %.2503)
-  %cond = icmp eq i32 %.2525, 0
-  br i1 %cond, label %B1669, label %B1559.endif.endif.if, !prof !0
-
-B1667:                                            ; preds = %B1524.if
-  store ptr null, ptr %.2557, align 8
-  call fastcc void @inner_5(ptr nonnull %.2557, i64 %.223814691474, ptr %arg.arguments.4)
-  br label %B1669
-
-B1669:                                            ; preds = %B1559, %B1667
-  %lsr.iv.next = add i64 %lsr.iv, -1
-  %scevgep174 = getelementptr i8, ptr %lsr.iv173, i64 16
-  %scevgep180 = getelementptr i8, ptr %lsr.iv179, i64 80
-  %scevgep184 = getelementptr i8, ptr %lsr.iv183, i64 %17
-  %.2245 = add i64 %.223814691474, 1
-  %.2232 = icmp sgt i64 %lsr.iv.next, 1
-  br i1 %.2232, label %B1524.if, label %B2041
-
-common.ret:                                       ; preds = %B1559.endif.endif.if, %B2041
-  %common.ret.op = phi i32 [ 0, %B2041 ], [ %.2525, %B1559.endif.endif.if ]
-  ret i32 %common.ret.op
-
-B2041:                                            ; preds = %B1669, %B1254, %B1334
+B666:                                             ; preds = %B570.if
   store ptr null, ptr %retptr, align 8
-  br label %common.ret
-
-B1022.if.preheader:                               ; preds = %entry
-  %23 = tail call i64 @llvm.smax.i64(i64 %.981, i64 31)
-  %storemerge.i = lshr i64 %23, 5
-  %.1046.i = and i64 %.neg, -32
-  %.1086.i = lshr exact i64 %.981, 3
-  %.1106806.i = and i64 %.1086.i, 3
-  %.idx.i = shl i64 %.981, 4
-  %.idx809.i = mul i64 %.981, 24
-  %scevgep17.i = getelementptr i8, ptr %.1397, i64 192
-  %24 = and i64 %23, 9223372036854775776
-  %25 = lshr i64 %.1309, 3
-  %.neg1 = mul i64 %25, -192
-  %26 = getelementptr i8, ptr %.1243.fca.4.load, i64 %.neg1
-  %scevgep193 = getelementptr i8, ptr %26, i64 248
-  %27 = shl i64 %25, 8
-  %28 = sub i64 256, %27
-  %29 = shl i64 %25, 7
-  %30 = sub i64 184, %29
-  %scevgep198 = getelementptr i8, ptr %.1243.fca.4.load, i64 %30
-  %31 = shl i64 %25, 6
-  %32 = sub i64 120, %31
-  %scevgep203 = getelementptr i8, ptr %.1243.fca.4.load, i64 %32
-  %33 = icmp eq i64 %storemerge.i, 0
-  br label %B1022.if
-
-B1022.if:                                         ; preds = %B1118.endif.endif.endif, %B1022.if.preheader
-  %lsr.iv208 = phi ptr [ %.1243.fca.4.load, %B1022.if.preheader ], [ %scevgep209, %B1118.endif.endif.endif ]
-  %lsr.iv204 = phi ptr [ %scevgep203, %B1022.if.preheader ], [ %scevgep205, %B1118.endif.endif.endif ]
-  %lsr.iv199 = phi ptr [ %scevgep198, %B1022.if.preheader ], [ %scevgep200, %B1118.endif.endif.endif ]
-  %lsr.iv194 = phi ptr [ %scevgep193, %B1022.if.preheader ], [ %scevgep195, %B1118.endif.endif.endif ]
-  %.153514461454 = phi i64 [ %.1515, %B1022.if.preheader ], [ %.1545, %B1118.endif.endif.endif ]
-  %.154214491453 = phi i64 [ 0, %B1022.if.preheader ], [ %.1549, %B1118.endif.endif.endif ]
-  %.1545 = add nsw i64 %.153514461454, -1
-  %.1549 = add nuw i64 %.154214491453, 4
-  %.1642 = mul nsw i64 %.154214491453, %.981
-  %.1653 = getelementptr inbounds double, ptr %.999, i64 %.1642
-  %.1734 = load i64, ptr %.1307, align 8
-  %.1735 = add i64 %.1734, 1
-  br i1 %33, label %B354.else.i, label %B84.if.lr.ph.i
-
-B84.if.lr.ph.i:                                   ; preds = %B1022.if
-  %34 = shl i64 %.1735, 8
-  %35 = icmp slt i64 %.1734, 0
-  br label %B84.if.i
-
-B280.i:                                           ; preds = %B200.if.i, %B84.if.i
-  %_multiply_wide_v57_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
-  %_multiply_wide_v57_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
-  %_multiply_wide_v57_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
-  %_multiply_wide_v57_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
-  %_multiply_wide_v57_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
-  %_multiply_wide_v57_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
-  %_multiply_wide_v57_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
-  %_multiply_wide_v57_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
-  %_multiply_wide_v57_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
-  %_multiply_wide_v57_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
-  %_multiply_wide_v57_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
-  %_multiply_wide_v57_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
-  %_multiply_wide_v57_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
-  %_multiply_wide_v57_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
-  %_multiply_wide_v57_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
-  %_multiply_wide_v57_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
-  store <8 x double> %_multiply_wide_v57_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !2
-  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !2
-  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !2
-  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !2
-  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.981
-  store <8 x double> %_multiply_wide_v57_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !2
-  %.827.i = getelementptr i8, ptr %.817.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !2
-  %.838.i = getelementptr i8, ptr %.817.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !2
-  %.849.i = getelementptr i8, ptr %.817.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !2
-  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx.i
-  store <8 x double> %_multiply_wide_v57_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !2
-  %.890.i = getelementptr i8, ptr %.880.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !2
-  %.901.i = getelementptr i8, ptr %.880.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !2
-  %.912.i = getelementptr i8, ptr %.880.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !2
-  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx809.i
-  store <8 x double> %_multiply_wide_v57_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !2
-  %.960.i = getelementptr i8, ptr %.950.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !2
-  %.971.i = getelementptr i8, ptr %.950.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !2
-  %.982.i = getelementptr i8, ptr %.950.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !2
-  %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %34
-  %.187.i = icmp sgt i64 %.186856868.i, 1
-  br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
-
-B3459.loopexit.i:                                 ; preds = %B884.if.i
-  %36 = add i64 %position.5.0901.i, %42
-  br label %B3459.i
-
-B3459.i:                                          ; preds = %B356.if.i, %B3459.loopexit.i
-  %position.4.1.lcssa.i = phi i64 [ %position.5.0901.i, %B356.if.i ], [ %36, %B3459.loopexit.i ]
-  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B3459.loopexit.i ]
-  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B3459.loopexit.i ]
-  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B3459.loopexit.i ]
-  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B3459.loopexit.i ]
-  %.1418.i = getelementptr inbounds double, ptr %.1653, i64 %.1135893899.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !2
-  %.1434.i = getelementptr double, ptr %39, i64 %.1135893899.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !2
-  %.1451.i = getelementptr double, ptr %40, i64 %.1135893899.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !2
-  %.1470.i = getelementptr double, ptr %41, i64 %.1135893899.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !2
-  %.1129.i = icmp sgt i64 %.1128892900.i, 1
-  br i1 %.1129.i, label %B356.if.i, label %B1118.endif.endif.endif
-
-B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
-  %lsr.iv18.i = phi ptr [ %scevgep17.i, %B84.if.lr.ph.i ], [ %scevgep19.i, %B280.i ]
-  %.186856868.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
-  %.193857867.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
-  %.196.i = add nsw i64 %.186856868.i, -1
-  %.200.i = add nuw nsw i64 %.193857867.i, 32
-  %.237.i = getelementptr inbounds nuw double, ptr %.1653, i64 %.193857867.i
-  br i1 %35, label %B280.i, label %B200.if.i
-
-B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
-  %lsr.iv191 = phi i64 [ %lsr.iv.next192, %B200.if.i ], [ -1, %B84.if.i ]
-  %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
-  %_multiply_wide_v57_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
-  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !2
-  %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
-  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !2
-  %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
-  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !2
-  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !2
-  %37 = shl i64 %lsr.iv191, 3
-  %scevgep210 = getelementptr i8, ptr %lsr.iv208, i64 %37
-  %scevgep211 = getelementptr i8, ptr %scevgep210, i64 64
-  %.573.i = load double, ptr %scevgep211, align 8, !noalias !2
-  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
-  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a00.2.1823.i)
-  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a01.2.1824.i)
-  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a02.2.1825.i)
-  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a03.2.1826.i)
-  %scevgep20 = getelementptr i8, ptr %lsr.iv204, i64 %37
-  %scevgep22 = getelementptr i8, ptr %scevgep20, i64 8
-  %.610.i = load double, ptr %scevgep22, align 8, !noalias !2
-  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
-  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a10.2.1827.i)
-  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a11.2.1828.i)
-  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a12.2.1829.i)
-  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a13.2.1830.i)
-  %scevgep10 = getelementptr i8, ptr %lsr.iv199, i64 %37
-  %scevgep11 = getelementptr i8, ptr %scevgep10, i64 8
-  %.648.i = load double, ptr %scevgep11, align 8, !noalias !2
-  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
-  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a20.2.1831.i)
-  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a21.2.1832.i)
-  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a22.2.1833.i)
-  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a23.2.1834.i)
-  %scevgep2 = getelementptr i8, ptr %lsr.iv194, i64 %37
-  %scevgep3 = getelementptr i8, ptr %scevgep2, i64 8
-  %.686.i = load double, ptr %scevgep3, align 8, !noalias !2
-  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
-  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a30.2.1835.i)
-  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a31.2.1836.i)
-  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a32.2.1837.i)
-  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a33.2.1838.i)
-  %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
-  %lsr.iv.next192 = add nsw i64 %lsr.iv191, 1
-  %exitcond.not.i = icmp eq i64 %.1734, %lsr.iv.next192
-  br i1 %exitcond.not.i, label %B280.i, label %B200.if.i
-
-B354.else.loopexit.i:                             ; preds = %B280.i
-  %38 = mul i64 %.1735, %24
-  br label %B354.else.i
-
-B354.else.i:                                      ; preds = %B354.else.loopexit.i, %B1022.if
-  %position.3.0.lcssa.i = phi i64 [ 0, %B1022.if ], [ %38, %B354.else.loopexit.i ]
-  %.arg.count815.i = tail call i64 @llvm.smax.i64(i64 %.1735, i64 0)
-  %39 = getelementptr double, ptr %.1653, i64 %.981
-  %40 = getelementptr i8, ptr %.1653, i64 %.idx.i
-  %41 = getelementptr i8, ptr %.1653, i64 %.idx809.i
-  %42 = shl i64 %.arg.count815.i, 3
-  %43 = icmp slt i64 %.1734, 0
-  br label %B356.if.i
-
-B356.if.i:                                        ; preds = %B354.else.i, %B3459.i
-  %position.5.0901.i = phi i64 [ %position.3.0.lcssa.i, %B354.else.i ], [ %position.4.1.lcssa.i, %B3459.i ]
-  %.1128892900.i = phi i64 [ %.1106806.i, %B354.else.i ], [ %.1138.i, %B3459.i ]
-  %.1135893899.i = phi i64 [ %.1046.i, %B354.else.i ], [ %.1142.i, %B3459.i ]
-  %.1138.i = add nsw i64 %.1128892900.i, -1
-  %.1142.i = add nuw nsw i64 %.1135893899.i, 8
-  br i1 %43, label %B3459.i, label %B884.if.preheader.i
-
-B884.if.preheader.i:                              ; preds = %B356.if.i
-  %44 = shl i64 %position.5.0901.i, 3
-  %scevgep.i = getelementptr i8, ptr %.1397, i64 %44
-  br label %B884.if.i
-
-B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
-  %lsr.iv26 = phi i64 [ %lsr.iv.next27, %B884.if.i ], [ %.1735, %B884.if.preheader.i ]
-  %lsr.iv23 = phi i64 [ %lsr.iv.next24, %B884.if.i ], [ 0, %B884.if.preheader.i ]
-  %b3.2.1884.i = phi <8 x double> [ %.1396.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %b2.2.1883.i = phi <8 x double> [ %.1376.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %b1.2.1882.i = phi <8 x double> [ %.1356.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %45 = shl i64 %lsr.iv23, 3
-  %scevgep25 = getelementptr i8, ptr %scevgep.i, i64 %45
-  %.1318.i = load <8 x double>, ptr %scevgep25, align 8, !noalias !2
-  %scevgep31 = getelementptr i8, ptr %lsr.iv208, i64 %lsr.iv23
-  %scevgep32 = getelementptr i8, ptr %scevgep31, i64 56
-  %.1333.i = load double, ptr %scevgep32, align 8, !noalias !2
-  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
-  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
-  %scevgep30 = getelementptr i8, ptr %lsr.iv204, i64 %lsr.iv23
-  %.1352.i = load double, ptr %scevgep30, align 8, !noalias !2
-  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
-  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
-  %scevgep29 = getelementptr i8, ptr %lsr.iv199, i64 %lsr.iv23
-  %.1372.i = load double, ptr %scevgep29, align 8, !noalias !2
-  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
-  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
-  %scevgep28 = getelementptr i8, ptr %lsr.iv194, i64 %lsr.iv23
-  %.1392.i = load double, ptr %scevgep28, align 8, !noalias !2
-  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
-  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
-  %lsr.iv.next24 = add i64 %lsr.iv23, 8
-  %lsr.iv.next27 = add i64 %lsr.iv26, -1
-  %exitcond909.not.i = icmp eq i64 %lsr.iv.next27, 0
-  br i1 %exitcond909.not.i, label %B3459.loopexit.i, label %B884.if.i
-
-B1118.endif.endif.endif:                          ; preds = %B3459.i
-  %scevgep195 = getelementptr i8, ptr %lsr.iv194, i64 %28
-  %scevgep200 = getelementptr i8, ptr %lsr.iv199, i64 %28
-  %scevgep205 = getelementptr i8, ptr %lsr.iv204, i64 %28
-  %scevgep209 = getelementptr i8, ptr %lsr.iv208, i64 %28
-  %.1536 = icmp sgt i64 %.153514461454, 1
-  br i1 %.1536, label %B1022.if, label %B1120
-
-B1286.if:                                         ; preds = %B1286.if, %B1286.if.preheader
-  %lsr.iv189 = phi i64 [ 7, %B1286.if.preheader ], [ %lsr.iv.next190, %B1286.if ]
-  %lsr.iv185 = phi i64 [ %4, %B1286.if.preheader ], [ %lsr.iv.next186, %B1286.if ]
-  %.199114591461 = phi i64 [ %arg.start, %B1286.if.preheader ], [ %.1998, %B1286.if ]
-  %.1998 = add i64 %.199114591461, 1
-  %.2058 = load i64, ptr %.1307, align 8
-  %46 = add i64 %.2058, %lsr.iv189
-  %.2073 = icmp slt i64 %46, 0
-  %.2074 = select i1 %.2073, i64 %.1243.fca.5.0.load, i64 0
-  %47 = getelementptr double, ptr %.1243.fca.4.load, i64 %46
-  %.2088 = getelementptr double, ptr %47, i64 %.2074
-  %.2089 = load double, ptr %.2088, align 8
-  %.2097.le = tail call contract double @llvm.exp.f64(double %.2089)
-  %.2115 = icmp slt i64 %.199114591461, 0
-  %48 = select i1 %.2115, i64 %5, i64 0
-  %scevgep187 = getelementptr i8, ptr %6, i64 %48
-  %49 = shl i64 %.199114591461, 3
-  %scevgep188 = getelementptr i8, ptr %scevgep187, i64 %49
-  store double %.2097.le, ptr %scevgep188, align 8
-  %lsr.iv.next186 = add i64 %lsr.iv185, -1
-  %reass.sub1 = sub i64 %lsr.iv189, %.1317.1
-  %lsr.iv.next190 = add i64 %reass.sub1, 8
-  %.1985 = icmp sgt i64 %lsr.iv.next186, 1
-  br i1 %.1985, label %B1286.if, label %B1524.if.preheader
-
-B1524.if:                                         ; preds = %B1669, %B1524.if.preheader
-  %lsr.iv183 = phi ptr [ %.999, %B1524.if.preheader ], [ %scevgep184, %B1669 ]
-  %lsr.iv179 = phi ptr [ %scevgep178, %B1524.if.preheader ], [ %scevgep180, %B1669 ]
-  %lsr.iv173 = phi ptr [ %scevgep, %B1524.if.preheader ], [ %scevgep174, %B1669 ]
-  %lsr.iv = phi i64 [ %7, %B1524.if.preheader ], [ %lsr.iv.next, %B1669 ]
-  %.223814691474 = phi i64 [ %arg.start, %B1524.if.preheader ], [ %.2245, %B1669 ]
-  %.2287 = icmp slt i64 %.223814691474, 0
-  %.2288 = select i1 %.2287, i64 %arg.status.5.0, i64 0
-  %scevgep181 = getelementptr i8, ptr %arg.status.4, i64 %.2288
-  %scevgep182 = getelementptr i8, ptr %scevgep181, i64 %.223814691474
-  %.2303 = load i8, ptr %scevgep182, align 1
-  %.2305 = icmp eq i8 %.2303, 0
-  br i1 %.2305, label %B1559, label %B1667
-
-B1559.endif.endif.if:                             ; preds = %B1559
-  %.2526 = load ptr, ptr %excinfo.16, align 8
-  store ptr %.2526, ptr %excinfo, align 8
-  br label %common.ret
-}
-
-; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc void @inner_3(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.parameters.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.exponents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4) unnamed_addr #5 {
-entry:
-  %.1082 = alloca ptr, align 8
-  store ptr null, ptr %.1082, align 8
-  %.2759 = alloca ptr, align 8
-  store ptr null, ptr %.2759, align 8
-  %.102 = getelementptr i8, ptr %arg.contents.4, i64 24
-  %.103 = load i64, ptr %.102, align 8
-  %.104 = sub i64 0, %.103
-  %.112.1 = and i64 %.104, -8
-  %.146 = sub i64 0, %.112.1
-  %.151 = sub i64 8, %.112.1
-  %.156 = shl nsw i64 %.151, 3
-  %.209 = icmp slt i64 %.151, 0
-  %.210 = select i1 %.209, i64 1073741824, i64 0
-  %.211 = add i64 %.210, %.156
-  %.214 = icmp slt i64 %.211, 0
-  br i1 %.214, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !5
-
-B506:                                             ; preds = %B418.if
-  %.1525 = getelementptr i8, ptr %arg.contents.4, i64 16
-  %.1526 = load i64, ptr %.1525, align 8
-  %.53.i = add nsw i64 %.1526, 1
-  %.54.i = shl nsw i64 %.53.i, 3
-  %.59.i = mul nsw i64 %.53.i, 40
-  %.96.i = icmp slt i64 %.1526, -1
-  %.97.i = select i1 %.96.i, i64 %.808, i64 0
-  %.98.i = add i64 %.97.i, %.59.i
-  %.101.i = icmp slt i64 %.98.i, 0
-  br i1 %.101.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !5
-
-B414.i:                                           ; preds = %B282.if.i, %B88.else.endif.endif.i
-  %exitcond473.not.i = icmp eq i64 %.331.i, 5
-  br i1 %exitcond473.not.i, label %B416.i, label %B86.if.i
-
-B416.i:                                           ; preds = %B414.i
-  %.199.i = getelementptr double, ptr %.824, i64 %.86.sroa.0.3.i
-  %.idx.i = shl i64 %.53.i, 7
-  %0 = getelementptr i8, ptr %.824, i64 %.idx.i
-  %.idx411.i = mul i64 %.53.i, 192
-  %1 = getelementptr i8, ptr %.824, i64 %.idx411.i
-  %.idx412.i = shl i64 %.53.i, 8
-  %2 = getelementptr i8, ptr %.824, i64 %.idx412.i
-  %scevgep.i = getelementptr i8, ptr %arg.exponents.4, i64 32
-  br label %B448.if.i
-
-B0.else.if.i:                                     ; preds = %B506
-  br label %B0.else.endif.i
-
-B0.else.endif.i:                                  ; preds = %B0.else.if.i, %B506
-  %.86.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.98.i, %B506 ]
-  %.106.not.i = icmp slt i64 %.98.i, %.808
-  br i1 %.106.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !1
-
-B0.else.endif.if.i:                               ; preds = %B0.else.endif.i
-  br label %B0.else.endif.endif.i
-
-B0.else.endif.endif.i:                            ; preds = %B0.else.endif.if.i, %B0.else.endif.i
-  %.86.sroa.0.3.i = phi i64 [ %.808, %B0.else.endif.if.i ], [ %.86.sroa.0.1.i, %B0.else.endif.i ]
-  %storemerge413.i = tail call i64 @llvm.smax.i64(i64 %.1526, i64 0)
-  %scevgep29.i = getelementptr i8, ptr %.824, i64 64
-  %3 = icmp slt i64 %.1526, 1
-  br label %B86.if.i
-
-B86.if.i:                                         ; preds = %B0.else.endif.endif.i, %B414.i
-  %.324433441.i = phi i64 [ 0, %B0.else.endif.endif.i ], [ %.331.i, %B414.i ]
-  %.331.i = add nuw nsw i64 %.324433441.i, 1
-  %.364.idx.i = shl nsw i64 %.324433441.i, 6
-  %.364.i = getelementptr inbounds nuw i8, ptr %.653, i64 %.364.idx.i
-  %.366.i = load <8 x double>, ptr %.364.i, align 8, !noalias !6
-  %.371.i = mul nsw i64 %.324433441.i, %.54.i
-  %.411.i = icmp slt i64 %.371.i, 0
-  %.412.i = select i1 %.411.i, i64 %.808, i64 0
-  %.413.i = add i64 %.412.i, %.371.i
-  %.416.i = icmp slt i64 %.413.i, 0
-  br i1 %.416.i, label %B88.else.if.i, label %B88.else.endif.i, !prof !5
-
-B88.else.if.i:                                    ; preds = %B86.if.i
-  br label %B88.else.endif.i
-
-B88.else.endif.i:                                 ; preds = %B88.else.if.i, %B86.if.i
-  %.401.sroa.0.1.i = phi i64 [ 0, %B88.else.if.i ], [ %.413.i, %B86.if.i ]
-  %.421.not.i = icmp slt i64 %.413.i, %.808
-  br i1 %.421.not.i, label %B88.else.endif.endif.i, label %B88.else.endif.if.i, !prof !1
-
-B88.else.endif.if.i:                              ; preds = %B88.else.endif.i
-  br label %B88.else.endif.endif.i
-
-B88.else.endif.endif.i:                           ; preds = %B88.else.endif.if.i, %B88.else.endif.i
-  %.401.sroa.0.3.i = phi i64 [ %.808, %B88.else.endif.if.i ], [ %.401.sroa.0.1.i, %B88.else.endif.i ]
-  %.514.i = getelementptr double, ptr %.824, i64 %.401.sroa.0.3.i
-  store <8 x double> splat (double 1.000000e+00), ptr %.514.i, align 8, !noalias !6
-  br i1 %3, label %B414.i, label %B282.if.preheader.i
-
-B282.if.preheader.i:                              ; preds = %B88.else.endif.endif.i
-  %.6.i.i = fadd contract <8 x double> %.366.i, %.366.i
-  %4 = shl i64 %.401.sroa.0.3.i, 3
-  %scevgep30.i = getelementptr i8, ptr %scevgep29.i, i64 %4
-  br label %B282.if.i
-
-B282.if.i:                                        ; preds = %B282.if.i, %B282.if.preheader.i
-  %lsr.iv31.i = phi ptr [ %scevgep30.i, %B282.if.preheader.i ], [ %scevgep32.i, %B282.if.i ]
-  %lsr.iv27.i = phi i64 [ %storemerge413.i, %B282.if.preheader.i ], [ %lsr.iv.next28.i, %B282.if.i ]
-  %before.2.1429.i = phi <8 x double> [ splat (double 1.000000e+00), %B282.if.preheader.i ], [ %current.2.1428.i, %B282.if.i ]
-  %current.2.1428.i = phi <8 x double> [ %.366.i, %B282.if.preheader.i ], [ %.757.i, %B282.if.i ]
-  store <8 x double> %current.2.1428.i, ptr %lsr.iv31.i, align 8, !noalias !6
-  %.6.i14.i = fsub contract <8 x double> zeroinitializer, %before.2.1429.i
-  %.757.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i, <8 x double> %current.2.1428.i, <8 x double> %.6.i14.i)
-  %lsr.iv.next28.i = add nsw i64 %lsr.iv27.i, -1
-  %scevgep32.i = getelementptr i8, ptr %lsr.iv31.i, i64 64
-  %exitcond.not.i = icmp eq i64 %lsr.iv.next28.i, 0
-  br i1 %exitcond.not.i, label %B414.i, label %B282.if.i
-
-B448.if.i:                                        ; preds = %B448.if.i, %B416.i
-  %lsr.iv26.i = phi i64 [ %.1463, %B416.i ], [ %lsr.iv.next.i, %B448.if.i ]
-  %lsr.iv24.i = phi ptr [ %.199.i, %B416.i ], [ %scevgep25.i, %B448.if.i ]
-  %lsr.iv.i = phi ptr [ %scevgep.i, %B416.i ], [ %scevgep19.i, %B448.if.i ]
-  %scevgep20.i = getelementptr i8, ptr %lsr.iv.i, i64 -32
-  %.920.i = load i64, ptr %scevgep20.i, align 8, !noalias !6
-  %.929.idx.i = shl nsw i64 %.920.i, 6
-  %.929.i = getelementptr inbounds i8, ptr %.824, i64 %.929.idx.i
-  %.931.i = load <8 x double>, ptr %.929.i, align 8, !noalias !6
-  %scevgep21.i = getelementptr i8, ptr %lsr.iv.i, i64 -24
-  %.942.i = load i64, ptr %scevgep21.i, align 8, !noalias !6
-  %.54410.i = add i64 %.942.i, %.53.i
-  %.953.idx.i = shl i64 %.54410.i, 6
-  %.953.i = getelementptr inbounds i8, ptr %.824, i64 %.953.idx.i
-  %.955.i = load <8 x double>, ptr %.953.i, align 8, !noalias !6
-  %scevgep22.i = getelementptr i8, ptr %lsr.iv.i, i64 -16
-  %.968.i = load i64, ptr %scevgep22.i, align 8, !noalias !6
-  %.978.idx.i = shl i64 %.968.i, 6
-  %.978.i = getelementptr i8, ptr %0, i64 %.978.idx.i
-  %.980.i = load <8 x double>, ptr %.978.i, align 8, !noalias !6
-  %scevgep23.i = getelementptr i8, ptr %lsr.iv.i, i64 -8
-  %.993.i = load i64, ptr %scevgep23.i, align 8, !noalias !6
-  %.1003.idx.i = shl i64 %.993.i, 6
-  %.1003.i = getelementptr i8, ptr %1, i64 %.1003.idx.i
-  %.1005.i = load <8 x double>, ptr %.1003.i, align 8, !noalias !6
-  %.1018.i = load i64, ptr %lsr.iv.i, align 8, !noalias !6
-  %.1028.idx.i = shl i64 %.1018.i, 6
-  %.1028.i = getelementptr i8, ptr %2, i64 %.1028.idx.i
-  %.1030.i = load <8 x double>, ptr %.1028.i, align 8, !noalias !6
-  %.6.i15.i = fmul contract <8 x double> %.931.i, %.955.i
-  %.6.i16.i = fmul contract <8 x double> %.980.i, %.1005.i
-  %.6.i17.i = fmul contract <8 x double> %.6.i15.i, %.6.i16.i
-  %.6.i18.i = fmul contract <8 x double> %.6.i17.i, %.1030.i
-  store <8 x double> %.6.i18.i, ptr %lsr.iv24.i, align 8, !noalias !6
-  %scevgep19.i = getelementptr i8, ptr %lsr.iv.i, i64 40
-  %scevgep25.i = getelementptr i8, ptr %lsr.iv24.i, i64 64
-  %lsr.iv.next.i = add i64 %lsr.iv26.i, -1
-  %exitcond474.not.i = icmp eq i64 %lsr.iv.next.i, 0
-  br i1 %exitcond474.not.i, label %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B448.if.i
-
-_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B448.if.i
-  %.174.i = sub nsw i64 %.808, %.86.sroa.0.3.i
-  %.183.i = tail call i64 @llvm.smax.i64(i64 %.174.i, i64 0)
-  %.1610 = getelementptr i8, ptr %arg.contents.4, i64 88
-  %.1611 = load i64, ptr %.1610, align 8
-  %5 = lshr i64 %.1611, 33
-  %.1649 = and i64 %5, 1073741824
-  %.1650 = add i64 %.1649, %.1611
-  %.1653 = icmp slt i64 %.1650, 0
-  br i1 %.1653, label %B506.endif.else.if, label %B506.endif.else.endif, !prof !5
-
-B854:                                             ; preds = %B706.endif.endif.endif, %B506.endif.else.endif.endif, %B418.if
-  %.2372 = getelementptr i8, ptr %arg.contents.4, i64 32
-  %.2373 = load i64, ptr %.2372, align 8
-  %.2374 = icmp sgt i64 %.2373, 0
-  br i1 %.2374, label %B898, label %B1014
-
-B898:                                             ; preds = %B854
-  %.2405 = getelementptr i8, ptr %arg.contents.4, i64 96
-  %.2406 = load i64, ptr %.2405, align 8
-  %6 = lshr i64 %.2406, 33
-  %.2444 = and i64 %6, 1073741824
-  %.2445 = add i64 %.2444, %.2406
-  %.2448 = icmp slt i64 %.2445, 0
-  br i1 %.2448, label %B898.else.if, label %B898.else.endif, !prof !5
-
-B1014:                                            ; preds = %B898.endif.else.endif.endif, %B854
-  %retptr.repack1017 = getelementptr inbounds nuw i8, ptr %retptr, i64 16
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %retptr, i8 0, i64 16, i1 false)
-  store i64 %.182.sroa.13.2, ptr %retptr.repack1017, align 8
-  %retptr.repack1019 = getelementptr inbounds nuw i8, ptr %retptr, i64 24
-  store i64 8, ptr %retptr.repack1019, align 8
-  %retptr.repack1021 = getelementptr inbounds nuw i8, ptr %retptr, i64 32
-  store ptr %arg.scratch.4, ptr %retptr.repack1021, align 8
-  %retptr.repack1023 = getelementptr inbounds nuw i8, ptr %retptr, i64 40
-  store i64 %.182.sroa.13.2, ptr %retptr.repack1023, align 8
-  %retptr.repack1025 = getelementptr inbounds nuw i8, ptr %retptr, i64 48
-  store i64 8, ptr %retptr.repack1025, align 8
   ret void
 
-B0.endif.else.endif.endif.if:                     ; preds = %entry
-  br label %B0.endif.else.endif.endif.endif
+B118.if:                                          ; preds = %B570.if, %entry
+  %lsr.iv19 = phi i64 [ 0, %entry ], [ %lsr.iv.next, %B570.if ]
+  %lsr.iv = phi ptr [ %scevgep, %entry ], [ %scevgep14, %B570.if ]
+  %.590 = getelementptr double, ptr %arg.parameters.4, i64 %lsr.iv19
+  %.656 = getelementptr i8, ptr %.590, i64 24
+  %.657 = load double, ptr %.656, align 8
+  %.12.i = fcmp contract ogt double %.304, %.657
+  %.13.i = select i1 %.12.i, double %.304, double %.657
+  %.715 = getelementptr i8, ptr %.590, i64 32
+  %.716 = load double, ptr %.715, align 8
+  %.12.i12 = fcmp contract ogt double %.304, %.716
+  %.13.i13 = select i1 %.12.i12, double %.304, double %.716
+  %.1045 = load double, ptr %.590, align 8
+  %.1074 = getelementptr i8, ptr %.590, i64 8
+  %.1075 = load double, ptr %.1074, align 8
+  %.1104 = getelementptr i8, ptr %.590, i64 16
+  %.1105 = load double, ptr %.1104, align 8
+  switch i64 %.271, label %B448 [
+    i64 1, label %B270
+    i64 2, label %B370
+  ]
 
-B0.endif.else.endif.endif.endif:                  ; preds = %B0.endif.else.endif.endif.if, %entry
-  %.182.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.211, %entry ]
-  %.219.not = icmp slt i64 %.211, 1073741824
-  br i1 %.219.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !1
-
-B0.endif.else.endif.endif.endif.if:               ; preds = %B0.endif.else.endif.endif.endif
-  br label %B0.endif.else.endif.endif.endif.endif
-
-B0.endif.else.endif.endif.endif.endif:            ; preds = %B0.endif.else.endif.endif.endif.if, %B0.endif.else.endif.endif.endif
-  %.182.sroa.13.2 = phi i64 [ 1073741824, %B0.endif.else.endif.endif.endif.if ], [ %.182.sroa.13.1, %B0.endif.else.endif.endif.endif ]
-  br i1 %.214, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
-
-B0.endif.endif.else.if:                           ; preds = %B0.endif.else.endif.endif.endif.endif
-  br label %B0.endif.endif.else.endif
-
-B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %B0.endif.else.endif.endif.endif.endif
-  %.354.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.211, %B0.endif.else.endif.endif.endif.endif ]
-  br i1 %.219.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
-
-B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
-  br label %B0.endif.endif.else.endif.endif
-
-B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
-  %.354.sroa.0.3 = phi i64 [ 1073741824, %B0.endif.endif.else.endif.if ], [ %.354.sroa.0.1, %B0.endif.endif.else.endif ]
-  %.442 = sub nsw i64 1073741824, %.354.sroa.0.3
-  %.449 = icmp sgt i64 %.354.sroa.0.3, 1073741823
-  %.451 = select i1 %.449, i64 0, i64 %.442
-  %.467 = getelementptr double, ptr %arg.scratch.4, i64 %.354.sroa.0.3
-  br i1 %.449, label %B0.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.else.endif.endif, !prof !5
-
-B0.endif.endif.endif.else.endif.if:               ; preds = %B0.endif.endif.else.endif.endif
-  br label %B0.endif.endif.endif.else.endif.endif
-
-B0.endif.endif.endif.else.endif.endif:            ; preds = %B0.endif.endif.endif.else.endif.if, %B0.endif.endif.else.endif.endif
-  %.540.sroa.0.3 = phi i64 [ %.451, %B0.endif.endif.endif.else.endif.if ], [ 0, %B0.endif.endif.else.endif.endif ]
-  %.577 = icmp slt i64 %.451, 41
-  %.653 = getelementptr double, ptr %.467, i64 %.540.sroa.0.3
-  br i1 %.577, label %B0.endif.endif.endif.endif.else.endif.if, label %B0.endif.endif.endif.endif.else.endif.endif, !prof !5
-
-B0.endif.endif.endif.endif.else.endif.if:         ; preds = %B0.endif.endif.endif.else.endif.endif
-  br label %B0.endif.endif.endif.endif.else.endif.endif
-
-B0.endif.endif.endif.endif.else.endif.endif:      ; preds = %B0.endif.endif.endif.endif.else.endif.if, %B0.endif.endif.endif.else.endif.endif
-  %.711.sroa.0.3 = phi i64 [ %.451, %B0.endif.endif.endif.endif.else.endif.if ], [ 40, %B0.endif.endif.endif.else.endif.endif ]
-  %.799 = sub nsw i64 %.451, %.711.sroa.0.3
-  %.808 = tail call i64 @llvm.smax.i64(i64 %.799, i64 0)
-  %.824 = getelementptr double, ptr %.467, i64 %.711.sroa.0.3
-  %.906 = getelementptr i8, ptr %arg.contents.4, i64 80
-  %.907 = load i64, ptr %.906, align 8
-  %7 = lshr i64 %.907, 33
-  %.945 = and i64 %7, 1073741824
-  %.946 = add i64 %.945, %.907
-  %.949 = icmp slt i64 %.946, 0
-  br i1 %.949, label %B0.endif.endif.endif.endif.endif.else.if, label %B0.endif.endif.endif.endif.endif.else.endif, !prof !5
-
-B0.endif.endif.endif.endif.endif.else.if:         ; preds = %B0.endif.endif.endif.endif.else.endif.endif
-  br label %B0.endif.endif.endif.endif.endif.else.endif
-
-B0.endif.endif.endif.endif.endif.else.endif:      ; preds = %B0.endif.endif.endif.endif.endif.else.if, %B0.endif.endif.endif.endif.else.endif.endif
-  %.934.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.else.if ], [ %.946, %B0.endif.endif.endif.endif.else.endif.endif ]
-  %.954.not = icmp slt i64 %.946, 1073741824
-  br i1 %.954.not, label %B0.endif.endif.endif.endif.endif.else.endif.endif, label %B0.endif.endif.endif.endif.endif.else.endif.if, !prof !1
-
-B0.endif.endif.endif.endif.endif.else.endif.if:   ; preds = %B0.endif.endif.endif.endif.endif.else.endif
-  br label %B0.endif.endif.endif.endif.endif.else.endif.endif
-
-B0.endif.endif.endif.endif.endif.else.endif.endif: ; preds = %B0.endif.endif.endif.endif.endif.else.endif.if, %B0.endif.endif.endif.endif.endif.else.endif
-  %.934.sroa.0.3 = phi i64 [ 1073741824, %B0.endif.endif.endif.endif.endif.else.endif.if ], [ %.934.sroa.0.1, %B0.endif.endif.endif.endif.endif.else.endif ]
-  %.1047 = getelementptr double, ptr %arg.weights.4, i64 %.934.sroa.0.3
-  store ptr null, ptr %.1082, align 8
-  call fastcc void @inner_6(ptr nonnull %.1082, ptr %arg.parameters.4, ptr %arg.contents.4, ptr %.1047, ptr %.824, ptr %.653)
-  %.1163.inv = icmp sgt i64 %.151, 0
-  %..156 = select i1 %.1163.inv, i64 %.156, i64 0
-  %.12051029 = icmp sgt i64 %..156, 0
-  br i1 %.12051029, label %B362.if.preheader, label %B418.if
-
-B362.if.preheader:                                ; preds = %B0.endif.endif.endif.endif.endif.else.endif.endif
-  %8 = shl nuw i64 %..156, 3
-  tail call void @llvm.memset.p0.i64(ptr align 8 %arg.scratch.4, i8 0, i64 %8, i1 false)
-  br label %B418.if
-
-B418.if:                                          ; preds = %B362.if.preheader, %B0.endif.endif.endif.endif.endif.else.endif.endif
-  %9 = getelementptr i8, ptr %arg.scratch.4, i64 56
-  store double 1.000000e+00, ptr %9, align 8
-  %.1413.1 = select i1 %.209, i64 %.182.sroa.13.2, i64 0
-  %10 = getelementptr double, ptr %arg.scratch.4, i64 %.151
-  %11 = getelementptr i8, ptr %10, i64 56
-  %.1427.1 = getelementptr double, ptr %11, i64 %.1413.1
-  store double 1.000000e+00, ptr %.1427.1, align 8
-  %.idx = shl i64 %.151, 4
-  %12 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx
-  %13 = getelementptr i8, ptr %12, i64 56
-  %.1427.2 = getelementptr double, ptr %13, i64 %.1413.1
-  store double 1.000000e+00, ptr %.1427.2, align 8
-  %.idx1049 = mul i64 %.151, 24
-  %14 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1049
-  %15 = getelementptr i8, ptr %14, i64 56
-  %.1427.3 = getelementptr double, ptr %15, i64 %.1413.1
-  store double 1.000000e+00, ptr %.1427.3, align 8
-  %.idx1050 = shl i64 %.151, 5
-  %16 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1050
-  %17 = getelementptr i8, ptr %16, i64 56
-  %.1427.4 = getelementptr double, ptr %17, i64 %.1413.1
-  store double 1.000000e+00, ptr %.1427.4, align 8
-  %.idx1051 = mul i64 %.151, 40
-  %18 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1051
-  %19 = getelementptr i8, ptr %18, i64 56
-  %.1427.5 = getelementptr double, ptr %19, i64 %.1413.1
-  store double 1.000000e+00, ptr %.1427.5, align 8
-  %.idx1052 = mul i64 %.151, 48
-  %20 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1052
-  %21 = getelementptr i8, ptr %20, i64 56
-  %.1427.6 = getelementptr double, ptr %21, i64 %.1413.1
-  store double 1.000000e+00, ptr %.1427.6, align 8
-  %.idx1053 = mul i64 %.151, 56
-  %22 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx1053
-  %23 = getelementptr i8, ptr %22, i64 56
-  %.1427.7 = getelementptr double, ptr %23, i64 %.1413.1
-  store double 1.000000e+00, ptr %.1427.7, align 8
-  %.1462 = getelementptr i8, ptr %arg.contents.4, i64 8
-  %.1463 = load i64, ptr %.1462, align 8
-  %.1464 = icmp sgt i64 %.1463, 0
-  br i1 %.1464, label %B506, label %B854
-
-B506.endif.else.if:                               ; preds = %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  br label %B506.endif.else.endif
-
-B506.endif.else.endif:                            ; preds = %B506.endif.else.if, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %.1638.sroa.0.1 = phi i64 [ 0, %B506.endif.else.if ], [ %.1650, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
-  %.1658.not = icmp slt i64 %.1650, 1073741824
-  br i1 %.1658.not, label %B506.endif.else.endif.endif, label %B506.endif.else.endif.if, !prof !1
-
-B506.endif.else.endif.if:                         ; preds = %B506.endif.else.endif
-  br label %B506.endif.else.endif.endif
-
-B506.endif.else.endif.endif:                      ; preds = %B506.endif.else.endif.if, %B506.endif.else.endif
-  %.1638.sroa.0.3 = phi i64 [ 1073741824, %B506.endif.else.endif.if ], [ %.1638.sroa.0.1, %B506.endif.else.endif ]
-  %.1751 = getelementptr double, ptr %arg.weights.4, i64 %.1638.sroa.0.3
-  %24 = add nuw i64 %arg.rows, 3
-  %.1848 = lshr i64 %24, 2
-  %.1827.inv = icmp slt i64 %arg.rows, 1
-  %.18691042.not1054 = icmp eq i64 %.1848, 0
-  %.18691042.not = select i1 %.1827.inv, i1 true, i1 %.18691042.not1054
-  br i1 %.18691042.not, label %B854, label %B704.if.preheader
-
-B704.if.preheader:                                ; preds = %B506.endif.else.endif.endif
-  %25 = tail call i64 @llvm.smax.i64(i64 %.146, i64 31)
-  %storemerge.i = lshr i64 %25, 5
-  %.1086.i = and i64 %.146, 24
-  %scevgep23.i2 = getelementptr i8, ptr %.1751, i64 192
-  %26 = and i64 %25, 9223372036854775776
-  %.1046.i = and i64 %.146, -32
-  %.1106806.i = lshr exact i64 %.1086.i, 3
-  %27 = add i64 %.711.sroa.0.3, %.354.sroa.0.3
-  %28 = add i64 %27, %.86.sroa.0.3.i
-  %29 = shl i64 %28, 3
-  %30 = getelementptr i8, ptr %arg.scratch.4, i64 %29
-  %scevgep = getelementptr i8, ptr %30, i64 24
-  %31 = icmp eq i64 %storemerge.i, 0
-  %32 = icmp eq i64 %.1086.i, 0
-  br label %B704.if
-
-B704.if:                                          ; preds = %B706.endif.endif.endif, %B704.if.preheader
-  %.186810401044 = phi i64 [ %.1878, %B706.endif.endif.endif ], [ %.1848, %B704.if.preheader ]
-  %.187510411043 = phi i64 [ %.1882, %B706.endif.endif.endif ], [ 0, %B704.if.preheader ]
-  %.1878 = add nsw i64 %.186810401044, -1
-  %.1882 = add nuw i64 %.187510411043, 4
-  %.1908 = mul nsw i64 %.187510411043, %.151
-  %.1909 = or disjoint i64 %.1908, 8
-  %.1946 = icmp slt i64 %.1908, -8
-  %.1947 = select i1 %.1946, i64 %.182.sroa.13.2, i64 0
-  %.1948 = add i64 %.1947, %.1909
-  %.1951 = icmp slt i64 %.1948, 0
-  br i1 %.1951, label %B706.else.if, label %B706.else.endif, !prof !5
-
-B706.else.if:                                     ; preds = %B704.if
-  br label %B706.else.endif
-
-B706.else.endif:                                  ; preds = %B706.else.if, %B704.if
-  %.1936.sroa.0.1 = phi i64 [ 0, %B706.else.if ], [ %.1948, %B704.if ]
-  %.1956.not = icmp slt i64 %.1948, %.182.sroa.13.2
-  br i1 %.1956.not, label %B706.else.endif.endif, label %B706.else.endif.if, !prof !1
-
-B706.else.endif.if:                               ; preds = %B706.else.endif
-  br label %B706.else.endif.endif
-
-B706.else.endif.endif:                            ; preds = %B706.else.endif.if, %B706.else.endif
-  %.1936.sroa.0.3 = phi i64 [ %.182.sroa.13.2, %B706.else.endif.if ], [ %.1936.sroa.0.1, %B706.else.endif ]
-  %.2049 = getelementptr double, ptr %arg.scratch.4, i64 %.1936.sroa.0.3
-  %.2111 = load i64, ptr %.1462, align 8
-  %.2148 = icmp slt i64 %.187510411043, 0
-  %.2149 = select i1 %.2148, i64 %.183.i, i64 0
-  %.2150 = add i64 %.2149, %.187510411043
-  %.2153 = icmp slt i64 %.2150, 0
-  br i1 %.2153, label %B706.endif.else.if, label %B706.endif.else.endif, !prof !5
-
-B706.endif.else.if:                               ; preds = %B706.else.endif.endif
-  br label %B706.endif.else.endif
-
-B706.endif.else.endif:                            ; preds = %B706.endif.else.if, %B706.else.endif.endif
-  %.2138.sroa.0.1 = phi i64 [ 0, %B706.endif.else.if ], [ %.2150, %B706.else.endif.endif ]
-  %.2158.not = icmp slt i64 %.2150, %.183.i
-  br i1 %.2158.not, label %B706.endif.else.endif.endif, label %B706.endif.else.endif.if, !prof !1
-
-B706.endif.else.endif.if:                         ; preds = %B706.endif.else.endif
-  br label %B706.endif.else.endif.endif
-
-B706.endif.else.endif.endif:                      ; preds = %B706.endif.else.endif.if, %B706.endif.else.endif
-  %.2138.sroa.0.3 = phi i64 [ %.183.i, %B706.endif.else.endif.if ], [ %.2138.sroa.0.1, %B706.endif.else.endif ]
-  br i1 %31, label %B354.else.i, label %B84.if.lr.ph.i
-
-B84.if.lr.ph.i:                                   ; preds = %B706.endif.else.endif.endif
-  %33 = shl i64 %.2111, 8
-  %34 = shl i64 %.2138.sroa.0.3, 3
-  %scevgep20 = getelementptr i8, ptr %scevgep, i64 %34
-  %35 = icmp slt i64 %.2111, 1
-  br label %B84.if.i
-
-B280.i:                                           ; preds = %B200.if.i, %B84.if.i
-  %_multiply_wide_v47_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
-  %_multiply_wide_v47_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
-  %_multiply_wide_v47_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
-  %_multiply_wide_v47_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
-  %_multiply_wide_v47_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
-  %_multiply_wide_v47_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
-  %_multiply_wide_v47_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
-  %_multiply_wide_v47_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
-  %_multiply_wide_v47_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
-  %_multiply_wide_v47_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
-  %_multiply_wide_v47_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
-  %_multiply_wide_v47_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
-  %_multiply_wide_v47_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
-  %_multiply_wide_v47_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
-  %_multiply_wide_v47_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
-  %_multiply_wide_v47_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
-  store <8 x double> %_multiply_wide_v47_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !9
-  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
-  store <8 x double> %_multiply_wide_v47_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !9
-  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
-  store <8 x double> %_multiply_wide_v47_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !9
-  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
-  store <8 x double> %_multiply_wide_v47_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !9
-  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.151
-  store <8 x double> %_multiply_wide_v47_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !9
-  %.827.i = getelementptr i8, ptr %.817.i, i64 64
-  store <8 x double> %_multiply_wide_v47_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !9
-  %.838.i = getelementptr i8, ptr %.817.i, i64 128
-  store <8 x double> %_multiply_wide_v47_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !9
-  %.849.i = getelementptr i8, ptr %.817.i, i64 192
-  store <8 x double> %_multiply_wide_v47_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !9
-  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx
-  store <8 x double> %_multiply_wide_v47_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !9
-  %.890.i = getelementptr i8, ptr %.880.i, i64 64
-  store <8 x double> %_multiply_wide_v47_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !9
-  %.901.i = getelementptr i8, ptr %.880.i, i64 128
-  store <8 x double> %_multiply_wide_v47_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !9
-  %.912.i = getelementptr i8, ptr %.880.i, i64 192
-  store <8 x double> %_multiply_wide_v47_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !9
-  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx1049
-  store <8 x double> %_multiply_wide_v47_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !9
-  %.960.i = getelementptr i8, ptr %.950.i, i64 64
-  store <8 x double> %_multiply_wide_v47_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !9
-  %.971.i = getelementptr i8, ptr %.950.i, i64 128
-  store <8 x double> %_multiply_wide_v47_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !9
-  %.982.i = getelementptr i8, ptr %.950.i, i64 192
-  store <8 x double> %_multiply_wide_v47_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !9
-  %scevgep25.i8 = getelementptr i8, ptr %lsr.iv24.i3, i64 %33
-  %.187.i = icmp sgt i64 %.186852864.i, 1
-  br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
-
-B2289.loopexit.i:                                 ; preds = %B884.if.i
-  %36 = add i64 %position.5.0897.i, %42
-  br label %B2289.i
-
-B2289.i:                                          ; preds = %B356.if.i, %B2289.loopexit.i
-  %position.4.1.lcssa.i = phi i64 [ %position.5.0897.i, %B356.if.i ], [ %36, %B2289.loopexit.i ]
-  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B2289.loopexit.i ]
-  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B2289.loopexit.i ]
-  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B2289.loopexit.i ]
-  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B2289.loopexit.i ]
-  %.1418.i = getelementptr inbounds double, ptr %.2049, i64 %.1135889895.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !9
-  %.1434.i = getelementptr double, ptr %39, i64 %.1135889895.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !9
-  %.1451.i = getelementptr double, ptr %40, i64 %.1135889895.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !9
-  %.1470.i = getelementptr double, ptr %41, i64 %.1135889895.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !9
-  %.1129.i = icmp sgt i64 %.1128888896.i, 1
-  br i1 %.1129.i, label %B356.if.i, label %B706.endif.endif.endif
-
-B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
-  %lsr.iv24.i3 = phi ptr [ %scevgep23.i2, %B84.if.lr.ph.i ], [ %scevgep25.i8, %B280.i ]
-  %.186852864.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
-  %.193853863.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
-  %.196.i = add nsw i64 %.186852864.i, -1
-  %.200.i = add nuw nsw i64 %.193853863.i, 32
-  %.237.i = getelementptr inbounds nuw double, ptr %.2049, i64 %.193853863.i
-  br i1 %35, label %B280.i, label %B200.if.i
-
-B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
-  %lsr.iv43.i = phi i64 [ %lsr.iv.next44.i, %B200.if.i ], [ %.2111, %B84.if.i ]
-  %lsr.iv26.i4 = phi i64 [ %lsr.iv.next27.i, %B200.if.i ], [ 0, %B84.if.i ]
-  %_multiply_wide_v47_a33.2.1834.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a32.2.1833.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a31.2.1832.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a30.2.1831.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a23.2.1830.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a22.2.1829.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a21.2.1828.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a20.2.1827.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a13.2.1826.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a12.2.1825.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a11.2.1824.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a10.2.1823.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a03.2.1822.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a02.2.1821.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a01.2.1820.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v47_a00.2.1819.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %37 = shl i64 %lsr.iv26.i4, 2
-  %scevgep33.i = getelementptr i8, ptr %lsr.iv24.i3, i64 %37
-  %scevgep34.i = getelementptr i8, ptr %scevgep33.i, i64 -192
-  %.520.i = load <8 x double>, ptr %scevgep34.i, align 8, !noalias !9
-  %scevgep32.i5 = getelementptr i8, ptr %scevgep33.i, i64 -128
-  %.532.i = load <8 x double>, ptr %scevgep32.i5, align 8, !noalias !9
-  %scevgep8 = getelementptr i8, ptr %scevgep33.i, i64 -64
-  %.545.i = load <8 x double>, ptr %scevgep8, align 8, !noalias !9
-  %.558.i = load <8 x double>, ptr %scevgep33.i, align 8, !noalias !9
-  %scevgep26 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv26.i4
-  %scevgep27 = getelementptr i8, ptr %scevgep26, i64 -24
-  %.573.i = load double, ptr %scevgep27, align 8, !noalias !9
-  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
-  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a00.2.1819.i)
-  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a01.2.1820.i)
-  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a02.2.1821.i)
-  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v47_a03.2.1822.i)
-  %scevgep5 = getelementptr i8, ptr %scevgep26, i64 -16
-  %.610.i = load double, ptr %scevgep5, align 8, !noalias !9
-  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
-  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a10.2.1823.i)
-  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a11.2.1824.i)
-  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a12.2.1825.i)
-  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v47_a13.2.1826.i)
-  %scevgep2 = getelementptr i8, ptr %scevgep26, i64 -8
-  %.648.i = load double, ptr %scevgep2, align 8, !noalias !9
-  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
-  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a20.2.1827.i)
-  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a21.2.1828.i)
-  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a22.2.1829.i)
-  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v47_a23.2.1830.i)
-  %.686.i = load double, ptr %scevgep26, align 8, !noalias !9
-  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
-  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a30.2.1831.i)
-  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a31.2.1832.i)
-  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a32.2.1833.i)
-  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v47_a33.2.1834.i)
-  %lsr.iv.next27.i = add nuw i64 %lsr.iv26.i4, 64
-  %lsr.iv.next44.i = add i64 %lsr.iv43.i, -1
-  %exitcond.not.i7 = icmp eq i64 %lsr.iv.next44.i, 0
-  br i1 %exitcond.not.i7, label %B280.i, label %B200.if.i
-
-B354.else.loopexit.i:                             ; preds = %B280.i
-  %38 = mul i64 %.2111, %26
-  br label %B354.else.i
-
-B354.else.i:                                      ; preds = %B354.else.loopexit.i, %B706.endif.else.endif.endif
-  %position.3.0.lcssa.i = phi i64 [ 0, %B706.endif.else.endif.endif ], [ %38, %B354.else.loopexit.i ]
-  br i1 %32, label %B706.endif.endif.endif, label %B354.endif.endif.endif.i
-
-B354.endif.endif.endif.i:                         ; preds = %B354.else.i
-  %.arg.count811.i = tail call i64 @llvm.smax.i64(i64 %.2111, i64 0)
-  %39 = getelementptr double, ptr %.2049, i64 %.151
-  %40 = getelementptr i8, ptr %.2049, i64 %.idx
-  %41 = getelementptr i8, ptr %.2049, i64 %.idx1049
-  %42 = shl i64 %.arg.count811.i, 3
-  %43 = shl i64 %.2138.sroa.0.3, 3
-  %scevgep31 = getelementptr i8, ptr %scevgep, i64 %43
-  %44 = icmp slt i64 %.2111, 1
-  br label %B356.if.i
-
-B356.if.i:                                        ; preds = %B354.endif.endif.endif.i, %B2289.i
-  %position.5.0897.i = phi i64 [ %position.3.0.lcssa.i, %B354.endif.endif.endif.i ], [ %position.4.1.lcssa.i, %B2289.i ]
-  %.1128888896.i = phi i64 [ %.1106806.i, %B354.endif.endif.endif.i ], [ %.1138.i, %B2289.i ]
-  %.1135889895.i = phi i64 [ %.1046.i, %B354.endif.endif.endif.i ], [ %.1142.i, %B2289.i ]
-  %.1138.i = add nsw i64 %.1128888896.i, -1
-  %.1142.i = add nuw nsw i64 %.1135889895.i, 8
-  br i1 %44, label %B2289.i, label %B884.if.preheader.i
-
-B884.if.preheader.i:                              ; preds = %B356.if.i
-  %45 = shl i64 %position.5.0897.i, 3
-  %scevgep.i10 = getelementptr i8, ptr %.1751, i64 %45
-  br label %B884.if.i
-
-B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
-  %lsr.iv21.i = phi i64 [ %.2111, %B884.if.preheader.i ], [ %lsr.iv.next22.i, %B884.if.i ]
-  %lsr.iv.i11 = phi i64 [ 0, %B884.if.preheader.i ], [ %lsr.iv.next.i12, %B884.if.i ]
-  %b3.2.1880.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1396.i, %B884.if.i ]
-  %b2.2.1879.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1376.i, %B884.if.i ]
-  %b1.2.1878.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1356.i, %B884.if.i ]
-  %b0.2.1877.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1337.i, %B884.if.i ]
-  %scevgep12.i = getelementptr i8, ptr %scevgep.i10, i64 %lsr.iv.i11
-  %.1318.i = load <8 x double>, ptr %scevgep12.i, align 8, !noalias !9
-  %scevgep37 = getelementptr i8, ptr %scevgep31, i64 %lsr.iv.i11
-  %scevgep38 = getelementptr i8, ptr %scevgep37, i64 -24
-  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !9
-  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
-  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1877.i)
-  %scevgep12 = getelementptr i8, ptr %scevgep37, i64 -16
-  %.1352.i = load double, ptr %scevgep12, align 8, !noalias !9
-  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
-  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1878.i)
-  %scevgep10 = getelementptr i8, ptr %scevgep37, i64 -8
-  %.1372.i = load double, ptr %scevgep10, align 8, !noalias !9
-  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
-  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1879.i)
-  %.1392.i = load double, ptr %scevgep37, align 8, !noalias !9
-  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
-  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1880.i)
-  %lsr.iv.next.i12 = add nuw i64 %lsr.iv.i11, 64
-  %lsr.iv.next22.i = add i64 %lsr.iv21.i, -1
-  %exitcond905.not.i = icmp eq i64 %lsr.iv.next22.i, 0
-  br i1 %exitcond905.not.i, label %B2289.loopexit.i, label %B884.if.i
-
-B706.endif.endif.endif:                           ; preds = %B2289.i, %B354.else.i
-  %.1869 = icmp sgt i64 %.186810401044, 1
-  br i1 %.1869, label %B704.if, label %B854
-
-B898.else.if:                                     ; preds = %B898
-  br label %B898.else.endif
-
-B898.else.endif:                                  ; preds = %B898.else.if, %B898
-  %.2433.sroa.0.1 = phi i64 [ 0, %B898.else.if ], [ %.2445, %B898 ]
-  %.2453.not = icmp slt i64 %.2445, 1073741824
-  br i1 %.2453.not, label %B898.else.endif.endif, label %B898.else.endif.if, !prof !1
-
-B898.else.endif.if:                               ; preds = %B898.else.endif
-  br label %B898.else.endif.endif
-
-B898.else.endif.endif:                            ; preds = %B898.else.endif.if, %B898.else.endif
-  %.2433.sroa.0.3 = phi i64 [ 1073741824, %B898.else.endif.if ], [ %.2433.sroa.0.1, %B898.else.endif ]
-  %.2521 = sub nsw i64 1073741824, %.2433.sroa.0.3
-  %.2530 = tail call i64 @llvm.smax.i64(i64 %.2521, i64 0)
-  %.2546 = getelementptr double, ptr %arg.weights.4, i64 %.2433.sroa.0.3
-  %.2629 = icmp slt i64 %.182.sroa.13.2, 9
-  br i1 %.2629, label %B898.endif.else.endif.if, label %B898.endif.else.endif.endif, !prof !5
-
-B898.endif.else.endif.if:                         ; preds = %B898.else.endif.endif
-  br label %B898.endif.else.endif.endif
-
-B898.endif.else.endif.endif:                      ; preds = %B898.endif.else.endif.if, %B898.else.endif.endif
-  %.2609.sroa.0.3 = phi i64 [ %.182.sroa.13.2, %B898.endif.else.endif.if ], [ 8, %B898.else.endif.endif ]
-  %.2722 = getelementptr double, ptr %arg.scratch.4, i64 %.2609.sroa.0.3
-  store ptr null, ptr %.2759, align 8
-  call fastcc void @inner_7(ptr nonnull %.2759, ptr %.653, i64 %arg.rows, ptr %arg.contents.4, ptr %.2546, i64 %.2530, ptr %.824, i64 %.808, ptr %.2722, i64 %.151)
-  br label %B1014
+B570.if:                                          ; preds = %B448, %B370, %B270
+  %.1444 = load double, ptr %arg.scratch.4, align 8
+  %.1474 = load double, ptr %arg.scaling.4, align 8
+  %.1475 = fsub contract double %.1444, %.1474
+  %.1506 = load double, ptr %sunkaddr48, align 8
+  %.1507 = fmul contract double %.1475, %.1506
+  %scevgep18 = getelementptr i8, ptr %lsr.iv, i64 -256
+  store double %.1507, ptr %scevgep18, align 8
+  %.1444.1 = load double, ptr %sunkaddr51, align 8
+  %.1474.1 = load double, ptr %sunkaddr52, align 8
+  %.1475.1 = fsub contract double %.1444.1, %.1474.1
+  %.1506.1 = load double, ptr %sunkaddr53, align 8
+  %.1507.1 = fmul contract double %.1475.1, %.1506.1
+  %scevgep17 = getelementptr i8, ptr %lsr.iv, i64 -192
+  store double %.1507.1, ptr %scevgep17, align 8
+  %.1444.2 = load double, ptr %sunkaddr56, align 8
+  %.1474.2 = load double, ptr %sunkaddr57, align 8
+  %.1475.2 = fsub contract double %.1444.2, %.1474.2
+  %.1506.2 = load double, ptr %sunkaddr58, align 8
+  %.1507.2 = fmul contract double %.1475.2, %.1506.2
+  %scevgep16 = getelementptr i8, ptr %lsr.iv, i64 -128
+  store double %.1507.2, ptr %scevgep16, align 8
+  %.1444.3 = load double, ptr %sunkaddr61, align 8
+  %.1474.3 = load double, ptr %sunkaddr62, align 8
+  %.1475.3 = fsub contract double %.1444.3, %.1474.3
+  %.1506.3 = load double, ptr %sunkaddr63, align 8
+  %.1507.3 = fmul contract double %.1475.3, %.1506.3
+  %scevgep15 = getelementptr i8, ptr %lsr.iv, i64 -64
+  store double %.1507.3, ptr %scevgep15, align 8
+  %.1444.4 = load double, ptr %sunkaddr66, align 8
+  %.1474.4 = load double, ptr %sunkaddr67, align 8
+  %.1475.4 = fsub contract double %.1444.4, %.1474.4
+  %.1506.4 = load double, ptr %sunkaddr68, align 8
+  %.1507.4 = fmul contract double %.1475.4, %.1506.4
+  store double %.1507.4, ptr %lsr.iv, align 8
+  %scevgep14 = getelementptr i8, ptr %lsr.iv, i64 8
+  %lsr.iv.next = add nuw nsw i64 %lsr.iv19, 5
+  %exitcond.not = icmp eq i64 %lsr.iv.next, 40
+  br i1 %exitcond.not, label %B666, label %B118.if
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc noundef range(i32 0, 2) i32 @inner_4(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 8, 0) %arg.linear.5.0, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4, double %arg.plus, double %arg.cross) unnamed_addr #5 {
+define internal fastcc noundef range(i32 0, 2) i32 @inner_9(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 8, 0) %arg.linear.5.0, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4, double %arg.plus, double %arg.cross) unnamed_addr #4 {
 entry:
   %.3844 = alloca i64, align 8
   store i64 0, ptr %.3844, align 8
@@ -1745,18 +1409,18 @@ entry:
   store i64 0, ptr %.4120, align 8
   %.4279 = alloca i64, align 8
   store i64 0, ptr %.4279, align 8
-  %.4842 = alloca ptr, align 8
-  store ptr null, ptr %.4842, align 8
+  %.4970 = alloca ptr, align 8
+  store ptr null, ptr %.4970, align 8
   %excinfo.34 = alloca ptr, align 8
   store ptr null, ptr %excinfo.34, align 8
-  %.5070 = alloca double, align 8
-  store double 0.000000e+00, ptr %.5070, align 8
+  %.5198 = alloca double, align 8
+  store double 0.000000e+00, ptr %.5198, align 8
   %excinfo.36 = alloca ptr, align 8
   store ptr null, ptr %excinfo.36, align 8
-  %.7353 = alloca ptr, align 8
-  store ptr null, ptr %.7353, align 8
-  %.8351 = alloca ptr, align 8
-  store ptr null, ptr %.8351, align 8
+  %.7481 = alloca ptr, align 8
+  store ptr null, ptr %.7481, align 8
+  %.8479 = alloca ptr, align 8
+  store ptr null, ptr %.8479, align 8
   %.125 = getelementptr i8, ptr %arg.arguments.4, i64 16
   %.126 = load i64, ptr %.125, align 8
   %.155 = getelementptr i8, ptr %arg.arguments.4, i64 32
@@ -1783,7 +1447,7 @@ B900:                                             ; preds = %entry
   br label %B984
 
 B984:                                             ; preds = %B900, %entry
-  %_prepared_v99__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
+  %prepared_grid_v387__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
   %.528 = getelementptr i8, ptr %arg.arguments.4, i64 48
   %.529 = load i64, ptr %.528, align 8
   %.770 = getelementptr i8, ptr %arg.contents.4, i64 56
@@ -1858,60 +1522,60 @@ B984:                                             ; preds = %B900, %entry
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
   br i1 %.507321.not.i, label %B984.endif.endif.endif.en...endif.3.endif.endif, label %B94.if.lr.ph.i
 
-B1206:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1246:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.4496 = getelementptr i8, ptr %arg.arguments.4, i64 112
   %.4497 = load i64, ptr %.4496, align 8
   %.4498.not = icmp eq i64 %.4497, 4
   %.4537 = getelementptr i8, ptr %arg.contents.4, i64 152
   %.4538 = load i64, ptr %.4537, align 8
   %.4549 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4538
-  br i1 %.4498.not, label %B1350, label %B1218
+  br i1 %.4498.not, label %B1390, label %B1258
 
-B1218:                                            ; preds = %B1206
-  store ptr null, ptr %.4842, align 8
-  %.4868 = call fastcc i32 @inner_8(ptr nonnull %.4842, ptr nonnull %excinfo.34, ptr %arg.row.4, ptr nonnull %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.186, ptr nonnull %.1262, ptr %.1326, i64 %.814, ptr %arg.scratch.4, ptr %.2106, ptr %.1959, ptr %.2023)
-  %cond = icmp eq i32 %.4868, 0
-  br i1 %cond, label %B1218.endif, label %B1218.if, !prof !0
+B1258:                                            ; preds = %B1246
+  store ptr null, ptr %.4970, align 8
+  %.4996 = call fastcc i32 @inner_10(ptr nonnull %.4970, ptr nonnull %excinfo.34, ptr %arg.row.4, ptr nonnull %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.186, ptr nonnull %.1262, ptr %.1326, i64 %.814, ptr %arg.scratch.4, ptr %.2106, ptr %.1959, ptr %.2023, i64 0, i64 %.4457)
+  %cond = icmp eq i32 %.4996, 0
+  br i1 %cond, label %B1258.endif, label %B1258.if, !prof !0
 
-B1350:                                            ; preds = %B1206, %B1206.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1206.thread ], [ %.4549, %B1206 ]
-  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1206.thread ], [ false, %B1206 ]
-  store double 0.000000e+00, ptr %.5070, align 8
-  %.5084 = call fastcc i32 @inner_9(ptr nonnull %.5070, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
-  %.5094 = load double, ptr %.5070, align 8
-  %cond1 = icmp eq i32 %.5084, 0
-  br i1 %cond1, label %B1350.endif, label %B1350.if, !prof !0
+B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
+  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
+  store double 0.000000e+00, ptr %.5198, align 8
+  %.5212 = call fastcc i32 @inner_11(ptr nonnull %.5198, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
+  %.5222 = load double, ptr %.5198, align 8
+  %cond1 = icmp eq i32 %.5212, 0
+  br i1 %cond1, label %B1390.endif, label %B1390.if, !prof !0
 
-B1408:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
-  %.5506 = load i64, ptr %.770, align 8
-  %.135.i542 = load double, ptr %.402, align 8, !noalias !12
-  %.143.i543 = add nsw i64 %.5506, -2
-  %.181.i544 = icmp slt i64 %.5506, 3
+B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  %.5634 = load i64, ptr %.770, align 8
+  %.135.i542 = load double, ptr %.402, align 8, !noalias !15
+  %.143.i543 = add nsw i64 %.5634, -2
+  %.181.i544 = icmp slt i64 %.5634, 3
   %..143.i545 = select i1 %.181.i544, i64 0, i64 %.143.i543
   %.225207.i546 = icmp sgt i64 %..143.i545, 0
-  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
+  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
 
-B1596:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5094, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
   %7 = add nuw i64 %.126, 1023
-  %.5721 = lshr i64 %7, 10
-  %.5700.inv = icmp slt i64 %.126, 1
+  %.5849 = lshr i64 %7, 10
+  %.5828.inv = icmp slt i64 %.126, 1
   %.idx = shl i64 %.156, 4
   %8 = getelementptr i8, ptr %.335, i64 %.idx
-  %.idx3736 = mul i64 %.156, 24
-  %.idx3737 = shl i64 %.156, 5
-  %9 = getelementptr i8, ptr %.335, i64 %.idx3737
-  %.7772 = getelementptr inbounds double, ptr %.454916, i64 %.973
-  %.7837.idx = shl nsw i64 %.973, 4
-  %.7837 = getelementptr inbounds i8, ptr %.454916, i64 %.7837.idx
-  %.5742238.not246 = icmp eq i64 %.5721, 0
-  %.5742238.not = select i1 %.5700.inv, i1 true, i1 %.5742238.not246
-  br i1 %.5742238.not, label %B5566, label %B1604.lr.ph
+  %.idx3756 = mul i64 %.156, 24
+  %.idx3757 = shl i64 %.156, 5
+  %9 = getelementptr i8, ptr %.335, i64 %.idx3757
+  %.7900 = getelementptr inbounds double, ptr %.454916, i64 %.973
+  %.7965.idx = shl nsw i64 %.973, 4
+  %.7965 = getelementptr inbounds i8, ptr %.454916, i64 %.7965.idx
+  %.5870238.not246 = icmp eq i64 %.5849, 0
+  %.5870238.not = select i1 %.5828.inv, i1 true, i1 %.5870238.not246
+  br i1 %.5870238.not, label %B22260, label %B1644.lr.ph
 
-B1604.lr.ph:                                      ; preds = %B1596
-  %10 = tail call i64 @llvm.smax.i64(i64 %.5721, i64 1)
+B1644.lr.ph:                                      ; preds = %B1636
+  %10 = tail call i64 @llvm.smax.i64(i64 %.5849, i64 1)
   %.277.i = mul i64 %.780.1, -3
   %11 = getelementptr double, ptr %.1262, i64 %.814
   %.idx.i = shl i64 %.814, 4
@@ -1943,72 +1607,72 @@ B1604.lr.ph:                                      ; preds = %B1596
   %scevgep1160 = getelementptr i8, ptr %arg.scratch.4, i64 %26
   %27 = sub i64 33480, %25
   %scevgep1171 = getelementptr i8, ptr %arg.scratch.4, i64 %27
-  %sunkaddr38 = getelementptr i8, ptr %.1031, i64 8
+  %sunkaddr39 = getelementptr i8, ptr %.1031, i64 8
   %28 = icmp eq i64 %.1003, 0
-  %sunkaddr75 = getelementptr i8, ptr %arg.scratch.4, i64 264
-  %sunkaddr76 = getelementptr i8, ptr %arg.scratch.4, i64 256
-  %sunkaddr77 = getelementptr i8, ptr %arg.scratch.4, i64 248
-  %sunkaddr78 = getelementptr i8, ptr %arg.scratch.4, i64 240
-  %sunkaddr79 = getelementptr i8, ptr %arg.scratch.4, i64 232
-  %sunkaddr80 = getelementptr i8, ptr %arg.scratch.4, i64 224
-  %sunkaddr81 = getelementptr i8, ptr %arg.scratch.4, i64 216
-  %sunkaddr82 = getelementptr i8, ptr %arg.scratch.4, i64 208
-  %sunkaddr83 = getelementptr i8, ptr %arg.scratch.4, i64 200
-  %sunkaddr84 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 192
-  %sunkaddr85 = getelementptr i8, ptr %arg.scratch.4, i64 184
-  %sunkaddr86 = getelementptr i8, ptr %arg.scratch.4, i64 176
-  %sunkaddr87 = getelementptr i8, ptr %arg.scratch.4, i64 168
-  %sunkaddr88 = getelementptr i8, ptr %arg.scratch.4, i64 160
-  %sunkaddr89 = getelementptr i8, ptr %arg.scratch.4, i64 152
-  %sunkaddr90 = getelementptr i8, ptr %arg.scratch.4, i64 144
-  %sunkaddr91 = getelementptr i8, ptr %arg.scratch.4, i64 136
-  %sunkaddr92 = getelementptr i8, ptr %arg.scratch.4, i64 128
-  %sunkaddr93 = getelementptr i8, ptr %arg.scratch.4, i64 120
-  %sunkaddr94 = getelementptr i8, ptr %arg.scratch.4, i64 112
-  %sunkaddr95 = getelementptr i8, ptr %arg.scratch.4, i64 104
-  %sunkaddr96 = getelementptr i8, ptr %arg.scratch.4, i64 96
-  %sunkaddr97 = getelementptr i8, ptr %arg.scratch.4, i64 88
-  %sunkaddr98 = getelementptr i8, ptr %arg.scratch.4, i64 80
-  %sunkaddr99 = getelementptr i8, ptr %arg.scratch.4, i64 72
-  %sunkaddr100 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 64
-  %sunkaddr101 = shl i64 %.156, 3
-  br label %B1604
+  %sunkaddr76 = getelementptr i8, ptr %arg.scratch.4, i64 264
+  %sunkaddr77 = getelementptr i8, ptr %arg.scratch.4, i64 256
+  %sunkaddr78 = getelementptr i8, ptr %arg.scratch.4, i64 248
+  %sunkaddr79 = getelementptr i8, ptr %arg.scratch.4, i64 240
+  %sunkaddr80 = getelementptr i8, ptr %arg.scratch.4, i64 232
+  %sunkaddr81 = getelementptr i8, ptr %arg.scratch.4, i64 224
+  %sunkaddr82 = getelementptr i8, ptr %arg.scratch.4, i64 216
+  %sunkaddr83 = getelementptr i8, ptr %arg.scratch.4, i64 208
+  %sunkaddr84 = getelementptr i8, ptr %arg.scratch.4, i64 200
+  %sunkaddr85 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 192
+  %sunkaddr86 = getelementptr i8, ptr %arg.scratch.4, i64 184
+  %sunkaddr87 = getelementptr i8, ptr %arg.scratch.4, i64 176
+  %sunkaddr88 = getelementptr i8, ptr %arg.scratch.4, i64 168
+  %sunkaddr89 = getelementptr i8, ptr %arg.scratch.4, i64 160
+  %sunkaddr90 = getelementptr i8, ptr %arg.scratch.4, i64 152
+  %sunkaddr91 = getelementptr i8, ptr %arg.scratch.4, i64 144
+  %sunkaddr92 = getelementptr i8, ptr %arg.scratch.4, i64 136
+  %sunkaddr93 = getelementptr i8, ptr %arg.scratch.4, i64 128
+  %sunkaddr94 = getelementptr i8, ptr %arg.scratch.4, i64 120
+  %sunkaddr95 = getelementptr i8, ptr %arg.scratch.4, i64 112
+  %sunkaddr96 = getelementptr i8, ptr %arg.scratch.4, i64 104
+  %sunkaddr97 = getelementptr i8, ptr %arg.scratch.4, i64 96
+  %sunkaddr98 = getelementptr i8, ptr %arg.scratch.4, i64 88
+  %sunkaddr99 = getelementptr i8, ptr %arg.scratch.4, i64 80
+  %sunkaddr100 = getelementptr i8, ptr %arg.scratch.4, i64 72
+  %sunkaddr101 = getelementptr inbounds nuw i8, ptr %arg.scratch.4, i64 64
+  %sunkaddr102 = shl i64 %.156, 3
+  br label %B1644
 
-B1604:                                            ; preds = %B5564, %B1604.lr.ph
-  %.5732.sroa.0.0245 = phi i64 [ 0, %B1604.lr.ph ], [ %.5732.sroa.0.0, %B5564 ]
-  %.5689.1244.in = phi i64 [ %10, %B1604.lr.ph ], [ %41, %B5564 ]
-  %.5686.1243 = phi i64 [ 1024, %B1604.lr.ph ], [ %.5686.1, %B5564 ]
-  %cells.3.sroa.0.0242 = phi i64 [ 0, %B1604.lr.ph ], [ %cells.4.sroa.0.1, %B5564 ]
-  %cells.3.sroa.13.0241 = phi i64 [ 0, %B1604.lr.ph ], [ %cells.4.sroa.8.1, %B5564 ]
-  %.5788 = add nsw i64 %.5732.sroa.0.0245, 1024
-  %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.5788)
-  %.13.i586 = tail call i64 @llvm.smax.i64(i64 %.5732.sroa.0.0245, i64 %.4017)
+B1644:                                            ; preds = %B22258, %B1644.lr.ph
+  %.5860.sroa.0.0245 = phi i64 [ 0, %B1644.lr.ph ], [ %.5860.sroa.0.0, %B22258 ]
+  %.5817.1244.in = phi i64 [ %10, %B1644.lr.ph ], [ %41, %B22258 ]
+  %.5814.1243 = phi i64 [ 1024, %B1644.lr.ph ], [ %.5814.1, %B22258 ]
+  %cells.3.sroa.0.0242 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.0.1, %B22258 ]
+  %cells.3.sroa.13.0241 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.8.1, %B22258 ]
+  %.5916 = add nsw i64 %.5860.sroa.0.0245, 1024
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.5916)
+  %.13.i586 = tail call i64 @llvm.smax.i64(i64 %.5860.sroa.0.0245, i64 %.4017)
   %.13.i587 = tail call i64 @llvm.smin.i64(i64 %.13.i, i64 %.13.i586)
-  %.13.i588 = tail call i64 @llvm.smax.i64(i64 %.5732.sroa.0.0245, i64 %.3862)
+  %.13.i588 = tail call i64 @llvm.smax.i64(i64 %.5860.sroa.0.0245, i64 %.3862)
   %.13.i589 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.13.i588)
-  %.5970 = icmp sgt i64 %.13.i589, %.5732.sroa.0.0245
-  br i1 %.5970, label %B1606, label %B1626
+  %.6098 = icmp sgt i64 %.13.i589, %.5860.sroa.0.0245
+  br i1 %.6098, label %B1646, label %B1666
 
-B1606:                                            ; preds = %B1604
-  %.5985 = getelementptr double, ptr %.335, i64 %.5732.sroa.0.0245
-  %.6038 = sub nsw i64 %.13.i589, %.5732.sroa.0.0245
-  %.6068 = load double, ptr %.3653, align 8
-  %.6098 = load double, ptr %sunkaddr38, align 8
-  %.145103.not.i = icmp slt i64 %.6038, 1
-  br i1 %.145103.not.i, label %B1626, label %B34.if.i
+B1646:                                            ; preds = %B1644
+  %.6113 = getelementptr double, ptr %.335, i64 %.5860.sroa.0.0245
+  %.6166 = sub nsw i64 %.13.i589, %.5860.sroa.0.0245
+  %.6196 = load double, ptr %.3653, align 8
+  %.6226 = load double, ptr %sunkaddr39, align 8
+  %.145103.not.i = icmp slt i64 %.6166, 1
+  br i1 %.145103.not.i, label %B1666, label %B34.if.i
 
-B1626:                                            ; preds = %B144.i, %B1606, %B1604
-  br i1 %"$phi984.0.3.013", label %B4582, label %B1678
+B1666:                                            ; preds = %B144.i, %B1646, %B1644
+  br i1 %"$phi984.0.3.013", label %B21276, label %B1718
 
-B1678:                                            ; preds = %B1626
+B1718:                                            ; preds = %B1666
   %29 = icmp slt i64 %.13.i588, %.13.i587
-  br i1 %28, label %B1932, label %B1682
+  br i1 %28, label %B1972, label %B1722
 
-B1682:                                            ; preds = %B1678
-  br i1 %29, label %B22.preheader.i, label %B4582
+B1722:                                            ; preds = %B1718
+  br i1 %29, label %B22.preheader.i, label %B21276
 
-B22.preheader.i:                                  ; preds = %B1682
-  %30 = mul i64 %.5732.sroa.0.0245, -8
+B22.preheader.i:                                  ; preds = %B1722
+  %30 = mul i64 %.5860.sroa.0.0245, -8
   %scevgep1142 = getelementptr i8, ptr %scevgep, i64 %30
   br label %B22.i
 
@@ -2016,7 +1680,7 @@ B22.i:                                            ; preds = %B926.i, %B22.prehea
   %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %cells.3.sroa.13.0241, %B22.preheader.i ]
   %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i589, %B22.preheader.i ]
   %.149.i = getelementptr inbounds i64, ptr %.1466, i64 %cell.2.0.i
-  %.150.i = load i64, ptr %.149.i, align 8, !noalias !15
+  %.150.i = load i64, ptr %.149.i, align 8, !noalias !18
   %.154.not.i = icmp sgt i64 %.150.i, %start.2.0.i
   br i1 %.154.not.i, label %B112.i, label %B62.i
 
@@ -2025,14 +1689,14 @@ B62.i:                                            ; preds = %B22.i, %B62.i
   %.157.i = add i64 %cell.4.1.i, 1
   %sunkaddr.i = shl i64 %cell.4.1.i, 3
   %scevgep1140 = getelementptr i8, ptr %scevgep1139, i64 %sunkaddr.i
-  %.170.i = load i64, ptr %scevgep1140, align 8, !noalias !15
+  %.170.i = load i64, ptr %scevgep1140, align 8, !noalias !18
   %.172.not.i = icmp sgt i64 %.170.i, %start.2.0.i
   br i1 %.172.not.i, label %B112.i, label %B62.i
 
 B112.i:                                           ; preds = %B62.i, %B22.i
   %cell.3.2.i = phi i64 [ %cell.2.0.i, %B22.i ], [ %.157.i, %B62.i ]
   %.184.i = getelementptr inbounds i64, ptr %.1466, i64 %cell.3.2.i
-  %.185.i = load i64, ptr %.184.i, align 8, !noalias !15
+  %.185.i = load i64, ptr %.184.i, align 8, !noalias !18
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.185.i)
   %.395.i = sub i64 %.13.i.i, %start.2.0.i
   %31 = add i64 %.395.i, 7
@@ -2044,31 +1708,31 @@ B112.i:                                           ; preds = %B62.i, %B22.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
   %.602.i = icmp slt i64 %.185.i, %.13.i587
-  br i1 %.602.i, label %B22.i, label %B4582
+  br i1 %.602.i, label %B22.i, label %B21276
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.228.i = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i
-  %.229.i = load double, ptr %.228.i, align 8, !noalias !15
+  %.229.i = load double, ptr %.228.i, align 8, !noalias !18
   %.231.i = fsub contract double %.3607.le, %.229.i
   %.279.i = add nsw i64 %cell.3.2.i, %.277.i
   %.347.i = getelementptr inbounds double, ptr %.1326, i64 %.279.i
-  %.348.i = load double, ptr %.347.i, align 8, !noalias !15
+  %.348.i = load double, ptr %.347.i, align 8, !noalias !18
   %.266.i = add nsw i64 %cell.3.2.i, %.1113
   %.334.i = getelementptr inbounds double, ptr %.1326, i64 %.266.i
-  %.335.i = load double, ptr %.334.i, align 8, !noalias !15
+  %.335.i = load double, ptr %.334.i, align 8, !noalias !18
   %.247.i = sub i64 %cell.3.2.i, %.780.1
   %.315.i = getelementptr inbounds double, ptr %.1326, i64 %.247.i
-  %.316.i = load double, ptr %.315.i, align 8, !noalias !15
+  %.316.i = load double, ptr %.315.i, align 8, !noalias !18
   %.303.i = getelementptr inbounds double, ptr %.1326, i64 %cell.3.2.i
-  %.304.i = load double, ptr %.303.i, align 8, !noalias !15
+  %.304.i = load double, ptr %.303.i, align 8, !noalias !18
   %.287.i = getelementptr inbounds double, ptr %.1262, i64 %.279.i
-  %.288.i = load double, ptr %.287.i, align 8, !noalias !15
+  %.288.i = load double, ptr %.287.i, align 8, !noalias !18
   %.274.i = getelementptr inbounds double, ptr %.1262, i64 %.266.i
-  %.275.i = load double, ptr %.274.i, align 8, !noalias !15
+  %.275.i = load double, ptr %.274.i, align 8, !noalias !18
   %.255.i = getelementptr inbounds double, ptr %.1262, i64 %.247.i
-  %.256.i = load double, ptr %.255.i, align 8, !noalias !15
+  %.256.i = load double, ptr %.255.i, align 8, !noalias !18
   %.243.i = getelementptr inbounds double, ptr %.1262, i64 %cell.3.2.i
-  %.244.i = load double, ptr %.243.i, align 8, !noalias !15
+  %.244.i = load double, ptr %.243.i, align 8, !noalias !18
   %.514.i = insertelement <8 x double> poison, double %.288.i, i64 0
   %.515.i = shufflevector <8 x double> %.514.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i = insertelement <8 x double> poison, double %.275.i, i64 0
@@ -2095,28 +1759,28 @@ B570.if.i:                                        ; preds = %B570.if.i, %B570.if
   %lsr.iv22 = phi i64 [ %lsr.iv.next23, %B570.if.i ], [ %33, %B570.if.lr.ph.i ]
   %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %32, %B570.if.lr.ph.i ]
   %scevgep13.i = getelementptr i8, ptr %.402, i64 %lsr.iv8.i
-  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !15
+  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !18
   %.8.i.i = fadd contract <8 x double> %.7.i.i, %.485.i
   %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.515.i, <8 x double> %.518.i)
   %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.519.i, <8 x double> %.522.i)
   %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.523.i, <8 x double> %.526.i)
   %scevgep1144 = getelementptr i8, ptr %scevgep1142, i64 %lsr.iv8.i
   %scevgep1145 = getelementptr i8, ptr %scevgep1144, i64 -8256
-  store <8 x double> %.527.i, ptr %scevgep1145, align 8, !noalias !15
+  store <8 x double> %.527.i, ptr %scevgep1145, align 8, !noalias !18
   %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.542.i, <8 x double> %.545.i)
   %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.546.i, <8 x double> %.549.i)
   %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.550.i, <8 x double> %.553.i)
-  store <8 x double> %.554.i, ptr %scevgep1144, align 8, !noalias !15
+  store <8 x double> %.554.i, ptr %scevgep1144, align 8, !noalias !18
   %lsr.iv.next9.i = add i64 %lsr.iv8.i, 64
   %lsr.iv.next23 = add nsw i64 %lsr.iv22, -1
   %.438.i = icmp sgt i64 %lsr.iv22, 6
   br i1 %.438.i, label %B570.if.i, label %B926.i
 
-B1932:                                            ; preds = %B1678
-  br i1 %29, label %B22.preheader.i273, label %B1932.endif
+B1972:                                            ; preds = %B1718
+  br i1 %29, label %B22.preheader.i273, label %B1972.endif
 
-B22.preheader.i273:                               ; preds = %B1932
-  %34 = mul i64 %.5732.sroa.0.0245, -8
+B22.preheader.i273:                               ; preds = %B1972
+  %34 = mul i64 %.5860.sroa.0.0245, -8
   %scevgep1149 = getelementptr i8, ptr %scevgep1148, i64 %34
   br label %B22.i275
 
@@ -2124,7 +1788,7 @@ B22.i275:                                         ; preds = %B612.i, %B22.prehea
   %cell.2.0.i276 = phi i64 [ %cell.3.2.i282, %B612.i ], [ %cells.3.sroa.0.0242, %B22.preheader.i273 ]
   %start.2.0.i277 = phi i64 [ %.13.i.i284, %B612.i ], [ %.13.i589, %B22.preheader.i273 ]
   %.121.i = getelementptr inbounds i64, ptr %.1403, i64 %cell.2.0.i276
-  %.122.i = load i64, ptr %.121.i, align 8, !noalias !18
+  %.122.i = load i64, ptr %.121.i, align 8, !noalias !21
   %.126.not.i = icmp sgt i64 %.122.i, %start.2.0.i277
   br i1 %.126.not.i, label %B112.i281, label %B62.i278
 
@@ -2133,14 +1797,14 @@ B62.i278:                                         ; preds = %B22.i275, %B62.i278
   %.129.i = add i64 %cell.4.1.i279, 1
   %sunkaddr.i280 = shl i64 %cell.4.1.i279, 3
   %scevgep1147 = getelementptr i8, ptr %scevgep1146, i64 %sunkaddr.i280
-  %.142.i = load i64, ptr %scevgep1147, align 8, !noalias !18
+  %.142.i = load i64, ptr %scevgep1147, align 8, !noalias !21
   %.144.not.i = icmp sgt i64 %.142.i, %start.2.0.i277
   br i1 %.144.not.i, label %B112.i281, label %B62.i278
 
 B112.i281:                                        ; preds = %B62.i278, %B22.i275
   %cell.3.2.i282 = phi i64 [ %cell.2.0.i276, %B22.i275 ], [ %.129.i, %B62.i278 ]
   %.156.i = getelementptr inbounds i64, ptr %.1403, i64 %cell.3.2.i282
-  %.157.i283 = load i64, ptr %.156.i, align 8, !noalias !18
+  %.157.i283 = load i64, ptr %.156.i, align 8, !noalias !21
   %.13.i.i284 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.157.i283)
   %.307.i = sub i64 %.13.i.i284, %start.2.0.i277
   %35 = add i64 %.307.i, 7
@@ -2152,20 +1816,20 @@ B112.i281:                                        ; preds = %B62.i278, %B22.i275
 
 B612.i:                                           ; preds = %B412.if.i, %B112.i281
   %.479.i = icmp slt i64 %.157.i283, %.13.i587
-  br i1 %.479.i, label %B22.i275, label %B1932.endif
+  br i1 %.479.i, label %B22.i275, label %B1972.endif
 
 B412.if.lr.ph.i:                                  ; preds = %B112.i281
   %.200.i = getelementptr inbounds double, ptr %.3007, i64 %cell.3.2.i282
-  %.201.i = load double, ptr %.200.i, align 8, !noalias !18
+  %.201.i = load double, ptr %.200.i, align 8, !noalias !21
   %.203.i = fsub contract double %.3607.le, %.201.i
   %.259.i = getelementptr double, ptr %13, i64 %cell.3.2.i282
-  %.260.i = load double, ptr %.259.i, align 8, !noalias !18
+  %.260.i = load double, ptr %.259.i, align 8, !noalias !21
   %.246.i = getelementptr double, ptr %12, i64 %cell.3.2.i282
-  %.247.i285 = load double, ptr %.246.i, align 8, !noalias !18
+  %.247.i285 = load double, ptr %.246.i, align 8, !noalias !21
   %.227.i = getelementptr double, ptr %11, i64 %cell.3.2.i282
-  %.228.i286 = load double, ptr %.227.i, align 8, !noalias !18
+  %.228.i286 = load double, ptr %.227.i, align 8, !noalias !21
   %.215.i = getelementptr inbounds double, ptr %.1262, i64 %cell.3.2.i282
-  %.216.i = load double, ptr %.215.i, align 8, !noalias !18
+  %.216.i = load double, ptr %.215.i, align 8, !noalias !21
   %.426.i = insertelement <8 x double> poison, double %.260.i, i64 0
   %.427.i = shufflevector <8 x double> %.426.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.429.i = insertelement <8 x double> poison, double %.247.i285, i64 0
@@ -2184,66 +1848,66 @@ B412.if.i:                                        ; preds = %B412.if.i, %B412.if
   %lsr.iv24 = phi i64 [ %lsr.iv.next25, %B412.if.i ], [ %37, %B412.if.lr.ph.i ]
   %lsr.iv8.i290 = phi i64 [ %lsr.iv.next9.i296, %B412.if.i ], [ %36, %B412.if.lr.ph.i ]
   %scevgep11.i292 = getelementptr i8, ptr %.402, i64 %lsr.iv8.i290
-  %.397.i = load <8 x double>, ptr %scevgep11.i292, align 8, !noalias !18
+  %.397.i = load <8 x double>, ptr %scevgep11.i292, align 8, !noalias !21
   %.8.i.i293 = fadd contract <8 x double> %.7.i.i289, %.397.i
   %.431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i293, <8 x double> %.427.i, <8 x double> %.430.i)
   %.435.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i293, <8 x double> %.431.i, <8 x double> %.434.i)
   %.439.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i293, <8 x double> %.435.i, <8 x double> %.438.i287)
   %scevgep1150 = getelementptr i8, ptr %scevgep1149, i64 %lsr.iv8.i290
-  store <8 x double> %.439.i, ptr %scevgep1150, align 8, !noalias !18
+  store <8 x double> %.439.i, ptr %scevgep1150, align 8, !noalias !21
   %lsr.iv.next9.i296 = add i64 %lsr.iv8.i290, 64
   %lsr.iv.next25 = add nsw i64 %lsr.iv24, -1
   %.350.i = icmp sgt i64 %lsr.iv24, 6
   br i1 %.350.i, label %B412.if.i, label %B612.i
 
-B4582:                                            ; preds = %B926.i, %B612.i669, %B1932.endif, %B1682, %B1626
-  %.5919..5863 = phi i64 [ %.13.i589, %B1626 ], [ %.13.i587, %B612.i669 ], [ %.13.i587, %B1682 ], [ %.13.i587, %B1932.endif ], [ %.13.i587, %B926.i ]
-  %cells.5.sroa.13.1 = phi i64 [ %cells.3.sroa.13.0241, %B1626 ], [ %cell.3.2.i625, %B612.i669 ], [ %cells.3.sroa.13.0241, %B1682 ], [ %cells.3.sroa.13.0241, %B1932.endif ], [ %cell.3.2.i, %B926.i ]
-  %cells.5.sroa.0.1 = phi i64 [ %cells.3.sroa.0.0242, %B1626 ], [ %cell.5.1.i272, %B612.i669 ], [ %cells.3.sroa.0.0242, %B1682 ], [ %cell.5.1.i272, %B1932.endif ], [ %cells.3.sroa.0.0242, %B926.i ]
-  %.6863 = sub nsw i64 %.5919..5863, %.5732.sroa.0.0245
-  %.6870 = icmp sgt i64 %.6863, 0
-  br i1 %.6870, label %B5243, label %B5244
+B21276:                                           ; preds = %B926.i, %B612.i669, %B1972.endif, %B1722, %B1666
+  %.6047..5991 = phi i64 [ %.13.i589, %B1666 ], [ %.13.i587, %B612.i669 ], [ %.13.i587, %B1722 ], [ %.13.i587, %B1972.endif ], [ %.13.i587, %B926.i ]
+  %cells.5.sroa.13.1 = phi i64 [ %cells.3.sroa.13.0241, %B1666 ], [ %cell.3.2.i625, %B612.i669 ], [ %cells.3.sroa.13.0241, %B1722 ], [ %cells.3.sroa.13.0241, %B1972.endif ], [ %cell.3.2.i, %B926.i ]
+  %cells.5.sroa.0.1 = phi i64 [ %cells.3.sroa.0.0242, %B1666 ], [ %cell.5.1.i272, %B612.i669 ], [ %cells.3.sroa.0.0242, %B1722 ], [ %cell.5.1.i272, %B1972.endif ], [ %cells.3.sroa.0.0242, %B926.i ]
+  %.6991 = sub nsw i64 %.6047..5991, %.5860.sroa.0.0245
+  %.6998 = icmp sgt i64 %.6991, 0
+  br i1 %.6998, label %B21937, label %B21938
 
-B5243:                                            ; preds = %B4582
-  %.6908 = sub nsw i64 %.13.i485, %.5732.sroa.0.0245
-  %.13.i297 = tail call i64 @llvm.smax.i64(i64 %.6908, i64 0)
-  %.13.i672 = tail call i64 @llvm.smin.i64(i64 %.6863, i64 %.13.i297)
-  %.6968 = sub nsw i64 %.13.i486, %.5732.sroa.0.0245
-  %.13.i673 = tail call i64 @llvm.smax.i64(i64 %.6968, i64 0)
-  %.13.i674 = tail call i64 @llvm.smin.i64(i64 %.6863, i64 %.13.i673)
-  %.7041 = getelementptr double, ptr %.335, i64 %.5732.sroa.0.0245
-  %.7172 = getelementptr double, ptr %8, i64 %.5732.sroa.0.0245
-  %.7301 = getelementptr double, ptr %9, i64 %.5732.sroa.0.0245
-  store ptr null, ptr %.7353, align 8
-  call fastcc void @inner_10(ptr nonnull %.7353, ptr %.7041, ptr %.7172, ptr %.7301, i64 %.13.i672, i64 %.13.i674, i64 %.6863, double %.3595, ptr %arg.scratch.4, double %constant.2.1, ptr %.1615, ptr %.1740)
-  %38 = add nuw i64 %.6863, 7
+B21937:                                           ; preds = %B21276
+  %.7036 = sub nsw i64 %.13.i485, %.5860.sroa.0.0245
+  %.13.i297 = tail call i64 @llvm.smax.i64(i64 %.7036, i64 0)
+  %.13.i672 = tail call i64 @llvm.smin.i64(i64 %.6991, i64 %.13.i297)
+  %.7096 = sub nsw i64 %.13.i486, %.5860.sroa.0.0245
+  %.13.i673 = tail call i64 @llvm.smax.i64(i64 %.7096, i64 0)
+  %.13.i674 = tail call i64 @llvm.smin.i64(i64 %.6991, i64 %.13.i673)
+  %.7169 = getelementptr double, ptr %.335, i64 %.5860.sroa.0.0245
+  %.7300 = getelementptr double, ptr %8, i64 %.5860.sroa.0.0245
+  %.7429 = getelementptr double, ptr %9, i64 %.5860.sroa.0.0245
+  store ptr null, ptr %.7481, align 8
+  call fastcc void @inner_12(ptr nonnull %.7481, ptr %.7169, ptr %.7300, ptr %.7429, i64 %.13.i672, i64 %.13.i674, i64 %.6991, double %.3595, ptr %arg.scratch.4, double %constant.2.1, ptr %.1615, ptr %.1740)
+  %38 = add nuw i64 %.6991, 7
   %.1167.i = lshr i64 %38, 3
-  %.1013.i = load double, ptr %sunkaddr75, align 8, !noalias !21
-  %.984.i = load double, ptr %sunkaddr76, align 8, !noalias !21
-  %.955.i = load double, ptr %sunkaddr77, align 8, !noalias !21
-  %.926.i = load double, ptr %sunkaddr78, align 8, !noalias !21
-  %.897.i = load double, ptr %sunkaddr79, align 8, !noalias !21
-  %.868.i = load double, ptr %sunkaddr80, align 8, !noalias !21
-  %.839.i = load double, ptr %sunkaddr81, align 8, !noalias !21
-  %.810.i = load double, ptr %sunkaddr82, align 8, !noalias !21
-  %.781.i = load double, ptr %sunkaddr83, align 8, !noalias !21
-  %.752.i = load double, ptr %sunkaddr84, align 8, !noalias !21
-  %.648.i = load double, ptr %sunkaddr85, align 8, !noalias !21
-  %.619.i = load double, ptr %sunkaddr86, align 8, !noalias !21
-  %.590.i = load double, ptr %sunkaddr87, align 8, !noalias !21
-  %.561.i = load double, ptr %sunkaddr88, align 8, !noalias !21
-  %.532.i = load double, ptr %sunkaddr89, align 8, !noalias !21
-  %.503.i = load double, ptr %sunkaddr90, align 8, !noalias !21
-  %.474.i = load double, ptr %sunkaddr91, align 8, !noalias !21
-  %.445.i = load double, ptr %sunkaddr92, align 8, !noalias !21
-  %.344.i = load double, ptr %sunkaddr93, align 8, !noalias !21
-  %.315.i711 = load double, ptr %sunkaddr94, align 8, !noalias !21
-  %.286.i = load double, ptr %sunkaddr95, align 8, !noalias !21
-  %.257.i = load double, ptr %sunkaddr96, align 8, !noalias !21
-  %.228.i714 = load double, ptr %sunkaddr97, align 8, !noalias !21
-  %.199.i = load double, ptr %sunkaddr98, align 8, !noalias !21
-  %.170.i715 = load double, ptr %sunkaddr99, align 8, !noalias !21
-  %.141.i = load double, ptr %sunkaddr100, align 8, !noalias !21
+  %.1013.i = load double, ptr %sunkaddr76, align 8, !noalias !24
+  %.984.i = load double, ptr %sunkaddr77, align 8, !noalias !24
+  %.955.i = load double, ptr %sunkaddr78, align 8, !noalias !24
+  %.926.i = load double, ptr %sunkaddr79, align 8, !noalias !24
+  %.897.i = load double, ptr %sunkaddr80, align 8, !noalias !24
+  %.868.i = load double, ptr %sunkaddr81, align 8, !noalias !24
+  %.839.i = load double, ptr %sunkaddr82, align 8, !noalias !24
+  %.810.i = load double, ptr %sunkaddr83, align 8, !noalias !24
+  %.781.i = load double, ptr %sunkaddr84, align 8, !noalias !24
+  %.752.i = load double, ptr %sunkaddr85, align 8, !noalias !24
+  %.648.i = load double, ptr %sunkaddr86, align 8, !noalias !24
+  %.619.i = load double, ptr %sunkaddr87, align 8, !noalias !24
+  %.590.i = load double, ptr %sunkaddr88, align 8, !noalias !24
+  %.561.i = load double, ptr %sunkaddr89, align 8, !noalias !24
+  %.532.i = load double, ptr %sunkaddr90, align 8, !noalias !24
+  %.503.i = load double, ptr %sunkaddr91, align 8, !noalias !24
+  %.474.i = load double, ptr %sunkaddr92, align 8, !noalias !24
+  %.445.i = load double, ptr %sunkaddr93, align 8, !noalias !24
+  %.344.i = load double, ptr %sunkaddr94, align 8, !noalias !24
+  %.315.i711 = load double, ptr %sunkaddr95, align 8, !noalias !24
+  %.286.i = load double, ptr %sunkaddr96, align 8, !noalias !24
+  %.257.i = load double, ptr %sunkaddr97, align 8, !noalias !24
+  %.228.i714 = load double, ptr %sunkaddr98, align 8, !noalias !24
+  %.199.i = load double, ptr %sunkaddr99, align 8, !noalias !24
+  %.170.i715 = load double, ptr %sunkaddr100, align 8, !noalias !24
+  %.141.i = load double, ptr %sunkaddr101, align 8, !noalias !24
   %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
   %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
@@ -2299,31 +1963,31 @@ B5243:                                            ; preds = %B4582
   %39 = add nuw nsw i64 %.1167.i, 5
   br label %B484.if.i
 
-B5244:                                            ; preds = %B484.if.i, %B4582
-  br i1 %"$phi984.0.3.013", label %B5486, label %B5564
+B21938:                                           ; preds = %B484.if.i, %B21276
+  br i1 %"$phi984.0.3.013", label %B22180, label %B22258
 
-B5486:                                            ; preds = %B5244
+B22180:                                           ; preds = %B21938
   %.137.i = icmp slt i64 %.13.i588, %.13.i587
-  br i1 %.137.i, label %B22.preheader.i736, label %B5564
+  br i1 %.137.i, label %B22.preheader.i736, label %B22258
 
-B5564:                                            ; preds = %B1344.i, %B5486, %B5244
-  %cells.4.sroa.8.1 = phi i64 [ %cells.5.sroa.13.1, %B5244 ], [ %cells.5.sroa.13.1, %B5486 ], [ %cell.3.2.i746, %B1344.i ]
-  %cells.4.sroa.0.1 = phi i64 [ %cells.5.sroa.0.1, %B5244 ], [ 0, %B5486 ], [ 0, %B1344.i ]
-  store ptr null, ptr %.8351, align 8
-  call fastcc void @inner_11(ptr nonnull %.8351, i64 %arg.i, i64 %.5732.sroa.0.0245, i64 %.13.i587, i64 %.13.i, ptr %arg.arguments.4, ptr %.1740, ptr %.1803, double %arg.plus, double %arg.cross, ptr %.1897)
-  %.5742 = icmp samesign ugt i64 %.5689.1244.in, 1
-  %.5755 = add i64 %.5686.1243, 1024
-  %.5686.1 = select i1 %.5742, i64 %.5755, i64 %.5686.1243
-  %40 = tail call i64 @llvm.smax.i64(i64 %.5689.1244.in, i64 2)
+B22258:                                           ; preds = %B1344.i, %B22180, %B21938
+  %cells.4.sroa.8.1 = phi i64 [ %cells.5.sroa.13.1, %B21938 ], [ %cells.5.sroa.13.1, %B22180 ], [ %cell.3.2.i746, %B1344.i ]
+  %cells.4.sroa.0.1 = phi i64 [ %cells.5.sroa.0.1, %B21938 ], [ 0, %B22180 ], [ 0, %B1344.i ]
+  store ptr null, ptr %.8479, align 8
+  call fastcc void @inner_13(ptr nonnull %.8479, i64 %arg.i, i64 %.5860.sroa.0.0245, i64 %.13.i587, i64 %.13.i, ptr %arg.arguments.4, ptr %.1740, ptr %.1803, double %arg.plus, double %arg.cross, ptr %.1897)
+  %.5870 = icmp samesign ugt i64 %.5817.1244.in, 1
+  %.5883 = add i64 %.5814.1243, 1024
+  %.5814.1 = select i1 %.5870, i64 %.5883, i64 %.5814.1243
+  %40 = tail call i64 @llvm.smax.i64(i64 %.5817.1244.in, i64 2)
   %41 = add nsw i64 %40, -1
-  %.5732.sroa.0.0 = select i1 %.5742, i64 %.5686.1243, i64 0
-  br i1 %.5742, label %B1604, label %B5566
+  %.5860.sroa.0.0 = select i1 %.5870, i64 %.5814.1243, i64 0
+  br i1 %.5870, label %B1644, label %B22260
 
-common.ret:                                       ; preds = %B1350.if, %B1218.if, %B5566
-  %common.ret.op = phi i32 [ 0, %B5566 ], [ 1, %B1350.if ], [ 1, %B1218.if ]
+common.ret:                                       ; preds = %B1390.if, %B1258.if, %B22260
+  %common.ret.op = phi i32 [ 0, %B22260 ], [ 1, %B1390.if ], [ 1, %B1258.if ]
   ret i32 %common.ret.op
 
-B5566:                                            ; preds = %B5564, %B1596
+B22260:                                           ; preds = %B22258, %B1636
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -2342,36 +2006,36 @@ B94.if.lr.ph.i:                                   ; preds = %B984
 B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
   %lsr.iv32 = phi i64 [ %lsr.iv.next33, %B94.if.i ], [ %48, %B94.if.lr.ph.i ]
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
-  %sunkaddr39 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
-  %.554.i404 = load <8 x double>, ptr %sunkaddr39, align 8, !noalias !24
-  %sunkaddr41 = getelementptr i8, ptr %sunkaddr39, i64 8
-  %.565.i = load <8 x double>, ptr %sunkaddr41, align 8, !noalias !24
+  %sunkaddr40 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
+  %.554.i404 = load <8 x double>, ptr %sunkaddr40, align 8, !noalias !27
+  %sunkaddr42 = getelementptr i8, ptr %sunkaddr40, i64 8
+  %.565.i = load <8 x double>, ptr %sunkaddr42, align 8, !noalias !27
   %scevgep1198 = getelementptr i8, ptr %scevgep1196, i64 %lsr.iv53.i
   %scevgep1199 = getelementptr i8, ptr %scevgep1198, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep1199, align 8, !noalias !24
-  %.586.i = load <8 x double>, ptr %scevgep1198, align 8, !noalias !24
+  %.575.i = load <8 x double>, ptr %scevgep1199, align 8, !noalias !27
+  %.586.i = load <8 x double>, ptr %scevgep1198, align 8, !noalias !27
   %scevgep67.i = getelementptr i8, ptr %.201.i399, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep67.i, align 8, !noalias !24
+  %.596.i = load <8 x double>, ptr %scevgep67.i, align 8, !noalias !27
   %scevgep66.i = getelementptr i8, ptr %.373.i, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep66.i, align 8, !noalias !24
+  %.606.i = load <8 x double>, ptr %scevgep66.i, align 8, !noalias !27
   %.6.i.i405 = fsub contract <8 x double> %.565.i, %.554.i404
   %.6.i46.i = fmul contract <8 x double> %.6.i.i405, %.606.i
   %scevgep65.i = getelementptr i8, ptr %.1262, i64 %lsr.iv53.i
-  store <8 x double> %.554.i404, ptr %scevgep65.i, align 8, !noalias !24
+  store <8 x double> %.554.i404, ptr %scevgep65.i, align 8, !noalias !27
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
   %.8.i.i406 = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
   %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i406
   %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
   %scevgep64.i = getelementptr i8, ptr %42, i64 %lsr.iv53.i
-  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !24
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !27
   %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
   %scevgep63.i = getelementptr i8, ptr %43, i64 %lsr.iv53.i
-  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !24
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !27
   %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
   %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
   %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
   %scevgep62.i = getelementptr i8, ptr %44, i64 %lsr.iv53.i
-  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !24
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !27
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
   %lsr.iv.next33 = add nsw i64 %lsr.iv32, -1
   %.507.i = icmp sgt i64 %lsr.iv32, 6
@@ -2384,7 +2048,7 @@ B984.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B984
   %.463.inv.i440 = icmp slt i64 %.3448, 2
   %.507321.not325.i441 = icmp eq i64 %.486.i439, 0
   %.507321.not.i442 = or i1 %.463.inv.i440, %.507321.not325.i441
-  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
+  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
 
 B94.if.lr.ph.i443:                                ; preds = %B984.endif.endif.endif.en...endif.3.endif.endif
   %50 = lshr i64 %.888, 33
@@ -2423,40 +2087,40 @@ B94.if.i445:                                      ; preds = %B94.if.i445, %B94.i
   %lsr.iv53.i446 = phi i64 [ %lsr.iv.next54.i475, %B94.if.i445 ], [ 0, %B94.if.lr.ph.i443 ]
   %scevgep1192 = getelementptr i8, ptr %scevgep1190, i64 %lsr.iv53.i446
   %scevgep1193 = getelementptr i8, ptr %scevgep1192, i64 -8
-  %.554.i449 = load <8 x double>, ptr %scevgep1193, align 8, !noalias !27
-  %.565.i451 = load <8 x double>, ptr %scevgep1192, align 8, !noalias !27
+  %.554.i449 = load <8 x double>, ptr %scevgep1193, align 8, !noalias !30
+  %.565.i451 = load <8 x double>, ptr %scevgep1192, align 8, !noalias !30
   %scevgep1188 = getelementptr i8, ptr %scevgep1186, i64 %lsr.iv53.i446
   %scevgep1189 = getelementptr i8, ptr %scevgep1188, i64 -8
-  %.575.i453 = load <8 x double>, ptr %scevgep1189, align 8, !noalias !27
-  %.586.i455 = load <8 x double>, ptr %scevgep1188, align 8, !noalias !27
+  %.575.i453 = load <8 x double>, ptr %scevgep1189, align 8, !noalias !30
+  %.586.i455 = load <8 x double>, ptr %scevgep1188, align 8, !noalias !30
   %scevgep58 = getelementptr i8, ptr %scevgep57, i64 %lsr.iv53.i446
-  %.596.i457 = load <8 x double>, ptr %scevgep58, align 8, !noalias !27
+  %.596.i457 = load <8 x double>, ptr %scevgep58, align 8, !noalias !30
   %scevgep56 = getelementptr i8, ptr %scevgep55, i64 %lsr.iv53.i446
-  %.606.i459 = load <8 x double>, ptr %scevgep56, align 8, !noalias !27
+  %.606.i459 = load <8 x double>, ptr %scevgep56, align 8, !noalias !30
   %.6.i.i460 = fsub contract <8 x double> %.565.i451, %.554.i449
   %.6.i46.i461 = fmul contract <8 x double> %.6.i.i460, %.606.i459
   %scevgep65.i462 = getelementptr i8, ptr %.1326, i64 %lsr.iv53.i446
-  store <8 x double> %.554.i449, ptr %scevgep65.i462, align 8, !noalias !27
+  store <8 x double> %.554.i449, ptr %scevgep65.i462, align 8, !noalias !30
   %.669.i463 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i453, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i455)
   %.8.i.i464 = fmul contract <8 x double> %.669.i463, splat (double 0x3FC5555555555555)
   %.6.i47.i465 = fmul contract <8 x double> %.596.i457, %.8.i.i464
   %.6.i48.i466 = fsub contract <8 x double> %.6.i46.i461, %.6.i47.i465
   %scevgep64.i467 = getelementptr i8, ptr %53, i64 %lsr.iv53.i446
-  store <8 x double> %.6.i48.i466, ptr %scevgep64.i467, align 8, !noalias !27
+  store <8 x double> %.6.i48.i466, ptr %scevgep64.i467, align 8, !noalias !30
   %.8.i49.i468 = fmul contract <8 x double> %.575.i453, splat (double 5.000000e-01)
   %scevgep63.i469 = getelementptr i8, ptr %54, i64 %lsr.iv53.i446
-  store <8 x double> %.8.i49.i468, ptr %scevgep63.i469, align 8, !noalias !27
+  store <8 x double> %.8.i49.i468, ptr %scevgep63.i469, align 8, !noalias !30
   %.6.i50.i470 = fsub contract <8 x double> %.586.i455, %.575.i453
   %.6.i51.i471 = fmul contract <8 x double> %.6.i50.i470, %.606.i459
   %.8.i52.i472 = fmul contract <8 x double> %.6.i51.i471, splat (double 0x3FC5555555555555)
   %scevgep62.i473 = getelementptr i8, ptr %55, i64 %lsr.iv53.i446
-  store <8 x double> %.8.i52.i472, ptr %scevgep62.i473, align 8, !noalias !27
+  store <8 x double> %.8.i52.i472, ptr %scevgep62.i473, align 8, !noalias !30
   %lsr.iv.next54.i475 = add i64 %lsr.iv53.i446, 64
   %lsr.iv.next31 = add nsw i64 %lsr.iv30, -1
   %.507.i476 = icmp sgt i64 %lsr.iv30, 6
-  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
   %68 = inttoptr i64 %.529 to ptr
   %.3593 = getelementptr i8, ptr %arg.row.4, i64 56
   %.3594 = load double, ptr %.3593, align 8
@@ -2470,7 +2134,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4Crv
   %.3793.le = tail call contract double @llvm.log.f64(double %.3785)
   %.3798 = fsub contract double %.3793.le, %.3607.le
   store i64 0, ptr %.3844, align 8
-  call fastcc void @inner_12(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.3798)
+  call fastcc void @inner_14(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v387__vphi308_0.2.0, double %.3798)
   %.3862 = load i64, ptr %.3844, align 8
   %.3934 = getelementptr i8, ptr %.3653, i64 8
   %.3935 = load double, ptr %.3934, align 8
@@ -2478,45 +2142,45 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4Crv
   %.3948.le = tail call contract double @llvm.log.f64(double %.3940)
   %.3953 = fsub contract double %.3948.le, %.3607.le
   store i64 0, ptr %.3999, align 8
-  call fastcc void @inner_12(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.3953)
+  call fastcc void @inner_14(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v387__vphi308_0.2.0, double %.3953)
   %.4017 = load i64, ptr %.3999, align 8
   %.4074 = fsub contract double 0xC0126BB1BBB55515, %.3607.le
   store i64 0, ptr %.4120, align 8
-  call fastcc void @inner_12(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.4074)
+  call fastcc void @inner_14(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v387__vphi308_0.2.0, double %.4074)
   %.4138 = load i64, ptr %.4120, align 8
   %.13.i485 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4138)
   %.4233 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3607.le
   store i64 0, ptr %.4279, align 8
-  call fastcc void @inner_12(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %_prepared_v99__vphi308_0.2.0, double %.4233)
+  call fastcc void @inner_14(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v387__vphi308_0.2.0, double %.4233)
   %.4297 = load i64, ptr %.4279, align 8
   %.13.i486 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4297)
   %.4457 = load i64, ptr %.929, align 8
   %.4458 = icmp sgt i64 %.4457, 0
   %.4464 = icmp sgt i64 %.126, 2047
   %or.cond = select i1 %.4458, i1 %.4464, i1 false
-  br i1 %or.cond, label %B1206, label %B1206.thread
+  br i1 %or.cond, label %B1246, label %B1246.thread
 
-B1206.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1246.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.453710 = getelementptr i8, ptr %arg.contents.4, i64 152
   %.453811 = load i64, ptr %.453710, align 8
   %.454912 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.453811
-  br label %B1350
+  br label %B1390
 
-B1218.if:                                         ; preds = %B1218
-  %.4869 = load ptr, ptr %excinfo.34, align 8
-  store ptr %.4869, ptr %excinfo, align 8
+B1258.if:                                         ; preds = %B1258
+  %.4997 = load ptr, ptr %excinfo.34, align 8
+  store ptr %.4997, ptr %excinfo, align 8
   br label %common.ret
 
-B1218.endif:                                      ; preds = %B1218
-  %.4950 = load i64, ptr %.929, align 8
-  %.135.i = load double, ptr %.402, align 8, !noalias !30
-  %.143.i = add nsw i64 %.4950, -1
-  %.181.i = icmp slt i64 %.4950, 2
+B1258.endif:                                      ; preds = %B1258
+  %.5078 = load i64, ptr %.929, align 8
+  %.135.i = load double, ptr %.402, align 8, !noalias !33
+  %.143.i = add nsw i64 %.5078, -1
+  %.181.i = icmp slt i64 %.5078, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
-B92.if.preheader.i:                               ; preds = %B1218.endif
+B92.if.preheader.i:                               ; preds = %B1258.endif
   %69 = add i64 %.4017, -1
   %70 = shl i64 %.156, 3
   %71 = getelementptr i8, ptr %.335, i64 %70
@@ -2525,18 +2189,18 @@ B92.if.preheader.i:                               ; preds = %B1218.endif
 
 B146.i:                                           ; preds = %B92.if.i
   %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %_prepared_v99__vphi308_0.2.0, %.291.i
+  %.293.i = fmul contract double %prepared_grid_v387__vphi308_0.2.0, %.291.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i
-  %.355.i = load i64, ptr %.354.i, align 8, !noalias !30
+  %.355.i = load i64, ptr %.354.i, align 8, !noalias !33
   %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
   %.395.i489 = icmp slt i64 %.13.i6.i, %.4017
   br i1 %.395.i489, label %B284.i, label %B386.i
 
 B284.i:                                           ; preds = %B146.i
   %.412.i = getelementptr inbounds nuw double, ptr %.402, i64 %.13.i6.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !30
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !33
   %.417.i491 = fcmp contract ugt double %.413.i, %.281.i
   br i1 %.417.i491, label %B386.i, label %B324.i
 
@@ -2549,7 +2213,7 @@ B346.i:                                           ; preds = %B324.i
   %.423.i = add i64 %end.5.2.i, 1
   %72 = shl i64 %end.5.2.i, 3
   %scevgep1185 = getelementptr i8, ptr %scevgep1184, i64 %72
-  %.451.i = load double, ptr %scevgep1185, align 8, !noalias !30
+  %.451.i = load double, ptr %scevgep1185, align 8, !noalias !33
   %.455.i = fcmp contract ugt double %.451.i, %.281.i
   br i1 %.455.i, label %B386.i, label %B324.i
 
@@ -2557,44 +2221,44 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.4017, %B324.i ], [ %.423.i, %B346.i ]
   %.13.i.i490 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %end.4.1.i)
   %73 = getelementptr i64, ptr %.1529, i64 %.231203208.i
-  store i64 %.13.i.i490, ptr %73, align 8, !noalias !30
+  store i64 %.13.i.i490, ptr %73, align 8, !noalias !33
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
   %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
   %.238.i = add nuw nsw i64 %.231203208.i, 1
   %.278.i = getelementptr inbounds nuw double, ptr %.4549, i64 %.231203208.i
-  %.279.i487 = load double, ptr %.278.i, align 8, !noalias !30
+  %.279.i487 = load double, ptr %.278.i, align 8, !noalias !33
   %.281.i = fsub contract double %.279.i487, %.3607.le
   %.287.i488 = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i488, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1218.endif
-  %.586.inv.i = icmp sgt i64 %.4950, 0
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
+  %.586.inv.i = icmp sgt i64 %.5078, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.973
   %74 = getelementptr i64, ptr %.1529, i64 %.143.i
   %.601.i = getelementptr i64, ptr %74, i64 %.587.i
-  store i64 %.4017, ptr %.601.i, align 8, !noalias !30
-  %.5056 = icmp sgt i64 %.3862, 0
-  br i1 %.5056, label %B1350, label %B1596
+  store i64 %.4017, ptr %.601.i, align 8, !noalias !33
+  %.5184 = icmp sgt i64 %.3862, 0
+  br i1 %.5184, label %B1390, label %B1636
 
-B1350.if:                                         ; preds = %B1350
-  %.5085 = load ptr, ptr %excinfo.36, align 8
-  store ptr %.5085, ptr %excinfo, align 8
+B1390.if:                                         ; preds = %B1390
+  %.5213 = load ptr, ptr %excinfo.36, align 8
+  store ptr %.5213, ptr %excinfo, align 8
   br label %common.ret
 
-B1350.endif:                                      ; preds = %B1350
-  %.5311 = load i64, ptr %.844, align 8
-  %.135.i498 = load double, ptr %.402, align 8, !noalias !33
-  %.143.i499 = add nsw i64 %.5311, -2
-  %.181.i500 = icmp slt i64 %.5311, 3
+B1390.endif:                                      ; preds = %B1390
+  %.5439 = load i64, ptr %.844, align 8
+  %.135.i498 = load double, ptr %.402, align 8, !noalias !36
+  %.143.i499 = add nsw i64 %.5439, -2
+  %.181.i500 = icmp slt i64 %.5439, 3
   %..143.i501 = select i1 %.181.i500, i64 0, i64 %.143.i499
   %.225207.i502 = icmp sgt i64 %..143.i501, 0
-  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
 
-B92.if.preheader.i506:                            ; preds = %B1350.endif
+B92.if.preheader.i506:                            ; preds = %B1390.endif
   %75 = add i64 %.4017, -1
   %76 = shl i64 %.156, 3
   %77 = getelementptr i8, ptr %.335, i64 %76
@@ -2603,18 +2267,18 @@ B92.if.preheader.i506:                            ; preds = %B1350.endif
 
 B146.i515:                                        ; preds = %B92.if.i507
   %.291.i516 = fsub contract double %.281.i513, %.135.i498
-  %.293.i517 = fmul contract double %_prepared_v99__vphi308_0.2.0, %.291.i516
+  %.293.i517 = fmul contract double %prepared_grid_v387__vphi308_0.2.0, %.291.i516
   %.5.i.i518 = fptosi double %.293.i517 to i64
   %.13.i5.i519 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i518)
   %.354.i520 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i519
-  %.355.i521 = load i64, ptr %.354.i520, align 8, !noalias !33
+  %.355.i521 = load i64, ptr %.354.i520, align 8, !noalias !36
   %.13.i6.i522 = tail call i64 @llvm.smax.i64(i64 %.355.i521, i64 %end.3.0210.i508)
   %.395.i523 = icmp slt i64 %.13.i6.i522, %.4017
   br i1 %.395.i523, label %B284.i528, label %B386.i524
 
 B284.i528:                                        ; preds = %B146.i515
   %.412.i529 = getelementptr inbounds nuw double, ptr %.402, i64 %.13.i6.i522
-  %.413.i530 = load double, ptr %.412.i529, align 8, !noalias !33
+  %.413.i530 = load double, ptr %.412.i529, align 8, !noalias !36
   %.417.i531 = fcmp contract ugt double %.413.i530, %.281.i513
   br i1 %.417.i531, label %B386.i524, label %B324.i532
 
@@ -2627,7 +2291,7 @@ B346.i535:                                        ; preds = %B324.i532
   %.423.i536 = add i64 %end.5.2.i533, 1
   %78 = shl i64 %end.5.2.i533, 3
   %scevgep1183 = getelementptr i8, ptr %scevgep1182, i64 %78
-  %.451.i539 = load double, ptr %scevgep1183, align 8, !noalias !33
+  %.451.i539 = load double, ptr %scevgep1183, align 8, !noalias !36
   %.455.i540 = fcmp contract ugt double %.451.i539, %.281.i513
   br i1 %.455.i540, label %B386.i524, label %B324.i532
 
@@ -2635,33 +2299,33 @@ B386.i524:                                        ; preds = %B346.i535, %B324.i5
   %end.4.1.i525 = phi i64 [ %.13.i6.i522, %B146.i515 ], [ %end.3.0210.i508, %B92.if.i507 ], [ %.13.i6.i522, %B284.i528 ], [ %.4017, %B324.i532 ], [ %.423.i536, %B346.i535 ]
   %.13.i.i526 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %end.4.1.i525)
   %79 = getelementptr i64, ptr %.1466, i64 %.231203208.i509
-  store i64 %.13.i.i526, ptr %79, align 8, !noalias !33
+  store i64 %.13.i.i526, ptr %79, align 8, !noalias !36
   %exitcond216.not.i527 = icmp eq i64 %.238.i510, %..143.i501
-  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
+  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
 
 B92.if.i507:                                      ; preds = %B386.i524, %B92.if.preheader.i506
   %end.3.0210.i508 = phi i64 [ %end.4.1.i525, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
   %.231203208.i509 = phi i64 [ %.238.i510, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
   %.238.i510 = add nuw nsw i64 %.231203208.i509, 1
-  %sunkaddr1214 = shl i64 %.231203208.i509, 3
-  %sunkaddr1215 = getelementptr inbounds i8, ptr %.3100, i64 %sunkaddr1214
-  %sunkaddr1216 = getelementptr inbounds nuw i8, ptr %sunkaddr1215, i64 8
-  %.279.i512 = load double, ptr %sunkaddr1216, align 8, !noalias !33
+  %sunkaddr1215 = shl i64 %.231203208.i509, 3
+  %sunkaddr1216 = getelementptr inbounds i8, ptr %.3100, i64 %sunkaddr1215
+  %sunkaddr1217 = getelementptr inbounds nuw i8, ptr %sunkaddr1216, i64 8
+  %.279.i512 = load double, ptr %sunkaddr1217, align 8, !noalias !36
   %.281.i513 = fsub contract double %.279.i512, %.3607.le
   %.287.i514 = fcmp contract ult double %.281.i513, %.135.i498
   br i1 %.287.i514, label %B386.i524, label %B146.i515
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1350.endif
-  %.586.inv.i503 = icmp sgt i64 %.5311, 1
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
+  %.586.inv.i503 = icmp sgt i64 %.5439, 1
   %.587.i504 = select i1 %.586.inv.i503, i64 0, i64 %.888
   %80 = getelementptr i64, ptr %.1466, i64 %.143.i499
   %.601.i505 = getelementptr i64, ptr %80, i64 %.587.i504
-  store i64 %.4017, ptr %.601.i505, align 8, !noalias !33
-  %.5388 = load i64, ptr %.1002, align 8
-  %.5389 = icmp eq i64 %.5388, 0
-  br i1 %.5389, label %B1408, label %B1596
+  store i64 %.4017, ptr %.601.i505, align 8, !noalias !36
+  %.5516 = load i64, ptr %.1002, align 8
+  %.5517 = icmp eq i64 %.5516, 0
+  br i1 %.5517, label %B1448, label %B1636
 
-B92.if.preheader.i550:                            ; preds = %B1408
+B92.if.preheader.i550:                            ; preds = %B1448
   %81 = add i64 %.4017, -1
   %82 = shl i64 %.156, 3
   %83 = getelementptr i8, ptr %.335, i64 %82
@@ -2670,18 +2334,18 @@ B92.if.preheader.i550:                            ; preds = %B1408
 
 B146.i559:                                        ; preds = %B92.if.i551
   %.291.i560 = fsub contract double %.281.i557, %.135.i542
-  %.293.i561 = fmul contract double %_prepared_v99__vphi308_0.2.0, %.291.i560
+  %.293.i561 = fmul contract double %prepared_grid_v387__vphi308_0.2.0, %.291.i560
   %.5.i.i562 = fptosi double %.293.i561 to i64
   %.13.i5.i563 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i562)
   %.354.i564 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i563
-  %.355.i565 = load i64, ptr %.354.i564, align 8, !noalias !12
+  %.355.i565 = load i64, ptr %.354.i564, align 8, !noalias !15
   %.13.i6.i566 = tail call i64 @llvm.smax.i64(i64 %.355.i565, i64 %end.3.0210.i552)
   %.395.i567 = icmp slt i64 %.13.i6.i566, %.4017
   br i1 %.395.i567, label %B284.i572, label %B386.i568
 
 B284.i572:                                        ; preds = %B146.i559
   %.412.i573 = getelementptr inbounds nuw double, ptr %.402, i64 %.13.i6.i566
-  %.413.i574 = load double, ptr %.412.i573, align 8, !noalias !12
+  %.413.i574 = load double, ptr %.412.i573, align 8, !noalias !15
   %.417.i575 = fcmp contract ugt double %.413.i574, %.281.i557
   br i1 %.417.i575, label %B386.i568, label %B324.i576
 
@@ -2694,7 +2358,7 @@ B346.i579:                                        ; preds = %B324.i576
   %.423.i580 = add i64 %end.5.2.i577, 1
   %84 = shl i64 %end.5.2.i577, 3
   %scevgep1181 = getelementptr i8, ptr %scevgep1180, i64 %84
-  %.451.i583 = load double, ptr %scevgep1181, align 8, !noalias !12
+  %.451.i583 = load double, ptr %scevgep1181, align 8, !noalias !15
   %.455.i584 = fcmp contract ugt double %.451.i583, %.281.i557
   br i1 %.455.i584, label %B386.i568, label %B324.i576
 
@@ -2702,29 +2366,29 @@ B386.i568:                                        ; preds = %B346.i579, %B324.i5
   %end.4.1.i569 = phi i64 [ %.13.i6.i566, %B146.i559 ], [ %end.3.0210.i552, %B92.if.i551 ], [ %.13.i6.i566, %B284.i572 ], [ %.4017, %B324.i576 ], [ %.423.i580, %B346.i579 ]
   %.13.i.i570 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %end.4.1.i569)
   %85 = getelementptr i64, ptr %.1403, i64 %.231203208.i553
-  store i64 %.13.i.i570, ptr %85, align 8, !noalias !12
+  store i64 %.13.i.i570, ptr %85, align 8, !noalias !15
   %exitcond216.not.i571 = icmp eq i64 %.238.i554, %..143.i545
-  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
+  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
 
 B92.if.i551:                                      ; preds = %B386.i568, %B92.if.preheader.i550
   %end.3.0210.i552 = phi i64 [ %end.4.1.i569, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
   %.231203208.i553 = phi i64 [ %.238.i554, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
   %.238.i554 = add nuw nsw i64 %.231203208.i553, 1
-  %sunkaddr1218 = shl i64 %.231203208.i553, 3
-  %sunkaddr1219 = getelementptr inbounds i8, ptr %.3007, i64 %sunkaddr1218
-  %sunkaddr1220 = getelementptr inbounds nuw i8, ptr %sunkaddr1219, i64 8
-  %.279.i556 = load double, ptr %sunkaddr1220, align 8, !noalias !12
+  %sunkaddr1219 = shl i64 %.231203208.i553, 3
+  %sunkaddr1220 = getelementptr inbounds i8, ptr %.3007, i64 %sunkaddr1219
+  %sunkaddr1221 = getelementptr inbounds nuw i8, ptr %sunkaddr1220, i64 8
+  %.279.i556 = load double, ptr %sunkaddr1221, align 8, !noalias !15
   %.281.i557 = fsub contract double %.279.i556, %.3607.le
   %.287.i558 = fcmp contract ult double %.281.i557, %.135.i542
   br i1 %.287.i558, label %B386.i568, label %B146.i559
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1408
-  %.586.inv.i547 = icmp sgt i64 %.5506, 1
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
+  %.586.inv.i547 = icmp sgt i64 %.5634, 1
   %.587.i548 = select i1 %.586.inv.i547, i64 0, i64 %.814
   %86 = getelementptr i64, ptr %.1403, i64 %.143.i543
   %.601.i549 = getelementptr i64, ptr %86, i64 %.587.i548
-  store i64 %.4017, ptr %.601.i549, align 8, !noalias !12
-  br label %B1596
+  store i64 %.4017, ptr %.601.i549, align 8, !noalias !15
+  br label %B1636
 
 B94.i:                                            ; preds = %B34.if.i
   %.6.i.i595 = fmul contract double %.229.i592, 0x400921FB54442D18
@@ -2747,7 +2411,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -2758,9 +2422,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -2772,38 +2436,38 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i598 = fmul contract double %.1111, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v179B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep19 = getelementptr i8, ptr %scevgep, i64 %89
   %scevgep20 = getelementptr i8, ptr %scevgep19, i64 -8256
-  store double %"$phi144.1.2.1.i", ptr %scevgep20, align 8, !noalias !36
-  %.314.i = fsub contract double %.218.i, %.6068
-  %88 = fmul contract double %.6098, %.314.i
+  store double %"$phi144.1.2.1.i", ptr %scevgep20, align 8, !noalias !39
+  %.314.i = fsub contract double %.218.i, %.6196
+  %88 = fmul contract double %.6226, %.314.i
   %.319.i = fsub contract double %.1143, %88
-  store double %.319.i, ptr %scevgep19, align 8, !noalias !36
-  %exitcond.not.i594 = icmp eq i64 %.6038, %.158.i
-  br i1 %exitcond.not.i594, label %B1626, label %B34.if.i
+  store double %.319.i, ptr %scevgep19, align 8, !noalias !39
+  %exitcond.not.i594 = icmp eq i64 %.6166, %.158.i
+  br i1 %exitcond.not.i594, label %B1666, label %B34.if.i
 
-B34.if.i:                                         ; preds = %B1606, %B144.i
-  %.151102104.i = phi i64 [ %.158.i, %B144.i ], [ 0, %B1606 ]
+B34.if.i:                                         ; preds = %B1646, %B144.i
+  %.151102104.i = phi i64 [ %.158.i, %B144.i ], [ 0, %B1646 ]
   %.158.i = add nuw nsw i64 %.151102104.i, 1
   %89 = shl i64 %.151102104.i, 3
-  %scevgep2.i = getelementptr i8, ptr %.5985, i64 %89
-  %.216.i590 = load double, ptr %scevgep2.i, align 8, !noalias !36
+  %scevgep2.i = getelementptr i8, ptr %.6113, i64 %89
+  %.216.i590 = load double, ptr %scevgep2.i, align 8, !noalias !39
   %.218.i = fmul contract double %.3595, %.216.i590
   %.223.i = fmul contract double %.218.i, 2.000000e+00
-  %.228.i591 = fdiv contract double %.223.i, %.6068
+  %.228.i591 = fdiv contract double %.223.i, %.6196
   %.228.fr.i = freeze double %.228.i591
   %.229.i592 = fadd contract double %.228.fr.i, -1.000000e+00
   %.234.i593 = fcmp contract ogt double %.229.i592, 0.000000e+00
   br i1 %.234.i593, label %B94.i, label %B144.i
 
-B1932.endif:                                      ; preds = %B612.i, %B1932
-  %cell.5.1.i272 = phi i64 [ %cells.3.sroa.0.0242, %B1932 ], [ %cell.3.2.i282, %B612.i ]
-  br i1 %29, label %B22.preheader.i606, label %B4582
+B1972.endif:                                      ; preds = %B612.i, %B1972
+  %cell.5.1.i272 = phi i64 [ %cells.3.sroa.0.0242, %B1972 ], [ %cell.3.2.i282, %B612.i ]
+  br i1 %29, label %B22.preheader.i606, label %B21276
 
-B22.preheader.i606:                               ; preds = %B1932.endif
-  %90 = mul i64 %.5732.sroa.0.0245, -8
+B22.preheader.i606:                               ; preds = %B1972.endif
+  %90 = mul i64 %.5860.sroa.0.0245, -8
   %scevgep1156 = getelementptr i8, ptr %scevgep, i64 %90
   br label %B22.i610
 
@@ -2811,7 +2475,7 @@ B22.i610:                                         ; preds = %B612.i669, %B22.pre
   %cell.2.0.i611 = phi i64 [ %cell.3.2.i625, %B612.i669 ], [ %cells.3.sroa.13.0241, %B22.preheader.i606 ]
   %start.2.0.i612 = phi i64 [ %.13.i.i628, %B612.i669 ], [ %.13.i589, %B22.preheader.i606 ]
   %.121.i613 = getelementptr inbounds i64, ptr %.1466, i64 %cell.2.0.i611
-  %.122.i614 = load i64, ptr %.121.i613, align 8, !noalias !39
+  %.122.i614 = load i64, ptr %.121.i613, align 8, !noalias !42
   %.126.not.i615 = icmp sgt i64 %.122.i614, %start.2.0.i612
   br i1 %.126.not.i615, label %B112.i624, label %B62.i616
 
@@ -2820,14 +2484,14 @@ B62.i616:                                         ; preds = %B22.i610, %B62.i616
   %.129.i618 = add i64 %cell.4.1.i617, 1
   %sunkaddr.i619 = shl i64 %cell.4.1.i617, 3
   %scevgep1154 = getelementptr i8, ptr %scevgep1139, i64 %sunkaddr.i619
-  %.142.i622 = load i64, ptr %scevgep1154, align 8, !noalias !39
+  %.142.i622 = load i64, ptr %scevgep1154, align 8, !noalias !42
   %.144.not.i623 = icmp sgt i64 %.142.i622, %start.2.0.i612
   br i1 %.144.not.i623, label %B112.i624, label %B62.i616
 
 B112.i624:                                        ; preds = %B62.i616, %B22.i610
   %cell.3.2.i625 = phi i64 [ %cell.2.0.i611, %B22.i610 ], [ %.129.i618, %B62.i616 ]
   %.156.i626 = getelementptr inbounds i64, ptr %.1466, i64 %cell.3.2.i625
-  %.157.i627 = load i64, ptr %.156.i626, align 8, !noalias !39
+  %.157.i627 = load i64, ptr %.156.i626, align 8, !noalias !42
   %.13.i.i628 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.157.i627)
   %.307.i629 = sub i64 %.13.i.i628, %start.2.0.i612
   %91 = add i64 %.307.i629, 7
@@ -2839,20 +2503,20 @@ B112.i624:                                        ; preds = %B62.i616, %B22.i610
 
 B612.i669:                                        ; preds = %B412.if.i656, %B112.i624
   %.479.i670 = icmp slt i64 %.157.i627, %.13.i587
-  br i1 %.479.i670, label %B22.i610, label %B4582
+  br i1 %.479.i670, label %B22.i610, label %B21276
 
 B412.if.lr.ph.i634:                               ; preds = %B112.i624
   %.200.i635 = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i625
-  %.201.i636 = load double, ptr %.200.i635, align 8, !noalias !39
+  %.201.i636 = load double, ptr %.200.i635, align 8, !noalias !42
   %.203.i637 = fsub contract double %.3607.le, %.201.i636
   %.259.i638 = getelementptr double, ptr %16, i64 %cell.3.2.i625
-  %.260.i639 = load double, ptr %.259.i638, align 8, !noalias !39
+  %.260.i639 = load double, ptr %.259.i638, align 8, !noalias !42
   %.246.i640 = getelementptr double, ptr %15, i64 %cell.3.2.i625
-  %.247.i641 = load double, ptr %.246.i640, align 8, !noalias !39
+  %.247.i641 = load double, ptr %.246.i640, align 8, !noalias !42
   %.227.i642 = getelementptr double, ptr %14, i64 %cell.3.2.i625
-  %.228.i643 = load double, ptr %.227.i642, align 8, !noalias !39
+  %.228.i643 = load double, ptr %.227.i642, align 8, !noalias !42
   %.215.i644 = getelementptr inbounds double, ptr %.1326, i64 %cell.3.2.i625
-  %.216.i645 = load double, ptr %.215.i644, align 8, !noalias !39
+  %.216.i645 = load double, ptr %.215.i644, align 8, !noalias !42
   %.426.i646 = insertelement <8 x double> poison, double %.260.i639, i64 0
   %.427.i647 = shufflevector <8 x double> %.426.i646, <8 x double> poison, <8 x i32> zeroinitializer
   %.429.i648 = insertelement <8 x double> poison, double %.247.i641, i64 0
@@ -2871,27 +2535,27 @@ B412.if.i656:                                     ; preds = %B412.if.i656, %B412
   %lsr.iv26 = phi i64 [ %lsr.iv.next27, %B412.if.i656 ], [ %93, %B412.if.lr.ph.i634 ]
   %lsr.iv8.i657 = phi i64 [ %lsr.iv.next9.i667, %B412.if.i656 ], [ %92, %B412.if.lr.ph.i634 ]
   %scevgep11.i659 = getelementptr i8, ptr %.402, i64 %lsr.iv8.i657
-  %.397.i660 = load <8 x double>, ptr %scevgep11.i659, align 8, !noalias !39
+  %.397.i660 = load <8 x double>, ptr %scevgep11.i659, align 8, !noalias !42
   %.8.i.i661 = fadd contract <8 x double> %.7.i.i655, %.397.i660
   %.431.i662 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i661, <8 x double> %.427.i647, <8 x double> %.430.i649)
   %.435.i663 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i661, <8 x double> %.431.i662, <8 x double> %.434.i651)
   %.439.i664 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i661, <8 x double> %.435.i663, <8 x double> %.438.i653)
   %scevgep1157 = getelementptr i8, ptr %scevgep1156, i64 %lsr.iv8.i657
-  store <8 x double> %.439.i664, ptr %scevgep1157, align 8, !noalias !39
+  store <8 x double> %.439.i664, ptr %scevgep1157, align 8, !noalias !42
   %lsr.iv.next9.i667 = add i64 %lsr.iv8.i657, 64
   %lsr.iv.next27 = add nsw i64 %lsr.iv26, -1
   %.350.i668 = icmp sgt i64 %lsr.iv26, 6
   br i1 %.350.i668, label %B412.if.i656, label %B612.i669
 
-B484.if.i:                                        ; preds = %B484.if.i, %B5243
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %39, %B5243 ]
-  %lsr.iv1164 = phi ptr [ %scevgep1165, %B484.if.i ], [ %.7041, %B5243 ]
-  %lsr.iv1161 = phi ptr [ %scevgep1162, %B484.if.i ], [ %scevgep1160, %B5243 ]
+B484.if.i:                                        ; preds = %B484.if.i, %B21937
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %39, %B21937 ]
+  %lsr.iv1164 = phi ptr [ %scevgep1165, %B484.if.i ], [ %.7169, %B21937 ]
+  %lsr.iv1161 = phi ptr [ %scevgep1162, %B484.if.i ], [ %scevgep1160, %B21937 ]
   %scevgep1168 = getelementptr i8, ptr %lsr.iv1164, i64 %.idx
-  %.1236.i = load <8 x double>, ptr %scevgep1168, align 8, !noalias !21
-  %.1246.i = load <8 x double>, ptr %lsr.iv1164, align 8, !noalias !21
-  %sunkaddr102 = getelementptr i8, ptr %lsr.iv1164, i64 %sunkaddr101
-  %.1256.i = load <8 x double>, ptr %sunkaddr102, align 8, !noalias !21
+  %.1236.i = load <8 x double>, ptr %scevgep1168, align 8, !noalias !24
+  %.1246.i = load <8 x double>, ptr %lsr.iv1164, align 8, !noalias !24
+  %sunkaddr103 = getelementptr i8, ptr %lsr.iv1164, i64 %sunkaddr102
+  %.1256.i = load <8 x double>, ptr %sunkaddr103, align 8, !noalias !24
   %.6.i.i717 = fmul contract <8 x double> %.1236.i, %.1236.i
   %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1283.i, <8 x double> %.1286.i)
   %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1287.i, <8 x double> %.1290.i)
@@ -2911,29 +2575,29 @@ B484.if.i:                                        ; preds = %B484.if.i, %B5243
   %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1358.i, <8 x double> %.1361.i)
   %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i717, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
-  %scevgep1166 = getelementptr i8, ptr %lsr.iv1164, i64 %.idx3736
-  %.1377.i = load <8 x double>, ptr %scevgep1166, align 8, !noalias !21
+  %scevgep1166 = getelementptr i8, ptr %lsr.iv1164, i64 %.idx3756
+  %.1377.i = load <8 x double>, ptr %scevgep1166, align 8, !noalias !24
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
   %.1426.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1366.i, <8 x double> %.1355.i)
   %.1430.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i17.i, <8 x double> %.1429.i, <8 x double> %.1426.i)
   %.1431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1310.i, <8 x double> %.1295.i)
   %scevgep1163 = getelementptr i8, ptr %lsr.iv1161, i64 -16512
-  %.1441.i = load <8 x double>, ptr %scevgep1163, align 8, !noalias !21
+  %.1441.i = load <8 x double>, ptr %scevgep1163, align 8, !noalias !24
   %.1442.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1431.i, <8 x double> %.1441.i)
   %.1443.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1256.i, <8 x double> %.1430.i, <8 x double> %.1442.i)
   %.6.i18.i = fadd contract <8 x double> %.6.i16.i, %.1443.i
   %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
   %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
-  store <8 x double> %.6.i19.i, ptr %lsr.iv1161, align 8, !noalias !21
+  store <8 x double> %.6.i19.i, ptr %lsr.iv1161, align 8, !noalias !24
   %scevgep1162 = getelementptr i8, ptr %lsr.iv1161, i64 64
   %scevgep1165 = getelementptr i8, ptr %lsr.iv1164, i64 64
   %lsr.iv.next = add nsw i64 %lsr.iv, -1
   %.1189.i = icmp sgt i64 %lsr.iv, 6
-  br i1 %.1189.i, label %B484.if.i, label %B5244
+  br i1 %.1189.i, label %B484.if.i, label %B21938
 
-B22.preheader.i736:                               ; preds = %B5486
-  %94 = mul i64 %.5732.sroa.0.0245, -8
+B22.preheader.i736:                               ; preds = %B22180
+  %94 = mul i64 %.5860.sroa.0.0245, -8
   %scevgep1174 = getelementptr i8, ptr %scevgep1160, i64 %94
   br label %B22.i737
 
@@ -2941,7 +2605,7 @@ B22.i737:                                         ; preds = %B1344.i, %B22.prehe
   %cell.2.0.i738 = phi i64 [ %cell.3.2.i746, %B1344.i ], [ %cells.5.sroa.13.1, %B22.preheader.i736 ]
   %start.2.0.i739 = phi i64 [ %.13.i.i747, %B1344.i ], [ %.13.i589, %B22.preheader.i736 ]
   %.160.i = getelementptr inbounds i64, ptr %.1529, i64 %cell.2.0.i738
-  %.161.i = load i64, ptr %.160.i, align 8, !noalias !42
+  %.161.i = load i64, ptr %.160.i, align 8, !noalias !45
   %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i739
   br i1 %.165.not.i, label %B112.i745, label %B62.i740
 
@@ -2950,14 +2614,14 @@ B62.i740:                                         ; preds = %B22.i737, %B62.i740
   %.168.i = add i64 %cell.4.1.i741, 1
   %sunkaddr.i742 = shl i64 %cell.4.1.i741, 3
   %scevgep1172 = getelementptr i8, ptr %scevgep1171, i64 %sunkaddr.i742
-  %.181.i744 = load i64, ptr %scevgep1172, align 8, !noalias !42
+  %.181.i744 = load i64, ptr %scevgep1172, align 8, !noalias !45
   %.183.not.i = icmp sgt i64 %.181.i744, %start.2.0.i739
   br i1 %.183.not.i, label %B112.i745, label %B62.i740
 
 B112.i745:                                        ; preds = %B62.i740, %B22.i737
   %cell.3.2.i746 = phi i64 [ %cell.2.0.i738, %B22.i737 ], [ %.168.i, %B62.i740 ]
   %.195.i = getelementptr inbounds i64, ptr %.1529, i64 %cell.3.2.i746
-  %.196.i = load i64, ptr %.195.i, align 8, !noalias !42
+  %.196.i = load i64, ptr %.195.i, align 8, !noalias !45
   %.13.i.i747 = tail call i64 @llvm.smin.i64(i64 %.13.i587, i64 %.196.i)
   %.529.i = sub i64 %.13.i.i747, %start.2.0.i739
   %95 = add i64 %.529.i, 7
@@ -2969,46 +2633,46 @@ B112.i745:                                        ; preds = %B62.i740, %B22.i737
 
 B1344.i:                                          ; preds = %B808.if.i, %B112.i745
   %.751.i = icmp slt i64 %.196.i, %.13.i587
-  br i1 %.751.i, label %B22.i737, label %B5564
+  br i1 %.751.i, label %B22.i737, label %B22258
 
 B808.if.lr.ph.i:                                  ; preds = %B112.i745
   %.261.i = shl nsw i64 %cell.3.2.i746, 3
   %96 = getelementptr double, ptr %.2023, i64 %.261.i
   %.478.i = getelementptr i8, ptr %96, i64 48
-  %.479.i748 = load double, ptr %.478.i, align 8, !noalias !42
+  %.479.i748 = load double, ptr %.478.i, align 8, !noalias !45
   %.311.i = or disjoint i64 %.261.i, 5
   %.468.i = getelementptr inbounds double, ptr %.2023, i64 %.311.i
-  %.469.i = load double, ptr %.468.i, align 8, !noalias !42
+  %.469.i = load double, ptr %.468.i, align 8, !noalias !45
   %.301.i = or disjoint i64 %.261.i, 4
   %.458.i = getelementptr inbounds double, ptr %.2023, i64 %.301.i
-  %.459.i = load double, ptr %.458.i, align 8, !noalias !42
+  %.459.i = load double, ptr %.458.i, align 8, !noalias !45
   %.291.i749 = or disjoint i64 %.261.i, 3
   %.412.i750 = getelementptr inbounds double, ptr %.2023, i64 %.291.i749
-  %.413.i751 = load double, ptr %.412.i750, align 8, !noalias !42
+  %.413.i751 = load double, ptr %.412.i750, align 8, !noalias !45
   %.281.i752 = or disjoint i64 %.261.i, 2
   %.402.i = getelementptr inbounds double, ptr %.2023, i64 %.281.i752
-  %.403.i = load double, ptr %.402.i, align 8, !noalias !42
+  %.403.i = load double, ptr %.402.i, align 8, !noalias !45
   %.271.i = or disjoint i64 %.261.i, 1
   %.392.i = getelementptr inbounds double, ptr %.2023, i64 %.271.i
-  %.393.i = load double, ptr %.392.i, align 8, !noalias !42
-  %.383.i = load double, ptr %96, align 8, !noalias !42
+  %.393.i = load double, ptr %.392.i, align 8, !noalias !45
+  %.383.i = load double, ptr %96, align 8, !noalias !45
   %.319.i753 = getelementptr inbounds double, ptr %.1959, i64 %.311.i
-  %.320.i = load double, ptr %.319.i753, align 8, !noalias !42
+  %.320.i = load double, ptr %.319.i753, align 8, !noalias !45
   %.309.i = getelementptr inbounds double, ptr %.1959, i64 %.301.i
-  %.310.i = load double, ptr %.309.i, align 8, !noalias !42
+  %.310.i = load double, ptr %.309.i, align 8, !noalias !45
   %.299.i = getelementptr inbounds double, ptr %.1959, i64 %.291.i749
-  %.300.i = load double, ptr %.299.i, align 8, !noalias !42
+  %.300.i = load double, ptr %.299.i, align 8, !noalias !45
   %.289.i = getelementptr inbounds double, ptr %.1959, i64 %.281.i752
-  %.290.i = load double, ptr %.289.i, align 8, !noalias !42
+  %.290.i = load double, ptr %.289.i, align 8, !noalias !45
   %.279.i754 = getelementptr inbounds double, ptr %.1959, i64 %.271.i
-  %.280.i = load double, ptr %.279.i754, align 8, !noalias !42
+  %.280.i = load double, ptr %.279.i754, align 8, !noalias !45
   %.269.i = getelementptr inbounds double, ptr %.1959, i64 %.261.i
-  %.270.i = load double, ptr %.269.i, align 8, !noalias !42
-  %.251.i = getelementptr inbounds double, ptr %.7837, i64 %cell.3.2.i746
-  %.252.i = load double, ptr %.251.i, align 8, !noalias !42
+  %.270.i = load double, ptr %.269.i, align 8, !noalias !45
+  %.251.i = getelementptr inbounds double, ptr %.7965, i64 %cell.3.2.i746
+  %.252.i = load double, ptr %.251.i, align 8, !noalias !45
   %.253.i = fsub contract double 0.000000e+00, %.252.i
-  %.239.i = getelementptr inbounds double, ptr %.7772, i64 %cell.3.2.i746
-  %.240.i = load double, ptr %.239.i, align 8, !noalias !42
+  %.239.i = getelementptr inbounds double, ptr %.7900, i64 %cell.3.2.i746
+  %.240.i = load double, ptr %.239.i, align 8, !noalias !45
   %.242.i = fmul contract double %.3595, %.240.i
   %.623.i = insertelement <8 x double> poison, double %.242.i, i64 0
   %.624.i = shufflevector <8 x double> %.623.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -3048,7 +2712,7 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %lsr.iv28 = phi i64 [ %lsr.iv.next29, %B808.if.i ], [ %98, %B808.if.lr.ph.i ]
   %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %97, %B808.if.lr.ph.i ]
   %scevgep10.i757 = getelementptr i8, ptr %.335, i64 %lsr.iv5.i
-  %.620.i = load <8 x double>, ptr %scevgep10.i757, align 8, !noalias !42
+  %.620.i = load <8 x double>, ptr %scevgep10.i757, align 8, !noalias !45
   %.627.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.620.i, <8 x double> %.624.i, <8 x double> %.626.i)
   %.636.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.632.i, <8 x double> %.635.i)
   %.640.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.636.i, <8 x double> %.639.i)
@@ -3057,307 +2721,322 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i758, <8 x double> %.651.i)
   %scevgep1176 = getelementptr i8, ptr %scevgep1174, i64 %lsr.iv5.i
   %scevgep1177 = getelementptr i8, ptr %scevgep1176, i64 -8256
-  store <8 x double> %.652.i, ptr %scevgep1177, align 8, !noalias !42
+  store <8 x double> %.652.i, ptr %scevgep1177, align 8, !noalias !45
   %.669.i759 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.665.i, <8 x double> %.668.i)
   %.673.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.669.i759, <8 x double> %.672.i)
   %.677.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.673.i, <8 x double> %.676.i)
   %.683.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.677.i, <8 x double> %.682.i)
   %.687.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.683.i, <8 x double> %.686.i)
   %.691.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.687.i, <8 x double> %.690.i)
-  store <8 x double> %.691.i, ptr %scevgep1176, align 8, !noalias !42
+  store <8 x double> %.691.i, ptr %scevgep1176, align 8, !noalias !45
   %lsr.iv.next6.i = add i64 %lsr.iv5.i, 64
   %lsr.iv.next29 = add nsw i64 %lsr.iv28, -1
   %.573.i = icmp sgt i64 %lsr.iv28, 6
   br i1 %.573.i, label %B808.if.i, label %B1344.i
 }
 
-; Function Attrs: nofree noinline norecurse nosync nounwind memory(write, argmem: readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc void @inner_5(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, ptr readonly captures(none) %arg.arguments.4) unnamed_addr #6 {
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_7(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, ptr readonly captures(none) %arg.arguments.4) unnamed_addr #4 {
 entry:
   %.49 = getelementptr i8, ptr %arg.arguments.4, i64 16
   %.50 = load i64, ptr %.49, align 8
   %.79 = getelementptr i8, ptr %arg.arguments.4, i64 112
   %.80 = load i64, ptr %.79, align 8
-  %.115 = getelementptr i8, ptr %arg.arguments.4, i64 160
-  %.116 = load i64, ptr %.115, align 8
-  %.117.not = icmp eq i64 %.116, 0
-  br i1 %.117.not, label %B216, label %B120
+  %.119 = getelementptr i8, ptr %arg.arguments.4, i64 168
+  %.120 = load i64, ptr %.119, align 8
+  %.121.not = icmp eq i64 %.120, 0
+  %or.cond.i = icmp ugt i64 %.80, 1
+  %or.cond = select i1 %.121.not, i1 true, i1 %or.cond.i
+  br i1 %or.cond, label %B254, label %B172
 
-B120:                                             ; preds = %entry
-  %.152 = inttoptr i64 %.116 to ptr
+B172:                                             ; preds = %entry
+  %.202 = inttoptr i64 %.120 to ptr
+  %.278 = load i64, ptr %.202, align 8
+  %.283 = mul nsw i64 %.278, %.50
+  br label %B254
+
+B254:                                             ; preds = %B172, %entry
+  %points.2.0 = phi i64 [ %.283, %B172 ], [ %.50, %entry ]
+  %.319 = getelementptr i8, ptr %arg.arguments.4, i64 160
+  %.320 = load i64, ptr %.319, align 8
+  %.321.not = icmp eq i64 %.320, 0
+  br i1 %.321.not, label %B394, label %B298
+
+B298:                                             ; preds = %B254
+  %.356 = inttoptr i64 %.320 to ptr
   %0 = tail call i64 @llvm.smin.i64(i64 %arg.i, i64 -1)
-  %1 = getelementptr double, ptr %.152, i64 %arg.i
+  %1 = getelementptr double, ptr %.356, i64 %arg.i
   %2 = getelementptr double, ptr %1, i64 %0
-  %.230 = getelementptr i8, ptr %2, i64 8
-  store double 0x7FF8000000000000, ptr %.230, align 8
-  br label %B216
+  %.432 = getelementptr i8, ptr %2, i64 8
+  store double 0x7FF8000000000000, ptr %.432, align 8
+  br label %B394
 
-B216:                                             ; preds = %B120, %entry
-  %.237 = icmp ne i64 %.80, 4
-  %.247 = zext i1 %.237 to i64
-  %"$phi260.0.2.0" = shl nsw i64 %.50, %.247
-  %.287 = getelementptr i8, ptr %arg.arguments.4, i64 120
-  %.288 = load i64, ptr %.287, align 8
-  %.317 = getelementptr i8, ptr %arg.arguments.4, i64 128
-  %.318 = load i64, ptr %.317, align 8
-  %factor.op.mul389 = mul i64 %"$phi260.0.2.0", %arg.i
-  %.459.reass = shl i64 %factor.op.mul389, 2
-  %.821.reass = shl i64 %factor.op.mul389, 3
+B394:                                             ; preds = %B298, %B254
+  %.439 = icmp ne i64 %.80, 4
+  %.449 = zext i1 %.439 to i64
+  %"$phi438.0.2.0" = shl nsw i64 %points.2.0, %.449
+  %.489 = getelementptr i8, ptr %arg.arguments.4, i64 120
+  %.490 = load i64, ptr %.489, align 8
+  %.519 = getelementptr i8, ptr %arg.arguments.4, i64 128
+  %.520 = load i64, ptr %.519, align 8
+  %factor.op.mul470 = mul i64 %"$phi438.0.2.0", %arg.i
+  %.661.reass = shl i64 %factor.op.mul470, 2
+  %.1023.reass = shl i64 %factor.op.mul470, 3
   %3 = and i64 %.80, -3
-  %.412.not = icmp eq i64 %.288, 0
-  br i1 %.412.not, label %B566, label %B350
+  %.614.not = icmp eq i64 %.490, 0
+  br i1 %.614.not, label %B744, label %B528
 
-B350:                                             ; preds = %B216
+B528:                                             ; preds = %B394
   %4 = icmp eq i64 %3, 1
-  %5 = icmp slt i64 %.50, 1
-  br i1 %4, label %B402, label %B484
+  %5 = icmp slt i64 %points.2.0, 1
+  br i1 %4, label %B580, label %B662
 
-B402:                                             ; preds = %B350
-  %.463 = add nsw i64 %.288, %.459.reass
-  br i1 %5, label %B566, label %.768.endif.preheader, !prof !5
+B580:                                             ; preds = %B528
+  %.665 = add nsw i64 %.490, %.661.reass
+  br i1 %5, label %B744, label %.970.endif.preheader, !prof !1
 
-.768.endif.preheader:                             ; preds = %B402
-  %xtraiter49 = and i64 %"$phi260.0.2.0", 7
-  %6 = icmp ult i64 %"$phi260.0.2.0", 8
-  br i1 %6, label %.768.endif.epil.preheader, label %.768.endif.preheader.new, !prof !45
+.970.endif.preheader:                             ; preds = %B580
+  %xtraiter66 = and i64 %"$phi438.0.2.0", 7
+  %6 = icmp ult i64 %"$phi438.0.2.0", 8
+  br i1 %6, label %.970.endif.epil.preheader, label %.970.endif.preheader.new, !prof !48
 
-.768.endif.preheader.new:                         ; preds = %.768.endif.preheader
-  %7 = add nsw i64 %"$phi260.0.2.0", -8
+.970.endif.preheader.new:                         ; preds = %.970.endif.preheader
+  %7 = add nsw i64 %"$phi438.0.2.0", -8
   %8 = lshr i64 %7, 3
   %9 = icmp eq i64 %8, 0
-  br i1 %9, label %.768.endif.epil.preheader21, label %.768.endif.preheader.new.new, !prof !46
+  br i1 %9, label %.970.endif.epil.preheader21, label %.970.endif.preheader.new.new, !prof !49
 
-.768.endif.preheader.new.new:                     ; preds = %.768.endif.preheader.new
+.970.endif.preheader.new.new:                     ; preds = %.970.endif.preheader.new
   %10 = add nuw nsw i64 %8, 1
-  %11 = inttoptr i64 %.463 to ptr
-  %scevgep165 = getelementptr i8, ptr %11, i64 60
+  %11 = inttoptr i64 %.665 to ptr
+  %scevgep147 = getelementptr i8, ptr %11, i64 60
   %12 = and i64 %10, 4611686018427387902
-  br label %.768.endif
+  br label %.970.endif
 
-B484:                                             ; preds = %B350
-  %.825 = add nsw i64 %.288, %.821.reass
-  br i1 %5, label %B566, label %.1129.endif.preheader, !prof !5
+B662:                                             ; preds = %B528
+  %.1027 = add nsw i64 %.490, %.1023.reass
+  br i1 %5, label %B744, label %.1331.endif.preheader, !prof !1
 
-.1129.endif.preheader:                            ; preds = %B484
-  %xtraiter = and i64 %"$phi260.0.2.0", 7
-  %13 = icmp ult i64 %"$phi260.0.2.0", 8
-  br i1 %13, label %.1129.endif.epil.preheader, label %.1129.endif.preheader.new, !prof !45
+.1331.endif.preheader:                            ; preds = %B662
+  %xtraiter = and i64 %"$phi438.0.2.0", 7
+  %13 = icmp ult i64 %"$phi438.0.2.0", 8
+  br i1 %13, label %.1331.endif.epil.preheader, label %.1331.endif.preheader.new, !prof !48
 
-.1129.endif.preheader.new:                        ; preds = %.1129.endif.preheader
-  %14 = add nsw i64 %"$phi260.0.2.0", -8
+.1331.endif.preheader.new:                        ; preds = %.1331.endif.preheader
+  %14 = add nsw i64 %"$phi438.0.2.0", -8
   %15 = lshr i64 %14, 3
   %16 = icmp eq i64 %15, 0
-  br i1 %16, label %.1129.endif.epil.preheader11, label %.1129.endif.preheader.new.new, !prof !46
+  br i1 %16, label %.1331.endif.epil.preheader11, label %.1331.endif.preheader.new.new, !prof !49
 
-.1129.endif.preheader.new.new:                    ; preds = %.1129.endif.preheader.new
+.1331.endif.preheader.new.new:                    ; preds = %.1331.endif.preheader.new
   %17 = add nuw nsw i64 %15, 1
-  %18 = inttoptr i64 %.825 to ptr
-  %scevgep199 = getelementptr i8, ptr %18, i64 120
+  %18 = inttoptr i64 %.1027 to ptr
+  %scevgep189 = getelementptr i8, ptr %18, i64 120
   %19 = and i64 %17, 4611686018427387902
-  br label %.1129.endif
+  br label %.1331.endif
 
-B566.sink.split.loopexit.unr-lcssa.unr-lcssa:     ; preds = %.768.endif
+B744.sink.split.loopexit.unr-lcssa.unr-lcssa:     ; preds = %.970.endif
   %20 = and i64 %7, 8
   %lcmp.mod26.not.not = icmp eq i64 %20, 0
-  br i1 %lcmp.mod26.not.not, label %.768.endif.epil.preheader21, label %B566.sink.split.loopexit.unr-lcssa, !prof !47
+  br i1 %lcmp.mod26.not.not, label %.970.endif.epil.preheader21, label %B744.sink.split.loopexit.unr-lcssa, !prof !50
 
-.768.endif.epil.preheader21:                      ; preds = %B566.sink.split.loopexit.unr-lcssa.unr-lcssa, %.768.endif.preheader.new
-  %.764.0386.epil.init25 = phi i64 [ 0, %.768.endif.preheader.new ], [ %.809.7.1, %B566.sink.split.loopexit.unr-lcssa.unr-lcssa ]
-  %sunkaddr = inttoptr i64 %.463 to ptr
-  %sunkaddr232 = shl i64 %.764.0386.epil.init25, 2
-  %sunkaddr233 = getelementptr i8, ptr %sunkaddr, i64 %sunkaddr232
-  store float 0x7FF8000000000000, ptr %sunkaddr233, align 4
-  %sunkaddr237 = getelementptr i8, ptr %sunkaddr233, i64 4
-  store float 0x7FF8000000000000, ptr %sunkaddr237, align 4
-  %sunkaddr241 = getelementptr i8, ptr %sunkaddr233, i64 8
-  store float 0x7FF8000000000000, ptr %sunkaddr241, align 4
-  %sunkaddr245 = getelementptr i8, ptr %sunkaddr233, i64 12
-  store float 0x7FF8000000000000, ptr %sunkaddr245, align 4
-  %sunkaddr249 = getelementptr i8, ptr %sunkaddr233, i64 16
-  store float 0x7FF8000000000000, ptr %sunkaddr249, align 4
-  %sunkaddr253 = getelementptr i8, ptr %sunkaddr233, i64 20
-  store float 0x7FF8000000000000, ptr %sunkaddr253, align 4
-  %sunkaddr257 = getelementptr i8, ptr %sunkaddr233, i64 24
-  store float 0x7FF8000000000000, ptr %sunkaddr257, align 4
-  %sunkaddr261 = getelementptr i8, ptr %sunkaddr233, i64 28
-  store float 0x7FF8000000000000, ptr %sunkaddr261, align 4
-  %.809.7.epil = add nuw i64 %.764.0386.epil.init25, 8
-  br label %B566.sink.split.loopexit.unr-lcssa
+.970.endif.epil.preheader21:                      ; preds = %B744.sink.split.loopexit.unr-lcssa.unr-lcssa, %.970.endif.preheader.new
+  %.966.0467.epil.init25 = phi i64 [ 0, %.970.endif.preheader.new ], [ %.1011.7.1, %B744.sink.split.loopexit.unr-lcssa.unr-lcssa ]
+  %sunkaddr = inttoptr i64 %.665 to ptr
+  %sunkaddr222 = shl i64 %.966.0467.epil.init25, 2
+  %sunkaddr223 = getelementptr i8, ptr %sunkaddr, i64 %sunkaddr222
+  store float 0x7FF8000000000000, ptr %sunkaddr223, align 4
+  %sunkaddr227 = getelementptr i8, ptr %sunkaddr223, i64 4
+  store float 0x7FF8000000000000, ptr %sunkaddr227, align 4
+  %sunkaddr231 = getelementptr i8, ptr %sunkaddr223, i64 8
+  store float 0x7FF8000000000000, ptr %sunkaddr231, align 4
+  %sunkaddr235 = getelementptr i8, ptr %sunkaddr223, i64 12
+  store float 0x7FF8000000000000, ptr %sunkaddr235, align 4
+  %sunkaddr239 = getelementptr i8, ptr %sunkaddr223, i64 16
+  store float 0x7FF8000000000000, ptr %sunkaddr239, align 4
+  %sunkaddr243 = getelementptr i8, ptr %sunkaddr223, i64 20
+  store float 0x7FF8000000000000, ptr %sunkaddr243, align 4
+  %sunkaddr247 = getelementptr i8, ptr %sunkaddr223, i64 24
+  store float 0x7FF8000000000000, ptr %sunkaddr247, align 4
+  %sunkaddr251 = getelementptr i8, ptr %sunkaddr223, i64 28
+  store float 0x7FF8000000000000, ptr %sunkaddr251, align 4
+  %.1011.7.epil = add nuw i64 %.966.0467.epil.init25, 8
+  br label %B744.sink.split.loopexit.unr-lcssa
 
-B566.sink.split.loopexit.unr-lcssa:               ; preds = %.768.endif.epil.preheader21, %B566.sink.split.loopexit.unr-lcssa.unr-lcssa
-  %.809.7.lcssa = phi i64 [ %.809.7.epil, %.768.endif.epil.preheader21 ], [ %.809.7.1, %B566.sink.split.loopexit.unr-lcssa.unr-lcssa ]
-  %lcmp.mod51.not = icmp eq i64 %xtraiter49, 0
-  br i1 %lcmp.mod51.not, label %B566, label %.768.endif.epil.preheader, !prof !48
+B744.sink.split.loopexit.unr-lcssa:               ; preds = %.970.endif.epil.preheader21, %B744.sink.split.loopexit.unr-lcssa.unr-lcssa
+  %.1011.7.lcssa = phi i64 [ %.1011.7.epil, %.970.endif.epil.preheader21 ], [ %.1011.7.1, %B744.sink.split.loopexit.unr-lcssa.unr-lcssa ]
+  %lcmp.mod68.not = icmp eq i64 %xtraiter66, 0
+  br i1 %lcmp.mod68.not, label %B744, label %.970.endif.epil.preheader, !prof !51
 
-.768.endif.epil.preheader:                        ; preds = %B566.sink.split.loopexit.unr-lcssa, %.768.endif.preheader
-  %.764.0386.epil.init = phi i64 [ 0, %.768.endif.preheader ], [ %.809.7.lcssa, %B566.sink.split.loopexit.unr-lcssa ]
-  %21 = inttoptr i64 %.463 to ptr
-  %22 = shl i64 %.764.0386.epil.init, 2
-  %scevgep109 = getelementptr i8, ptr %21, i64 %22
-  br label %.768.endif.epil
+.970.endif.epil.preheader:                        ; preds = %B744.sink.split.loopexit.unr-lcssa, %.970.endif.preheader
+  %.966.0467.epil.init = phi i64 [ 0, %.970.endif.preheader ], [ %.1011.7.lcssa, %B744.sink.split.loopexit.unr-lcssa ]
+  %21 = inttoptr i64 %.665 to ptr
+  %22 = shl i64 %.966.0467.epil.init, 2
+  %scevgep126 = getelementptr i8, ptr %21, i64 %22
+  br label %.970.endif.epil
 
-.768.endif.epil:                                  ; preds = %.768.endif.epil, %.768.endif.epil.preheader
-  %epil.iter50 = phi i64 [ %epil.iter50.next, %.768.endif.epil ], [ 0, %.768.endif.epil.preheader ]
-  %23 = shl i64 %epil.iter50, 2
-  %scevgep164 = getelementptr i8, ptr %scevgep109, i64 %23
-  store float 0x7FF8000000000000, ptr %scevgep164, align 4
-  %epil.iter50.next = add i64 %epil.iter50, 1
-  %epil.iter50.cmp.not = icmp eq i64 %xtraiter49, %epil.iter50.next
-  br i1 %epil.iter50.cmp.not, label %B566, label %.768.endif.epil, !prof !49, !llvm.loop !50
+.970.endif.epil:                                  ; preds = %.970.endif.epil, %.970.endif.epil.preheader
+  %epil.iter67 = phi i64 [ %epil.iter67.next, %.970.endif.epil ], [ 0, %.970.endif.epil.preheader ]
+  %23 = shl i64 %epil.iter67, 2
+  %scevgep140 = getelementptr i8, ptr %scevgep126, i64 %23
+  store float 0x7FF8000000000000, ptr %scevgep140, align 4
+  %epil.iter67.next = add i64 %epil.iter67, 1
+  %epil.iter67.cmp.not = icmp eq i64 %xtraiter66, %epil.iter67.next
+  br i1 %epil.iter67.cmp.not, label %B744, label %.970.endif.epil, !prof !52, !llvm.loop !53
 
-B566.sink.split.loopexit42.unr-lcssa.unr-lcssa:   ; preds = %.1129.endif
+B744.sink.split.loopexit59.unr-lcssa.unr-lcssa:   ; preds = %.1331.endif
   %24 = and i64 %14, 8
   %lcmp.mod.not53.not = icmp eq i64 %24, 0
-  br i1 %lcmp.mod.not53.not, label %.1129.endif.epil.preheader11, label %B566.sink.split.loopexit42.unr-lcssa, !prof !47
+  br i1 %lcmp.mod.not53.not, label %.1331.endif.epil.preheader11, label %B744.sink.split.loopexit59.unr-lcssa, !prof !50
 
-.1129.endif.epil.preheader11:                     ; preds = %B566.sink.split.loopexit42.unr-lcssa.unr-lcssa, %.1129.endif.preheader.new
-  %.1125.0388.epil.init15 = phi i64 [ 0, %.1129.endif.preheader.new ], [ %.1170.7.1, %B566.sink.split.loopexit42.unr-lcssa.unr-lcssa ]
-  %sunkaddr262 = inttoptr i64 %.825 to ptr
-  %sunkaddr263 = shl i64 %.1125.0388.epil.init15, 3
-  %sunkaddr264 = getelementptr i8, ptr %sunkaddr262, i64 %sunkaddr263
-  store double 0x7FF8000000000000, ptr %sunkaddr264, align 8
-  %sunkaddr268 = getelementptr i8, ptr %sunkaddr264, i64 8
-  store double 0x7FF8000000000000, ptr %sunkaddr268, align 8
-  %sunkaddr272 = getelementptr i8, ptr %sunkaddr264, i64 16
-  store double 0x7FF8000000000000, ptr %sunkaddr272, align 8
-  %sunkaddr276 = getelementptr i8, ptr %sunkaddr264, i64 24
-  store double 0x7FF8000000000000, ptr %sunkaddr276, align 8
-  %sunkaddr280 = getelementptr i8, ptr %sunkaddr264, i64 32
-  store double 0x7FF8000000000000, ptr %sunkaddr280, align 8
-  %sunkaddr284 = getelementptr i8, ptr %sunkaddr264, i64 40
-  store double 0x7FF8000000000000, ptr %sunkaddr284, align 8
-  %sunkaddr288 = getelementptr i8, ptr %sunkaddr264, i64 48
-  store double 0x7FF8000000000000, ptr %sunkaddr288, align 8
-  %sunkaddr292 = getelementptr i8, ptr %sunkaddr264, i64 56
-  store double 0x7FF8000000000000, ptr %sunkaddr292, align 8
-  %.1170.7.epil = add nuw i64 %.1125.0388.epil.init15, 8
-  br label %B566.sink.split.loopexit42.unr-lcssa
+.1331.endif.epil.preheader11:                     ; preds = %B744.sink.split.loopexit59.unr-lcssa.unr-lcssa, %.1331.endif.preheader.new
+  %.1327.0469.epil.init15 = phi i64 [ 0, %.1331.endif.preheader.new ], [ %.1372.7.1, %B744.sink.split.loopexit59.unr-lcssa.unr-lcssa ]
+  %sunkaddr252 = inttoptr i64 %.1027 to ptr
+  %sunkaddr253 = shl i64 %.1327.0469.epil.init15, 3
+  %sunkaddr254 = getelementptr i8, ptr %sunkaddr252, i64 %sunkaddr253
+  store double 0x7FF8000000000000, ptr %sunkaddr254, align 8
+  %sunkaddr258 = getelementptr i8, ptr %sunkaddr254, i64 8
+  store double 0x7FF8000000000000, ptr %sunkaddr258, align 8
+  %sunkaddr262 = getelementptr i8, ptr %sunkaddr254, i64 16
+  store double 0x7FF8000000000000, ptr %sunkaddr262, align 8
+  %sunkaddr266 = getelementptr i8, ptr %sunkaddr254, i64 24
+  store double 0x7FF8000000000000, ptr %sunkaddr266, align 8
+  %sunkaddr270 = getelementptr i8, ptr %sunkaddr254, i64 32
+  store double 0x7FF8000000000000, ptr %sunkaddr270, align 8
+  %sunkaddr274 = getelementptr i8, ptr %sunkaddr254, i64 40
+  store double 0x7FF8000000000000, ptr %sunkaddr274, align 8
+  %sunkaddr278 = getelementptr i8, ptr %sunkaddr254, i64 48
+  store double 0x7FF8000000000000, ptr %sunkaddr278, align 8
+  %sunkaddr282 = getelementptr i8, ptr %sunkaddr254, i64 56
+  store double 0x7FF8000000000000, ptr %sunkaddr282, align 8
+  %.1372.7.epil = add nuw i64 %.1327.0469.epil.init15, 8
+  br label %B744.sink.split.loopexit59.unr-lcssa
 
-B566.sink.split.loopexit42.unr-lcssa:             ; preds = %.1129.endif.epil.preheader11, %B566.sink.split.loopexit42.unr-lcssa.unr-lcssa
-  %.1170.7.lcssa = phi i64 [ %.1170.7.epil, %.1129.endif.epil.preheader11 ], [ %.1170.7.1, %B566.sink.split.loopexit42.unr-lcssa.unr-lcssa ]
+B744.sink.split.loopexit59.unr-lcssa:             ; preds = %.1331.endif.epil.preheader11, %B744.sink.split.loopexit59.unr-lcssa.unr-lcssa
+  %.1372.7.lcssa = phi i64 [ %.1372.7.epil, %.1331.endif.epil.preheader11 ], [ %.1372.7.1, %B744.sink.split.loopexit59.unr-lcssa.unr-lcssa ]
   %lcmp.mod.not = icmp eq i64 %xtraiter, 0
-  br i1 %lcmp.mod.not, label %B566, label %.1129.endif.epil.preheader, !prof !48
+  br i1 %lcmp.mod.not, label %B744, label %.1331.endif.epil.preheader, !prof !51
 
-.1129.endif.epil.preheader:                       ; preds = %B566.sink.split.loopexit42.unr-lcssa, %.1129.endif.preheader
-  %.1125.0388.epil.init = phi i64 [ 0, %.1129.endif.preheader ], [ %.1170.7.lcssa, %B566.sink.split.loopexit42.unr-lcssa ]
-  %25 = inttoptr i64 %.825 to ptr
-  %26 = shl i64 %.1125.0388.epil.init, 3
-  %scevgep127 = getelementptr i8, ptr %25, i64 %26
-  br label %.1129.endif.epil
+.1331.endif.epil.preheader:                       ; preds = %B744.sink.split.loopexit59.unr-lcssa, %.1331.endif.preheader
+  %.1327.0469.epil.init = phi i64 [ 0, %.1331.endif.preheader ], [ %.1372.7.lcssa, %B744.sink.split.loopexit59.unr-lcssa ]
+  %25 = inttoptr i64 %.1027 to ptr
+  %26 = shl i64 %.1327.0469.epil.init, 3
+  %scevgep144 = getelementptr i8, ptr %25, i64 %26
+  br label %.1331.endif.epil
 
-.1129.endif.epil:                                 ; preds = %.1129.endif.epil, %.1129.endif.epil.preheader
-  %epil.iter = phi i64 [ %epil.iter.next, %.1129.endif.epil ], [ 0, %.1129.endif.epil.preheader ]
+.1331.endif.epil:                                 ; preds = %.1331.endif.epil, %.1331.endif.epil.preheader
+  %epil.iter = phi i64 [ %epil.iter.next, %.1331.endif.epil ], [ 0, %.1331.endif.epil.preheader ]
   %27 = shl i64 %epil.iter, 3
-  %scevgep198 = getelementptr i8, ptr %scevgep127, i64 %27
-  store double 0x7FF8000000000000, ptr %scevgep198, align 8
+  %scevgep188 = getelementptr i8, ptr %scevgep144, i64 %27
+  store double 0x7FF8000000000000, ptr %scevgep188, align 8
   %epil.iter.next = add i64 %epil.iter, 1
   %epil.iter.cmp.not = icmp eq i64 %xtraiter, %epil.iter.next
-  br i1 %epil.iter.cmp.not, label %B566, label %.1129.endif.epil, !prof !49, !llvm.loop !53
+  br i1 %epil.iter.cmp.not, label %B744, label %.1331.endif.epil, !prof !52, !llvm.loop !56
 
-B566:                                             ; preds = %.1129.endif.epil, %.768.endif.epil, %B566.sink.split.loopexit42.unr-lcssa, %B566.sink.split.loopexit.unr-lcssa, %B484, %B402, %B216
-  %.412.not.1 = icmp eq i64 %.318, 0
-  br i1 %.412.not.1, label %B566.1, label %B350.1
+B744:                                             ; preds = %.1331.endif.epil, %.970.endif.epil, %B744.sink.split.loopexit59.unr-lcssa, %B744.sink.split.loopexit.unr-lcssa, %B662, %B580, %B394
+  %.614.not.1 = icmp eq i64 %.520, 0
+  br i1 %.614.not.1, label %B744.1, label %B528.1
 
-B350.1:                                           ; preds = %B566
+B528.1:                                           ; preds = %B744
   %28 = icmp eq i64 %3, 1
-  %29 = icmp slt i64 %.50, 1
-  br i1 %28, label %B402.1, label %B484.1
+  %29 = icmp slt i64 %points.2.0, 1
+  br i1 %28, label %B580.1, label %B662.1
 
-B484.1:                                           ; preds = %B350.1
-  %.825.1 = add nsw i64 %.318, %.821.reass
-  br i1 %29, label %B566.1, label %.1129.endif.1.preheader, !prof !5
+B662.1:                                           ; preds = %B528.1
+  %.1027.1 = add nsw i64 %.520, %.1023.reass
+  br i1 %29, label %B744.1, label %.1331.endif.1.preheader, !prof !1
 
-.1129.endif.1.preheader:                          ; preds = %B484.1
-  %xtraiter60 = and i64 %"$phi260.0.2.0", 7
-  %30 = icmp ult i64 %"$phi260.0.2.0", 8
-  br i1 %30, label %.1129.endif.1.epil.preheader, label %.1129.endif.1.preheader.new, !prof !45
+.1331.endif.1.preheader:                          ; preds = %B662.1
+  %xtraiter77 = and i64 %"$phi438.0.2.0", 7
+  %30 = icmp ult i64 %"$phi438.0.2.0", 8
+  br i1 %30, label %.1331.endif.1.epil.preheader, label %.1331.endif.1.preheader.new, !prof !48
 
-.1129.endif.1.preheader.new:                      ; preds = %.1129.endif.1.preheader
-  %31 = add nsw i64 %"$phi260.0.2.0", -8
+.1331.endif.1.preheader.new:                      ; preds = %.1331.endif.1.preheader
+  %31 = add nsw i64 %"$phi438.0.2.0", -8
   %32 = lshr i64 %31, 3
   %33 = icmp eq i64 %32, 0
-  br i1 %33, label %.1129.endif.1.epil.preheader33, label %.1129.endif.1.preheader.new.new, !prof !46
+  br i1 %33, label %.1331.endif.1.epil.preheader33, label %.1331.endif.1.preheader.new.new, !prof !49
 
-.1129.endif.1.preheader.new.new:                  ; preds = %.1129.endif.1.preheader.new
+.1331.endif.1.preheader.new.new:                  ; preds = %.1331.endif.1.preheader.new
   %34 = add nuw nsw i64 %32, 1
-  %35 = inttoptr i64 %.825.1 to ptr
-  %scevgep112 = getelementptr i8, ptr %35, i64 120
+  %35 = inttoptr i64 %.1027.1 to ptr
+  %scevgep89 = getelementptr i8, ptr %35, i64 120
   %36 = and i64 %34, 4611686018427387902
-  br label %.1129.endif.1
+  br label %.1331.endif.1
 
-.1129.endif.1:                                    ; preds = %.1129.endif.1, %.1129.endif.1.preheader.new.new
-  %lsr.iv72 = phi i64 [ %lsr.iv.next73, %.1129.endif.1 ], [ %36, %.1129.endif.1.preheader.new.new ]
-  %.1125.0388.1 = phi i64 [ %.1170.1.7.1, %.1129.endif.1 ], [ 0, %.1129.endif.1.preheader.new.new ]
-  %37 = shl i64 %.1125.0388.1, 3
-  %scevgep147 = getelementptr i8, ptr %scevgep112, i64 %37
-  %scevgep148 = getelementptr i8, ptr %scevgep147, i64 -64
-  %scevgep161 = getelementptr i8, ptr %scevgep147, i64 -120
-  store double 0x7FF8000000000000, ptr %scevgep161, align 8
-  %scevgep160 = getelementptr i8, ptr %scevgep147, i64 -112
-  store double 0x7FF8000000000000, ptr %scevgep160, align 8
-  %scevgep126 = getelementptr i8, ptr %scevgep147, i64 -104
-  store double 0x7FF8000000000000, ptr %scevgep126, align 8
-  %scevgep122 = getelementptr i8, ptr %scevgep147, i64 -96
+.1331.endif.1:                                    ; preds = %.1331.endif.1, %.1331.endif.1.preheader.new.new
+  %lsr.iv72 = phi i64 [ %lsr.iv.next73, %.1331.endif.1 ], [ %36, %.1331.endif.1.preheader.new.new ]
+  %.1327.0469.1 = phi i64 [ %.1372.1.7.1, %.1331.endif.1 ], [ 0, %.1331.endif.1.preheader.new.new ]
+  %37 = shl i64 %.1327.0469.1, 3
+  %scevgep106 = getelementptr i8, ptr %scevgep89, i64 %37
+  %scevgep107 = getelementptr i8, ptr %scevgep106, i64 -64
+  %scevgep136 = getelementptr i8, ptr %scevgep106, i64 -120
+  store double 0x7FF8000000000000, ptr %scevgep136, align 8
+  %scevgep134 = getelementptr i8, ptr %scevgep106, i64 -112
+  store double 0x7FF8000000000000, ptr %scevgep134, align 8
+  %scevgep127 = getelementptr i8, ptr %scevgep106, i64 -104
+  store double 0x7FF8000000000000, ptr %scevgep127, align 8
+  %scevgep122 = getelementptr i8, ptr %scevgep106, i64 -96
   store double 0x7FF8000000000000, ptr %scevgep122, align 8
-  %scevgep118 = getelementptr i8, ptr %scevgep147, i64 -88
+  %scevgep118 = getelementptr i8, ptr %scevgep106, i64 -88
   store double 0x7FF8000000000000, ptr %scevgep118, align 8
-  %scevgep114 = getelementptr i8, ptr %scevgep147, i64 -80
+  %scevgep114 = getelementptr i8, ptr %scevgep106, i64 -80
   store double 0x7FF8000000000000, ptr %scevgep114, align 8
-  %scevgep108 = getelementptr i8, ptr %scevgep147, i64 -72
-  store double 0x7FF8000000000000, ptr %scevgep108, align 8
-  store double 0x7FF8000000000000, ptr %scevgep148, align 8
-  %scevgep102 = getelementptr i8, ptr %scevgep147, i64 -56
-  store double 0x7FF8000000000000, ptr %scevgep102, align 8
-  %scevgep98 = getelementptr i8, ptr %scevgep147, i64 -48
-  store double 0x7FF8000000000000, ptr %scevgep98, align 8
-  %scevgep94 = getelementptr i8, ptr %scevgep147, i64 -40
-  store double 0x7FF8000000000000, ptr %scevgep94, align 8
-  %scevgep89 = getelementptr i8, ptr %scevgep147, i64 -32
-  store double 0x7FF8000000000000, ptr %scevgep89, align 8
-  %scevgep85 = getelementptr i8, ptr %scevgep147, i64 -24
+  %scevgep110 = getelementptr i8, ptr %scevgep106, i64 -72
+  store double 0x7FF8000000000000, ptr %scevgep110, align 8
+  store double 0x7FF8000000000000, ptr %scevgep107, align 8
+  %scevgep104 = getelementptr i8, ptr %scevgep106, i64 -56
+  store double 0x7FF8000000000000, ptr %scevgep104, align 8
+  %scevgep101 = getelementptr i8, ptr %scevgep106, i64 -48
+  store double 0x7FF8000000000000, ptr %scevgep101, align 8
+  %scevgep97 = getelementptr i8, ptr %scevgep106, i64 -40
+  store double 0x7FF8000000000000, ptr %scevgep97, align 8
+  %scevgep93 = getelementptr i8, ptr %scevgep106, i64 -32
+  store double 0x7FF8000000000000, ptr %scevgep93, align 8
+  %scevgep85 = getelementptr i8, ptr %scevgep106, i64 -24
   store double 0x7FF8000000000000, ptr %scevgep85, align 8
-  %scevgep81 = getelementptr i8, ptr %scevgep147, i64 -16
+  %scevgep81 = getelementptr i8, ptr %scevgep106, i64 -16
   store double 0x7FF8000000000000, ptr %scevgep81, align 8
-  %scevgep77 = getelementptr i8, ptr %scevgep147, i64 -8
+  %scevgep77 = getelementptr i8, ptr %scevgep106, i64 -8
   store double 0x7FF8000000000000, ptr %scevgep77, align 8
-  store double 0x7FF8000000000000, ptr %scevgep147, align 8
-  %.1170.1.7.1 = add i64 %.1125.0388.1, 16
+  store double 0x7FF8000000000000, ptr %scevgep106, align 8
+  %.1372.1.7.1 = add i64 %.1327.0469.1, 16
   %lsr.iv.next73 = add i64 %lsr.iv72, -2
   %niter42.ncmp.1 = icmp eq i64 %lsr.iv.next73, 0
-  br i1 %niter42.ncmp.1, label %B566.1.sink.split.loopexit41.unr-lcssa.unr-lcssa, label %.1129.endif.1, !prof !54, !llvm.loop !55
+  br i1 %niter42.ncmp.1, label %B744.1.sink.split.loopexit58.unr-lcssa.unr-lcssa, label %.1331.endif.1, !prof !57, !llvm.loop !58
 
-B402.1:                                           ; preds = %B350.1
-  %.463.1 = add nsw i64 %.318, %.459.reass
-  br i1 %29, label %B566.1, label %.768.endif.1.preheader, !prof !5
+B580.1:                                           ; preds = %B528.1
+  %.665.1 = add nsw i64 %.520, %.661.reass
+  br i1 %29, label %B744.1, label %.970.endif.1.preheader, !prof !1
 
-.768.endif.1.preheader:                           ; preds = %B402.1
-  %xtraiter66 = and i64 %"$phi260.0.2.0", 7
-  %38 = icmp ult i64 %"$phi260.0.2.0", 8
-  br i1 %38, label %.768.endif.1.epil.preheader, label %.768.endif.1.preheader.new, !prof !45
+.970.endif.1.preheader:                           ; preds = %B580.1
+  %xtraiter83 = and i64 %"$phi438.0.2.0", 7
+  %38 = icmp ult i64 %"$phi438.0.2.0", 8
+  br i1 %38, label %.970.endif.1.epil.preheader, label %.970.endif.1.preheader.new, !prof !48
 
-.768.endif.1.preheader.new:                       ; preds = %.768.endif.1.preheader
-  %39 = add nsw i64 %"$phi260.0.2.0", -8
+.970.endif.1.preheader.new:                       ; preds = %.970.endif.1.preheader
+  %39 = add nsw i64 %"$phi438.0.2.0", -8
   %40 = lshr i64 %39, 3
   %41 = icmp eq i64 %40, 0
-  br i1 %41, label %.768.endif.1.epil.preheader43, label %.768.endif.1.preheader.new.new, !prof !46
+  br i1 %41, label %.970.endif.1.epil.preheader43, label %.970.endif.1.preheader.new.new, !prof !49
 
-.768.endif.1.preheader.new.new:                   ; preds = %.768.endif.1.preheader.new
+.970.endif.1.preheader.new.new:                   ; preds = %.970.endif.1.preheader.new
   %42 = add nuw nsw i64 %40, 1
-  %43 = inttoptr i64 %.463.1 to ptr
+  %43 = inttoptr i64 %.665.1 to ptr
   %scevgep57 = getelementptr i8, ptr %43, i64 60
   %44 = and i64 %42, 4611686018427387902
-  br label %.768.endif.1
+  br label %.970.endif.1
 
-.768.endif.1:                                     ; preds = %.768.endif.1, %.768.endif.1.preheader.new.new
-  %lsr.iv20 = phi i64 [ %lsr.iv.next21, %.768.endif.1 ], [ %44, %.768.endif.1.preheader.new.new ]
-  %.764.0386.1 = phi i64 [ %.809.1.7.1, %.768.endif.1 ], [ 0, %.768.endif.1.preheader.new.new ]
-  %45 = shl i64 %.764.0386.1, 2
+.970.endif.1:                                     ; preds = %.970.endif.1, %.970.endif.1.preheader.new.new
+  %lsr.iv20 = phi i64 [ %lsr.iv.next21, %.970.endif.1 ], [ %44, %.970.endif.1.preheader.new.new ]
+  %.966.0467.1 = phi i64 [ %.1011.1.7.1, %.970.endif.1 ], [ 0, %.970.endif.1.preheader.new.new ]
+  %45 = shl i64 %.966.0467.1, 2
   %scevgep73 = getelementptr i8, ptr %scevgep57, i64 %45
   %scevgep74 = getelementptr i8, ptr %scevgep73, i64 -32
-  %scevgep103 = getelementptr i8, ptr %scevgep73, i64 -60
-  store float 0x7FF8000000000000, ptr %scevgep103, align 4
-  %scevgep101 = getelementptr i8, ptr %scevgep73, i64 -56
-  store float 0x7FF8000000000000, ptr %scevgep101, align 4
+  %scevgep87 = getelementptr i8, ptr %scevgep73, i64 -60
+  store float 0x7FF8000000000000, ptr %scevgep87, align 4
+  %scevgep86 = getelementptr i8, ptr %scevgep73, i64 -56
+  store float 0x7FF8000000000000, ptr %scevgep86, align 4
   %scevgep71 = getelementptr i8, ptr %scevgep73, i64 -52
   store float 0x7FF8000000000000, ptr %scevgep71, align 4
   %scevgep67 = getelementptr i8, ptr %scevgep73, i64 -48
@@ -3384,283 +3063,1878 @@ B402.1:                                           ; preds = %B350.1
   %scevgep25 = getelementptr i8, ptr %scevgep73, i64 -4
   store float 0x7FF8000000000000, ptr %scevgep25, align 4
   store float 0x7FF8000000000000, ptr %scevgep73, align 4
-  %.809.1.7.1 = add i64 %.764.0386.1, 16
+  %.1011.1.7.1 = add i64 %.966.0467.1, 16
   %lsr.iv.next21 = add i64 %lsr.iv20, -2
   %niter52.ncmp.1 = icmp eq i64 %lsr.iv.next21, 0
-  br i1 %niter52.ncmp.1, label %B566.1.sink.split.loopexit.unr-lcssa.unr-lcssa, label %.768.endif.1, !prof !54, !llvm.loop !57
+  br i1 %niter52.ncmp.1, label %B744.1.sink.split.loopexit.unr-lcssa.unr-lcssa, label %.970.endif.1, !prof !57, !llvm.loop !60
 
-B566.1.sink.split.loopexit.unr-lcssa.unr-lcssa:   ; preds = %.768.endif.1
+B744.1.sink.split.loopexit.unr-lcssa.unr-lcssa:   ; preds = %.970.endif.1
   %46 = and i64 %39, 8
   %lcmp.mod48.not.not = icmp eq i64 %46, 0
-  br i1 %lcmp.mod48.not.not, label %.768.endif.1.epil.preheader43, label %B566.1.sink.split.loopexit.unr-lcssa, !prof !47
+  br i1 %lcmp.mod48.not.not, label %.970.endif.1.epil.preheader43, label %B744.1.sink.split.loopexit.unr-lcssa, !prof !50
 
-.768.endif.1.epil.preheader43:                    ; preds = %B566.1.sink.split.loopexit.unr-lcssa.unr-lcssa, %.768.endif.1.preheader.new
-  %.764.0386.1.epil.init47 = phi i64 [ 0, %.768.endif.1.preheader.new ], [ %.809.1.7.1, %B566.1.sink.split.loopexit.unr-lcssa.unr-lcssa ]
-  %sunkaddr293 = inttoptr i64 %.463.1 to ptr
-  %sunkaddr294 = shl i64 %.764.0386.1.epil.init47, 2
-  %sunkaddr295 = getelementptr i8, ptr %sunkaddr293, i64 %sunkaddr294
-  store float 0x7FF8000000000000, ptr %sunkaddr295, align 4
-  %sunkaddr299 = getelementptr i8, ptr %sunkaddr295, i64 4
-  store float 0x7FF8000000000000, ptr %sunkaddr299, align 4
-  %sunkaddr303 = getelementptr i8, ptr %sunkaddr295, i64 8
-  store float 0x7FF8000000000000, ptr %sunkaddr303, align 4
-  %sunkaddr307 = getelementptr i8, ptr %sunkaddr295, i64 12
-  store float 0x7FF8000000000000, ptr %sunkaddr307, align 4
-  %sunkaddr311 = getelementptr i8, ptr %sunkaddr295, i64 16
-  store float 0x7FF8000000000000, ptr %sunkaddr311, align 4
-  %sunkaddr315 = getelementptr i8, ptr %sunkaddr295, i64 20
-  store float 0x7FF8000000000000, ptr %sunkaddr315, align 4
-  %sunkaddr319 = getelementptr i8, ptr %sunkaddr295, i64 24
-  store float 0x7FF8000000000000, ptr %sunkaddr319, align 4
-  %sunkaddr323 = getelementptr i8, ptr %sunkaddr295, i64 28
-  store float 0x7FF8000000000000, ptr %sunkaddr323, align 4
-  %.809.1.7.epil = add nuw i64 %.764.0386.1.epil.init47, 8
-  br label %B566.1.sink.split.loopexit.unr-lcssa
+.970.endif.1.epil.preheader43:                    ; preds = %B744.1.sink.split.loopexit.unr-lcssa.unr-lcssa, %.970.endif.1.preheader.new
+  %.966.0467.1.epil.init47 = phi i64 [ 0, %.970.endif.1.preheader.new ], [ %.1011.1.7.1, %B744.1.sink.split.loopexit.unr-lcssa.unr-lcssa ]
+  %sunkaddr283 = inttoptr i64 %.665.1 to ptr
+  %sunkaddr284 = shl i64 %.966.0467.1.epil.init47, 2
+  %sunkaddr285 = getelementptr i8, ptr %sunkaddr283, i64 %sunkaddr284
+  store float 0x7FF8000000000000, ptr %sunkaddr285, align 4
+  %sunkaddr289 = getelementptr i8, ptr %sunkaddr285, i64 4
+  store float 0x7FF8000000000000, ptr %sunkaddr289, align 4
+  %sunkaddr293 = getelementptr i8, ptr %sunkaddr285, i64 8
+  store float 0x7FF8000000000000, ptr %sunkaddr293, align 4
+  %sunkaddr297 = getelementptr i8, ptr %sunkaddr285, i64 12
+  store float 0x7FF8000000000000, ptr %sunkaddr297, align 4
+  %sunkaddr301 = getelementptr i8, ptr %sunkaddr285, i64 16
+  store float 0x7FF8000000000000, ptr %sunkaddr301, align 4
+  %sunkaddr305 = getelementptr i8, ptr %sunkaddr285, i64 20
+  store float 0x7FF8000000000000, ptr %sunkaddr305, align 4
+  %sunkaddr309 = getelementptr i8, ptr %sunkaddr285, i64 24
+  store float 0x7FF8000000000000, ptr %sunkaddr309, align 4
+  %sunkaddr313 = getelementptr i8, ptr %sunkaddr285, i64 28
+  store float 0x7FF8000000000000, ptr %sunkaddr313, align 4
+  %.1011.1.7.epil = add nuw i64 %.966.0467.1.epil.init47, 8
+  br label %B744.1.sink.split.loopexit.unr-lcssa
 
-B566.1.sink.split.loopexit.unr-lcssa:             ; preds = %.768.endif.1.epil.preheader43, %B566.1.sink.split.loopexit.unr-lcssa.unr-lcssa
-  %.809.1.7.lcssa = phi i64 [ %.809.1.7.epil, %.768.endif.1.epil.preheader43 ], [ %.809.1.7.1, %B566.1.sink.split.loopexit.unr-lcssa.unr-lcssa ]
-  %lcmp.mod68.not = icmp eq i64 %xtraiter66, 0
-  br i1 %lcmp.mod68.not, label %B566.1, label %.768.endif.1.epil.preheader, !prof !48
+B744.1.sink.split.loopexit.unr-lcssa:             ; preds = %.970.endif.1.epil.preheader43, %B744.1.sink.split.loopexit.unr-lcssa.unr-lcssa
+  %.1011.1.7.lcssa = phi i64 [ %.1011.1.7.epil, %.970.endif.1.epil.preheader43 ], [ %.1011.1.7.1, %B744.1.sink.split.loopexit.unr-lcssa.unr-lcssa ]
+  %lcmp.mod85.not = icmp eq i64 %xtraiter83, 0
+  br i1 %lcmp.mod85.not, label %B744.1, label %.970.endif.1.epil.preheader, !prof !51
 
-.768.endif.1.epil.preheader:                      ; preds = %B566.1.sink.split.loopexit.unr-lcssa, %.768.endif.1.preheader
-  %.764.0386.1.epil.init = phi i64 [ 0, %.768.endif.1.preheader ], [ %.809.1.7.lcssa, %B566.1.sink.split.loopexit.unr-lcssa ]
-  %47 = inttoptr i64 %.463.1 to ptr
-  %48 = shl i64 %.764.0386.1.epil.init, 2
+.970.endif.1.epil.preheader:                      ; preds = %B744.1.sink.split.loopexit.unr-lcssa, %.970.endif.1.preheader
+  %.966.0467.1.epil.init = phi i64 [ 0, %.970.endif.1.preheader ], [ %.1011.1.7.lcssa, %B744.1.sink.split.loopexit.unr-lcssa ]
+  %47 = inttoptr i64 %.665.1 to ptr
+  %48 = shl i64 %.966.0467.1.epil.init, 2
   %scevgep = getelementptr i8, ptr %47, i64 %48
-  br label %.768.endif.1.epil
+  br label %.970.endif.1.epil
 
-.768.endif.1.epil:                                ; preds = %.768.endif.1.epil, %.768.endif.1.epil.preheader
-  %epil.iter67 = phi i64 [ %epil.iter67.next, %.768.endif.1.epil ], [ 0, %.768.endif.1.epil.preheader ]
-  %49 = shl i64 %epil.iter67, 2
+.970.endif.1.epil:                                ; preds = %.970.endif.1.epil, %.970.endif.1.epil.preheader
+  %epil.iter84 = phi i64 [ %epil.iter84.next, %.970.endif.1.epil ], [ 0, %.970.endif.1.epil.preheader ]
+  %49 = shl i64 %epil.iter84, 2
   %scevgep56 = getelementptr i8, ptr %scevgep, i64 %49
   store float 0x7FF8000000000000, ptr %scevgep56, align 4
-  %epil.iter67.next = add i64 %epil.iter67, 1
-  %epil.iter67.cmp.not = icmp eq i64 %xtraiter66, %epil.iter67.next
-  br i1 %epil.iter67.cmp.not, label %B566.1, label %.768.endif.1.epil, !prof !49, !llvm.loop !58
+  %epil.iter84.next = add i64 %epil.iter84, 1
+  %epil.iter84.cmp.not = icmp eq i64 %xtraiter83, %epil.iter84.next
+  br i1 %epil.iter84.cmp.not, label %B744.1, label %.970.endif.1.epil, !prof !52, !llvm.loop !61
 
-B566.1.sink.split.loopexit41.unr-lcssa.unr-lcssa: ; preds = %.1129.endif.1
+B744.1.sink.split.loopexit58.unr-lcssa.unr-lcssa: ; preds = %.1331.endif.1
   %50 = and i64 %31, 8
   %lcmp.mod38.not.not = icmp eq i64 %50, 0
-  br i1 %lcmp.mod38.not.not, label %.1129.endif.1.epil.preheader33, label %B566.1.sink.split.loopexit41.unr-lcssa, !prof !47
+  br i1 %lcmp.mod38.not.not, label %.1331.endif.1.epil.preheader33, label %B744.1.sink.split.loopexit58.unr-lcssa, !prof !50
 
-.1129.endif.1.epil.preheader33:                   ; preds = %B566.1.sink.split.loopexit41.unr-lcssa.unr-lcssa, %.1129.endif.1.preheader.new
-  %.1125.0388.1.epil.init37 = phi i64 [ 0, %.1129.endif.1.preheader.new ], [ %.1170.1.7.1, %B566.1.sink.split.loopexit41.unr-lcssa.unr-lcssa ]
-  %sunkaddr324 = inttoptr i64 %.825.1 to ptr
-  %sunkaddr325 = shl i64 %.1125.0388.1.epil.init37, 3
-  %sunkaddr326 = getelementptr i8, ptr %sunkaddr324, i64 %sunkaddr325
-  store double 0x7FF8000000000000, ptr %sunkaddr326, align 8
-  %sunkaddr330 = getelementptr i8, ptr %sunkaddr326, i64 8
-  store double 0x7FF8000000000000, ptr %sunkaddr330, align 8
-  %sunkaddr334 = getelementptr i8, ptr %sunkaddr326, i64 16
-  store double 0x7FF8000000000000, ptr %sunkaddr334, align 8
-  %sunkaddr338 = getelementptr i8, ptr %sunkaddr326, i64 24
-  store double 0x7FF8000000000000, ptr %sunkaddr338, align 8
-  %sunkaddr342 = getelementptr i8, ptr %sunkaddr326, i64 32
-  store double 0x7FF8000000000000, ptr %sunkaddr342, align 8
-  %sunkaddr346 = getelementptr i8, ptr %sunkaddr326, i64 40
-  store double 0x7FF8000000000000, ptr %sunkaddr346, align 8
-  %sunkaddr350 = getelementptr i8, ptr %sunkaddr326, i64 48
-  store double 0x7FF8000000000000, ptr %sunkaddr350, align 8
-  %sunkaddr354 = getelementptr i8, ptr %sunkaddr326, i64 56
-  store double 0x7FF8000000000000, ptr %sunkaddr354, align 8
-  %.1170.1.7.epil = add nuw i64 %.1125.0388.1.epil.init37, 8
-  br label %B566.1.sink.split.loopexit41.unr-lcssa
+.1331.endif.1.epil.preheader33:                   ; preds = %B744.1.sink.split.loopexit58.unr-lcssa.unr-lcssa, %.1331.endif.1.preheader.new
+  %.1327.0469.1.epil.init37 = phi i64 [ 0, %.1331.endif.1.preheader.new ], [ %.1372.1.7.1, %B744.1.sink.split.loopexit58.unr-lcssa.unr-lcssa ]
+  %sunkaddr314 = inttoptr i64 %.1027.1 to ptr
+  %sunkaddr315 = shl i64 %.1327.0469.1.epil.init37, 3
+  %sunkaddr316 = getelementptr i8, ptr %sunkaddr314, i64 %sunkaddr315
+  store double 0x7FF8000000000000, ptr %sunkaddr316, align 8
+  %sunkaddr320 = getelementptr i8, ptr %sunkaddr316, i64 8
+  store double 0x7FF8000000000000, ptr %sunkaddr320, align 8
+  %sunkaddr324 = getelementptr i8, ptr %sunkaddr316, i64 16
+  store double 0x7FF8000000000000, ptr %sunkaddr324, align 8
+  %sunkaddr328 = getelementptr i8, ptr %sunkaddr316, i64 24
+  store double 0x7FF8000000000000, ptr %sunkaddr328, align 8
+  %sunkaddr332 = getelementptr i8, ptr %sunkaddr316, i64 32
+  store double 0x7FF8000000000000, ptr %sunkaddr332, align 8
+  %sunkaddr336 = getelementptr i8, ptr %sunkaddr316, i64 40
+  store double 0x7FF8000000000000, ptr %sunkaddr336, align 8
+  %sunkaddr340 = getelementptr i8, ptr %sunkaddr316, i64 48
+  store double 0x7FF8000000000000, ptr %sunkaddr340, align 8
+  %sunkaddr344 = getelementptr i8, ptr %sunkaddr316, i64 56
+  store double 0x7FF8000000000000, ptr %sunkaddr344, align 8
+  %.1372.1.7.epil = add nuw i64 %.1327.0469.1.epil.init37, 8
+  br label %B744.1.sink.split.loopexit58.unr-lcssa
 
-B566.1.sink.split.loopexit41.unr-lcssa:           ; preds = %.1129.endif.1.epil.preheader33, %B566.1.sink.split.loopexit41.unr-lcssa.unr-lcssa
-  %.1170.1.7.lcssa = phi i64 [ %.1170.1.7.epil, %.1129.endif.1.epil.preheader33 ], [ %.1170.1.7.1, %B566.1.sink.split.loopexit41.unr-lcssa.unr-lcssa ]
-  %lcmp.mod62.not = icmp eq i64 %xtraiter60, 0
-  br i1 %lcmp.mod62.not, label %B566.1, label %.1129.endif.1.epil.preheader, !prof !48
+B744.1.sink.split.loopexit58.unr-lcssa:           ; preds = %.1331.endif.1.epil.preheader33, %B744.1.sink.split.loopexit58.unr-lcssa.unr-lcssa
+  %.1372.1.7.lcssa = phi i64 [ %.1372.1.7.epil, %.1331.endif.1.epil.preheader33 ], [ %.1372.1.7.1, %B744.1.sink.split.loopexit58.unr-lcssa.unr-lcssa ]
+  %lcmp.mod79.not = icmp eq i64 %xtraiter77, 0
+  br i1 %lcmp.mod79.not, label %B744.1, label %.1331.endif.1.epil.preheader, !prof !51
 
-.1129.endif.1.epil.preheader:                     ; preds = %B566.1.sink.split.loopexit41.unr-lcssa, %.1129.endif.1.preheader
-  %.1125.0388.1.epil.init = phi i64 [ 0, %.1129.endif.1.preheader ], [ %.1170.1.7.lcssa, %B566.1.sink.split.loopexit41.unr-lcssa ]
-  %51 = inttoptr i64 %.825.1 to ptr
-  %52 = shl i64 %.1125.0388.1.epil.init, 3
-  %scevgep91 = getelementptr i8, ptr %51, i64 %52
-  br label %.1129.endif.1.epil
+.1331.endif.1.epil.preheader:                     ; preds = %B744.1.sink.split.loopexit58.unr-lcssa, %.1331.endif.1.preheader
+  %.1327.0469.1.epil.init = phi i64 [ 0, %.1331.endif.1.preheader ], [ %.1372.1.7.lcssa, %B744.1.sink.split.loopexit58.unr-lcssa ]
+  %51 = inttoptr i64 %.1027.1 to ptr
+  %52 = shl i64 %.1327.0469.1.epil.init, 3
+  %scevgep108 = getelementptr i8, ptr %51, i64 %52
+  br label %.1331.endif.1.epil
 
-.1129.endif.1.epil:                               ; preds = %.1129.endif.1.epil, %.1129.endif.1.epil.preheader
-  %epil.iter61 = phi i64 [ %epil.iter61.next, %.1129.endif.1.epil ], [ 0, %.1129.endif.1.epil.preheader ]
-  %53 = shl i64 %epil.iter61, 3
-  %scevgep105 = getelementptr i8, ptr %scevgep91, i64 %53
-  store double 0x7FF8000000000000, ptr %scevgep105, align 8
-  %epil.iter61.next = add i64 %epil.iter61, 1
-  %epil.iter61.cmp.not = icmp eq i64 %xtraiter60, %epil.iter61.next
-  br i1 %epil.iter61.cmp.not, label %B566.1, label %.1129.endif.1.epil, !prof !49, !llvm.loop !59
+.1331.endif.1.epil:                               ; preds = %.1331.endif.1.epil, %.1331.endif.1.epil.preheader
+  %epil.iter78 = phi i64 [ %epil.iter78.next, %.1331.endif.1.epil ], [ 0, %.1331.endif.1.epil.preheader ]
+  %53 = shl i64 %epil.iter78, 3
+  %scevgep88 = getelementptr i8, ptr %scevgep108, i64 %53
+  store double 0x7FF8000000000000, ptr %scevgep88, align 8
+  %epil.iter78.next = add i64 %epil.iter78, 1
+  %epil.iter78.cmp.not = icmp eq i64 %xtraiter77, %epil.iter78.next
+  br i1 %epil.iter78.cmp.not, label %B744.1, label %.1331.endif.1.epil, !prof !52, !llvm.loop !62
 
-B566.1:                                           ; preds = %.1129.endif.1.epil, %.768.endif.1.epil, %B566.1.sink.split.loopexit41.unr-lcssa, %B566.1.sink.split.loopexit.unr-lcssa, %B402.1, %B484.1, %B566
+B744.1:                                           ; preds = %.1331.endif.1.epil, %.970.endif.1.epil, %B744.1.sink.split.loopexit58.unr-lcssa, %B744.1.sink.split.loopexit.unr-lcssa, %B580.1, %B662.1, %B744
   store ptr null, ptr %retptr, align 8
   ret void
 
-.768.endif:                                       ; preds = %.768.endif, %.768.endif.preheader.new.new
-  %lsr.iv = phi i64 [ %lsr.iv.next, %.768.endif ], [ %12, %.768.endif.preheader.new.new ]
-  %.764.0386 = phi i64 [ %.809.7.1, %.768.endif ], [ 0, %.768.endif.preheader.new.new ]
-  %54 = shl i64 %.764.0386, 2
-  %scevgep181 = getelementptr i8, ptr %scevgep165, i64 %54
-  %scevgep182 = getelementptr i8, ptr %scevgep181, i64 -32
-  %scevgep195 = getelementptr i8, ptr %scevgep181, i64 -60
-  store float 0x7FF8000000000000, ptr %scevgep195, align 4
-  %scevgep194 = getelementptr i8, ptr %scevgep181, i64 -56
-  store float 0x7FF8000000000000, ptr %scevgep194, align 4
-  %scevgep155 = getelementptr i8, ptr %scevgep181, i64 -52
+.970.endif:                                       ; preds = %.970.endif, %.970.endif.preheader.new.new
+  %lsr.iv = phi i64 [ %lsr.iv.next, %.970.endif ], [ %12, %.970.endif.preheader.new.new ]
+  %.966.0467 = phi i64 [ %.1011.7.1, %.970.endif ], [ 0, %.970.endif.preheader.new.new ]
+  %54 = shl i64 %.966.0467, 2
+  %scevgep171 = getelementptr i8, ptr %scevgep147, i64 %54
+  %scevgep172 = getelementptr i8, ptr %scevgep171, i64 -32
+  %scevgep185 = getelementptr i8, ptr %scevgep171, i64 -60
+  store float 0x7FF8000000000000, ptr %scevgep185, align 4
+  %scevgep184 = getelementptr i8, ptr %scevgep171, i64 -56
+  store float 0x7FF8000000000000, ptr %scevgep184, align 4
+  %scevgep159 = getelementptr i8, ptr %scevgep171, i64 -52
+  store float 0x7FF8000000000000, ptr %scevgep159, align 4
+  %scevgep157 = getelementptr i8, ptr %scevgep171, i64 -48
+  store float 0x7FF8000000000000, ptr %scevgep157, align 4
+  %scevgep155 = getelementptr i8, ptr %scevgep171, i64 -44
   store float 0x7FF8000000000000, ptr %scevgep155, align 4
-  %scevgep153 = getelementptr i8, ptr %scevgep181, i64 -48
+  %scevgep153 = getelementptr i8, ptr %scevgep171, i64 -40
   store float 0x7FF8000000000000, ptr %scevgep153, align 4
-  %scevgep151 = getelementptr i8, ptr %scevgep181, i64 -44
+  %scevgep151 = getelementptr i8, ptr %scevgep171, i64 -36
   store float 0x7FF8000000000000, ptr %scevgep151, align 4
-  %scevgep149 = getelementptr i8, ptr %scevgep181, i64 -40
+  store float 0x7FF8000000000000, ptr %scevgep172, align 4
+  %scevgep149 = getelementptr i8, ptr %scevgep171, i64 -28
   store float 0x7FF8000000000000, ptr %scevgep149, align 4
-  %scevgep145 = getelementptr i8, ptr %scevgep181, i64 -36
-  store float 0x7FF8000000000000, ptr %scevgep145, align 4
-  store float 0x7FF8000000000000, ptr %scevgep182, align 4
-  %scevgep143 = getelementptr i8, ptr %scevgep181, i64 -28
+  %scevgep146 = getelementptr i8, ptr %scevgep171, i64 -24
+  store float 0x7FF8000000000000, ptr %scevgep146, align 4
+  %scevgep143 = getelementptr i8, ptr %scevgep171, i64 -20
   store float 0x7FF8000000000000, ptr %scevgep143, align 4
-  %scevgep141 = getelementptr i8, ptr %scevgep181, i64 -24
+  %scevgep141 = getelementptr i8, ptr %scevgep171, i64 -16
   store float 0x7FF8000000000000, ptr %scevgep141, align 4
-  %scevgep139 = getelementptr i8, ptr %scevgep181, i64 -20
-  store float 0x7FF8000000000000, ptr %scevgep139, align 4
-  %scevgep137 = getelementptr i8, ptr %scevgep181, i64 -16
-  store float 0x7FF8000000000000, ptr %scevgep137, align 4
-  %scevgep135 = getelementptr i8, ptr %scevgep181, i64 -12
+  %scevgep138 = getelementptr i8, ptr %scevgep171, i64 -12
+  store float 0x7FF8000000000000, ptr %scevgep138, align 4
+  %scevgep135 = getelementptr i8, ptr %scevgep171, i64 -8
   store float 0x7FF8000000000000, ptr %scevgep135, align 4
-  %scevgep133 = getelementptr i8, ptr %scevgep181, i64 -8
-  store float 0x7FF8000000000000, ptr %scevgep133, align 4
-  %scevgep131 = getelementptr i8, ptr %scevgep181, i64 -4
+  %scevgep131 = getelementptr i8, ptr %scevgep171, i64 -4
   store float 0x7FF8000000000000, ptr %scevgep131, align 4
-  store float 0x7FF8000000000000, ptr %scevgep181, align 4
-  %.809.7.1 = add i64 %.764.0386, 16
+  store float 0x7FF8000000000000, ptr %scevgep171, align 4
+  %.1011.7.1 = add i64 %.966.0467, 16
   %lsr.iv.next = add i64 %lsr.iv, -2
   %niter30.ncmp.1 = icmp eq i64 %lsr.iv.next, 0
-  br i1 %niter30.ncmp.1, label %B566.sink.split.loopexit.unr-lcssa.unr-lcssa, label %.768.endif, !prof !54, !llvm.loop !60
+  br i1 %niter30.ncmp.1, label %B744.sink.split.loopexit.unr-lcssa.unr-lcssa, label %.970.endif, !prof !57, !llvm.loop !63
 
-.1129.endif:                                      ; preds = %.1129.endif, %.1129.endif.preheader.new.new
-  %lsr.iv156 = phi i64 [ %lsr.iv.next157, %.1129.endif ], [ %19, %.1129.endif.preheader.new.new ]
-  %.1125.0388 = phi i64 [ %.1170.7.1, %.1129.endif ], [ 0, %.1129.endif.preheader.new.new ]
-  %55 = shl i64 %.1125.0388, 3
-  %scevgep215 = getelementptr i8, ptr %scevgep199, i64 %55
-  %scevgep216 = getelementptr i8, ptr %scevgep215, i64 -64
-  %scevgep229 = getelementptr i8, ptr %scevgep215, i64 -120
-  store double 0x7FF8000000000000, ptr %scevgep229, align 8
-  %scevgep228 = getelementptr i8, ptr %scevgep215, i64 -112
-  store double 0x7FF8000000000000, ptr %scevgep228, align 8
-  %scevgep187 = getelementptr i8, ptr %scevgep215, i64 -104
+.1331.endif:                                      ; preds = %.1331.endif, %.1331.endif.preheader.new.new
+  %lsr.iv160 = phi i64 [ %lsr.iv.next161, %.1331.endif ], [ %19, %.1331.endif.preheader.new.new ]
+  %.1327.0469 = phi i64 [ %.1372.7.1, %.1331.endif ], [ 0, %.1331.endif.preheader.new.new ]
+  %55 = shl i64 %.1327.0469, 3
+  %scevgep205 = getelementptr i8, ptr %scevgep189, i64 %55
+  %scevgep206 = getelementptr i8, ptr %scevgep205, i64 -64
+  %scevgep219 = getelementptr i8, ptr %scevgep205, i64 -120
+  store double 0x7FF8000000000000, ptr %scevgep219, align 8
+  %scevgep218 = getelementptr i8, ptr %scevgep205, i64 -112
+  store double 0x7FF8000000000000, ptr %scevgep218, align 8
+  %scevgep191 = getelementptr i8, ptr %scevgep205, i64 -104
+  store double 0x7FF8000000000000, ptr %scevgep191, align 8
+  %scevgep187 = getelementptr i8, ptr %scevgep205, i64 -96
   store double 0x7FF8000000000000, ptr %scevgep187, align 8
-  %scevgep185 = getelementptr i8, ptr %scevgep215, i64 -96
-  store double 0x7FF8000000000000, ptr %scevgep185, align 8
-  %scevgep183 = getelementptr i8, ptr %scevgep215, i64 -88
+  %scevgep183 = getelementptr i8, ptr %scevgep205, i64 -88
   store double 0x7FF8000000000000, ptr %scevgep183, align 8
-  %scevgep179 = getelementptr i8, ptr %scevgep215, i64 -80
+  %scevgep181 = getelementptr i8, ptr %scevgep205, i64 -80
+  store double 0x7FF8000000000000, ptr %scevgep181, align 8
+  %scevgep179 = getelementptr i8, ptr %scevgep205, i64 -72
   store double 0x7FF8000000000000, ptr %scevgep179, align 8
-  %scevgep177 = getelementptr i8, ptr %scevgep215, i64 -72
+  store double 0x7FF8000000000000, ptr %scevgep206, align 8
+  %scevgep177 = getelementptr i8, ptr %scevgep205, i64 -56
   store double 0x7FF8000000000000, ptr %scevgep177, align 8
-  store double 0x7FF8000000000000, ptr %scevgep216, align 8
-  %scevgep175 = getelementptr i8, ptr %scevgep215, i64 -56
+  %scevgep175 = getelementptr i8, ptr %scevgep205, i64 -48
   store double 0x7FF8000000000000, ptr %scevgep175, align 8
-  %scevgep173 = getelementptr i8, ptr %scevgep215, i64 -48
+  %scevgep173 = getelementptr i8, ptr %scevgep205, i64 -40
   store double 0x7FF8000000000000, ptr %scevgep173, align 8
-  %scevgep171 = getelementptr i8, ptr %scevgep215, i64 -40
-  store double 0x7FF8000000000000, ptr %scevgep171, align 8
-  %scevgep169 = getelementptr i8, ptr %scevgep215, i64 -32
+  %scevgep169 = getelementptr i8, ptr %scevgep205, i64 -32
   store double 0x7FF8000000000000, ptr %scevgep169, align 8
-  %scevgep167 = getelementptr i8, ptr %scevgep215, i64 -24
+  %scevgep167 = getelementptr i8, ptr %scevgep205, i64 -24
   store double 0x7FF8000000000000, ptr %scevgep167, align 8
-  %scevgep163 = getelementptr i8, ptr %scevgep215, i64 -16
+  %scevgep165 = getelementptr i8, ptr %scevgep205, i64 -16
+  store double 0x7FF8000000000000, ptr %scevgep165, align 8
+  %scevgep163 = getelementptr i8, ptr %scevgep205, i64 -8
   store double 0x7FF8000000000000, ptr %scevgep163, align 8
-  %scevgep159 = getelementptr i8, ptr %scevgep215, i64 -8
-  store double 0x7FF8000000000000, ptr %scevgep159, align 8
-  store double 0x7FF8000000000000, ptr %scevgep215, align 8
-  %.1170.7.1 = add i64 %.1125.0388, 16
-  %lsr.iv.next157 = add i64 %lsr.iv156, -2
-  %niter.ncmp.1 = icmp eq i64 %lsr.iv.next157, 0
-  br i1 %niter.ncmp.1, label %B566.sink.split.loopexit42.unr-lcssa.unr-lcssa, label %.1129.endif, !prof !54, !llvm.loop !61
+  store double 0x7FF8000000000000, ptr %scevgep205, align 8
+  %.1372.7.1 = add i64 %.1327.0469, 16
+  %lsr.iv.next161 = add i64 %lsr.iv160, -2
+  %niter.ncmp.1 = icmp eq i64 %lsr.iv.next161, 0
+  br i1 %niter.ncmp.1, label %B744.sink.split.loopexit59.unr-lcssa.unr-lcssa, label %.1331.endif, !prof !57, !llvm.loop !64
 }
 
-; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #3
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_8(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.coordinates.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.exponents.4, ptr readonly captures(none) %arg.weights.4, i64 %arg.width, ptr writeonly captures(none) %arg.linear.4, ptr initializes((56, 64)) %arg.scratch.4) unnamed_addr #4 {
+entry:
+  %.86 = alloca { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, align 8
+  %.fca.1.gep233 = getelementptr inbounds nuw i8, ptr %.86, i64 8
+  %.fca.2.gep234 = getelementptr inbounds nuw i8, ptr %.86, i64 16
+  %.fca.3.gep235 = getelementptr inbounds nuw i8, ptr %.86, i64 24
+  %.fca.4.gep236 = getelementptr inbounds nuw i8, ptr %.86, i64 32
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.86, i8 0, i64 56, i1 false)
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.86, i8 0, i64 56, i1 false)
+  call fastcc void @inner_15(ptr nonnull %.86, ptr %arg.coordinates.4, i64 %arg.rows, ptr %arg.contents.4, ptr %arg.exponents.4, ptr %arg.weights.4, ptr %arg.scratch.4)
+  %.110.fca.0.load = load ptr, ptr %.86, align 8
+  %.110.fca.1.load = load ptr, ptr %.fca.1.gep233, align 8
+  %.110.fca.2.load = load i64, ptr %.fca.2.gep234, align 8
+  %.110.fca.3.load = load i64, ptr %.fca.3.gep235, align 8
+  %.110.fca.4.load = load ptr, ptr %.fca.4.gep236, align 8
+  %.fca.6.0.gep238 = getelementptr inbounds nuw i8, ptr %.86, i64 48
+  %.fca.5.0.gep237 = getelementptr inbounds nuw i8, ptr %.86, i64 40
+  %.110.fca.5.0.load = load i64, ptr %.fca.5.0.gep237, align 8
+  %.110.fca.6.0.load = load i64, ptr %.fca.6.0.gep238, align 8
+  %.177 = getelementptr i8, ptr %arg.contents.4, i64 24
+  %.255 = getelementptr i8, ptr %arg.contents.4, i64 104
+  %.256 = load i64, ptr %.255, align 8
+  %.269 = getelementptr double, ptr %arg.weights.4, i64 %.256
+  %0 = add nuw i64 %arg.rows, 3
+  %.384 = lshr i64 %0, 2
+  %.363.inv = icmp slt i64 %arg.rows, 1
+  %.405319.not329 = icmp eq i64 %.384, 0
+  %.405319.not = select i1 %.363.inv, i1 true, i1 %.405319.not329
+  br i1 %.405319.not, label %B452, label %B242.if.preheader
+
+B452:                                             ; preds = %B244.endif.endif.endif, %entry
+  store ptr %.110.fca.0.load, ptr %retptr, align 8
+  %retptr.repack298 = getelementptr inbounds nuw i8, ptr %retptr, i64 8
+  store ptr %.110.fca.1.load, ptr %retptr.repack298, align 8
+  %retptr.repack300 = getelementptr inbounds nuw i8, ptr %retptr, i64 16
+  store i64 %.110.fca.2.load, ptr %retptr.repack300, align 8
+  %retptr.repack302 = getelementptr inbounds nuw i8, ptr %retptr, i64 24
+  store i64 %.110.fca.3.load, ptr %retptr.repack302, align 8
+  %retptr.repack304 = getelementptr inbounds nuw i8, ptr %retptr, i64 32
+  store ptr %.110.fca.4.load, ptr %retptr.repack304, align 8
+  %retptr.repack306 = getelementptr inbounds nuw i8, ptr %retptr, i64 40
+  store i64 %.110.fca.5.0.load, ptr %retptr.repack306, align 8
+  %retptr.repack308 = getelementptr inbounds nuw i8, ptr %retptr, i64 48
+  store i64 %.110.fca.6.0.load, ptr %retptr.repack308, align 8
+  ret void
+
+B242.if.preheader:                                ; preds = %entry
+  %.178 = load i64, ptr %.177, align 8
+  %.179 = sub i64 0, %.178
+  %1 = tail call i64 @llvm.smax.i64(i64 %arg.width, i64 31)
+  %storemerge.i = lshr i64 %1, 5
+  %.1046.i = and i64 %arg.width, -32
+  %.1086.i = and i64 %arg.width, 31
+  %.1087.not.i = icmp eq i64 %.1086.i, 0
+  %.880.idx.i = shl i64 %arg.width, 4
+  %.950.idx.i = mul i64 %arg.width, 24
+  %scevgep17.i = getelementptr i8, ptr %.269, i64 192
+  %2 = and i64 %1, 9223372036854775776
+  %.1102.i = and i64 %arg.width, 7
+  %.1105.not.i = icmp ne i64 %.1102.i, 0
+  %.1106806.i = lshr i64 %.1086.i, 3
+  %.1107.i = zext i1 %.1105.not.i to i64
+  %.1108.i = add nuw nsw i64 %.1106806.i, %.1107.i
+  %.1129898.not.i = icmp eq i64 %.1108.i, 0
+  %brmerge = select i1 %.1087.not.i, i1 true, i1 %.1129898.not.i
+  %3 = lshr i64 %.179, 3
+  %.neg = mul i64 %3, -192
+  %4 = getelementptr i8, ptr %.110.fca.4.load, i64 %.neg
+  %scevgep = getelementptr i8, ptr %4, i64 248
+  %5 = shl i64 %3, 8
+  %6 = sub i64 256, %5
+  %7 = shl i64 %3, 7
+  %8 = sub i64 184, %7
+  %scevgep48 = getelementptr i8, ptr %.110.fca.4.load, i64 %8
+  %9 = shl i64 %3, 6
+  %10 = sub i64 120, %9
+  %scevgep53 = getelementptr i8, ptr %.110.fca.4.load, i64 %10
+  %11 = icmp eq i64 %storemerge.i, 0
+  br label %B242.if
+
+B242.if:                                          ; preds = %B244.endif.endif.endif, %B242.if.preheader
+  %lsr.iv58 = phi ptr [ %.110.fca.4.load, %B242.if.preheader ], [ %scevgep59, %B244.endif.endif.endif ]
+  %lsr.iv54 = phi ptr [ %scevgep53, %B242.if.preheader ], [ %scevgep55, %B244.endif.endif.endif ]
+  %lsr.iv49 = phi ptr [ %scevgep48, %B242.if.preheader ], [ %scevgep50, %B244.endif.endif.endif ]
+  %lsr.iv44 = phi ptr [ %scevgep, %B242.if.preheader ], [ %scevgep45, %B244.endif.endif.endif ]
+  %.404313321 = phi i64 [ %.384, %B242.if.preheader ], [ %.414, %B244.endif.endif.endif ]
+  %.411316320 = phi i64 [ 0, %B242.if.preheader ], [ %.418, %B244.endif.endif.endif ]
+  %.414 = add nsw i64 %.404313321, -1
+  %.418 = add nuw i64 %.411316320, 4
+  %.511 = mul nsw i64 %.411316320, %arg.width
+  %.522 = getelementptr inbounds double, ptr %arg.linear.4, i64 %.511
+  %.603 = load i64, ptr %.177, align 8
+  %.604 = add i64 %.603, 1
+  br i1 %11, label %B354.else.i, label %B84.if.lr.ph.i
+
+B84.if.lr.ph.i:                                   ; preds = %B242.if
+  %12 = shl i64 %.604, 8
+  %13 = icmp slt i64 %.603, 0
+  br label %B84.if.i
+
+B280.i:                                           ; preds = %B200.if.i, %B84.if.i
+  %_multiply_wide_v86_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v86_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v86_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v86_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v86_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v86_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v86_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v86_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v86_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v86_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v86_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v86_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v86_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v86_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v86_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v86_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v86_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !65
+  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !65
+  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !65
+  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !65
+  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %arg.width
+  store <8 x double> %_multiply_wide_v86_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !65
+  %.827.i = getelementptr i8, ptr %.817.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !65
+  %.838.i = getelementptr i8, ptr %.817.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !65
+  %.849.i = getelementptr i8, ptr %.817.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !65
+  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.880.idx.i
+  store <8 x double> %_multiply_wide_v86_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !65
+  %.890.i = getelementptr i8, ptr %.880.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !65
+  %.901.i = getelementptr i8, ptr %.880.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !65
+  %.912.i = getelementptr i8, ptr %.880.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !65
+  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.950.idx.i
+  store <8 x double> %_multiply_wide_v86_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !65
+  %.960.i = getelementptr i8, ptr %.950.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !65
+  %.971.i = getelementptr i8, ptr %.950.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !65
+  %.982.i = getelementptr i8, ptr %.950.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !65
+  %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %12
+  %.187.i = icmp sgt i64 %.186856868.i, 1
+  br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
+
+B6509.loopexit.i:                                 ; preds = %B884.if.i
+  %14 = add i64 %position.5.0901.i, %20
+  br label %B6509.i
+
+B6509.i:                                          ; preds = %B356.if.i, %B6509.loopexit.i
+  %position.4.1.lcssa.i = phi i64 [ %position.5.0901.i, %B356.if.i ], [ %14, %B6509.loopexit.i ]
+  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B6509.loopexit.i ]
+  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B6509.loopexit.i ]
+  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B6509.loopexit.i ]
+  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B6509.loopexit.i ]
+  %.1418.i = getelementptr inbounds double, ptr %.522, i64 %.1135893899.i
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !65
+  %.1434.i = getelementptr double, ptr %17, i64 %.1135893899.i
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !65
+  %.1451.i = getelementptr double, ptr %18, i64 %.1135893899.i
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !65
+  %.1470.i = getelementptr double, ptr %19, i64 %.1135893899.i
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !65
+  %.1129.i = icmp sgt i64 %.1128892900.i, 1
+  br i1 %.1129.i, label %B356.if.i, label %B244.endif.endif.endif
+
+B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
+  %lsr.iv18.i = phi ptr [ %scevgep17.i, %B84.if.lr.ph.i ], [ %scevgep19.i, %B280.i ]
+  %.186856868.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
+  %.193857867.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
+  %.196.i = add nsw i64 %.186856868.i, -1
+  %.200.i = add nuw nsw i64 %.193857867.i, 32
+  %.237.i = getelementptr inbounds nuw double, ptr %.522, i64 %.193857867.i
+  br i1 %13, label %B280.i, label %B200.if.i
+
+B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B200.if.i ], [ -1, %B84.if.i ]
+  %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
+  %_multiply_wide_v86_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
+  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !65
+  %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
+  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !65
+  %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
+  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !65
+  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !65
+  %15 = shl i64 %lsr.iv, 3
+  %scevgep60 = getelementptr i8, ptr %lsr.iv58, i64 %15
+  %scevgep61 = getelementptr i8, ptr %scevgep60, i64 64
+  %.573.i = load double, ptr %scevgep61, align 8, !noalias !65
+  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
+  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a00.2.1823.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a01.2.1824.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a02.2.1825.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a03.2.1826.i)
+  %scevgep20 = getelementptr i8, ptr %lsr.iv54, i64 %15
+  %scevgep21 = getelementptr i8, ptr %scevgep20, i64 8
+  %.610.i = load double, ptr %scevgep21, align 8, !noalias !65
+  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
+  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a10.2.1827.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a11.2.1828.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a12.2.1829.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a13.2.1830.i)
+  %scevgep17 = getelementptr i8, ptr %lsr.iv49, i64 %15
+  %scevgep19 = getelementptr i8, ptr %scevgep17, i64 8
+  %.648.i = load double, ptr %scevgep19, align 8, !noalias !65
+  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
+  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a20.2.1831.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a21.2.1832.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a22.2.1833.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a23.2.1834.i)
+  %scevgep7 = getelementptr i8, ptr %lsr.iv44, i64 %15
+  %scevgep8 = getelementptr i8, ptr %scevgep7, i64 8
+  %.686.i = load double, ptr %scevgep8, align 8, !noalias !65
+  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
+  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a30.2.1835.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a31.2.1836.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a32.2.1837.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a33.2.1838.i)
+  %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
+  %lsr.iv.next = add nsw i64 %lsr.iv, 1
+  %exitcond.not.i = icmp eq i64 %.603, %lsr.iv.next
+  br i1 %exitcond.not.i, label %B280.i, label %B200.if.i
+
+B354.else.loopexit.i:                             ; preds = %B280.i
+  %16 = mul i64 %.604, %2
+  br label %B354.else.i
+
+B354.else.i:                                      ; preds = %B354.else.loopexit.i, %B242.if
+  %position.3.0.lcssa.i = phi i64 [ 0, %B242.if ], [ %16, %B354.else.loopexit.i ]
+  br i1 %brmerge, label %B244.endif.endif.endif, label %B356.if.lr.ph.i
+
+B356.if.lr.ph.i:                                  ; preds = %B354.else.i
+  %.arg.count815.i = tail call i64 @llvm.smax.i64(i64 %.604, i64 0)
+  %17 = getelementptr double, ptr %.522, i64 %arg.width
+  %18 = getelementptr i8, ptr %.522, i64 %.880.idx.i
+  %19 = getelementptr i8, ptr %.522, i64 %.950.idx.i
+  %20 = shl i64 %.arg.count815.i, 3
+  %21 = icmp slt i64 %.603, 0
+  br label %B356.if.i
+
+B356.if.i:                                        ; preds = %B356.if.lr.ph.i, %B6509.i
+  %position.5.0901.i = phi i64 [ %position.3.0.lcssa.i, %B356.if.lr.ph.i ], [ %position.4.1.lcssa.i, %B6509.i ]
+  %.1128892900.i = phi i64 [ %.1108.i, %B356.if.lr.ph.i ], [ %.1138.i, %B6509.i ]
+  %.1135893899.i = phi i64 [ %.1046.i, %B356.if.lr.ph.i ], [ %.1142.i, %B6509.i ]
+  %.1138.i = add nsw i64 %.1128892900.i, -1
+  %.1142.i = add i64 %.1135893899.i, 8
+  br i1 %21, label %B6509.i, label %B884.if.preheader.i
+
+B884.if.preheader.i:                              ; preds = %B356.if.i
+  %22 = shl i64 %position.5.0901.i, 3
+  %scevgep.i = getelementptr i8, ptr %.269, i64 %22
+  br label %B884.if.i
+
+B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
+  %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B884.if.i ], [ %.604, %B884.if.preheader.i ]
+  %lsr.iv22 = phi i64 [ %lsr.iv.next23, %B884.if.i ], [ 0, %B884.if.preheader.i ]
+  %b3.2.1884.i = phi <8 x double> [ %.1396.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b2.2.1883.i = phi <8 x double> [ %.1376.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b1.2.1882.i = phi <8 x double> [ %.1356.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %23 = shl i64 %lsr.iv22, 3
+  %scevgep24 = getelementptr i8, ptr %scevgep.i, i64 %23
+  %.1318.i = load <8 x double>, ptr %scevgep24, align 8, !noalias !65
+  %scevgep30 = getelementptr i8, ptr %lsr.iv58, i64 %lsr.iv22
+  %scevgep31 = getelementptr i8, ptr %scevgep30, i64 56
+  %.1333.i = load double, ptr %scevgep31, align 8, !noalias !65
+  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
+  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
+  %scevgep29 = getelementptr i8, ptr %lsr.iv54, i64 %lsr.iv22
+  %.1352.i = load double, ptr %scevgep29, align 8, !noalias !65
+  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
+  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
+  %scevgep28 = getelementptr i8, ptr %lsr.iv49, i64 %lsr.iv22
+  %.1372.i = load double, ptr %scevgep28, align 8, !noalias !65
+  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
+  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
+  %scevgep27 = getelementptr i8, ptr %lsr.iv44, i64 %lsr.iv22
+  %.1392.i = load double, ptr %scevgep27, align 8, !noalias !65
+  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
+  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
+  %lsr.iv.next23 = add i64 %lsr.iv22, 8
+  %lsr.iv.next26 = add i64 %lsr.iv25, -1
+  %exitcond909.not.i = icmp eq i64 %lsr.iv.next26, 0
+  br i1 %exitcond909.not.i, label %B6509.loopexit.i, label %B884.if.i
+
+B244.endif.endif.endif:                           ; preds = %B6509.i, %B354.else.i
+  %scevgep45 = getelementptr i8, ptr %lsr.iv44, i64 %6
+  %scevgep50 = getelementptr i8, ptr %lsr.iv49, i64 %6
+  %scevgep55 = getelementptr i8, ptr %lsr.iv54, i64 %6
+  %scevgep59 = getelementptr i8, ptr %lsr.iv58, i64 %6
+  %.405 = icmp sgt i64 %.404313321, 1
+  br i1 %.405, label %B242.if, label %B452
+}
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare double @llvm.exp.f64(double) #3
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc noundef range(i32 0, 2) i32 @inner_8(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 %arg.alignment, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, i64 range(i64 8, 1) %arg.stride, ptr captures(none) initializes((0, 64)) %arg.series.4, ptr initializes((0, 384)) %arg.work.4, ptr writeonly captures(none) %arg.polynomials_a.4, ptr writeonly captures(none) %arg.polynomials_p.4) unnamed_addr #5 {
+define internal fastcc void @inner_15(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.coordinates.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.exponents.4, ptr readonly captures(none) %arg.weights.4, ptr initializes((56, 64)) %arg.scratch.4) unnamed_addr #4 {
 entry:
-  %.1140 = alloca double, align 8
-  store double 0.000000e+00, ptr %.1140, align 8
+  %.2159 = alloca ptr, align 8
+  store ptr null, ptr %.2159, align 8
+  %.104 = getelementptr i8, ptr %arg.contents.4, i64 24
+  %.105 = load i64, ptr %.104, align 8
+  %.106 = sub i64 0, %.105
+  %.114.1 = and i64 %.106, -8
+  %.148 = sub i64 0, %.114.1
+  %.153 = sub i64 8, %.114.1
+  %.158 = shl nsw i64 %.153, 3
+  %.211 = icmp slt i64 %.153, 0
+  %.212 = select i1 %.211, i64 1073741824, i64 0
+  %.213 = add i64 %.212, %.158
+  %.216 = icmp slt i64 %.213, 0
+  br i1 %.216, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !1
+
+B348:                                             ; preds = %B260.if
+  %.925 = getelementptr i8, ptr %arg.contents.4, i64 16
+  %.926 = load i64, ptr %.925, align 8
+  %.53.i = add nsw i64 %.926, 1
+  %.54.i = shl nsw i64 %.53.i, 3
+  %.59.i = mul nsw i64 %.53.i, 40
+  %.96.i = icmp slt i64 %.926, -1
+  %.97.i = select i1 %.96.i, i64 %.453, i64 0
+  %.98.i = add i64 %.97.i, %.59.i
+  %.101.i = icmp slt i64 %.98.i, 0
+  br i1 %.101.i, label %B0.else.if.i, label %B0.else.endif.i, !prof !1
+
+B414.i:                                           ; preds = %B282.if.i, %B88.else.endif.endif.i
+  %exitcond473.not.i = icmp eq i64 %.331.i, 5
+  br i1 %exitcond473.not.i, label %B416.i, label %B86.if.i
+
+B416.i:                                           ; preds = %B414.i
+  %.199.i = getelementptr double, ptr %.469, i64 %.86.sroa.0.3.i
+  %.idx.i = shl i64 %.53.i, 7
+  %0 = getelementptr i8, ptr %.469, i64 %.idx.i
+  %.idx411.i = mul i64 %.53.i, 192
+  %1 = getelementptr i8, ptr %.469, i64 %.idx411.i
+  %.idx412.i = shl i64 %.53.i, 8
+  %2 = getelementptr i8, ptr %.469, i64 %.idx412.i
+  %scevgep.i = getelementptr i8, ptr %arg.exponents.4, i64 32
+  br label %B448.if.i
+
+B0.else.if.i:                                     ; preds = %B348
+  br label %B0.else.endif.i
+
+B0.else.endif.i:                                  ; preds = %B0.else.if.i, %B348
+  %.86.sroa.0.1.i = phi i64 [ 0, %B0.else.if.i ], [ %.98.i, %B348 ]
+  %.106.not.i = icmp slt i64 %.98.i, %.453
+  br i1 %.106.not.i, label %B0.else.endif.endif.i, label %B0.else.endif.if.i, !prof !5
+
+B0.else.endif.if.i:                               ; preds = %B0.else.endif.i
+  br label %B0.else.endif.endif.i
+
+B0.else.endif.endif.i:                            ; preds = %B0.else.endif.if.i, %B0.else.endif.i
+  %.86.sroa.0.3.i = phi i64 [ %.453, %B0.else.endif.if.i ], [ %.86.sroa.0.1.i, %B0.else.endif.i ]
+  %storemerge413.i = tail call i64 @llvm.smax.i64(i64 %.926, i64 0)
+  %scevgep29.i = getelementptr i8, ptr %.469, i64 64
+  %3 = icmp slt i64 %.926, 1
+  br label %B86.if.i
+
+B86.if.i:                                         ; preds = %B0.else.endif.endif.i, %B414.i
+  %.324433441.i = phi i64 [ 0, %B0.else.endif.endif.i ], [ %.331.i, %B414.i ]
+  %.331.i = add nuw nsw i64 %.324433441.i, 1
+  %.364.idx.i = shl nsw i64 %.324433441.i, 6
+  %.364.i = getelementptr inbounds nuw i8, ptr %arg.coordinates.4, i64 %.364.idx.i
+  %.366.i = load <8 x double>, ptr %.364.i, align 8, !noalias !68
+  %.371.i = mul nsw i64 %.324433441.i, %.54.i
+  %.411.i = icmp slt i64 %.371.i, 0
+  %.412.i = select i1 %.411.i, i64 %.453, i64 0
+  %.413.i = add i64 %.412.i, %.371.i
+  %.416.i = icmp slt i64 %.413.i, 0
+  br i1 %.416.i, label %B88.else.if.i, label %B88.else.endif.i, !prof !1
+
+B88.else.if.i:                                    ; preds = %B86.if.i
+  br label %B88.else.endif.i
+
+B88.else.endif.i:                                 ; preds = %B88.else.if.i, %B86.if.i
+  %.401.sroa.0.1.i = phi i64 [ 0, %B88.else.if.i ], [ %.413.i, %B86.if.i ]
+  %.421.not.i = icmp slt i64 %.413.i, %.453
+  br i1 %.421.not.i, label %B88.else.endif.endif.i, label %B88.else.endif.if.i, !prof !5
+
+B88.else.endif.if.i:                              ; preds = %B88.else.endif.i
+  br label %B88.else.endif.endif.i
+
+B88.else.endif.endif.i:                           ; preds = %B88.else.endif.if.i, %B88.else.endif.i
+  %.401.sroa.0.3.i = phi i64 [ %.453, %B88.else.endif.if.i ], [ %.401.sroa.0.1.i, %B88.else.endif.i ]
+  %.514.i = getelementptr double, ptr %.469, i64 %.401.sroa.0.3.i
+  store <8 x double> splat (double 1.000000e+00), ptr %.514.i, align 8, !noalias !68
+  br i1 %3, label %B414.i, label %B282.if.preheader.i
+
+B282.if.preheader.i:                              ; preds = %B88.else.endif.endif.i
+  %.6.i.i = fadd contract <8 x double> %.366.i, %.366.i
+  %4 = shl i64 %.401.sroa.0.3.i, 3
+  %scevgep30.i = getelementptr i8, ptr %scevgep29.i, i64 %4
+  br label %B282.if.i
+
+B282.if.i:                                        ; preds = %B282.if.i, %B282.if.preheader.i
+  %lsr.iv31.i = phi ptr [ %scevgep30.i, %B282.if.preheader.i ], [ %scevgep32.i, %B282.if.i ]
+  %lsr.iv27.i = phi i64 [ %storemerge413.i, %B282.if.preheader.i ], [ %lsr.iv.next28.i, %B282.if.i ]
+  %before.2.1429.i = phi <8 x double> [ splat (double 1.000000e+00), %B282.if.preheader.i ], [ %current.2.1428.i, %B282.if.i ]
+  %current.2.1428.i = phi <8 x double> [ %.366.i, %B282.if.preheader.i ], [ %.757.i, %B282.if.i ]
+  store <8 x double> %current.2.1428.i, ptr %lsr.iv31.i, align 8, !noalias !68
+  %.6.i14.i = fsub contract <8 x double> zeroinitializer, %before.2.1429.i
+  %.757.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i, <8 x double> %current.2.1428.i, <8 x double> %.6.i14.i)
+  %lsr.iv.next28.i = add nsw i64 %lsr.iv27.i, -1
+  %scevgep32.i = getelementptr i8, ptr %lsr.iv31.i, i64 64
+  %exitcond.not.i = icmp eq i64 %lsr.iv.next28.i, 0
+  br i1 %exitcond.not.i, label %B414.i, label %B282.if.i
+
+B448.if.i:                                        ; preds = %B448.if.i, %B416.i
+  %lsr.iv26.i = phi i64 [ %.863, %B416.i ], [ %lsr.iv.next.i, %B448.if.i ]
+  %lsr.iv24.i = phi ptr [ %.199.i, %B416.i ], [ %scevgep25.i, %B448.if.i ]
+  %lsr.iv.i = phi ptr [ %scevgep.i, %B416.i ], [ %scevgep19.i, %B448.if.i ]
+  %scevgep20.i = getelementptr i8, ptr %lsr.iv.i, i64 -32
+  %.920.i = load i64, ptr %scevgep20.i, align 8, !noalias !68
+  %.929.idx.i = shl nsw i64 %.920.i, 6
+  %.929.i = getelementptr inbounds i8, ptr %.469, i64 %.929.idx.i
+  %.931.i = load <8 x double>, ptr %.929.i, align 8, !noalias !68
+  %scevgep21.i = getelementptr i8, ptr %lsr.iv.i, i64 -24
+  %.942.i = load i64, ptr %scevgep21.i, align 8, !noalias !68
+  %.54410.i = add i64 %.942.i, %.53.i
+  %.953.idx.i = shl i64 %.54410.i, 6
+  %.953.i = getelementptr inbounds i8, ptr %.469, i64 %.953.idx.i
+  %.955.i = load <8 x double>, ptr %.953.i, align 8, !noalias !68
+  %scevgep22.i = getelementptr i8, ptr %lsr.iv.i, i64 -16
+  %.968.i = load i64, ptr %scevgep22.i, align 8, !noalias !68
+  %.978.idx.i = shl i64 %.968.i, 6
+  %.978.i = getelementptr i8, ptr %0, i64 %.978.idx.i
+  %.980.i = load <8 x double>, ptr %.978.i, align 8, !noalias !68
+  %scevgep23.i = getelementptr i8, ptr %lsr.iv.i, i64 -8
+  %.993.i = load i64, ptr %scevgep23.i, align 8, !noalias !68
+  %.1003.idx.i = shl i64 %.993.i, 6
+  %.1003.i = getelementptr i8, ptr %1, i64 %.1003.idx.i
+  %.1005.i = load <8 x double>, ptr %.1003.i, align 8, !noalias !68
+  %.1018.i = load i64, ptr %lsr.iv.i, align 8, !noalias !68
+  %.1028.idx.i = shl i64 %.1018.i, 6
+  %.1028.i = getelementptr i8, ptr %2, i64 %.1028.idx.i
+  %.1030.i = load <8 x double>, ptr %.1028.i, align 8, !noalias !68
+  %.6.i15.i = fmul contract <8 x double> %.931.i, %.955.i
+  %.6.i16.i = fmul contract <8 x double> %.980.i, %.1005.i
+  %.6.i17.i = fmul contract <8 x double> %.6.i15.i, %.6.i16.i
+  %.6.i18.i = fmul contract <8 x double> %.6.i17.i, %.1030.i
+  store <8 x double> %.6.i18.i, ptr %lsr.iv24.i, align 8, !noalias !68
+  %scevgep19.i = getelementptr i8, ptr %lsr.iv.i, i64 40
+  %scevgep25.i = getelementptr i8, ptr %lsr.iv24.i, i64 64
+  %lsr.iv.next.i = add i64 %lsr.iv26.i, -1
+  %exitcond474.not.i = icmp eq i64 %lsr.iv.next.i, 0
+  br i1 %exitcond474.not.i, label %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v70B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B448.if.i
+
+_ZN17bnserve_surrogate6kernel11_regression9_productsB3v70B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B448.if.i
+  %.174.i = sub nsw i64 %.453, %.86.sroa.0.3.i
+  %.183.i = tail call i64 @llvm.smax.i64(i64 %.174.i, i64 0)
+  %.1010 = getelementptr i8, ptr %arg.contents.4, i64 88
+  %.1011 = load i64, ptr %.1010, align 8
+  %5 = lshr i64 %.1011, 33
+  %.1049 = and i64 %5, 1073741824
+  %.1050 = add i64 %.1049, %.1011
+  %.1053 = icmp slt i64 %.1050, 0
+  br i1 %.1053, label %B348.endif.else.if, label %B348.endif.else.endif, !prof !1
+
+B696:                                             ; preds = %B548.endif.endif.endif, %B348.endif.else.endif.endif, %B260.if
+  %.1772 = getelementptr i8, ptr %arg.contents.4, i64 32
+  %.1773 = load i64, ptr %.1772, align 8
+  %.1774 = icmp sgt i64 %.1773, 0
+  br i1 %.1774, label %B740, label %B856
+
+B740:                                             ; preds = %B696
+  %.1805 = getelementptr i8, ptr %arg.contents.4, i64 96
+  %.1806 = load i64, ptr %.1805, align 8
+  %6 = lshr i64 %.1806, 33
+  %.1844 = and i64 %6, 1073741824
+  %.1845 = add i64 %.1844, %.1806
+  %.1848 = icmp slt i64 %.1845, 0
+  br i1 %.1848, label %B740.else.if, label %B740.else.endif, !prof !1
+
+B856:                                             ; preds = %B740.endif.else.endif.endif, %B696
+  %retptr.repack822 = getelementptr inbounds nuw i8, ptr %retptr, i64 16
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %retptr, i8 0, i64 16, i1 false)
+  store i64 %.184.sroa.13.2, ptr %retptr.repack822, align 8
+  %retptr.repack824 = getelementptr inbounds nuw i8, ptr %retptr, i64 24
+  store i64 8, ptr %retptr.repack824, align 8
+  %retptr.repack826 = getelementptr inbounds nuw i8, ptr %retptr, i64 32
+  store ptr %arg.scratch.4, ptr %retptr.repack826, align 8
+  %retptr.repack828 = getelementptr inbounds nuw i8, ptr %retptr, i64 40
+  store i64 %.184.sroa.13.2, ptr %retptr.repack828, align 8
+  %retptr.repack830 = getelementptr inbounds nuw i8, ptr %retptr, i64 48
+  store i64 8, ptr %retptr.repack830, align 8
+  ret void
+
+B0.endif.else.endif.endif.if:                     ; preds = %entry
+  br label %B0.endif.else.endif.endif.endif
+
+B0.endif.else.endif.endif.endif:                  ; preds = %B0.endif.else.endif.endif.if, %entry
+  %.184.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.213, %entry ]
+  %.221.not = icmp slt i64 %.213, 1073741824
+  br i1 %.221.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !5
+
+B0.endif.else.endif.endif.endif.if:               ; preds = %B0.endif.else.endif.endif.endif
+  br label %B0.endif.else.endif.endif.endif.endif
+
+B0.endif.else.endif.endif.endif.endif:            ; preds = %B0.endif.else.endif.endif.endif.if, %B0.endif.else.endif.endif.endif
+  %.184.sroa.13.2 = phi i64 [ 1073741824, %B0.endif.else.endif.endif.endif.if ], [ %.184.sroa.13.1, %B0.endif.else.endif.endif.endif ]
+  br i1 %.216, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !1
+
+B0.endif.endif.else.if:                           ; preds = %B0.endif.else.endif.endif.endif.endif
+  br label %B0.endif.endif.else.endif
+
+B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %B0.endif.else.endif.endif.endif.endif
+  %.356.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.213, %B0.endif.else.endif.endif.endif.endif ]
+  br i1 %.221.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !5
+
+B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
+  br label %B0.endif.endif.else.endif.endif
+
+B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
+  %.356.sroa.0.3 = phi i64 [ 1073741824, %B0.endif.endif.else.endif.if ], [ %.356.sroa.0.1, %B0.endif.endif.else.endif ]
+  %.444 = sub nsw i64 1073741824, %.356.sroa.0.3
+  %.453 = tail call i64 @llvm.smax.i64(i64 %.444, i64 0)
+  %.469 = getelementptr double, ptr %arg.scratch.4, i64 %.356.sroa.0.3
+  %.561.inv = icmp sgt i64 %.153, 0
+  %..158 = select i1 %.561.inv, i64 %.158, i64 0
+  %.605834 = icmp sgt i64 %..158, 0
+  br i1 %.605834, label %B204.if.preheader, label %B260.if
+
+B204.if.preheader:                                ; preds = %B0.endif.endif.else.endif.endif
+  %7 = shl nuw i64 %..158, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %arg.scratch.4, i8 0, i64 %7, i1 false)
+  br label %B260.if
+
+B260.if:                                          ; preds = %B204.if.preheader, %B0.endif.endif.else.endif.endif
+  %8 = getelementptr i8, ptr %arg.scratch.4, i64 56
+  store double 1.000000e+00, ptr %8, align 8
+  %.813.1 = select i1 %.211, i64 %.184.sroa.13.2, i64 0
+  %9 = getelementptr double, ptr %arg.scratch.4, i64 %.153
+  %10 = getelementptr i8, ptr %9, i64 56
+  %.827.1 = getelementptr double, ptr %10, i64 %.813.1
+  store double 1.000000e+00, ptr %.827.1, align 8
+  %.idx = shl i64 %.153, 4
+  %11 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx
+  %12 = getelementptr i8, ptr %11, i64 56
+  %.827.2 = getelementptr double, ptr %12, i64 %.813.1
+  store double 1.000000e+00, ptr %.827.2, align 8
+  %.idx854 = mul i64 %.153, 24
+  %13 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx854
+  %14 = getelementptr i8, ptr %13, i64 56
+  %.827.3 = getelementptr double, ptr %14, i64 %.813.1
+  store double 1.000000e+00, ptr %.827.3, align 8
+  %.idx855 = shl i64 %.153, 5
+  %15 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx855
+  %16 = getelementptr i8, ptr %15, i64 56
+  %.827.4 = getelementptr double, ptr %16, i64 %.813.1
+  store double 1.000000e+00, ptr %.827.4, align 8
+  %.idx856 = mul i64 %.153, 40
+  %17 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx856
+  %18 = getelementptr i8, ptr %17, i64 56
+  %.827.5 = getelementptr double, ptr %18, i64 %.813.1
+  store double 1.000000e+00, ptr %.827.5, align 8
+  %.idx857 = mul i64 %.153, 48
+  %19 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx857
+  %20 = getelementptr i8, ptr %19, i64 56
+  %.827.6 = getelementptr double, ptr %20, i64 %.813.1
+  store double 1.000000e+00, ptr %.827.6, align 8
+  %.idx858 = mul i64 %.153, 56
+  %21 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx858
+  %22 = getelementptr i8, ptr %21, i64 56
+  %.827.7 = getelementptr double, ptr %22, i64 %.813.1
+  store double 1.000000e+00, ptr %.827.7, align 8
+  %.862 = getelementptr i8, ptr %arg.contents.4, i64 8
+  %.863 = load i64, ptr %.862, align 8
+  %.864 = icmp sgt i64 %.863, 0
+  br i1 %.864, label %B348, label %B696
+
+B348.endif.else.if:                               ; preds = %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v70B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %B348.endif.else.endif
+
+B348.endif.else.endif:                            ; preds = %B348.endif.else.if, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v70B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.1038.sroa.0.1 = phi i64 [ 0, %B348.endif.else.if ], [ %.1050, %_ZN17bnserve_surrogate6kernel11_regression9_productsB3v70B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %.1058.not = icmp slt i64 %.1050, 1073741824
+  br i1 %.1058.not, label %B348.endif.else.endif.endif, label %B348.endif.else.endif.if, !prof !5
+
+B348.endif.else.endif.if:                         ; preds = %B348.endif.else.endif
+  br label %B348.endif.else.endif.endif
+
+B348.endif.else.endif.endif:                      ; preds = %B348.endif.else.endif.if, %B348.endif.else.endif
+  %.1038.sroa.0.3 = phi i64 [ 1073741824, %B348.endif.else.endif.if ], [ %.1038.sroa.0.1, %B348.endif.else.endif ]
+  %.1151 = getelementptr double, ptr %arg.weights.4, i64 %.1038.sroa.0.3
+  %23 = add nuw i64 %arg.rows, 3
+  %.1248 = lshr i64 %23, 2
+  %.1227.inv = icmp slt i64 %arg.rows, 1
+  %.1269847.not859 = icmp eq i64 %.1248, 0
+  %.1269847.not = select i1 %.1227.inv, i1 true, i1 %.1269847.not859
+  br i1 %.1269847.not, label %B696, label %B546.if.preheader
+
+B546.if.preheader:                                ; preds = %B348.endif.else.endif.endif
+  %24 = tail call i64 @llvm.smax.i64(i64 %.148, i64 31)
+  %storemerge.i = lshr i64 %24, 5
+  %.1086.i = and i64 %.148, 24
+  %scevgep23.i2 = getelementptr i8, ptr %.1151, i64 192
+  %25 = and i64 %24, 9223372036854775776
+  %.1046.i = and i64 %.148, -32
+  %.1106806.i = lshr exact i64 %.1086.i, 3
+  %26 = add nuw i64 %.86.sroa.0.3.i, %.356.sroa.0.3
+  %27 = shl i64 %26, 3
+  %28 = getelementptr i8, ptr %arg.scratch.4, i64 %27
+  %scevgep = getelementptr i8, ptr %28, i64 24
+  %29 = icmp eq i64 %storemerge.i, 0
+  %30 = icmp eq i64 %.1086.i, 0
+  br label %B546.if
+
+B546.if:                                          ; preds = %B548.endif.endif.endif, %B546.if.preheader
+  %.1268845849 = phi i64 [ %.1278, %B548.endif.endif.endif ], [ %.1248, %B546.if.preheader ]
+  %.1275846848 = phi i64 [ %.1282, %B548.endif.endif.endif ], [ 0, %B546.if.preheader ]
+  %.1278 = add nsw i64 %.1268845849, -1
+  %.1282 = add nuw i64 %.1275846848, 4
+  %.1308 = mul nsw i64 %.1275846848, %.153
+  %.1309 = or disjoint i64 %.1308, 8
+  %.1346 = icmp slt i64 %.1308, -8
+  %.1347 = select i1 %.1346, i64 %.184.sroa.13.2, i64 0
+  %.1348 = add i64 %.1347, %.1309
+  %.1351 = icmp slt i64 %.1348, 0
+  br i1 %.1351, label %B548.else.if, label %B548.else.endif, !prof !1
+
+B548.else.if:                                     ; preds = %B546.if
+  br label %B548.else.endif
+
+B548.else.endif:                                  ; preds = %B548.else.if, %B546.if
+  %.1336.sroa.0.1 = phi i64 [ 0, %B548.else.if ], [ %.1348, %B546.if ]
+  %.1356.not = icmp slt i64 %.1348, %.184.sroa.13.2
+  br i1 %.1356.not, label %B548.else.endif.endif, label %B548.else.endif.if, !prof !5
+
+B548.else.endif.if:                               ; preds = %B548.else.endif
+  br label %B548.else.endif.endif
+
+B548.else.endif.endif:                            ; preds = %B548.else.endif.if, %B548.else.endif
+  %.1336.sroa.0.3 = phi i64 [ %.184.sroa.13.2, %B548.else.endif.if ], [ %.1336.sroa.0.1, %B548.else.endif ]
+  %.1449 = getelementptr double, ptr %arg.scratch.4, i64 %.1336.sroa.0.3
+  %.1511 = load i64, ptr %.862, align 8
+  %.1548 = icmp slt i64 %.1275846848, 0
+  %.1549 = select i1 %.1548, i64 %.183.i, i64 0
+  %.1550 = add i64 %.1549, %.1275846848
+  %.1553 = icmp slt i64 %.1550, 0
+  br i1 %.1553, label %B548.endif.else.if, label %B548.endif.else.endif, !prof !1
+
+B548.endif.else.if:                               ; preds = %B548.else.endif.endif
+  br label %B548.endif.else.endif
+
+B548.endif.else.endif:                            ; preds = %B548.endif.else.if, %B548.else.endif.endif
+  %.1538.sroa.0.1 = phi i64 [ 0, %B548.endif.else.if ], [ %.1550, %B548.else.endif.endif ]
+  %.1558.not = icmp slt i64 %.1550, %.183.i
+  br i1 %.1558.not, label %B548.endif.else.endif.endif, label %B548.endif.else.endif.if, !prof !5
+
+B548.endif.else.endif.if:                         ; preds = %B548.endif.else.endif
+  br label %B548.endif.else.endif.endif
+
+B548.endif.else.endif.endif:                      ; preds = %B548.endif.else.endif.if, %B548.endif.else.endif
+  %.1538.sroa.0.3 = phi i64 [ %.183.i, %B548.endif.else.endif.if ], [ %.1538.sroa.0.1, %B548.endif.else.endif ]
+  br i1 %29, label %B354.else.i, label %B84.if.lr.ph.i
+
+B84.if.lr.ph.i:                                   ; preds = %B548.endif.else.endif.endif
+  %31 = shl i64 %.1511, 8
+  %32 = shl i64 %.1538.sroa.0.3, 3
+  %scevgep20 = getelementptr i8, ptr %scevgep, i64 %32
+  %33 = icmp slt i64 %.1511, 1
+  br label %B84.if.i
+
+B280.i:                                           ; preds = %B200.if.i, %B84.if.i
+  %_multiply_wide_v76_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v76_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v76_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v76_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v76_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v76_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v76_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v76_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v76_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v76_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v76_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v76_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v76_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v76_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v76_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v76_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v76_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !71
+  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
+  store <8 x double> %_multiply_wide_v76_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !71
+  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
+  store <8 x double> %_multiply_wide_v76_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !71
+  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
+  store <8 x double> %_multiply_wide_v76_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !71
+  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.153
+  store <8 x double> %_multiply_wide_v76_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !71
+  %.827.i = getelementptr i8, ptr %.817.i, i64 64
+  store <8 x double> %_multiply_wide_v76_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !71
+  %.838.i = getelementptr i8, ptr %.817.i, i64 128
+  store <8 x double> %_multiply_wide_v76_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !71
+  %.849.i = getelementptr i8, ptr %.817.i, i64 192
+  store <8 x double> %_multiply_wide_v76_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !71
+  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx
+  store <8 x double> %_multiply_wide_v76_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !71
+  %.890.i = getelementptr i8, ptr %.880.i, i64 64
+  store <8 x double> %_multiply_wide_v76_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !71
+  %.901.i = getelementptr i8, ptr %.880.i, i64 128
+  store <8 x double> %_multiply_wide_v76_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !71
+  %.912.i = getelementptr i8, ptr %.880.i, i64 192
+  store <8 x double> %_multiply_wide_v76_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !71
+  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx854
+  store <8 x double> %_multiply_wide_v76_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !71
+  %.960.i = getelementptr i8, ptr %.950.i, i64 64
+  store <8 x double> %_multiply_wide_v76_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !71
+  %.971.i = getelementptr i8, ptr %.950.i, i64 128
+  store <8 x double> %_multiply_wide_v76_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !71
+  %.982.i = getelementptr i8, ptr %.950.i, i64 192
+  store <8 x double> %_multiply_wide_v76_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !71
+  %scevgep25.i8 = getelementptr i8, ptr %lsr.iv24.i3, i64 %31
+  %.187.i = icmp sgt i64 %.186852864.i, 1
+  br i1 %.187.i, label %B84.if.i, label %B354.else.loopexit.i
+
+B5339.loopexit.i:                                 ; preds = %B884.if.i
+  %34 = add i64 %position.5.0897.i, %40
+  br label %B5339.i
+
+B5339.i:                                          ; preds = %B356.if.i, %B5339.loopexit.i
+  %position.4.1.lcssa.i = phi i64 [ %position.5.0897.i, %B356.if.i ], [ %34, %B5339.loopexit.i ]
+  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B5339.loopexit.i ]
+  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B5339.loopexit.i ]
+  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B5339.loopexit.i ]
+  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B5339.loopexit.i ]
+  %.1418.i = getelementptr inbounds double, ptr %.1449, i64 %.1135889895.i
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !71
+  %.1434.i = getelementptr double, ptr %37, i64 %.1135889895.i
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !71
+  %.1451.i = getelementptr double, ptr %38, i64 %.1135889895.i
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !71
+  %.1470.i = getelementptr double, ptr %39, i64 %.1135889895.i
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !71
+  %.1129.i = icmp sgt i64 %.1128888896.i, 1
+  br i1 %.1129.i, label %B356.if.i, label %B548.endif.endif.endif
+
+B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
+  %lsr.iv24.i3 = phi ptr [ %scevgep23.i2, %B84.if.lr.ph.i ], [ %scevgep25.i8, %B280.i ]
+  %.186852864.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
+  %.193853863.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
+  %.196.i = add nsw i64 %.186852864.i, -1
+  %.200.i = add nuw nsw i64 %.193853863.i, 32
+  %.237.i = getelementptr inbounds nuw double, ptr %.1449, i64 %.193853863.i
+  br i1 %33, label %B280.i, label %B200.if.i
+
+B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
+  %lsr.iv43.i = phi i64 [ %lsr.iv.next44.i, %B200.if.i ], [ %.1511, %B84.if.i ]
+  %lsr.iv26.i4 = phi i64 [ %lsr.iv.next27.i, %B200.if.i ], [ 0, %B84.if.i ]
+  %_multiply_wide_v76_a33.2.1834.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a32.2.1833.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a31.2.1832.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a30.2.1831.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a23.2.1830.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a22.2.1829.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a21.2.1828.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a20.2.1827.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a13.2.1826.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a12.2.1825.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a11.2.1824.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a10.2.1823.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a03.2.1822.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a02.2.1821.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a01.2.1820.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v76_a00.2.1819.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %35 = shl i64 %lsr.iv26.i4, 2
+  %scevgep33.i = getelementptr i8, ptr %lsr.iv24.i3, i64 %35
+  %scevgep34.i = getelementptr i8, ptr %scevgep33.i, i64 -192
+  %.520.i = load <8 x double>, ptr %scevgep34.i, align 8, !noalias !71
+  %scevgep32.i5 = getelementptr i8, ptr %scevgep33.i, i64 -128
+  %.532.i = load <8 x double>, ptr %scevgep32.i5, align 8, !noalias !71
+  %scevgep8 = getelementptr i8, ptr %scevgep33.i, i64 -64
+  %.545.i = load <8 x double>, ptr %scevgep8, align 8, !noalias !71
+  %.558.i = load <8 x double>, ptr %scevgep33.i, align 8, !noalias !71
+  %scevgep26 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv26.i4
+  %scevgep27 = getelementptr i8, ptr %scevgep26, i64 -24
+  %.573.i = load double, ptr %scevgep27, align 8, !noalias !71
+  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
+  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v76_a00.2.1819.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v76_a01.2.1820.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v76_a02.2.1821.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v76_a03.2.1822.i)
+  %scevgep5 = getelementptr i8, ptr %scevgep26, i64 -16
+  %.610.i = load double, ptr %scevgep5, align 8, !noalias !71
+  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
+  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v76_a10.2.1823.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v76_a11.2.1824.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v76_a12.2.1825.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v76_a13.2.1826.i)
+  %scevgep2 = getelementptr i8, ptr %scevgep26, i64 -8
+  %.648.i = load double, ptr %scevgep2, align 8, !noalias !71
+  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
+  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v76_a20.2.1827.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v76_a21.2.1828.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v76_a22.2.1829.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v76_a23.2.1830.i)
+  %.686.i = load double, ptr %scevgep26, align 8, !noalias !71
+  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
+  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v76_a30.2.1831.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v76_a31.2.1832.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v76_a32.2.1833.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v76_a33.2.1834.i)
+  %lsr.iv.next27.i = add nuw i64 %lsr.iv26.i4, 64
+  %lsr.iv.next44.i = add i64 %lsr.iv43.i, -1
+  %exitcond.not.i7 = icmp eq i64 %lsr.iv.next44.i, 0
+  br i1 %exitcond.not.i7, label %B280.i, label %B200.if.i
+
+B354.else.loopexit.i:                             ; preds = %B280.i
+  %36 = mul i64 %.1511, %25
+  br label %B354.else.i
+
+B354.else.i:                                      ; preds = %B354.else.loopexit.i, %B548.endif.else.endif.endif
+  %position.3.0.lcssa.i = phi i64 [ 0, %B548.endif.else.endif.endif ], [ %36, %B354.else.loopexit.i ]
+  br i1 %30, label %B548.endif.endif.endif, label %B354.endif.endif.endif.i
+
+B354.endif.endif.endif.i:                         ; preds = %B354.else.i
+  %.arg.count811.i = tail call i64 @llvm.smax.i64(i64 %.1511, i64 0)
+  %37 = getelementptr double, ptr %.1449, i64 %.153
+  %38 = getelementptr i8, ptr %.1449, i64 %.idx
+  %39 = getelementptr i8, ptr %.1449, i64 %.idx854
+  %40 = shl i64 %.arg.count811.i, 3
+  %41 = shl i64 %.1538.sroa.0.3, 3
+  %scevgep31 = getelementptr i8, ptr %scevgep, i64 %41
+  %42 = icmp slt i64 %.1511, 1
+  br label %B356.if.i
+
+B356.if.i:                                        ; preds = %B354.endif.endif.endif.i, %B5339.i
+  %position.5.0897.i = phi i64 [ %position.3.0.lcssa.i, %B354.endif.endif.endif.i ], [ %position.4.1.lcssa.i, %B5339.i ]
+  %.1128888896.i = phi i64 [ %.1106806.i, %B354.endif.endif.endif.i ], [ %.1138.i, %B5339.i ]
+  %.1135889895.i = phi i64 [ %.1046.i, %B354.endif.endif.endif.i ], [ %.1142.i, %B5339.i ]
+  %.1138.i = add nsw i64 %.1128888896.i, -1
+  %.1142.i = add nuw nsw i64 %.1135889895.i, 8
+  br i1 %42, label %B5339.i, label %B884.if.preheader.i
+
+B884.if.preheader.i:                              ; preds = %B356.if.i
+  %43 = shl i64 %position.5.0897.i, 3
+  %scevgep.i10 = getelementptr i8, ptr %.1151, i64 %43
+  br label %B884.if.i
+
+B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
+  %lsr.iv21.i = phi i64 [ %.1511, %B884.if.preheader.i ], [ %lsr.iv.next22.i, %B884.if.i ]
+  %lsr.iv.i11 = phi i64 [ 0, %B884.if.preheader.i ], [ %lsr.iv.next.i12, %B884.if.i ]
+  %b3.2.1880.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1396.i, %B884.if.i ]
+  %b2.2.1879.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1376.i, %B884.if.i ]
+  %b1.2.1878.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1356.i, %B884.if.i ]
+  %b0.2.1877.i = phi <8 x double> [ zeroinitializer, %B884.if.preheader.i ], [ %.1337.i, %B884.if.i ]
+  %scevgep12.i = getelementptr i8, ptr %scevgep.i10, i64 %lsr.iv.i11
+  %.1318.i = load <8 x double>, ptr %scevgep12.i, align 8, !noalias !71
+  %scevgep37 = getelementptr i8, ptr %scevgep31, i64 %lsr.iv.i11
+  %scevgep38 = getelementptr i8, ptr %scevgep37, i64 -24
+  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !71
+  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
+  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1877.i)
+  %scevgep12 = getelementptr i8, ptr %scevgep37, i64 -16
+  %.1352.i = load double, ptr %scevgep12, align 8, !noalias !71
+  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
+  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1878.i)
+  %scevgep10 = getelementptr i8, ptr %scevgep37, i64 -8
+  %.1372.i = load double, ptr %scevgep10, align 8, !noalias !71
+  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
+  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1879.i)
+  %.1392.i = load double, ptr %scevgep37, align 8, !noalias !71
+  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
+  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1880.i)
+  %lsr.iv.next.i12 = add nuw i64 %lsr.iv.i11, 64
+  %lsr.iv.next22.i = add i64 %lsr.iv21.i, -1
+  %exitcond905.not.i = icmp eq i64 %lsr.iv.next22.i, 0
+  br i1 %exitcond905.not.i, label %B5339.loopexit.i, label %B884.if.i
+
+B548.endif.endif.endif:                           ; preds = %B5339.i, %B354.else.i
+  %.1269 = icmp sgt i64 %.1268845849, 1
+  br i1 %.1269, label %B546.if, label %B696
+
+B740.else.if:                                     ; preds = %B740
+  br label %B740.else.endif
+
+B740.else.endif:                                  ; preds = %B740.else.if, %B740
+  %.1833.sroa.0.1 = phi i64 [ 0, %B740.else.if ], [ %.1845, %B740 ]
+  %.1853.not = icmp slt i64 %.1845, 1073741824
+  br i1 %.1853.not, label %B740.else.endif.endif, label %B740.else.endif.if, !prof !5
+
+B740.else.endif.if:                               ; preds = %B740.else.endif
+  br label %B740.else.endif.endif
+
+B740.else.endif.endif:                            ; preds = %B740.else.endif.if, %B740.else.endif
+  %.1833.sroa.0.3 = phi i64 [ 1073741824, %B740.else.endif.if ], [ %.1833.sroa.0.1, %B740.else.endif ]
+  %.1921 = sub nsw i64 1073741824, %.1833.sroa.0.3
+  %.1930 = tail call i64 @llvm.smax.i64(i64 %.1921, i64 0)
+  %.1946 = getelementptr double, ptr %arg.weights.4, i64 %.1833.sroa.0.3
+  %.2029 = icmp slt i64 %.184.sroa.13.2, 9
+  br i1 %.2029, label %B740.endif.else.endif.if, label %B740.endif.else.endif.endif, !prof !1
+
+B740.endif.else.endif.if:                         ; preds = %B740.else.endif.endif
+  br label %B740.endif.else.endif.endif
+
+B740.endif.else.endif.endif:                      ; preds = %B740.endif.else.endif.if, %B740.else.endif.endif
+  %.2009.sroa.0.3 = phi i64 [ %.184.sroa.13.2, %B740.endif.else.endif.if ], [ 8, %B740.else.endif.endif ]
+  %.2122 = getelementptr double, ptr %arg.scratch.4, i64 %.2009.sroa.0.3
+  store ptr null, ptr %.2159, align 8
+  call fastcc void @inner_16(ptr nonnull %.2159, ptr %arg.coordinates.4, i64 %arg.rows, ptr %arg.contents.4, ptr %.1946, i64 %.1930, ptr %.469, i64 %.453, ptr %.2122, i64 %.153)
+  br label %B856
+}
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #3
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
+define internal fastcc void @inner_16(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.coordinates.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.layers.4, i64 range(i64 0, 1073741825) %arg.layers.5.0, ptr %arg.scratch.4, i64 range(i64 0, 1073741825) %arg.scratch.5.0, ptr captures(none) %arg.out.4, i64 range(i64 16, 9) %arg.out_row) unnamed_addr #6 {
+entry:
+  %.107 = getelementptr i8, ptr %arg.contents.4, i64 40
+  %.108 = load i64, ptr %.107, align 8
+  %.109 = sub i64 0, %.108
+  %.117.1 = and i64 %.109, -8
+  %.152 = sub i64 8, %.117.1
+  %.157 = shl i64 %.152, 3
+  %.210 = icmp slt i64 %.152, 0
+  %.211 = select i1 %.210, i64 %arg.scratch.5.0, i64 0
+  %.212 = add i64 %.211, %.157
+  %.215 = icmp slt i64 %.212, 0
+  br i1 %.215, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !1
+
+B406:                                             ; preds = %B216.if
+  %.979 = getelementptr i8, ptr %arg.contents.4, i64 32
+  %.980 = load i64, ptr %.979, align 8
+  %.981 = add nsw i64 %.980, -1
+  %.1069813.not = icmp slt i64 %.980, 1
+  br i1 %.1069813.not, label %B1114, label %B488.if.lr.ph
+
+B488.if.lr.ph:                                    ; preds = %B406
+  %.471 = getelementptr double, ptr %arg.scratch.4, i64 %.358.sroa.0.3
+  %0 = add nuw i64 %arg.rows, 3
+  %.1287 = lshr i64 %0, 2
+  %.1266.inv = icmp sgt i64 %arg.rows, 0
+  %storemerge762 = select i1 %.1266.inv, i64 %.1287, i64 0
+  %.idx814.i = mul i64 %.152, 24
+  %1 = icmp eq i64 %storemerge762, 0
+  %2 = icmp slt i64 %arg.rows, 1
+  %sunkaddr76 = getelementptr i8, ptr %arg.contents.4, i64 48
+  br label %B488.if
+
+B816:                                             ; preds = %B662.endif.endif.endif.endif, %B488.if
+  %.1924 = mul nsw i64 %.1144, %.1224
+  %.1928 = add nsw i64 %.1924, %position.2.0818
+  %.1936 = icmp sge i64 %.1013.0, %.981
+  %or.cond = select i1 %.1936, i1 true, i1 %2
+  br i1 %or.cond, label %B1102, label %B874.if.lr.ph
+
+B874.if.lr.ph:                                    ; preds = %B816
+  %smax = tail call i64 @llvm.smax.i64(i64 %.1190.1, i64 0)
+  %scevgep46 = getelementptr i8, ptr %following.2.sroa.44.0815, i64 64
+  %reass.sub = sub nsw i64 %smax, %.1190.1
+  %3 = add nsw i64 %reass.sub, 7
+  %4 = icmp slt i64 %.1190.1, 0
+  br label %B874.if
+
+B874.loopexit:                                    ; preds = %B974.endif, %B874.if
+  %scevgep48 = getelementptr i8, ptr %lsr.iv47, i64 %.157
+  %exitcond854.not = icmp eq i64 %arg.rows, %.2033
+  br i1 %exitcond854.not, label %B1102, label %B874.if
+
+B1102:                                            ; preds = %B874.loopexit, %B816
+  %exitcond.not16 = icmp eq i64 %.1082, %.980
+  br i1 %exitcond.not16, label %B1114, label %B488.if
+
+B1114:                                            ; preds = %B1102, %B406
+  %current.2.sroa.40.0.lcssa = phi ptr [ %arg.scratch.4, %B406 ], [ %following.2.sroa.44.0815, %B1102 ]
+  %columns.1.0.lcssa = phi i64 [ 0, %B406 ], [ %.1224, %B1102 ]
+  %.2420835.not = icmp slt i64 %arg.rows, 1
+  br i1 %.2420835.not, label %B1340, label %B1144.if.lr.ph
+
+B1144.if.lr.ph:                                   ; preds = %B1114
+  %5 = tail call i64 @llvm.smax.i64(i64 %columns.1.0.lcssa, i64 0)
+  %storemerge760 = lshr i64 %5, 3
+  %scevgep = getelementptr i8, ptr %current.2.sroa.40.0.lcssa, i64 64
+  %6 = shl i64 %.109, 3
+  %7 = and i64 %6, -64
+  %8 = sub i64 64, %7
+  %9 = shl i64 %arg.out_row, 3
+  %10 = add nuw nsw i64 %storemerge760, 7
+  %11 = icmp slt i64 %columns.1.0.lcssa, 1
+  br label %B1144.if
+
+B1144.loopexit:                                   ; preds = %B1192.if, %B1144.if
+  %scevgep18 = getelementptr i8, ptr %lsr.iv17, i64 %8
+  %scevgep23 = getelementptr i8, ptr %lsr.iv22, i64 %9
+  %exitcond856.not = icmp eq i64 %.2433, %arg.rows
+  br i1 %exitcond856.not, label %B1340, label %B1144.if
+
+B1340:                                            ; preds = %B1144.loopexit, %B1114
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B0.endif.else.endif.endif.if:                     ; preds = %entry
+  br label %B0.endif.else.endif.endif.endif
+
+B0.endif.else.endif.endif.endif:                  ; preds = %B0.endif.else.endif.endif.if, %entry
+  %.183.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.212, %entry ]
+  %.220.not = icmp slt i64 %.212, %arg.scratch.5.0
+  br i1 %.220.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !5
+
+B0.endif.else.endif.endif.endif.if:               ; preds = %B0.endif.else.endif.endif.endif
+  br label %B0.endif.else.endif.endif.endif.endif
+
+B0.endif.else.endif.endif.endif.endif:            ; preds = %B0.endif.else.endif.endif.endif.if, %B0.endif.else.endif.endif.endif
+  %.183.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.else.endif.endif.endif.if ], [ %.183.sroa.13.1, %B0.endif.else.endif.endif.endif ]
+  %.332 = shl i64 %.152, 4
+  br i1 %.215, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !1
+
+B0.endif.endif.else.if:                           ; preds = %B0.endif.else.endif.endif.endif.endif
+  br label %B0.endif.endif.else.endif
+
+B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %B0.endif.else.endif.endif.endif.endif
+  %.358.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.212, %B0.endif.else.endif.endif.endif.endif ]
+  br i1 %.220.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !5
+
+B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
+  br label %B0.endif.endif.else.endif.endif
+
+B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
+  %.358.sroa.0.3 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.if ], [ %.358.sroa.0.1, %B0.endif.endif.else.endif ]
+  %.387 = add i64 %.211, %.332
+  %.390 = icmp slt i64 %.387, 0
+  br i1 %.390, label %B0.endif.endif.else.endif.endif.if, label %B0.endif.endif.else.endif.endif.endif, !prof !1
+
+B0.endif.endif.else.endif.endif.if:               ; preds = %B0.endif.endif.else.endif.endif
+  br label %B0.endif.endif.else.endif.endif.endif
+
+B0.endif.endif.else.endif.endif.endif:            ; preds = %B0.endif.endif.else.endif.endif.if, %B0.endif.endif.else.endif.endif
+  %.358.sroa.13.1 = phi i64 [ 0, %B0.endif.endif.else.endif.endif.if ], [ %.387, %B0.endif.endif.else.endif.endif ]
+  %.395.not = icmp slt i64 %.387, %arg.scratch.5.0
+  br i1 %.395.not, label %B0.endif.endif.else.endif.endif.endif.endif, label %B0.endif.endif.else.endif.endif.endif.if, !prof !5
+
+B0.endif.endif.else.endif.endif.endif.if:         ; preds = %B0.endif.endif.else.endif.endif.endif
+  br label %B0.endif.endif.else.endif.endif.endif.endif
+
+B0.endif.endif.else.endif.endif.endif.endif:      ; preds = %B0.endif.endif.else.endif.endif.endif.if, %B0.endif.endif.else.endif.endif.endif
+  %.358.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.endif.endif.if ], [ %.358.sroa.13.1, %B0.endif.endif.else.endif.endif.endif ]
+  %.446 = sub nsw i64 %.358.sroa.13.2, %.358.sroa.0.3
+  %.455 = tail call i64 @llvm.smax.i64(i64 %.446, i64 0)
+  %12 = shl i64 %.358.sroa.0.3, 3
+  %13 = shl i64 %.183.sroa.13.2, 3
+  %14 = shl i64 %.455, 3
+  %15 = add i64 %13, 56
+  %16 = add i64 %13, 64
+  %17 = add i64 %13, 72
+  %18 = add i64 %13, 80
+  %19 = add i64 %13, 88
+  %20 = add i64 %13, 96
+  br label %B216.if
+
+B216.if:                                          ; preds = %B216.if, %B0.endif.endif.else.endif.endif.endif.endif
+  %lsr.iv = phi ptr [ %scevgep45, %B216.if ], [ %arg.scratch.4, %B0.endif.endif.else.endif.endif.endif.endif ]
+  %lsr.iv54 = phi i64 [ %lsr.iv.next55, %B216.if ], [ -64, %B0.endif.endif.else.endif.endif.endif.endif ]
+  %lsr.iv63 = phi i64 [ %lsr.iv.next64, %B216.if ], [ 0, %B0.endif.endif.else.endif.endif.endif.endif ]
+  %.664 = icmp slt i64 %lsr.iv63, 0
+  %21 = select i1 %.664, i64 %15, i64 56
+  %scevgep56 = getelementptr i8, ptr %lsr.iv, i64 %21
+  store double 1.000000e+00, ptr %scevgep56, align 8
+  %22 = select i1 %.664, i64 %14, i64 0
+  %23 = getelementptr i8, ptr %lsr.iv, i64 %12
+  %24 = getelementptr i8, ptr %23, i64 56
+  %scevgep49 = getelementptr i8, ptr %24, i64 %22
+  store double 1.000000e+00, ptr %scevgep49, align 8
+  %sunkaddr = getelementptr i8, ptr %arg.coordinates.4, i64 %lsr.iv54
+  %sunkaddr67 = getelementptr i8, ptr %sunkaddr, i64 64
+  %.865 = load double, ptr %sunkaddr67, align 8
+  %.884 = icmp slt i64 %lsr.iv63, -8
+  %25 = select i1 %.884, i64 %16, i64 64
+  %scevgep55 = getelementptr i8, ptr %lsr.iv, i64 %25
+  store double %.865, ptr %scevgep55, align 8
+  %sunkaddr69 = getelementptr i8, ptr %sunkaddr, i64 128
+  %.865.1 = load double, ptr %sunkaddr69, align 8
+  %.884.1 = icmp slt i64 %lsr.iv63, -9
+  %26 = select i1 %.884.1, i64 %17, i64 72
+  %scevgep54 = getelementptr i8, ptr %lsr.iv, i64 %26
+  store double %.865.1, ptr %scevgep54, align 8
+  %sunkaddr71 = getelementptr i8, ptr %sunkaddr, i64 192
+  %.865.2 = load double, ptr %sunkaddr71, align 8
+  %.884.2 = icmp slt i64 %lsr.iv63, -10
+  %27 = select i1 %.884.2, i64 %18, i64 80
+  %scevgep53 = getelementptr i8, ptr %lsr.iv, i64 %27
+  store double %.865.2, ptr %scevgep53, align 8
+  %sunkaddr73 = getelementptr i8, ptr %sunkaddr, i64 256
+  %.865.3 = load double, ptr %sunkaddr73, align 8
+  %.884.3 = icmp slt i64 %lsr.iv63, -11
+  %28 = select i1 %.884.3, i64 %19, i64 88
+  %scevgep52 = getelementptr i8, ptr %lsr.iv, i64 %28
+  store double %.865.3, ptr %scevgep52, align 8
+  %sunkaddr75 = getelementptr i8, ptr %sunkaddr, i64 320
+  %.865.4 = load double, ptr %sunkaddr75, align 8
+  %.884.4 = icmp slt i64 %lsr.iv63, -12
+  %29 = select i1 %.884.4, i64 %20, i64 96
+  %scevgep51 = getelementptr i8, ptr %lsr.iv, i64 %29
+  store double %.865.4, ptr %scevgep51, align 8
+  %lsr.iv.next64 = add i64 %lsr.iv63, %.152
+  %lsr.iv.next55 = add nsw i64 %lsr.iv54, 8
+  %scevgep45 = getelementptr i8, ptr %lsr.iv, i64 %.157
+  %ov = icmp eq i64 %lsr.iv.next55, 0
+  br i1 %ov, label %B406, label %B216.if
+
+B488.if:                                          ; preds = %B1102, %B488.if.lr.ph
+  %.1013.0 = phi i64 [ 0, %B488.if.lr.ph ], [ %.1082, %B1102 ]
+  %position.2.0818 = phi i64 [ 0, %B488.if.lr.ph ], [ %.1928, %B1102 ]
+  %current.2.sroa.40.0817 = phi ptr [ %arg.scratch.4, %B488.if.lr.ph ], [ %following.2.sroa.44.0815, %B1102 ]
+  %current.2.sroa.50.0816 = phi i64 [ %.183.sroa.13.2, %B488.if.lr.ph ], [ %following.2.sroa.55.0814, %B1102 ]
+  %following.2.sroa.44.0815 = phi ptr [ %.471, %B488.if.lr.ph ], [ %current.2.sroa.40.0817, %B1102 ]
+  %following.2.sroa.55.0814 = phi i64 [ %.455, %B488.if.lr.ph ], [ %current.2.sroa.50.0816, %B1102 ]
+  %.1082 = add nuw nsw i64 %.1013.0, 1
+  %30 = getelementptr i64, ptr %arg.contents.4, i64 %.1013.0
+  %31 = getelementptr i8, ptr %30, i64 168
+  %.1143 = load i64, ptr %31, align 8
+  %.1144 = add i64 %.1143, 1
+  %32 = getelementptr i8, ptr %30, i64 176
+  %.1181 = load i64, ptr %32, align 8
+  %.1182 = sub i64 0, %.1181
+  %.1190.1 = ashr i64 %.1182, 3
+  %33 = and i64 %.1182, -8
+  %.1224 = sub i64 0, %33
+  br i1 %1, label %B816, label %B660.if.lr.ph
+
+B660.if.lr.ph:                                    ; preds = %B488.if
+  %.1739 = icmp slt i64 %position.2.0818, 0
+  %.1740 = select i1 %.1739, i64 %arg.layers.5.0, i64 0
+  %.1741 = add i64 %.1740, %position.2.0818
+  %34 = tail call i64 @llvm.smax.i64(i64 %.1224, i64 31)
+  %storemerge.i = lshr i64 %34, 5
+  %.1086.i = and i64 %.1224, 24
+  %35 = shl i64 %.1144, 8
+  %factor.op.mul = shl i64 %.1144, 5
+  %.reass = mul i64 %factor.op.mul, %storemerge.i
+  %.1046.i = and i64 %.1224, -32
+  %.1106806.i = lshr exact i64 %.1086.i, 3
+  %.arg.count815.i = tail call i64 @llvm.smax.i64(i64 %.1144, i64 0)
+  %36 = shl i64 %.arg.count815.i, 3
+  %37 = icmp slt i64 %.1741, 0
+  %38 = icmp slt i64 %.1741, %arg.layers.5.0
+  %39 = icmp eq i64 %storemerge.i, 0
+  %40 = icmp eq i64 %.1086.i, 0
+  %41 = icmp slt i64 %.1143, 0
+  %42 = icmp slt i64 %.1143, 0
+  br label %B660.if
+
+B660.if:                                          ; preds = %B662.endif.endif.endif.endif, %B660.if.lr.ph
+  %.1252.0 = phi i64 [ 0, %B660.if.lr.ph ], [ %.1321, %B662.endif.endif.endif.endif ]
+  %.1307791 = phi i64 [ %storemerge762, %B660.if.lr.ph ], [ %.1317, %B662.endif.endif.endif.endif ]
+  %.1317 = add nsw i64 %.1307791, -1
+  %.1321 = add nuw i64 %.1252.0, 4
+  %.1347 = mul nsw i64 %.1252.0, %.152
+  %.1348 = or disjoint i64 %.1347, 8
+  %.1349 = or disjoint i64 %.1347, 7
+  %.1386 = icmp slt i64 %.1347, 0
+  %.1387 = select i1 %.1386, i64 %current.2.sroa.50.0816, i64 0
+  %.1388 = add i64 %.1387, %.1349
+  %.1391 = icmp slt i64 %.1388, 0
+  br i1 %.1391, label %B662.else.if, label %B662.else.endif, !prof !1
+
+B662.else.if:                                     ; preds = %B660.if
+  br label %B662.else.endif
+
+B662.else.endif:                                  ; preds = %B662.else.if, %B660.if
+  %.1376.sroa.0.1 = phi i64 [ 0, %B662.else.if ], [ %.1388, %B660.if ]
+  %.1396.not = icmp slt i64 %.1388, %current.2.sroa.50.0816
+  br i1 %.1396.not, label %B662.else.endif.endif, label %B662.else.endif.if, !prof !5
+
+B662.else.endif.if:                               ; preds = %B662.else.endif
+  br label %B662.else.endif.endif
+
+B662.else.endif.endif:                            ; preds = %B662.else.endif.if, %B662.else.endif
+  %.1376.sroa.0.3 = phi i64 [ %current.2.sroa.50.0816, %B662.else.endif.if ], [ %.1376.sroa.0.1, %B662.else.endif ]
+  %.1489 = getelementptr double, ptr %current.2.sroa.40.0817, i64 %.1376.sroa.0.3
+  %.1560 = icmp slt i64 %.1347, -8
+  %.1561 = select i1 %.1560, i64 %following.2.sroa.55.0814, i64 0
+  %.1562 = add i64 %.1561, %.1348
+  %.1565 = icmp slt i64 %.1562, 0
+  br i1 %.1565, label %B662.endif.else.if, label %B662.endif.else.endif, !prof !1
+
+B662.endif.else.if:                               ; preds = %B662.else.endif.endif
+  br label %B662.endif.else.endif
+
+B662.endif.else.endif:                            ; preds = %B662.endif.else.if, %B662.else.endif.endif
+  %.1550.sroa.0.1 = phi i64 [ 0, %B662.endif.else.if ], [ %.1562, %B662.else.endif.endif ]
+  %.1570.not = icmp slt i64 %.1562, %following.2.sroa.55.0814
+  br i1 %.1570.not, label %B662.endif.else.endif.endif, label %B662.endif.else.endif.if, !prof !5
+
+B662.endif.else.endif.if:                         ; preds = %B662.endif.else.endif
+  br label %B662.endif.else.endif.endif
+
+B662.endif.else.endif.endif:                      ; preds = %B662.endif.else.endif.if, %B662.endif.else.endif
+  %.1550.sroa.0.3 = phi i64 [ %following.2.sroa.55.0814, %B662.endif.else.endif.if ], [ %.1550.sroa.0.1, %B662.endif.else.endif ]
+  %.1663 = getelementptr double, ptr %following.2.sroa.44.0815, i64 %.1550.sroa.0.3
+  br i1 %37, label %B662.endif.endif.else.if, label %B662.endif.endif.else.endif, !prof !1
+
+B662.endif.endif.else.if:                         ; preds = %B662.endif.else.endif.endif
+  br label %B662.endif.endif.else.endif
+
+B662.endif.endif.else.endif:                      ; preds = %B662.endif.endif.else.if, %B662.endif.else.endif.endif
+  %.1729.sroa.0.1 = phi i64 [ 0, %B662.endif.endif.else.if ], [ %.1741, %B662.endif.else.endif.endif ]
+  br i1 %38, label %B662.endif.endif.else.endif.endif, label %B662.endif.endif.else.endif.if, !prof !5
+
+B662.endif.endif.else.endif.if:                   ; preds = %B662.endif.endif.else.endif
+  br label %B662.endif.endif.else.endif.endif
+
+B662.endif.endif.else.endif.endif:                ; preds = %B662.endif.endif.else.endif.if, %B662.endif.endif.else.endif
+  %.1729.sroa.0.3 = phi i64 [ %arg.layers.5.0, %B662.endif.endif.else.endif.if ], [ %.1729.sroa.0.1, %B662.endif.endif.else.endif ]
+  %.1842 = getelementptr double, ptr %arg.layers.4, i64 %.1729.sroa.0.3
+  br i1 %39, label %B354.else.i, label %B84.if.lr.ph.i
+
+B84.if.lr.ph.i:                                   ; preds = %B662.endif.endif.else.endif.endif
+  %43 = getelementptr double, ptr %.1489, i64 %.152
+  %44 = getelementptr i8, ptr %.1489, i64 %.332
+  %45 = getelementptr i8, ptr %.1489, i64 %.idx814.i
+  %scevgep17.i = getelementptr i8, ptr %.1842, i64 192
+  br label %B84.if.i
+
+B280.i:                                           ; preds = %B200.if.i, %B84.if.i
+  %_multiply_wide_v86_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
+  %_multiply_wide_v86_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
+  %_multiply_wide_v86_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
+  %_multiply_wide_v86_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
+  %_multiply_wide_v86_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
+  %_multiply_wide_v86_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
+  %_multiply_wide_v86_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
+  %_multiply_wide_v86_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
+  %_multiply_wide_v86_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
+  %_multiply_wide_v86_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
+  %_multiply_wide_v86_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
+  %_multiply_wide_v86_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
+  %_multiply_wide_v86_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
+  %_multiply_wide_v86_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
+  %_multiply_wide_v86_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
+  %_multiply_wide_v86_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
+  store <8 x double> %_multiply_wide_v86_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !74
+  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !74
+  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !74
+  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !74
+  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.152
+  store <8 x double> %_multiply_wide_v86_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !74
+  %.827.i = getelementptr i8, ptr %.817.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !74
+  %.838.i = getelementptr i8, ptr %.817.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !74
+  %.849.i = getelementptr i8, ptr %.817.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !74
+  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.332
+  store <8 x double> %_multiply_wide_v86_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !74
+  %.890.i = getelementptr i8, ptr %.880.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !74
+  %.901.i = getelementptr i8, ptr %.880.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !74
+  %.912.i = getelementptr i8, ptr %.880.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !74
+  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx814.i
+  store <8 x double> %_multiply_wide_v86_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !74
+  %.960.i = getelementptr i8, ptr %.950.i, i64 64
+  store <8 x double> %_multiply_wide_v86_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !74
+  %.971.i = getelementptr i8, ptr %.950.i, i64 128
+  store <8 x double> %_multiply_wide_v86_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !74
+  %.982.i = getelementptr i8, ptr %.950.i, i64 192
+  store <8 x double> %_multiply_wide_v86_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !74
+  %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %35
+  %.187.i = icmp sgt i64 %.186856868.i, 1
+  br i1 %.187.i, label %B84.if.i, label %B354.else.i
+
+B6509.loopexit.i:                                 ; preds = %B884.if.i
+  %46 = add i64 %position.5.0901.i, %36
+  br label %B6509.i
+
+B6509.i:                                          ; preds = %B356.if.i, %B6509.loopexit.i
+  %position.4.1.lcssa.i = phi i64 [ %position.5.0901.i, %B356.if.i ], [ %46, %B6509.loopexit.i ]
+  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B6509.loopexit.i ]
+  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B6509.loopexit.i ]
+  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B6509.loopexit.i ]
+  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B6509.loopexit.i ]
+  %.1418.i = getelementptr inbounds double, ptr %.1663, i64 %.1135893899.i
+  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !74
+  %.1434.i = getelementptr double, ptr %51, i64 %.1135893899.i
+  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !74
+  %.1451.i = getelementptr double, ptr %52, i64 %.1135893899.i
+  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !74
+  %.1470.i = getelementptr double, ptr %53, i64 %.1135893899.i
+  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !74
+  %.1129.i = icmp sgt i64 %.1128892900.i, 1
+  br i1 %.1129.i, label %B356.if.i, label %B662.endif.endif.endif.endif
+
+B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
+  %lsr.iv18.i = phi ptr [ %scevgep17.i, %B84.if.lr.ph.i ], [ %scevgep19.i, %B280.i ]
+  %.186856868.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
+  %.193857867.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
+  %.196.i = add nsw i64 %.186856868.i, -1
+  %.200.i = add nuw nsw i64 %.193857867.i, 32
+  %.237.i = getelementptr inbounds nuw double, ptr %.1663, i64 %.193857867.i
+  br i1 %41, label %B280.i, label %B200.if.i
+
+B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
+  %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B200.if.i ], [ -1, %B84.if.i ]
+  %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
+  %_multiply_wide_v86_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %_multiply_wide_v86_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
+  %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
+  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !74
+  %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
+  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !74
+  %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
+  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !74
+  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !74
+  %47 = shl i64 %lsr.iv25, 3
+  %scevgep33 = getelementptr i8, ptr %.1489, i64 %47
+  %scevgep34 = getelementptr i8, ptr %scevgep33, i64 8
+  %.573.i = load double, ptr %scevgep34, align 8, !noalias !74
+  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
+  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a00.2.1823.i)
+  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a01.2.1824.i)
+  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a02.2.1825.i)
+  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v86_a03.2.1826.i)
+  %scevgep35 = getelementptr i8, ptr %43, i64 %47
+  %scevgep36 = getelementptr i8, ptr %scevgep35, i64 8
+  %.610.i = load double, ptr %scevgep36, align 8, !noalias !74
+  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
+  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a10.2.1827.i)
+  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a11.2.1828.i)
+  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a12.2.1829.i)
+  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v86_a13.2.1830.i)
+  %scevgep31 = getelementptr i8, ptr %44, i64 %47
+  %scevgep32 = getelementptr i8, ptr %scevgep31, i64 8
+  %.648.i = load double, ptr %scevgep32, align 8, !noalias !74
+  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
+  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a20.2.1831.i)
+  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a21.2.1832.i)
+  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a22.2.1833.i)
+  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v86_a23.2.1834.i)
+  %scevgep9 = getelementptr i8, ptr %45, i64 %47
+  %scevgep20 = getelementptr i8, ptr %scevgep9, i64 8
+  %.686.i = load double, ptr %scevgep20, align 8, !noalias !74
+  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
+  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a30.2.1835.i)
+  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a31.2.1836.i)
+  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a32.2.1837.i)
+  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v86_a33.2.1838.i)
+  %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
+  %lsr.iv.next26 = add nsw i64 %lsr.iv25, 1
+  %exitcond.not.i = icmp eq i64 %.1143, %lsr.iv.next26
+  br i1 %exitcond.not.i, label %B280.i, label %B200.if.i
+
+B354.else.i:                                      ; preds = %B280.i, %B662.endif.endif.else.endif.endif
+  %position.3.0.lcssa.i = phi i64 [ 0, %B662.endif.endif.else.endif.endif ], [ %.reass, %B280.i ]
+  br i1 %40, label %B662.endif.endif.endif.endif, label %B354.endif.endif.endif.i
+
+B354.endif.endif.endif.i:                         ; preds = %B354.else.i
+  %48 = getelementptr double, ptr %.1489, i64 %.152
+  %49 = getelementptr i8, ptr %.1489, i64 %.332
+  %50 = getelementptr i8, ptr %.1489, i64 %.idx814.i
+  %51 = getelementptr double, ptr %.1663, i64 %.152
+  %52 = getelementptr i8, ptr %.1663, i64 %.332
+  %53 = getelementptr i8, ptr %.1663, i64 %.idx814.i
+  br label %B356.if.i
+
+B356.if.i:                                        ; preds = %B354.endif.endif.endif.i, %B6509.i
+  %position.5.0901.i = phi i64 [ %position.3.0.lcssa.i, %B354.endif.endif.endif.i ], [ %position.4.1.lcssa.i, %B6509.i ]
+  %.1128892900.i = phi i64 [ %.1106806.i, %B354.endif.endif.endif.i ], [ %.1138.i, %B6509.i ]
+  %.1135893899.i = phi i64 [ %.1046.i, %B354.endif.endif.endif.i ], [ %.1142.i, %B6509.i ]
+  %.1138.i = add nsw i64 %.1128892900.i, -1
+  %.1142.i = add nuw nsw i64 %.1135893899.i, 8
+  br i1 %42, label %B6509.i, label %B884.if.preheader.i
+
+B884.if.preheader.i:                              ; preds = %B356.if.i
+  %54 = shl i64 %position.5.0901.i, 3
+  %scevgep.i = getelementptr i8, ptr %.1842, i64 %54
+  br label %B884.if.i
+
+B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
+  %lsr.iv40 = phi i64 [ %lsr.iv.next41, %B884.if.i ], [ %.1144, %B884.if.preheader.i ]
+  %lsr.iv37 = phi i64 [ %lsr.iv.next38, %B884.if.i ], [ 0, %B884.if.preheader.i ]
+  %b3.2.1884.i = phi <8 x double> [ %.1396.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b2.2.1883.i = phi <8 x double> [ %.1376.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b1.2.1882.i = phi <8 x double> [ %.1356.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
+  %55 = shl i64 %lsr.iv37, 3
+  %scevgep39 = getelementptr i8, ptr %scevgep.i, i64 %55
+  %.1318.i = load <8 x double>, ptr %scevgep39, align 8, !noalias !74
+  %scevgep47 = getelementptr i8, ptr %.1489, i64 %lsr.iv37
+  %.1333.i = load double, ptr %scevgep47, align 8, !noalias !74
+  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
+  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
+  %scevgep44 = getelementptr i8, ptr %48, i64 %lsr.iv37
+  %.1352.i = load double, ptr %scevgep44, align 8, !noalias !74
+  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
+  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
+  %scevgep43 = getelementptr i8, ptr %49, i64 %lsr.iv37
+  %.1372.i = load double, ptr %scevgep43, align 8, !noalias !74
+  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
+  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
+  %scevgep42 = getelementptr i8, ptr %50, i64 %lsr.iv37
+  %.1392.i = load double, ptr %scevgep42, align 8, !noalias !74
+  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
+  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
+  %lsr.iv.next38 = add i64 %lsr.iv37, 8
+  %lsr.iv.next41 = add i64 %lsr.iv40, -1
+  %exitcond909.not.i = icmp eq i64 %lsr.iv.next41, 0
+  br i1 %exitcond909.not.i, label %B6509.loopexit.i, label %B884.if.i
+
+B662.endif.endif.endif.endif:                     ; preds = %B6509.i, %B354.else.i
+  %.1308 = icmp sgt i64 %.1307791, 1
+  br i1 %.1308, label %B660.if, label %B816
+
+B874.if:                                          ; preds = %B874.loopexit, %B874.if.lr.ph
+  %lsr.iv47 = phi ptr [ %scevgep46, %B874.if.lr.ph ], [ %scevgep48, %B874.loopexit ]
+  %.2026800806 = phi i64 [ 0, %B874.if.lr.ph ], [ %.2033, %B874.loopexit ]
+  %.2033 = add nuw nsw i64 %.2026800806, 1
+  br i1 %4, label %B972.if, label %B874.loopexit
+
+B972.if:                                          ; preds = %B874.if, %B974.endif
+  %lsr.iv48 = phi i64 [ %lsr.iv.next, %B974.endif ], [ %3, %B874.if ]
+  %lsr.iv49 = phi ptr [ %scevgep50, %B974.endif ], [ %lsr.iv47, %B874.if ]
+  %.2193 = load <8 x double>, ptr %lsr.iv49, align 8
+  %.2223 = load i64, ptr %sunkaddr76, align 8
+  %.11.i = bitcast <8 x double> %.2193 to <8 x i64>
+  %56 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %.2193)
+  %.8.i.i = bitcast <8 x double> %56 to <8 x i64>
+  %.43.i = icmp eq i64 %.2223, 1
+  br i1 %.43.i, label %B98.i, label %B114.i
+
+B98.i:                                            ; preds = %B972.if
+  %.6.i.i = fadd contract <8 x double> %.2193, %56
+  %.8.i3.i = fmul contract <8 x double> %.6.i.i, splat (double 5.000000e-01)
+  br label %B974.endif
+
+B114.i:                                           ; preds = %B972.if
+  %.106.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %56, <8 x double> splat (double 3.500000e+02))
+  %.111.i = icmp eq i64 %.2223, 0
+  br i1 %.111.i, label %B168.i, label %B372.i
+
+B168.i:                                           ; preds = %B114.i
+  %.8.i1.i = fmul contract <8 x double> %.106.i, splat (double -2.000000e+00)
+  %.147.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i1.i, <8 x double> splat (double 0x3FF71547652B82FE), <8 x double> splat (double 0x4338000000000000))
+  %.8.i4.i = fadd contract <8 x double> %.147.i, splat (double 0xC338000000000000)
+  %.176.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i4.i, <8 x double> splat (double 0xBFE62E42FEFA39EF), <8 x double> %.8.i1.i)
+  %.179.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i4.i, <8 x double> splat (double 0xBC7ABC9E3B39803F), <8 x double> %.176.i)
+  %.184.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> splat (double 0x3DE6124613A86D09), <8 x double> splat (double 0x3E21EED8EFF8D898))
+  %.187.i10 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.184.i, <8 x double> splat (double 0x3E5AE64567F544E4))
+  %.190.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.187.i10, <8 x double> splat (double 0x3E927E4FB7789F5C))
+  %.193.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.190.i, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.196.i11 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.193.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
+  %.199.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.196.i11, <8 x double> splat (double 0x3F2A01A01A01A01A))
+  %.202.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.199.i, <8 x double> splat (double 0x3F56C16C16C16C17))
+  %.205.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.202.i, <8 x double> splat (double 0x3F81111111111111))
+  %.208.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.205.i, <8 x double> splat (double 0x3FA5555555555555))
+  %.211.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.208.i, <8 x double> splat (double 0x3FC5555555555555))
+  %.214.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.211.i, <8 x double> splat (double 5.000000e-01))
+  %.6.i5.i = fmul contract <8 x double> %.179.i, %.179.i
+  %.8.i6.i = fadd contract <8 x double> %.179.i, splat (double 1.000000e+00)
+  %.263.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i5.i, <8 x double> %.214.i, <8 x double> %.8.i6.i)
+  %.264.i = bitcast <8 x double> %.147.i to <8 x i64>
+  %.8.i7.i = shl <8 x i64> %.264.i, splat (i64 52)
+  %.8.i8.i = add <8 x i64> %.8.i7.i, splat (i64 4607182418800017408)
+  %57 = bitcast <8 x i64> %.8.i8.i to <8 x double>
+  %.6.i9.i = fmul contract <8 x double> %.263.i, %57
+  %.6.i10.i = fsub contract <8 x double> splat (double 1.000000e+00), %.6.i9.i
+  %.8.i11.i = fadd contract <8 x double> %.6.i9.i, splat (double 1.000000e+00)
+  %.6.i12.i = fdiv contract <8 x double> %.6.i10.i, %.8.i11.i
+  %58 = bitcast <8 x double> %.6.i12.i to <8 x i64>
+  %59 = xor <8 x i64> %.8.i.i, %58
+  %.6.i14.i = xor <8 x i64> %59, %.11.i
+  %60 = bitcast <8 x i64> %.6.i14.i to <8 x double>
+  br label %B974.endif
+
+B372.i:                                           ; preds = %B114.i
+  %.6.i2.i = fsub contract <8 x double> zeroinitializer, %.106.i
+  %.508.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i2.i, <8 x double> splat (double 0x3FF71547652B82FE), <8 x double> splat (double 0x4338000000000000))
+  %.8.i15.i = fadd contract <8 x double> %.508.i, splat (double 0xC338000000000000)
+  %.537.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i15.i, <8 x double> splat (double 0xBFE62E42FEFA39EF), <8 x double> %.6.i2.i)
+  %.540.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i15.i, <8 x double> splat (double 0xBC7ABC9E3B39803F), <8 x double> %.537.i)
+  %.545.i8 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> splat (double 0x3DE6124613A86D09), <8 x double> splat (double 0x3E21EED8EFF8D898))
+  %.548.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.545.i8, <8 x double> splat (double 0x3E5AE64567F544E4))
+  %.551.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.548.i, <8 x double> splat (double 0x3E927E4FB7789F5C))
+  %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.551.i, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.557.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.554.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
+  %.560.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.557.i, <8 x double> splat (double 0x3F2A01A01A01A01A))
+  %.563.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.560.i, <8 x double> splat (double 0x3F56C16C16C16C17))
+  %.566.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.563.i, <8 x double> splat (double 0x3F81111111111111))
+  %.569.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.566.i, <8 x double> splat (double 0x3FA5555555555555))
+  %.572.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.569.i, <8 x double> splat (double 0x3FC5555555555555))
+  %.575.i9 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.572.i, <8 x double> splat (double 5.000000e-01))
+  %.6.i16.i = fmul contract <8 x double> %.540.i, %.540.i
+  %.8.i17.i = fadd contract <8 x double> %.540.i, splat (double 1.000000e+00)
+  %.624.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i16.i, <8 x double> %.575.i9, <8 x double> %.8.i17.i)
+  %.625.i = bitcast <8 x double> %.508.i to <8 x i64>
+  %.8.i18.i = shl <8 x i64> %.625.i, splat (i64 52)
+  %.8.i19.i = add <8 x i64> %.8.i18.i, splat (i64 4607182418800017408)
+  %61 = bitcast <8 x i64> %.8.i19.i to <8 x double>
+  %.6.i20.i = fmul contract <8 x double> %.624.i, %61
+  %.8.i21.i = fadd contract <8 x double> %.6.i20.i, splat (double 1.000000e+00)
+  %isneg.i = icmp slt <8 x i64> %.11.i, zeroinitializer
+  %.6.i31.v.v.i = select <8 x i1> %isneg.i, <8 x double> %.6.i20.i, <8 x double> splat (double 1.000000e+00)
+  %.6.i31.v.i = fdiv contract <8 x double> %.6.i31.v.v.i, %.8.i21.i
+  br label %B974.endif
+
+B974.endif:                                       ; preds = %B372.i, %B168.i, %B98.i
+  %.2224.sroa.0.5 = phi <8 x double> [ %.8.i3.i, %B98.i ], [ %60, %B168.i ], [ %.6.i31.v.i, %B372.i ]
+  store <8 x double> %.2224.sroa.0.5, ptr %lsr.iv49, align 8
+  %scevgep50 = getelementptr i8, ptr %lsr.iv49, i64 64
+  %lsr.iv.next = add nsw i64 %lsr.iv48, -1
+  %.2145 = icmp sgt i64 %lsr.iv48, 8
+  br i1 %.2145, label %B972.if, label %B874.loopexit
+
+B1144.if:                                         ; preds = %B1144.loopexit, %B1144.if.lr.ph
+  %lsr.iv22 = phi ptr [ %arg.out.4, %B1144.if.lr.ph ], [ %scevgep23, %B1144.loopexit ]
+  %lsr.iv17 = phi ptr [ %scevgep, %B1144.if.lr.ph ], [ %scevgep18, %B1144.loopexit ]
+  %.2426830836 = phi i64 [ 0, %B1144.if.lr.ph ], [ %.2433, %B1144.loopexit ]
+  %.2433 = add nuw nsw i64 %.2426830836, 1
+  br i1 %11, label %B1144.loopexit, label %B1192.if
+
+B1192.if:                                         ; preds = %B1144.if, %B1192.if
+  %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B1192.if ], [ %10, %B1144.if ]
+  %lsr.iv19 = phi i64 [ %lsr.iv.next20, %B1192.if ], [ 0, %B1144.if ]
+  %scevgep24 = getelementptr i8, ptr %lsr.iv22, i64 %lsr.iv19
+  %.2592 = load <8 x double>, ptr %scevgep24, align 8
+  %scevgep21 = getelementptr i8, ptr %lsr.iv17, i64 %lsr.iv19
+  %.2607 = load <8 x double>, ptr %scevgep21, align 8
+  %.6.i = fadd contract <8 x double> %.2592, %.2607
+  store <8 x double> %.6.i, ptr %scevgep24, align 8
+  %lsr.iv.next20 = add i64 %lsr.iv19, 64
+  %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
+  %.2541 = icmp sgt i64 %lsr.iv2, 8
+  br i1 %.2541, label %B1192.if, label %B1144.loopexit
+}
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #3
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare <8 x double> @llvm.minnum.v8f64(<8 x double>, <8 x double>) #3
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc noundef range(i32 0, 2) i32 @inner_10(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 %arg.alignment, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, i64 range(i64 8, 1) %arg.stride, ptr captures(none) initializes((0, 64)) %arg.series.4, ptr initializes((0, 384)) %arg.work.4, ptr writeonly captures(none) %arg.polynomials_a.4, ptr writeonly captures(none) %arg.polynomials_p.4, i64 %arg.first, i64 %arg.last) unnamed_addr #4 {
+entry:
+  %.1175 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1175, align 8
   %excinfo.11 = alloca ptr, align 8
   store ptr null, ptr %excinfo.11, align 8
-  %.1351 = alloca ptr, align 8
-  store ptr null, ptr %.1351, align 8
-  %.157 = getelementptr i8, ptr %arg.contents.4, i64 144
-  %.158 = load i64, ptr %.157, align 8
-  %.160 = sub i64 0, %.158
-  %.168.1 = and i64 %.160, -8
-  %.203 = shl i64 %.158, 3
-  %.232 = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.233 = load i64, ptr %.232, align 8
-  %.243 = getelementptr double, ptr %arg.weights.4, i64 %.233
-  %.323 = getelementptr i8, ptr %arg.contents.4, i64 160
-  %.324 = load i64, ptr %.323, align 8
-  %0 = lshr i64 %.324, 47
-  %.361 = and i64 %0, 65536
-  %.362 = add i64 %.361, %.324
-  %.365 = icmp slt i64 %.362, 0
-  br i1 %.365, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
+  %.1386 = alloca ptr, align 8
+  store ptr null, ptr %.1386, align 8
+  %.132 = sub i64 %arg.last, %arg.first
+  %.161 = getelementptr i8, ptr %arg.contents.4, i64 144
+  %.162 = load i64, ptr %.161, align 8
+  %.163 = sub i64 0, %.162
+  %.171.1 = and i64 %.163, -8
+  %.236 = shl nsw i64 %arg.first, 3
+  %.237 = shl nsw i64 %.132, 3
+  %.266 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.267 = load i64, ptr %.266, align 8
+  %.277 = getelementptr double, ptr %arg.weights.4, i64 %.267
+  %.357 = getelementptr i8, ptr %arg.contents.4, i64 160
+  %.358 = load i64, ptr %.357, align 8
+  %.359 = add nsw i64 %.358, %arg.first
+  %0 = lshr i64 %.359, 47
+  %.396 = and i64 %0, 65536
+  %.397 = add i64 %.396, %.359
+  %.400 = icmp slt i64 %.397, 0
+  br i1 %.400, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !1
 
-common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.5, %B0.endif.endif.endif.endi...endif.1.endif.endif.if
-  %common.ret.op = phi i32 [ 1, %B0.endif.endif.endif.endi...endif.1.endif.endif.if ], [ 0, %B0.endif.endif.endif.endi...endif.5 ]
+common.ret:                                       ; preds = %B0.endif.endif.endif.endi...endif.5.endif.endif, %B0.endif.endif.endif.endi...endif.1.endif.endif.if
+  %common.ret.op = phi i32 [ 1, %B0.endif.endif.endif.endi...endif.1.endif.endif.if ], [ 0, %B0.endif.endif.endif.endi...endif.5.endif.endif ]
   ret i32 %common.ret.op
 
 B0.endif.endif.else.if:                           ; preds = %entry
   br label %B0.endif.endif.else.endif
 
 B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %entry
-  %.350.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.362, %entry ]
-  %.370.not = icmp slt i64 %.362, 65536
-  br i1 %.370.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
+  %.385.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.397, %entry ]
+  %.405.not = icmp slt i64 %.397, 65536
+  br i1 %.405.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !5
 
 B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
   br label %B0.endif.endif.else.endif.endif
 
 B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
-  %.350.sroa.0.3 = phi i64 [ 65536, %B0.endif.endif.else.endif.if ], [ %.350.sroa.0.1, %B0.endif.endif.else.endif ]
-  %.463 = getelementptr i64, ptr %arg.contents.4, i64 %.350.sroa.0.3
-  %.508.idx = mul i64 %.168.1, -24
-  %.508 = getelementptr i8, ptr %.243, i64 %.508.idx
-  %.577 = getelementptr i8, ptr %.508, i64 1024
-  %.638 = getelementptr double, ptr %.577, i64 %.203
-  %.700.idx = shl i64 %.158, 7
-  %.700 = getelementptr i8, ptr %.577, i64 %.700.idx
-  %.831.idx = mul i64 %.168.1, -64
-  %.831 = getelementptr i8, ptr %arg.work.4, i64 %.831.idx
-  %.916 = getelementptr i8, ptr %arg.contents.4, i64 120
-  %.917 = load i64, ptr %.916, align 8
-  %.927 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.917
-  %.992.idx = shl nsw i64 %arg.stride, 5
-  %.992 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.992.idx
-  %.1071 = getelementptr i8, ptr %arg.contents.4, i64 128
-  %.1072 = load i64, ptr %.1071, align 8
-  %.1088 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1072
-  store double 0.000000e+00, ptr %.1140, align 8
-  %.1154 = call fastcc i32 @inner_9(ptr nonnull %.1140, ptr nonnull %excinfo.11, ptr %arg.row.4, double 1.000000e+00, ptr %.1088, ptr %.992, i64 %arg.alignment, ptr %arg.work.4, ptr %arg.series.4)
-  %.1164 = load double, ptr %.1140, align 8
-  %cond = icmp eq i32 %.1154, 0
+  %.385.sroa.0.3 = phi i64 [ 65536, %B0.endif.endif.else.endif.if ], [ %.385.sroa.0.1, %B0.endif.endif.else.endif ]
+  %.498 = getelementptr i64, ptr %arg.contents.4, i64 %.385.sroa.0.3
+  %.543.idx = mul i64 %.171.1, -24
+  %.543 = getelementptr i8, ptr %.277, i64 %.543.idx
+  %1 = getelementptr i8, ptr %.543, i64 1024
+  %.612 = getelementptr double, ptr %1, i64 %.236
+  %.735.idx = shl i64 %.162, 7
+  %.735 = getelementptr inbounds i8, ptr %.612, i64 %.735.idx
+  %.866.idx = mul i64 %.171.1, -64
+  %.866 = getelementptr i8, ptr %arg.work.4, i64 %.866.idx
+  %.951 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.952 = load i64, ptr %.951, align 8
+  %.962 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.952
+  %.1027.idx = shl nsw i64 %arg.stride, 5
+  %.1027 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.1027.idx
+  %.1106 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.1107 = load i64, ptr %.1106, align 8
+  %.1123 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1107
+  store double 0.000000e+00, ptr %.1175, align 8
+  %.1189 = call fastcc i32 @inner_11(ptr nonnull %.1175, ptr nonnull %excinfo.11, ptr %arg.row.4, double 1.000000e+00, ptr %.1123, ptr %.1027, i64 %arg.alignment, ptr %arg.work.4, ptr %arg.series.4)
+  %.1199 = load double, ptr %.1175, align 8
+  %cond = icmp eq i32 %.1189, 0
   br i1 %cond, label %B0.endif.endif.endif.endi...endif.1.endif.endif.endif, label %B0.endif.endif.endif.endi...endif.1.endif.endif.if, !prof !0
 
 B0.endif.endif.endif.endi...endif.1.endif.endif.if: ; preds = %B0.endif.endif.else.endif.endif
-  %.1155 = load ptr, ptr %excinfo.11, align 8
-  store ptr %.1155, ptr %excinfo, align 8
+  %.1190 = load ptr, ptr %excinfo.11, align 8
+  store ptr %.1190, ptr %excinfo, align 8
   br label %common.ret
 
 B0.endif.endif.endif.endi...endif.1.endif.endif.endif: ; preds = %B0.endif.endif.else.endif.endif
-  %.31.i = icmp sgt i64 %.158, 0
+  %.31.i = icmp sgt i64 %.132, 0
   br i1 %.31.i, label %B24.i, label %B0.endif.endif.endif.endi...endif.2.endif.endif
 
 B24.i:                                            ; preds = %B0.endif.endif.endif.endi...endif.1.endif.endif.endif, %B24.i
-  %high.2.0.i = phi i64 [ %high.3.1.i, %B24.i ], [ %.203, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ]
+  %high.2.0.i = phi i64 [ %high.3.1.i, %B24.i ], [ %.237, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ]
   %low.2.0.i = phi i64 [ %low.3.1.i, %B24.i ], [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ]
   %.40.i = add nuw nsw i64 %low.2.0.i, %high.2.0.i
   %.41.i = lshr i64 %.40.i, 1
-  %.53.i = getelementptr inbounds nuw double, ptr %.577, i64 %.41.i
-  %.54.i = load double, ptr %.53.i, align 8, !noalias !62
+  %.53.i = getelementptr inbounds nuw double, ptr %.612, i64 %.41.i
+  %.54.i = load double, ptr %.53.i, align 8, !noalias !77
   %.56.i = fcmp contract olt double %.54.i, 1.000000e-02
   %.67.i = add nuw nsw i64 %.41.i, 1
   %high.3.1.i = select i1 %.56.i, i64 %high.2.0.i, i64 %.41.i
@@ -3669,12 +4943,12 @@ B24.i:                                            ; preds = %B0.endif.endif.endi
   br i1 %.98.i, label %B24.i, label %B24.i48
 
 B24.i48:                                          ; preds = %B24.i, %B24.i48
-  %high.2.0.i49 = phi i64 [ %high.3.1.i57, %B24.i48 ], [ %.203, %B24.i ]
+  %high.2.0.i49 = phi i64 [ %high.3.1.i57, %B24.i48 ], [ %.237, %B24.i ]
   %low.2.0.i50 = phi i64 [ %low.3.1.i58, %B24.i48 ], [ 0, %B24.i ]
   %.40.i51 = add nuw nsw i64 %low.2.0.i50, %high.2.0.i49
   %.41.i52 = lshr i64 %.40.i51, 1
-  %.53.i53 = getelementptr inbounds nuw double, ptr %.577, i64 %.41.i52
-  %.54.i54 = load double, ptr %.53.i53, align 8, !noalias !65
+  %.53.i53 = getelementptr inbounds nuw double, ptr %.612, i64 %.41.i52
+  %.54.i54 = load double, ptr %.53.i53, align 8, !noalias !80
   %.56.i55 = fcmp contract olt double %.54.i54, 2.000000e-02
   %.67.i56 = add nuw nsw i64 %.41.i52, 1
   %high.3.1.i57 = select i1 %.56.i55, i64 %high.2.0.i49, i64 %.41.i52
@@ -3683,34 +4957,44 @@ B24.i48:                                          ; preds = %B24.i, %B24.i48
   br i1 %.98.i59, label %B24.i48, label %B34.if.lr.ph.i
 
 B34.if.lr.ph.i:                                   ; preds = %B24.i48
-  %1 = getelementptr double, ptr %arg.cubics.0.4, i64 %arg.stride
+  %2 = getelementptr double, ptr %arg.cubics.0.4, i64 %arg.stride
   %.idx.i = shl i64 %arg.stride, 4
-  %2 = getelementptr i8, ptr %arg.cubics.0.4, i64 %.idx.i
+  %3 = getelementptr i8, ptr %arg.cubics.0.4, i64 %.idx.i
   %.idx161.i = mul i64 %arg.stride, 24
-  %3 = getelementptr i8, ptr %arg.cubics.0.4, i64 %.idx161.i
+  %4 = getelementptr i8, ptr %arg.cubics.0.4, i64 %.idx161.i
+  %.673.idx1 = add i64 %.162, %arg.first
+  %5 = shl i64 %.673.idx1, 6
+  %6 = shl i64 %.267, 3
+  %7 = lshr i64 %.163, 3
+  %.neg2 = mul i64 %7, -192
+  %8 = getelementptr i8, ptr %arg.weights.4, i64 %.neg2
+  %9 = getelementptr i8, ptr %8, i64 %5
+  %10 = getelementptr i8, ptr %9, i64 %6
+  %scevgep362 = getelementptr i8, ptr %10, i64 1024
+  %11 = sub i64 %arg.first, %arg.last
   br label %B34.if.i
 
 B34.if.i:                                         ; preds = %B34.if.i, %B34.if.lr.ph.i
-  %lsr.iv4.i = phi i64 [ %.158, %B34.if.lr.ph.i ], [ %lsr.iv.next5.i, %B34.if.i ]
-  %lsr.iv.i = phi i64 [ 0, %B34.if.lr.ph.i ], [ %lsr.iv.next.i, %B34.if.i ]
-  %scevgep3.i = getelementptr i8, ptr %.463, i64 %lsr.iv.i
-  %.205.i = load i64, ptr %scevgep3.i, align 8, !noalias !68
-  %4 = shl i64 %lsr.iv.i, 3
-  %scevgep.i = getelementptr i8, ptr %.638, i64 %4
-  %.216.i = load <8 x double>, ptr %scevgep.i, align 8, !noalias !68
-  %.224.i = getelementptr inbounds double, ptr %.927, i64 %.205.i
-  %.225.i = load double, ptr %.224.i, align 8, !noalias !68
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B34.if.i ], [ %11, %B34.if.lr.ph.i ]
+  %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B34.if.i ], [ 0, %B34.if.lr.ph.i ]
+  %scevgep3.i = getelementptr i8, ptr %.498, i64 %lsr.iv.i
+  %.205.i = load i64, ptr %scevgep3.i, align 8, !noalias !83
+  %12 = shl i64 %lsr.iv.i, 3
+  %scevgep363 = getelementptr i8, ptr %scevgep362, i64 %12
+  %.216.i = load <8 x double>, ptr %scevgep363, align 8, !noalias !83
+  %.224.i = getelementptr inbounds double, ptr %.962, i64 %.205.i
+  %.225.i = load double, ptr %.224.i, align 8, !noalias !83
   %.6.i.i = insertelement <8 x double> poison, double %.225.i, i64 0
   %.7.i.i = shufflevector <8 x double> %.6.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.8.i.i = fsub contract <8 x double> %.216.i, %.7.i.i
   %.257.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.205.i
-  %.258.i = load double, ptr %.257.i, align 8, !noalias !68
-  %.268.i = getelementptr double, ptr %1, i64 %.205.i
-  %.269.i = load double, ptr %.268.i, align 8, !noalias !68
-  %.280.i = getelementptr double, ptr %2, i64 %.205.i
-  %.281.i = load double, ptr %.280.i, align 8, !noalias !68
-  %.292.i = getelementptr double, ptr %3, i64 %.205.i
-  %.293.i = load double, ptr %.292.i, align 8, !noalias !68
+  %.258.i = load double, ptr %.257.i, align 8, !noalias !83
+  %.268.i = getelementptr double, ptr %2, i64 %.205.i
+  %.269.i = load double, ptr %.268.i, align 8, !noalias !83
+  %.280.i = getelementptr double, ptr %3, i64 %.205.i
+  %.281.i = load double, ptr %.280.i, align 8, !noalias !83
+  %.292.i = getelementptr double, ptr %4, i64 %.205.i
+  %.293.i = load double, ptr %.292.i, align 8, !noalias !83
   %.295.i = insertelement <8 x double> poison, double %.293.i, i64 0
   %.296.i = shufflevector <8 x double> %.295.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.297.i = insertelement <8 x double> poison, double %.281.i, i64 0
@@ -3722,181 +5006,187 @@ B34.if.i:                                         ; preds = %B34.if.i, %B34.if.l
   %.303.i = insertelement <8 x double> poison, double %.258.i, i64 0
   %.304.i = shufflevector <8 x double> %.303.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.305.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> %.302.i, <8 x double> %.304.i)
-  %scevgep11 = getelementptr i8, ptr %arg.work.4, i64 %4
-  store <8 x double> %.305.i, ptr %scevgep11, align 8, !noalias !68
+  %scevgep15 = getelementptr i8, ptr %arg.work.4, i64 %12
+  store <8 x double> %.305.i, ptr %scevgep15, align 8, !noalias !83
   %lsr.iv.next.i = add nuw i64 %lsr.iv.i, 8
-  %lsr.iv.next5.i = add i64 %lsr.iv4.i, -1
-  %exitcond.not.i = icmp eq i64 %lsr.iv.next5.i, 0
-  br i1 %exitcond.not.i, label %B0.endif.endif.endif.endi...endif.2.endif.endif, label %B34.if.i
+  %ov21 = icmp eq i64 %lsr.iv, -1
+  %lsr.iv.next = add i64 %lsr.iv, 1
+  br i1 %ov21, label %B0.endif.endif.endif.endi...endif.2.endif.endif, label %B34.if.i
 
 B0.endif.endif.endif.endi...endif.2.endif.endif:  ; preds = %B34.if.i, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif
-  %low.4.1.i479 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ], [ %low.3.1.i58, %B34.if.i ]
-  %low.4.1.i38 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ], [ %low.3.1.i, %B34.if.i ]
-  %.1300.idx = shl nsw i64 %.158, 8
-  %.1300 = getelementptr inbounds i8, ptr %.577, i64 %.1300.idx
-  store ptr null, ptr %.1351, align 8
-  call fastcc void @inner_10(ptr nonnull %.1351, ptr %.577, ptr %.700, ptr %.1300, i64 %low.4.1.i38, i64 %low.4.1.i479, i64 %.203, double 1.000000e+00, ptr %arg.series.4, double %.1164, ptr %arg.work.4, ptr %.831)
-  %5 = icmp slt i64 %.158, 1
-  br i1 %5, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B64.if.i.preheader
+  %low.4.1.i4714 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ], [ %low.3.1.i58, %B34.if.i ]
+  %low.4.1.i813 = phi i64 [ 0, %B0.endif.endif.endif.endi...endif.1.endif.endif.endif ], [ %low.3.1.i, %B34.if.i ]
+  %.1335.idx = shl nsw i64 %.162, 8
+  %.1335 = getelementptr inbounds i8, ptr %.612, i64 %.1335.idx
+  store ptr null, ptr %.1386, align 8
+  call fastcc void @inner_12(ptr nonnull %.1386, ptr %.612, ptr %.735, ptr %.1335, i64 %low.4.1.i813, i64 %low.4.1.i4714, i64 %.237, double 1.000000e+00, ptr %arg.series.4, double %.1199, ptr %arg.work.4, ptr %.866)
+  %13 = icmp slt i64 %.132, 1
+  %.1508 = getelementptr inbounds double, ptr %arg.polynomials_a.4, i64 %.236
+  br i1 %13, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B64.if.i.preheader
 
 B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif.endif
-  %6 = shl i64 %.233, 3
-  %7 = lshr i64 %.160, 3
-  %.neg1 = mul i64 %7, -192
-  %8 = getelementptr i8, ptr %arg.weights.4, i64 %.neg1
-  %9 = getelementptr i8, ptr %8, i64 %6
-  %scevgep313 = getelementptr i8, ptr %9, i64 576
+  %14 = shl i64 %.267, 3
+  %15 = lshr i64 %.163, 3
+  %.neg3 = mul i64 %15, -192
+  %16 = getelementptr i8, ptr %arg.weights.4, i64 %.neg3
+  %17 = getelementptr i8, ptr %16, i64 %14
+  %scevgep353 = getelementptr i8, ptr %17, i64 576
   br label %B64.if.i
 
 B424.i:                                           ; preds = %B172.if.i
   %.138.i = add nsw i64 %.128167175.i, -1
   %.142.i = add i64 %.135168174.i, 8
-  %.6.i.i73 = fadd contract <8 x double> %.322.i, %.352.i
-  %.398.i = getelementptr inbounds double, ptr %arg.polynomials_a.4, i64 %.135168174.i
-  store <8 x double> %.6.i.i73, ptr %.398.i, align 8, !noalias !71
-  %scevgep.i74 = getelementptr i8, ptr %lsr.iv2.i, i64 64
+  %.6.i.i78 = fadd contract <8 x double> %.322.i, %.352.i
+  %.398.i = getelementptr inbounds double, ptr %.1508, i64 %.135168174.i
+  store <8 x double> %.6.i.i78, ptr %.398.i, align 8, !noalias !86
+  %scevgep.i79 = getelementptr i8, ptr %lsr.iv2.i, i64 64
   %.129.i = icmp sgt i64 %.128167175.i, 1
-  br i1 %.129.i, label %B64.if.i, label %B34.if.lr.ph.i76
+  br i1 %.129.i, label %B64.if.i, label %B34.if.lr.ph.i81
 
 B64.if.i:                                         ; preds = %B424.i, %B64.if.i.preheader
-  %lsr.iv2.i = phi ptr [ %scevgep.i74, %B424.i ], [ %.831, %B64.if.i.preheader ]
-  %.128167175.i = phi i64 [ %.138.i, %B424.i ], [ %.158, %B64.if.i.preheader ]
+  %lsr.iv2.i = phi ptr [ %scevgep.i79, %B424.i ], [ %.866, %B64.if.i.preheader ]
+  %.128167175.i = phi i64 [ %.138.i, %B424.i ], [ %.132, %B64.if.i.preheader ]
   %.135168174.i = phi i64 [ %.142.i, %B424.i ], [ 0, %B64.if.i.preheader ]
   br label %B172.if.i
 
 B172.if.i:                                        ; preds = %B172.if.i, %B64.if.i
-  %lsr.iv6 = phi i64 [ %lsr.iv.next7, %B172.if.i ], [ 10, %B64.if.i ]
-  %lsr.iv309 = phi i64 [ %lsr.iv.next310, %B172.if.i ], [ 0, %B64.if.i ]
+  %lsr.iv10 = phi i64 [ %lsr.iv.next11, %B172.if.i ], [ 10, %B64.if.i ]
+  %lsr.iv349 = phi i64 [ %lsr.iv.next350, %B172.if.i ], [ 0, %B64.if.i ]
   %even.2.1163.i = phi <8 x double> [ %.322.i, %B172.if.i ], [ zeroinitializer, %B64.if.i ]
   %odd.2.1162.i = phi <8 x double> [ %.352.i, %B172.if.i ], [ zeroinitializer, %B64.if.i ]
-  %10 = shl nuw nsw i64 %lsr.iv309, 3
-  %scevgep10 = getelementptr i8, ptr %scevgep313, i64 %10
-  %scevgep9 = getelementptr i8, ptr %scevgep10, i64 -64
-  %.307.i = load <8 x double>, ptr %scevgep9, align 8, !noalias !71
-  %scevgep311 = getelementptr i8, ptr %lsr.iv2.i, i64 %lsr.iv309
-  %scevgep312 = getelementptr i8, ptr %scevgep311, i64 8
-  %.318.i = load double, ptr %scevgep311, align 8, !noalias !71
+  %18 = shl nuw nsw i64 %lsr.iv349, 3
+  %scevgep14 = getelementptr i8, ptr %scevgep353, i64 %18
+  %scevgep13 = getelementptr i8, ptr %scevgep14, i64 -64
+  %.307.i = load <8 x double>, ptr %scevgep13, align 8, !noalias !86
+  %scevgep351 = getelementptr i8, ptr %lsr.iv2.i, i64 %lsr.iv349
+  %scevgep352 = getelementptr i8, ptr %scevgep351, i64 8
+  %.318.i = load double, ptr %scevgep351, align 8, !noalias !86
   %.320.i = insertelement <8 x double> poison, double %.318.i, i64 0
   %.321.i = shufflevector <8 x double> %.320.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.322.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.307.i, <8 x double> %.321.i, <8 x double> %even.2.1163.i)
-  %.336.i = load <8 x double>, ptr %scevgep10, align 8, !noalias !71
-  %.348.i = load double, ptr %scevgep312, align 8, !noalias !71
+  %.336.i = load <8 x double>, ptr %scevgep14, align 8, !noalias !86
+  %.348.i = load double, ptr %scevgep352, align 8, !noalias !86
   %.350.i = insertelement <8 x double> poison, double %.348.i, i64 0
   %.351.i = shufflevector <8 x double> %.350.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.352.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.336.i, <8 x double> %.351.i, <8 x double> %odd.2.1162.i)
-  %lsr.iv.next310 = add nuw nsw i64 %lsr.iv309, 16
-  %lsr.iv.next7 = add nsw i64 %lsr.iv6, -1
-  %.259.i = icmp samesign ugt i64 %lsr.iv6, 7
+  %lsr.iv.next350 = add nuw nsw i64 %lsr.iv349, 16
+  %lsr.iv.next11 = add nsw i64 %lsr.iv10, -1
+  %.259.i = icmp samesign ugt i64 %lsr.iv10, 7
   br i1 %.259.i, label %B172.if.i, label %B424.i
 
-B34.if.lr.ph.i76:                                 ; preds = %B424.i
-  %11 = getelementptr double, ptr %arg.cubics.1.4, i64 %arg.stride
-  %.idx.i77 = shl i64 %arg.stride, 4
-  %12 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx.i77
-  %.idx161.i78 = mul i64 %arg.stride, 24
-  %13 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx161.i78
-  br label %B34.if.i79
+B34.if.lr.ph.i81:                                 ; preds = %B424.i
+  %19 = getelementptr double, ptr %arg.cubics.1.4, i64 %arg.stride
+  %.idx.i82 = shl i64 %arg.stride, 4
+  %20 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx.i82
+  %.idx161.i83 = mul i64 %arg.stride, 24
+  %21 = getelementptr i8, ptr %arg.cubics.1.4, i64 %.idx161.i83
+  %.673.idx4 = add i64 %.162, %arg.first
+  %22 = shl i64 %.673.idx4, 6
+  %23 = getelementptr i8, ptr %16, i64 %22
+  %24 = getelementptr i8, ptr %23, i64 %14
+  %scevgep347 = getelementptr i8, ptr %24, i64 1024
+  %25 = sub i64 %arg.first, %arg.last
+  br label %B34.if.i84
 
-B34.if.i79:                                       ; preds = %B34.if.i79, %B34.if.lr.ph.i76
-  %lsr.iv4.i80 = phi i64 [ %.158, %B34.if.lr.ph.i76 ], [ %lsr.iv.next5.i112, %B34.if.i79 ]
-  %lsr.iv.i81 = phi i64 [ 0, %B34.if.lr.ph.i76 ], [ %lsr.iv.next.i111, %B34.if.i79 ]
-  %scevgep3.i82 = getelementptr i8, ptr %.463, i64 %lsr.iv.i81
-  %.205.i83 = load i64, ptr %scevgep3.i82, align 8, !noalias !74
-  %14 = shl i64 %lsr.iv.i81, 3
-  %scevgep.i84 = getelementptr i8, ptr %.638, i64 %14
-  %.216.i85 = load <8 x double>, ptr %scevgep.i84, align 8, !noalias !74
-  %.224.i86 = getelementptr inbounds double, ptr %.927, i64 %.205.i83
-  %.225.i87 = load double, ptr %.224.i86, align 8, !noalias !74
-  %.6.i.i88 = insertelement <8 x double> poison, double %.225.i87, i64 0
-  %.7.i.i89 = shufflevector <8 x double> %.6.i.i88, <8 x double> poison, <8 x i32> zeroinitializer
-  %.8.i.i90 = fsub contract <8 x double> %.216.i85, %.7.i.i89
-  %.257.i91 = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.205.i83
-  %.258.i92 = load double, ptr %.257.i91, align 8, !noalias !74
-  %.268.i93 = getelementptr double, ptr %11, i64 %.205.i83
-  %.269.i94 = load double, ptr %.268.i93, align 8, !noalias !74
-  %.280.i95 = getelementptr double, ptr %12, i64 %.205.i83
-  %.281.i96 = load double, ptr %.280.i95, align 8, !noalias !74
-  %.292.i97 = getelementptr double, ptr %13, i64 %.205.i83
-  %.293.i98 = load double, ptr %.292.i97, align 8, !noalias !74
-  %.295.i99 = insertelement <8 x double> poison, double %.293.i98, i64 0
-  %.296.i100 = shufflevector <8 x double> %.295.i99, <8 x double> poison, <8 x i32> zeroinitializer
-  %.297.i101 = insertelement <8 x double> poison, double %.281.i96, i64 0
-  %.298.i102 = shufflevector <8 x double> %.297.i101, <8 x double> poison, <8 x i32> zeroinitializer
-  %.299.i103 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i90, <8 x double> %.296.i100, <8 x double> %.298.i102)
-  %.300.i104 = insertelement <8 x double> poison, double %.269.i94, i64 0
-  %.301.i105 = shufflevector <8 x double> %.300.i104, <8 x double> poison, <8 x i32> zeroinitializer
-  %.302.i106 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i90, <8 x double> %.299.i103, <8 x double> %.301.i105)
-  %.303.i107 = insertelement <8 x double> poison, double %.258.i92, i64 0
-  %.304.i108 = shufflevector <8 x double> %.303.i107, <8 x double> poison, <8 x i32> zeroinitializer
-  %.305.i109 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i90, <8 x double> %.302.i106, <8 x double> %.304.i108)
-  %scevgep5 = getelementptr i8, ptr %arg.work.4, i64 %14
-  store <8 x double> %.305.i109, ptr %scevgep5, align 8, !noalias !74
-  %lsr.iv.next.i111 = add nuw i64 %lsr.iv.i81, 8
-  %lsr.iv.next5.i112 = add i64 %lsr.iv4.i80, -1
-  %exitcond.not.i113 = icmp eq i64 %lsr.iv.next5.i112, 0
-  br i1 %exitcond.not.i113, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114, label %B34.if.i79
+B34.if.i84:                                       ; preds = %B34.if.i84, %B34.if.lr.ph.i81
+  %lsr.iv7 = phi i64 [ %lsr.iv.next8, %B34.if.i84 ], [ %25, %B34.if.lr.ph.i81 ]
+  %lsr.iv.i86 = phi i64 [ %lsr.iv.next.i116, %B34.if.i84 ], [ 0, %B34.if.lr.ph.i81 ]
+  %scevgep3.i87 = getelementptr i8, ptr %.498, i64 %lsr.iv.i86
+  %.205.i88 = load i64, ptr %scevgep3.i87, align 8, !noalias !89
+  %26 = shl i64 %lsr.iv.i86, 3
+  %scevgep348 = getelementptr i8, ptr %scevgep347, i64 %26
+  %.216.i90 = load <8 x double>, ptr %scevgep348, align 8, !noalias !89
+  %.224.i91 = getelementptr inbounds double, ptr %.962, i64 %.205.i88
+  %.225.i92 = load double, ptr %.224.i91, align 8, !noalias !89
+  %.6.i.i93 = insertelement <8 x double> poison, double %.225.i92, i64 0
+  %.7.i.i94 = shufflevector <8 x double> %.6.i.i93, <8 x double> poison, <8 x i32> zeroinitializer
+  %.8.i.i95 = fsub contract <8 x double> %.216.i90, %.7.i.i94
+  %.257.i96 = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.205.i88
+  %.258.i97 = load double, ptr %.257.i96, align 8, !noalias !89
+  %.268.i98 = getelementptr double, ptr %19, i64 %.205.i88
+  %.269.i99 = load double, ptr %.268.i98, align 8, !noalias !89
+  %.280.i100 = getelementptr double, ptr %20, i64 %.205.i88
+  %.281.i101 = load double, ptr %.280.i100, align 8, !noalias !89
+  %.292.i102 = getelementptr double, ptr %21, i64 %.205.i88
+  %.293.i103 = load double, ptr %.292.i102, align 8, !noalias !89
+  %.295.i104 = insertelement <8 x double> poison, double %.293.i103, i64 0
+  %.296.i105 = shufflevector <8 x double> %.295.i104, <8 x double> poison, <8 x i32> zeroinitializer
+  %.297.i106 = insertelement <8 x double> poison, double %.281.i101, i64 0
+  %.298.i107 = shufflevector <8 x double> %.297.i106, <8 x double> poison, <8 x i32> zeroinitializer
+  %.299.i108 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i95, <8 x double> %.296.i105, <8 x double> %.298.i107)
+  %.300.i109 = insertelement <8 x double> poison, double %.269.i99, i64 0
+  %.301.i110 = shufflevector <8 x double> %.300.i109, <8 x double> poison, <8 x i32> zeroinitializer
+  %.302.i111 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i95, <8 x double> %.299.i108, <8 x double> %.301.i110)
+  %.303.i112 = insertelement <8 x double> poison, double %.258.i97, i64 0
+  %.304.i113 = shufflevector <8 x double> %.303.i112, <8 x double> poison, <8 x i32> zeroinitializer
+  %.305.i114 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i95, <8 x double> %.302.i111, <8 x double> %.304.i113)
+  %scevgep9 = getelementptr i8, ptr %arg.work.4, i64 %26
+  store <8 x double> %.305.i114, ptr %scevgep9, align 8, !noalias !89
+  %lsr.iv.next.i116 = add nuw i64 %lsr.iv.i86, 8
+  %ov = icmp eq i64 %lsr.iv7, -1
+  %lsr.iv.next8 = add i64 %lsr.iv7, 1
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B34.if.i84
 
-_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114: ; preds = %B34.if.i79, %B0.endif.endif.endif.endi...endif.2.endif.endif
-  %.1695.idx = mul i64 %.158, 192
-  %.1695 = getelementptr i8, ptr %.577, i64 %.1695.idx
-  %.1167.i = and i64 %.158, 2305843009213693951
+_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119: ; preds = %B34.if.i84, %B0.endif.endif.endif.endi...endif.2.endif.endif
+  %.1167.i = and i64 %.132, 2305843009213693951
   %.1189570.not574.i = icmp eq i64 %.1167.i, 0
-  %.1189570.not.i = or i1 %5, %.1189570.not574.i
-  br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif, label %B484.if.lr.ph.i
+  %.1189570.not.i = or i1 %13, %.1189570.not574.i
+  br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.5, label %B484.if.lr.ph.i
 
-B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
-  %.1626 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
-  %.1562 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
+B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+  %.1794.idx = mul i64 %.162, 192
+  %.1725 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
+  %.1661 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
   %.1012.i = getelementptr i8, ptr %arg.series.4, i64 264
-  %.1013.i = load double, ptr %.1012.i, align 8, !noalias !77
+  %.1013.i = load double, ptr %.1012.i, align 8, !noalias !92
   %.983.i = getelementptr i8, ptr %arg.series.4, i64 256
-  %.984.i = load double, ptr %.983.i, align 8, !noalias !77
+  %.984.i = load double, ptr %.983.i, align 8, !noalias !92
   %.954.i = getelementptr i8, ptr %arg.series.4, i64 248
-  %.955.i = load double, ptr %.954.i, align 8, !noalias !77
+  %.955.i = load double, ptr %.954.i, align 8, !noalias !92
   %.925.i = getelementptr i8, ptr %arg.series.4, i64 240
-  %.926.i = load double, ptr %.925.i, align 8, !noalias !77
+  %.926.i = load double, ptr %.925.i, align 8, !noalias !92
   %.896.i = getelementptr i8, ptr %arg.series.4, i64 232
-  %.897.i = load double, ptr %.896.i, align 8, !noalias !77
+  %.897.i = load double, ptr %.896.i, align 8, !noalias !92
   %.867.i = getelementptr i8, ptr %arg.series.4, i64 224
-  %.868.i = load double, ptr %.867.i, align 8, !noalias !77
+  %.868.i = load double, ptr %.867.i, align 8, !noalias !92
   %.838.i = getelementptr i8, ptr %arg.series.4, i64 216
-  %.839.i = load double, ptr %.838.i, align 8, !noalias !77
+  %.839.i = load double, ptr %.838.i, align 8, !noalias !92
   %.809.i = getelementptr i8, ptr %arg.series.4, i64 208
-  %.810.i = load double, ptr %.809.i, align 8, !noalias !77
+  %.810.i = load double, ptr %.809.i, align 8, !noalias !92
   %.780.i = getelementptr i8, ptr %arg.series.4, i64 200
-  %.781.i = load double, ptr %.780.i, align 8, !noalias !77
-  %.752.i = load double, ptr %.1626, align 8, !noalias !77
+  %.781.i = load double, ptr %.780.i, align 8, !noalias !92
+  %.752.i = load double, ptr %.1725, align 8, !noalias !92
   %.647.i = getelementptr i8, ptr %arg.series.4, i64 184
-  %.648.i = load double, ptr %.647.i, align 8, !noalias !77
+  %.648.i = load double, ptr %.647.i, align 8, !noalias !92
   %.618.i = getelementptr i8, ptr %arg.series.4, i64 176
-  %.619.i = load double, ptr %.618.i, align 8, !noalias !77
+  %.619.i = load double, ptr %.618.i, align 8, !noalias !92
   %.589.i = getelementptr i8, ptr %arg.series.4, i64 168
-  %.590.i = load double, ptr %.589.i, align 8, !noalias !77
+  %.590.i = load double, ptr %.589.i, align 8, !noalias !92
   %.560.i = getelementptr i8, ptr %arg.series.4, i64 160
-  %.561.i = load double, ptr %.560.i, align 8, !noalias !77
+  %.561.i = load double, ptr %.560.i, align 8, !noalias !92
   %.531.i = getelementptr i8, ptr %arg.series.4, i64 152
-  %.532.i = load double, ptr %.531.i, align 8, !noalias !77
+  %.532.i = load double, ptr %.531.i, align 8, !noalias !92
   %.502.i = getelementptr i8, ptr %arg.series.4, i64 144
-  %.503.i = load double, ptr %.502.i, align 8, !noalias !77
+  %.503.i = load double, ptr %.502.i, align 8, !noalias !92
   %.473.i = getelementptr i8, ptr %arg.series.4, i64 136
-  %.474.i = load double, ptr %.473.i, align 8, !noalias !77
+  %.474.i = load double, ptr %.473.i, align 8, !noalias !92
   %.444.i = getelementptr i8, ptr %arg.series.4, i64 128
-  %.445.i = load double, ptr %.444.i, align 8, !noalias !77
+  %.445.i = load double, ptr %.444.i, align 8, !noalias !92
   %.343.i = getelementptr i8, ptr %arg.series.4, i64 120
-  %.344.i = load double, ptr %.343.i, align 8, !noalias !77
+  %.344.i = load double, ptr %.343.i, align 8, !noalias !92
   %.314.i = getelementptr i8, ptr %arg.series.4, i64 112
-  %.315.i = load double, ptr %.314.i, align 8, !noalias !77
+  %.315.i = load double, ptr %.314.i, align 8, !noalias !92
   %.285.i = getelementptr i8, ptr %arg.series.4, i64 104
-  %.286.i = load double, ptr %.285.i, align 8, !noalias !77
+  %.286.i = load double, ptr %.285.i, align 8, !noalias !92
   %.256.i = getelementptr i8, ptr %arg.series.4, i64 96
-  %.257.i130 = load double, ptr %.256.i, align 8, !noalias !77
+  %.257.i135 = load double, ptr %.256.i, align 8, !noalias !92
   %.227.i = getelementptr i8, ptr %arg.series.4, i64 88
-  %.228.i = load double, ptr %.227.i, align 8, !noalias !77
+  %.228.i = load double, ptr %.227.i, align 8, !noalias !92
   %.198.i = getelementptr i8, ptr %arg.series.4, i64 80
-  %.199.i = load double, ptr %.198.i, align 8, !noalias !77
+  %.199.i = load double, ptr %.198.i, align 8, !noalias !92
   %.169.i = getelementptr i8, ptr %arg.series.4, i64 72
-  %.170.i = load double, ptr %.169.i, align 8, !noalias !77
-  %.141.i = load double, ptr %.1562, align 8, !noalias !77
+  %.170.i = load double, ptr %.169.i, align 8, !noalias !92
+  %.141.i = load double, ptr %.1661, align 8, !noalias !92
   %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
   %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
@@ -3915,7 +5205,7 @@ B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrog
   %.1309.i = shufflevector <8 x double> %.1308.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1312.i = insertelement <8 x double> poison, double %.315.i, i64 0
   %.1313.i = shufflevector <8 x double> %.1312.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1315.i = insertelement <8 x double> poison, double %.257.i130, i64 0
+  %.1315.i = insertelement <8 x double> poison, double %.257.i135, i64 0
   %.1316.i = shufflevector <8 x double> %.1315.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1319.i = insertelement <8 x double> poison, double %.199.i, i64 0
   %.1320.i = shufflevector <8 x double> %.1319.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -3949,112 +5239,132 @@ B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrog
   %.1447.i = shufflevector <8 x double> %.1446.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1448.i = insertelement <8 x double> poison, double %.984.i, i64 0
   %.1449.i = shufflevector <8 x double> %.1448.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %15 = add nuw nsw i64 %.1167.i, 6
+  %27 = shl i64 %arg.first, 6
+  %28 = shl i64 %.267, 3
+  %29 = lshr i64 %.163, 3
+  %.neg17 = mul i64 %29, -192
+  %30 = getelementptr i8, ptr %arg.weights.4, i64 %28
+  %31 = getelementptr i8, ptr %30, i64 1024
+  %32 = getelementptr i8, ptr %31, i64 %27
+  %33 = getelementptr i8, ptr %32, i64 %.1794.idx
+  %scevgep334 = getelementptr i8, ptr %33, i64 %.neg17
+  %.673.idx6 = add i64 %.162, %arg.first
+  %34 = shl i64 %.673.idx6, 6
+  %35 = getelementptr i8, ptr %31, i64 %34
+  %scevgep336 = getelementptr i8, ptr %35, i64 %.neg17
+  %scevgep338 = getelementptr i8, ptr %32, i64 %.neg17
+  %36 = getelementptr i8, ptr %arg.weights.4, i64 %27
+  %37 = getelementptr i8, ptr %36, i64 1024
+  %38 = getelementptr i8, ptr %37, i64 %.735.idx
+  %39 = getelementptr i8, ptr %38, i64 %28
+  %scevgep340 = getelementptr i8, ptr %39, i64 %.neg17
+  %40 = add nuw nsw i64 %.1167.i, 6
   br label %B484.if.i
 
 B484.if.i:                                        ; preds = %B484.if.i, %B484.if.lr.ph.i
-  %lsr.iv3 = phi i64 [ %lsr.iv.next4, %B484.if.i ], [ %15, %B484.if.lr.ph.i ]
+  %lsr.iv5 = phi i64 [ %lsr.iv.next6, %B484.if.i ], [ %40, %B484.if.lr.ph.i ]
   %lsr.iv20.i = phi i64 [ %lsr.iv.next21.i, %B484.if.i ], [ 0, %B484.if.lr.ph.i ]
-  %scevgep26.i = getelementptr i8, ptr %.700, i64 %lsr.iv20.i
-  %.1236.i = load <8 x double>, ptr %scevgep26.i, align 8, !noalias !77
-  %scevgep25.i = getelementptr i8, ptr %.577, i64 %lsr.iv20.i
-  %.1246.i = load <8 x double>, ptr %scevgep25.i, align 8, !noalias !77
-  %scevgep24.i = getelementptr i8, ptr %.638, i64 %lsr.iv20.i
-  %.1256.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !77
-  %.6.i.i132 = fmul contract <8 x double> %.1236.i, %.1236.i
-  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1283.i, <8 x double> %.1286.i)
-  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1287.i, <8 x double> %.1290.i)
-  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1291.i, <8 x double> %.1294.i)
-  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1298.i, <8 x double> %.1301.i)
-  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1302.i, <8 x double> %.1305.i)
-  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1306.i, <8 x double> %.1309.i)
-  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1313.i, <8 x double> %.1316.i)
-  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1317.i, <8 x double> %.1320.i)
-  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1321.i, <8 x double> %.1324.i)
-  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1328.i, <8 x double> %.1331.i)
-  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1332.i, <8 x double> %.1335.i)
-  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1336.i, <8 x double> %.1339.i)
-  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1343.i, <8 x double> %.1346.i)
-  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1347.i, <8 x double> %.1350.i)
-  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1351.i, <8 x double> %.1354.i)
-  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1358.i, <8 x double> %.1361.i)
-  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i132, <8 x double> %.1362.i, <8 x double> %.1365.i)
+  %scevgep341 = getelementptr i8, ptr %scevgep340, i64 %lsr.iv20.i
+  %.1236.i = load <8 x double>, ptr %scevgep341, align 8, !noalias !92
+  %scevgep339 = getelementptr i8, ptr %scevgep338, i64 %lsr.iv20.i
+  %.1246.i = load <8 x double>, ptr %scevgep339, align 8, !noalias !92
+  %scevgep337 = getelementptr i8, ptr %scevgep336, i64 %lsr.iv20.i
+  %.1256.i = load <8 x double>, ptr %scevgep337, align 8, !noalias !92
+  %.6.i.i137 = fmul contract <8 x double> %.1236.i, %.1236.i
+  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1283.i, <8 x double> %.1286.i)
+  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1287.i, <8 x double> %.1290.i)
+  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1291.i, <8 x double> %.1294.i)
+  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1298.i, <8 x double> %.1301.i)
+  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1302.i, <8 x double> %.1305.i)
+  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1306.i, <8 x double> %.1309.i)
+  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1313.i, <8 x double> %.1316.i)
+  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1317.i, <8 x double> %.1320.i)
+  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1321.i, <8 x double> %.1324.i)
+  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1328.i, <8 x double> %.1331.i)
+  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1332.i, <8 x double> %.1335.i)
+  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1336.i, <8 x double> %.1339.i)
+  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1343.i, <8 x double> %.1346.i)
+  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1347.i, <8 x double> %.1350.i)
+  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1351.i, <8 x double> %.1354.i)
+  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1358.i, <8 x double> %.1361.i)
+  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i137, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
-  %scevgep23.i = getelementptr i8, ptr %.1695, i64 %lsr.iv20.i
-  %.1377.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !77
+  %scevgep335 = getelementptr i8, ptr %scevgep334, i64 %lsr.iv20.i
+  %.1377.i = load <8 x double>, ptr %scevgep335, align 8, !noalias !92
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
   %.1426.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1366.i, <8 x double> %.1355.i)
   %.1430.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i17.i, <8 x double> %.1429.i, <8 x double> %.1426.i)
   %.1431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1310.i, <8 x double> %.1295.i)
   %scevgep22.i = getelementptr i8, ptr %arg.work.4, i64 %lsr.iv20.i
-  %.1441.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !77
+  %.1441.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !92
   %.1442.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1431.i, <8 x double> %.1441.i)
   %.1443.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1256.i, <8 x double> %.1430.i, <8 x double> %.1442.i)
   %.6.i18.i = fadd contract <8 x double> %.6.i16.i, %.1443.i
   %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
   %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
-  %scevgep.i133 = getelementptr i8, ptr %.831, i64 %lsr.iv20.i
-  store <8 x double> %.6.i19.i, ptr %scevgep.i133, align 8, !noalias !77
+  %scevgep.i138 = getelementptr i8, ptr %.866, i64 %lsr.iv20.i
+  store <8 x double> %.6.i19.i, ptr %scevgep.i138, align 8, !noalias !92
   %lsr.iv.next21.i = add i64 %lsr.iv20.i, 64
-  %lsr.iv.next4 = add nsw i64 %lsr.iv3, -1
-  %.1189.i = icmp sgt i64 %lsr.iv3, 7
-  br i1 %.1189.i, label %B484.if.i, label %B64.if.i136.preheader
+  %lsr.iv.next6 = add nsw i64 %lsr.iv5, -1
+  %.1189.i = icmp sgt i64 %lsr.iv5, 7
+  br i1 %.1189.i, label %B484.if.i, label %B64.if.i146.preheader
 
-B0.endif.endif.endif.endi...endif.4.endif.endif.endif: ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit114
-  br i1 %5, label %B0.endif.endif.endif.endi...endif.5, label %B64.if.i136.preheader
+B0.endif.endif.endif.endi...endif.5:              ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+  br i1 %13, label %B0.endif.endif.endif.endi...endif.5.endif.endif, label %B64.if.i146.preheader
 
-B64.if.i136.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.4.endif.endif.endif
-  br label %B64.if.i136
+B64.if.i146.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.5
+  %.192016 = getelementptr inbounds double, ptr %arg.polynomials_p.4, i64 %.236
+  br label %B64.if.i146
 
-B424.i162:                                        ; preds = %B172.if.i140
-  %.138.i163 = add nsw i64 %.128167175.i138, -1
-  %.142.i164 = add i64 %.135168174.i139, 8
-  %.6.i.i165 = fadd contract <8 x double> %.322.i153, %.352.i158
-  %.398.i166 = getelementptr inbounds double, ptr %arg.polynomials_p.4, i64 %.135168174.i139
-  store <8 x double> %.6.i.i165, ptr %.398.i166, align 8, !noalias !80
-  %scevgep.i167 = getelementptr i8, ptr %lsr.iv2.i137, i64 64
-  %.129.i168 = icmp sgt i64 %.128167175.i138, 1
-  br i1 %.129.i168, label %B64.if.i136, label %B0.endif.endif.endif.endi...endif.5
+B424.i172:                                        ; preds = %B172.if.i150
+  %.138.i173 = add nsw i64 %.128167175.i148, -1
+  %.142.i174 = add i64 %.135168174.i149, 8
+  %.6.i.i175 = fadd contract <8 x double> %.322.i163, %.352.i168
+  %.398.i176 = getelementptr inbounds double, ptr %.192016, i64 %.135168174.i149
+  store <8 x double> %.6.i.i175, ptr %.398.i176, align 8, !noalias !95
+  %scevgep.i177 = getelementptr i8, ptr %lsr.iv2.i147, i64 64
+  %.129.i178 = icmp sgt i64 %.128167175.i148, 1
+  br i1 %.129.i178, label %B64.if.i146, label %B0.endif.endif.endif.endi...endif.5.endif.endif
 
-B64.if.i136:                                      ; preds = %B64.if.i136.preheader, %B424.i162
-  %lsr.iv2.i137 = phi ptr [ %scevgep.i167, %B424.i162 ], [ %.831, %B64.if.i136.preheader ]
-  %.128167175.i138 = phi i64 [ %.138.i163, %B424.i162 ], [ %.158, %B64.if.i136.preheader ]
-  %.135168174.i139 = phi i64 [ %.142.i164, %B424.i162 ], [ 0, %B64.if.i136.preheader ]
-  br label %B172.if.i140
+B64.if.i146:                                      ; preds = %B424.i172, %B64.if.i146.preheader
+  %lsr.iv2.i147 = phi ptr [ %scevgep.i177, %B424.i172 ], [ %.866, %B64.if.i146.preheader ]
+  %.128167175.i148 = phi i64 [ %.138.i173, %B424.i172 ], [ %.132, %B64.if.i146.preheader ]
+  %.135168174.i149 = phi i64 [ %.142.i174, %B424.i172 ], [ 0, %B64.if.i146.preheader ]
+  br label %B172.if.i150
 
-B172.if.i140:                                     ; preds = %B172.if.i140, %B64.if.i136
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B172.if.i140 ], [ 10, %B64.if.i136 ]
-  %lsr.iv3.i141 = phi i64 [ %lsr.iv.next4.i160, %B172.if.i140 ], [ 8, %B64.if.i136 ]
-  %even.2.1163.i143 = phi <8 x double> [ %.322.i153, %B172.if.i140 ], [ zeroinitializer, %B64.if.i136 ]
-  %odd.2.1162.i144 = phi <8 x double> [ %.352.i158, %B172.if.i140 ], [ zeroinitializer, %B64.if.i136 ]
-  %16 = shl nuw nsw i64 %lsr.iv3.i141, 3
-  %scevgep2 = getelementptr i8, ptr %.508, i64 %16
-  %scevgep1 = getelementptr i8, ptr %scevgep2, i64 -64
-  %.307.i147 = load <8 x double>, ptr %scevgep1, align 8, !noalias !80
-  %scevgep6.i148 = getelementptr i8, ptr %lsr.iv2.i137, i64 %lsr.iv3.i141
-  %scevgep7.i149 = getelementptr i8, ptr %scevgep6.i148, i64 -8
-  %.318.i150 = load double, ptr %scevgep7.i149, align 8, !noalias !80
-  %.320.i151 = insertelement <8 x double> poison, double %.318.i150, i64 0
-  %.321.i152 = shufflevector <8 x double> %.320.i151, <8 x double> poison, <8 x i32> zeroinitializer
-  %.322.i153 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.307.i147, <8 x double> %.321.i152, <8 x double> %even.2.1163.i143)
-  %.336.i154 = load <8 x double>, ptr %scevgep2, align 8, !noalias !80
-  %.348.i155 = load double, ptr %scevgep6.i148, align 8, !noalias !80
-  %.350.i156 = insertelement <8 x double> poison, double %.348.i155, i64 0
-  %.351.i157 = shufflevector <8 x double> %.350.i156, <8 x double> poison, <8 x i32> zeroinitializer
-  %.352.i158 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.336.i154, <8 x double> %.351.i157, <8 x double> %odd.2.1162.i144)
-  %lsr.iv.next4.i160 = add nuw nsw i64 %lsr.iv3.i141, 16
-  %lsr.iv.next = add nsw i64 %lsr.iv, -1
-  %.259.i161 = icmp samesign ugt i64 %lsr.iv, 7
-  br i1 %.259.i161, label %B172.if.i140, label %B424.i162
+B172.if.i150:                                     ; preds = %B172.if.i150, %B64.if.i146
+  %lsr.iv1 = phi i64 [ %lsr.iv.next2, %B172.if.i150 ], [ 10, %B64.if.i146 ]
+  %lsr.iv3.i151 = phi i64 [ %lsr.iv.next4.i170, %B172.if.i150 ], [ 8, %B64.if.i146 ]
+  %even.2.1163.i153 = phi <8 x double> [ %.322.i163, %B172.if.i150 ], [ zeroinitializer, %B64.if.i146 ]
+  %odd.2.1162.i154 = phi <8 x double> [ %.352.i168, %B172.if.i150 ], [ zeroinitializer, %B64.if.i146 ]
+  %41 = shl nuw nsw i64 %lsr.iv3.i151, 3
+  %scevgep4 = getelementptr i8, ptr %.543, i64 %41
+  %scevgep3 = getelementptr i8, ptr %scevgep4, i64 -64
+  %.307.i157 = load <8 x double>, ptr %scevgep3, align 8, !noalias !95
+  %scevgep6.i158 = getelementptr i8, ptr %lsr.iv2.i147, i64 %lsr.iv3.i151
+  %scevgep7.i159 = getelementptr i8, ptr %scevgep6.i158, i64 -8
+  %.318.i160 = load double, ptr %scevgep7.i159, align 8, !noalias !95
+  %.320.i161 = insertelement <8 x double> poison, double %.318.i160, i64 0
+  %.321.i162 = shufflevector <8 x double> %.320.i161, <8 x double> poison, <8 x i32> zeroinitializer
+  %.322.i163 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.307.i157, <8 x double> %.321.i162, <8 x double> %even.2.1163.i153)
+  %.336.i164 = load <8 x double>, ptr %scevgep4, align 8, !noalias !95
+  %.348.i165 = load double, ptr %scevgep6.i158, align 8, !noalias !95
+  %.350.i166 = insertelement <8 x double> poison, double %.348.i165, i64 0
+  %.351.i167 = shufflevector <8 x double> %.350.i166, <8 x double> poison, <8 x i32> zeroinitializer
+  %.352.i168 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.336.i164, <8 x double> %.351.i167, <8 x double> %odd.2.1162.i154)
+  %lsr.iv.next4.i170 = add nuw nsw i64 %lsr.iv3.i151, 16
+  %lsr.iv.next2 = add nsw i64 %lsr.iv1, -1
+  %.259.i171 = icmp samesign ugt i64 %lsr.iv1, 7
+  br i1 %.259.i171, label %B172.if.i150, label %B424.i172
 
-B0.endif.endif.endif.endi...endif.5:              ; preds = %B424.i162, %B0.endif.endif.endif.endi...endif.4.endif.endif.endif
+B0.endif.endif.endif.endi...endif.5.endif.endif:  ; preds = %B424.i172, %B0.endif.endif.endif.endi...endif.5
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc noundef range(i32 0, 2) i32 @inner_9(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, double %arg.unit, ptr readonly captures(none) %arg.band.4, ptr readonly captures(none) %arg.gauge.4, i64 %arg.alignment, ptr initializes((0, 384)) %arg.room.4, ptr writeonly captures(none) initializes((0, 64)) %arg.out.4) unnamed_addr #7 {
+define internal fastcc noundef range(i32 0, 2) i32 @inner_11(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, double %arg.unit, ptr readonly captures(none) %arg.band.4, ptr readonly captures(none) %arg.gauge.4, i64 %arg.alignment, ptr initializes((0, 384)) %arg.room.4, ptr writeonly captures(none) initializes((0, 64)) %arg.out.4) unnamed_addr #6 {
 entry:
   %.107 = load double, ptr %arg.row.4, align 8
   %.136 = getelementptr i8, ptr %arg.row.4, i64 24
@@ -4084,20 +5394,20 @@ entry:
   %.53.i = fmul contract double %.50.i, 5.000000e-01
   %.55.i = fmul contract double %.53.i, %.54.i
   %.81.i = fmul contract double %.147.i.i1, 2.500000e-01
-  store double 1.000000e+00, ptr %arg.out.4, align 8, !noalias !83
+  store double 1.000000e+00, ptr %arg.out.4, align 8, !noalias !98
   %.138.i = getelementptr i8, ptr %arg.out.4, i64 8
-  store double 0.000000e+00, ptr %.138.i, align 8, !noalias !83
+  store double 0.000000e+00, ptr %.138.i, align 8, !noalias !98
   %.140.i = fmul contract double %.35.i, 0x400579E79E79E79E
   %.141.i = fadd contract double %.140.i, 0xBFF7124924924925
   %.169.i = getelementptr i8, ptr %arg.out.4, i64 16
-  store double %.141.i, ptr %.169.i, align 8, !noalias !83
+  store double %.141.i, ptr %.169.i, align 8, !noalias !98
   %.171.i = fmul contract double %.55.i, 3.375000e+00
   %.172.i = fmul contract double %.35.i, 0x3FFD555555555555
   %.173.i = fsub contract double 3.375000e+00, %.172.i
   %.174.i = fmul contract double %.52.i, %.173.i
   %.175.i = fadd contract double %.171.i, %.174.i
   %.203.i = getelementptr i8, ptr %arg.out.4, i64 24
-  store double %.175.i, ptr %.203.i, align 8, !noalias !83
+  store double %.175.i, ptr %.203.i, align 8, !noalias !98
   %.205.i = fmul contract double %.35.i, 0x401167EA53FA94FF
   %.206.i = fadd contract double %.205.i, 0xC0175371959340D3
   %.207.i = fmul contract double %.35.i, %.206.i
@@ -4115,7 +5425,7 @@ entry:
   %.336.i = fadd contract double %.335.i, -1.531250e+00
   %.361.i = fmul contract double %.336.i, %.147.i15.i
   %.362.i2 = fadd contract double %.361.i, %.273.i
-  store double %.362.i2, ptr %.236.i, align 8, !noalias !83
+  store double %.362.i2, ptr %.236.i, align 8, !noalias !98
   %.393.i = fmul contract double %.35.i, 4.000000e+00
   %.394.i = fsub contract double 1.000000e+00, %.393.i
   %.395.i = fmul contract double %.394.i, 0x4010B090E5F545F2
@@ -4130,7 +5440,7 @@ entry:
   %.461.i = fsub contract double 0x4031AEEFBEFBEFBF, %.460.i
   %.462.i = fmul contract double %.52.i, %.461.i
   %.463.i = fadd contract double %0, %.462.i
-  store double %.463.i, ptr %.427.i, align 8, !noalias !83
+  store double %.463.i, ptr %.427.i, align 8, !noalias !98
   %.519.i = fmul contract double %.35.i, 0x4050B13F2FF5EE90
   %.520.i = fadd contract double %.519.i, 0xC034AE5A84540D99
   %.548.i = getelementptr i8, ptr %arg.out.4, i64 48
@@ -4163,14 +5473,14 @@ entry:
   %.860.i = fadd contract double %.859.i, 0xC02B20D145145145
   %.885.i = fmul contract double %.147.i15.i, %.860.i
   %.886.i = fadd contract double %.885.i, %.798.i
-  store double %.886.i, ptr %.548.i, align 8, !noalias !83
+  store double %.886.i, ptr %.548.i, align 8, !noalias !98
   %.916.i = fmul contract double %.35.i, 0x402001CC877321DD
   %.917.i = fsub contract double 0x403044E0D8B8362E, %.916.i
   %.918.i = fmul contract double %.35.i, %.917.i
   %.919.i = fsub contract double 0x400A4763546E2A71, %.918.i
   %.920.i = fmul contract double %.919.i, 0x400921FB54442D18
   %.948.i = getelementptr i8, ptr %arg.out.4, i64 56
-  store double %.920.i, ptr %.948.i, align 8, !noalias !83
+  store double %.920.i, ptr %.948.i, align 8, !noalias !98
   %.39.i = fdiv contract double 0x3FE4F1A6C638D03F, %.35.i
   %.47.i = tail call contract double @sqrt(double %.39.i)
   %.449 = fmul contract double %.389, %.47.i
@@ -4205,35 +5515,35 @@ entry:
   %.696 = load double, ptr %.695, align 8
   %.725 = getelementptr i8, ptr %arg.row.4, i64 16
   %.726 = load double, ptr %.725, align 8
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(384) %arg.room.4, i8 0, i64 384, i1 false), !noalias !86
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(384) %arg.room.4, i8 0, i64 384, i1 false), !noalias !101
   %.33.i = fdiv contract double %.107, %.5.i
   %.38.i = fdiv contract double 1.000000e+00, %.5.i
   %.39.i3 = fmul contract double %.33.i, %.38.i
-  store double 1.000000e+00, ptr %arg.room.4, align 8, !noalias !89
+  store double 1.000000e+00, ptr %arg.room.4, align 8, !noalias !104
   %.183.i.i = getelementptr i8, ptr %arg.room.4, i64 16
   %.203.i.i = fmul contract double %.39.i3, 0x401871C71C71C71C
   %.204.i.i = fadd contract double %.203.i.i, 0x4013A7F529FD4A7F
-  store double %.204.i.i, ptr %.183.i.i, align 8, !noalias !89
+  store double %.204.i.i, ptr %.183.i.i, align 8, !noalias !104
   %.308.i.i = getelementptr i8, ptr %arg.room.4, i64 24
-  %.309.i.i = load double, ptr %.308.i.i, align 8, !noalias !89
+  %.309.i.i = load double, ptr %.308.i.i, align 8, !noalias !104
   %.310.i.i = fadd contract double %.309.i.i, 0xC04921FB54442D18
-  store double %.310.i.i, ptr %.308.i.i, align 8, !noalias !89
+  store double %.310.i.i, ptr %.308.i.i, align 8, !noalias !104
   %.413.i.i = getelementptr i8, ptr %arg.room.4, i64 32
-  %.414.i.i = load double, ptr %.413.i.i, align 8, !noalias !89
+  %.414.i.i = load double, ptr %.413.i.i, align 8, !noalias !104
   %.454.i2.i = fmul contract double %.39.i3, 0x40456C71C71C71C7
   %.455.i3.i = fadd contract double %.454.i2.i, 0x404AEDF7DF7DF7DF
   %.456.i4.i = fmul contract double %.39.i3, %.455.i3.i
   %.457.i.i = fadd contract double %.456.i4.i, 0x403E1A683B5702A5
   %.458.i.i = fadd contract double %.457.i.i, %.414.i.i
-  store double %.458.i.i, ptr %.413.i.i, align 8, !noalias !89
+  store double %.458.i.i, ptr %.413.i.i, align 8, !noalias !104
   %.561.i.i = getelementptr i8, ptr %arg.room.4, i64 168
-  %.562.i.i = load double, ptr %.561.i.i, align 8, !noalias !89
+  %.562.i.i = load double, ptr %.561.i.i, align 8, !noalias !104
   %.581.i.i = fmul contract double %.39.i3, 0x40510457810E2933
   %1 = fsub contract double 0x407E1C5F0E074C89, %.581.i.i
   %.583.i.i = fadd contract double %1, %.562.i.i
-  store double %.583.i.i, ptr %.561.i.i, align 8, !noalias !89
+  store double %.583.i.i, ptr %.561.i.i, align 8, !noalias !104
   %.686.i.i = getelementptr i8, ptr %arg.room.4, i64 48
-  %.687.i.i = load double, ptr %.686.i.i, align 8, !noalias !89
+  %.687.i.i = load double, ptr %.686.i.i, align 8, !noalias !104
   %.756.i.i = fmul contract double %.39.i3, 0x4058A8587E6B74F0
   %2 = fsub contract double 0x404601B425ED097B, %.756.i.i
   %.758.i.i = fmul contract double %.39.i3, %2
@@ -4241,21 +5551,21 @@ entry:
   %.760.i.i = fmul contract double %.39.i3, %.759.i.i
   %.761.i.i = fadd contract double %.760.i.i, 0xC071640B49E85C3E
   %.762.i.i = fadd contract double %.761.i.i, %.687.i.i
-  store double %.762.i.i, ptr %.686.i.i, align 8, !noalias !89
+  store double %.762.i.i, ptr %.686.i.i, align 8, !noalias !104
   %.865.i.i = getelementptr i8, ptr %arg.room.4, i64 176
-  %.866.i.i = load double, ptr %.865.i.i, align 8, !noalias !89
+  %.866.i.i = load double, ptr %.865.i.i, align 8, !noalias !104
   %.867.i.i = fadd contract double %.866.i.i, 0xC074618618618618
-  store double %.867.i.i, ptr %.865.i.i, align 8, !noalias !89
+  store double %.867.i.i, ptr %.865.i.i, align 8, !noalias !104
   %.970.i.i = getelementptr i8, ptr %arg.room.4, i64 56
-  %.971.i.i = load double, ptr %.970.i.i, align 8, !noalias !89
+  %.971.i.i = load double, ptr %.970.i.i, align 8, !noalias !104
   %.1011.i.i = fmul contract double %.39.i3, 0x40733B288412FE12
   %3 = fsub contract double 0x408893BEE8443B83, %.1011.i.i
   %.1013.i.i = fmul contract double %.39.i3, %3
   %.1014.i.i = fadd contract double %.1013.i.i, 0x408DCC10DD757C0B
   %.1015.i.i = fadd contract double %.1014.i.i, %.971.i.i
-  store double %.1015.i.i, ptr %.970.i.i, align 8, !noalias !89
+  store double %.1015.i.i, ptr %.970.i.i, align 8, !noalias !104
   %.1118.i.i = getelementptr i8, ptr %arg.room.4, i64 192
-  %.1119.i.i = load double, ptr %.1118.i.i, align 8, !noalias !89
+  %.1119.i.i = load double, ptr %.1118.i.i, align 8, !noalias !104
   %.1225.i.i = fmul contract double %.39.i3, 0x40514C5F3B7242FB
   %.1226.i.i = fadd contract double %.1225.i.i, 0xC05D2FBB067D39F9
   %.1227.i.i = fmul contract double %.39.i3, %.1226.i.i
@@ -4265,15 +5575,15 @@ entry:
   %.1231.i.i = fmul contract double %.39.i3, %.1230.i.i
   %.1232.i.i = fadd contract double %.1231.i.i, 0xC0A8D75E6BF57F9D
   %.1233.i.i = fadd contract double %.1232.i.i, %.1119.i.i
-  store double %.1233.i.i, ptr %.1118.i.i, align 8, !noalias !89
+  store double %.1233.i.i, ptr %.1118.i.i, align 8, !noalias !104
   %.1336.i.i = getelementptr i8, ptr %arg.room.4, i64 320
-  %.1337.i.i = load double, ptr %.1336.i.i, align 8, !noalias !89
+  %.1337.i.i = load double, ptr %.1336.i.i, align 8, !noalias !104
   %.1356.i.i = fmul contract double %.39.i3, 0x409F6EC11CD4D97E
   %.1357.i.i = fadd contract double %.1356.i.i, 0x4072428A28A28A29
   %.1358.i.i = fadd contract double %.1357.i.i, %.1337.i.i
-  store double %.1358.i.i, ptr %.1336.i.i, align 8, !noalias !89
+  store double %.1358.i.i, ptr %.1336.i.i, align 8, !noalias !104
   %.1461.i.i = getelementptr i8, ptr %arg.room.4, i64 72
-  %.1462.i.i = load double, ptr %.1461.i.i, align 8, !noalias !89
+  %.1462.i.i = load double, ptr %.1461.i.i, align 8, !noalias !104
   %.1531.i.i = fmul contract double %.39.i3, 0x40645019F9E83A77
   %.1532.i.i = fadd contract double %.1531.i.i, 0x40918164C0B5D6FD
   %.1533.i.i = fmul contract double %.39.i3, %.1532.i.i
@@ -4281,11 +5591,11 @@ entry:
   %.1535.i.i = fmul contract double %.39.i3, %.1534.i.i
   %.1536.i.i = fadd contract double %.1535.i.i, 0x40BB4B9C657BC796
   %.1537.i.i = fadd contract double %.1536.i.i, %.1462.i.i
-  store double %.1537.i.i, ptr %.1461.i.i, align 8, !noalias !89
+  store double %.1537.i.i, ptr %.1461.i.i, align 8, !noalias !104
   %.1640.i.i = getelementptr i8, ptr %arg.room.4, i64 200
-  %.1641.i.i = load double, ptr %.1640.i.i, align 8, !noalias !89
+  %.1641.i.i = load double, ptr %.1640.i.i, align 8, !noalias !104
   %.1642.i.i = fadd contract double %.1641.i.i, 0xC0A001D567F49087
-  store double %.1642.i.i, ptr %.1640.i.i, align 8, !noalias !89
+  store double %.1642.i.i, ptr %.1640.i.i, align 8, !noalias !104
   %.1810.i.i = fmul contract double %.39.i3, 0x40A619E547AE6DA3
   %.1811.i.i = fadd contract double %.1810.i.i, 0xC0D25E7665446D0F
   %.1812.i.i = fmul contract double %.39.i3, %.1811.i.i
@@ -4293,7 +5603,7 @@ entry:
   %.1814.i.i = fmul contract double %.39.i3, %.1813.i.i
   %.1815.i.i = fadd contract double %.1814.i.i, 0xC0E154650FD9ACF1
   %.1867.i.i = getelementptr i8, ptr %arg.room.4, i64 80
-  %.1868.i.i = load double, ptr %.1867.i.i, align 8, !noalias !89
+  %.1868.i.i = load double, ptr %.1867.i.i, align 8, !noalias !104
   %.1956.i.i = fmul contract double %.39.i3, %.1815.i.i
   %.1957.i.i = fadd contract double %.1956.i.i, 0xC0F5A16228D9F21A
   %.1958.i.i = fmul contract double %.39.i3, %.1957.i.i
@@ -4304,7 +5614,7 @@ entry:
   %.1963.i.i = fsub contract double 1.000000e+00, %.1962.i.i
   %.1967.i.i = fdiv contract double %.1961.i.i, %.1963.i.i
   %.1968.i.i = fadd contract double %.1967.i.i, %.1868.i.i
-  store double %.1968.i.i, ptr %.1867.i.i, align 8, !noalias !89
+  store double %.1968.i.i, ptr %.1867.i.i, align 8, !noalias !104
   %.2088.i.i = fmul contract double %.39.i3, 0x40C0712C540DB5CD
   %.2089.i.i = fadd contract double %.2088.i.i, 0x40A79A477BF30A91
   %.2090.i.i = fmul contract double %.39.i3, %.2089.i.i
@@ -4312,12 +5622,12 @@ entry:
   %.2092.i.i = fmul contract double %.39.i3, %.2091.i.i
   %.2093.i.i = fadd contract double %.2092.i.i, 0x406D67FD70A13797
   %.2145.i.i = getelementptr i8, ptr %arg.room.4, i64 208
-  %.2146.i.i = load double, ptr %.2145.i.i, align 8, !noalias !89
+  %.2146.i.i = load double, ptr %.2145.i.i, align 8, !noalias !104
   %.2152.i.i = fdiv contract double %.2093.i.i, %.1963.i.i
   %.2153.i.i = fadd contract double %.2152.i.i, %.2146.i.i
-  store double %.2153.i.i, ptr %.2145.i.i, align 8, !noalias !89
+  store double %.2153.i.i, ptr %.2145.i.i, align 8, !noalias !104
   %.2256.i.i = getelementptr i8, ptr %arg.room.4, i64 88
-  %.2257.i.i = load double, ptr %.2256.i.i, align 8, !noalias !89
+  %.2257.i.i = load double, ptr %.2256.i.i, align 8, !noalias !104
   %.2363.i.i = fmul contract double %.39.i3, 0x402CA90C106318D7
   %.2364.i.i = fadd contract double %.2363.i.i, 0xC06030460C29F3DF
   %.2365.i.i = fmul contract double %.39.i3, %.2364.i.i
@@ -4327,13 +5637,13 @@ entry:
   %.2369.i.i = fmul contract double %.39.i3, %.2368.i.i
   %.2370.i.i = fadd contract double %.2369.i.i, 0x40C95DBCC2240A74
   %.2371.i.i = fadd contract double %.2370.i.i, %.2257.i.i
-  store double %.2371.i.i, ptr %.2256.i.i, align 8, !noalias !89
+  store double %.2371.i.i, ptr %.2256.i.i, align 8, !noalias !104
   %.2474.i.i = getelementptr i8, ptr %arg.room.4, i64 216
-  %.2475.i.i = load double, ptr %.2474.i.i, align 8, !noalias !89
+  %.2475.i.i = load double, ptr %.2474.i.i, align 8, !noalias !104
   %.2494.i.i = fmul contract double %.39.i3, 0x40BD257CD0AE1310
   %4 = fsub contract double 0xC09600901EF7C9A4, %.2494.i.i
   %.2496.i.i = fadd contract double %4, %.2475.i.i
-  store double %.2496.i.i, ptr %.2474.i.i, align 8, !noalias !89
+  store double %.2496.i.i, ptr %.2474.i.i, align 8, !noalias !104
   %.24.i.i = fsub contract double 1.000000e+00, %.33.i
   %.25.i.i = fmul contract double %.33.i, %.24.i.i
   %.26.i.i = fmul contract double %.137, %.33.i
@@ -4341,7 +5651,7 @@ entry:
   %.81.i.i = fadd contract double %.80.i.i, 2.500000e+01
   %.82.i.i = fmul contract double %.26.i.i, %.81.i.i
   %.83.i.i = fadd contract double %.82.i.i, %.310.i.i
-  store double %.83.i.i, ptr %.308.i.i, align 8, !noalias !92
+  store double %.83.i.i, ptr %.308.i.i, align 8, !noalias !107
   %5 = getelementptr i8, ptr %arg.room.4, i64 128
   %.188.i.i = fmul contract double %.26.i.i, 3.000000e+00
   %.189.i.i = fmul contract double %.25.i.i, 0x400AAAAAAAAAAAAB
@@ -4352,13 +5662,13 @@ entry:
   %.194.i.i = fadd contract double %.190.i.i, %.193.i.i
   %.195.i.i = fmul contract double %.188.i.i, %.194.i.i
   %6 = fsub contract double %.583.i.i, %.195.i.i
-  store double %6, ptr %.561.i.i, align 8, !noalias !92
+  store double %6, ptr %.561.i.i, align 8, !noalias !107
   %.301.i.i = fmul contract double %.26.i.i, 0x400921FB54442D18
   %.302.i.i = fmul contract double %.33.i, 2.600000e+02
   %.303.i.i = fadd contract double %.302.i.i, 0x407F0AAAAAAAAAAB
   %.304.i.i = fmul contract double %.303.i.i, %.301.i.i
   %.305.i.i = fadd contract double %.304.i.i, %.762.i.i
-  store double %.305.i.i, ptr %.686.i.i, align 8, !noalias !92
+  store double %.305.i.i, ptr %.686.i.i, align 8, !noalias !107
   %.357.i.i = fmul contract double %.25.i.i, 0x4020F1C71C71C71C
   %.358.i.i = fsub contract double 0x40C10436B015AC05, %.357.i.i
   %.359.i.i = fmul contract double %.25.i.i, %.358.i.i
@@ -4374,7 +5684,7 @@ entry:
   %.422.i.i = fadd contract double %.418.i.i, %.421.i.i
   %.423.i.i = fmul contract double %.26.i.i, %.422.i.i
   %.424.i.i = fadd contract double %.423.i.i, %.1015.i.i
-  store double %.424.i.i, ptr %.970.i.i, align 8, !noalias !92
+  store double %.424.i.i, ptr %.970.i.i, align 8, !noalias !107
   %.24.i7.i = fsub contract double 1.000000e+00, %.38.i
   %.25.i8.i = fmul contract double %.38.i, %.24.i7.i
   %.26.i9.i = fmul contract double %.38.i, %.167
@@ -4382,7 +5692,7 @@ entry:
   %.81.i13.i = fadd contract double %.80.i12.i, 2.500000e+01
   %.82.i14.i = fmul contract double %.26.i9.i, %.81.i13.i
   %.83.i15.i = fadd contract double %.82.i14.i, %.83.i.i
-  store double %.83.i15.i, ptr %.308.i.i, align 8, !noalias !95
+  store double %.83.i15.i, ptr %.308.i.i, align 8, !noalias !110
   %.188.i18.i = fmul contract double %.26.i9.i, 3.000000e+00
   %.189.i19.i = fmul contract double %.25.i8.i, 0x400AAAAAAAAAAAAB
   %.190.i20.i = fsub contract double 0x4064B4F3CF3CF3CF, %.189.i19.i
@@ -4392,13 +5702,13 @@ entry:
   %.194.i24.i = fadd contract double %.190.i20.i, %.193.i23.i
   %.195.i25.i = fmul contract double %.188.i18.i, %.194.i24.i
   %7 = fsub contract double %6, %.195.i25.i
-  store double %7, ptr %.561.i.i, align 8, !noalias !95
+  store double %7, ptr %.561.i.i, align 8, !noalias !110
   %.301.i28.i = fmul contract double %.26.i9.i, 0x400921FB54442D18
   %.302.i29.i = fmul contract double %.38.i, 2.600000e+02
   %.303.i30.i = fadd contract double %.302.i29.i, 0x407F0AAAAAAAAAAB
   %.304.i31.i = fmul contract double %.303.i30.i, %.301.i28.i
   %.305.i32.i = fadd contract double %.304.i31.i, %.305.i.i
-  store double %.305.i32.i, ptr %.686.i.i, align 8, !noalias !95
+  store double %.305.i32.i, ptr %.686.i.i, align 8, !noalias !110
   %.357.i33.i = fmul contract double %.25.i8.i, 0x4020F1C71C71C71C
   %.358.i34.i = fsub contract double 0x40C10436B015AC05, %.357.i33.i
   %.359.i35.i = fmul contract double %.25.i8.i, %.358.i34.i
@@ -4414,7 +5724,7 @@ entry:
   %.422.i47.i = fadd contract double %.418.i43.i, %.421.i46.i
   %.423.i48.i = fmul contract double %.26.i9.i, %.422.i47.i
   %.424.i49.i = fadd contract double %.423.i48.i, %.424.i.i
-  store double %.424.i49.i, ptr %.970.i.i, align 8, !noalias !95
+  store double %.424.i49.i, ptr %.970.i.i, align 8, !noalias !110
   %.15.le.i.i = fcmp contract uno double %.696, 0.000000e+00
   %.17.le.i.i = fcmp contract oge double %.696, 1.000000e+00
   %8 = or i1 %.15.le.i.i, %.17.le.i.i
@@ -4437,7 +5747,7 @@ entry:
   %.107.i.i = fadd contract double %.106.i.i, 6.250000e-01
   %10 = fmul contract double %.147.i.i.i4, %.107.i.i
   %.109.i.i = fsub contract double %.458.i.i, %10
-  store double %.109.i.i, ptr %.413.i.i, align 8, !noalias !98
+  store double %.109.i.i, ptr %.413.i.i, align 8, !noalias !113
   %.214.i.i = fmul contract double %.33.i, 1.200000e+02
   %.215.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i.i
   %.216.i.i = fmul contract double %.33.i, %.215.i.i
@@ -4450,11 +5760,11 @@ entry:
   %.223.i.i = fsub contract double %.218.i.i, %.222.i.i
   %.224.i.i = fmul contract double %.147.i.i.i4, %.223.i.i
   %.225.i.i = fadd contract double %.305.i32.i, %.224.i.i
-  store double %.225.i.i, ptr %.686.i.i, align 8, !noalias !98
+  store double %.225.i.i, ptr %.686.i.i, align 8, !noalias !113
   %.331.i.i = fmul contract double %.147.i.i.i4, 0x4093A28C59D5433B
   %.332.i.i = fmul contract double %.331.i.i, %.55.le.i.i
   %11 = fsub contract double %.424.i49.i, %.332.i.i
-  store double %11, ptr %.970.i.i, align 8, !noalias !98
+  store double %11, ptr %.970.i.i, align 8, !noalias !113
   %.15.le.i51.i = fcmp contract uno double %.726, 0.000000e+00
   %.17.le.i52.i = fcmp contract oge double %.726, 1.000000e+00
   %12 = or i1 %.15.le.i51.i, %.17.le.i52.i
@@ -4477,7 +5787,7 @@ entry:
   %.107.i71.i = fadd contract double %.106.i70.i, 6.250000e-01
   %14 = fmul contract double %.147.i.i67.i, %.107.i71.i
   %.109.i72.i = fsub contract double %.109.i.i, %14
-  store double %.109.i72.i, ptr %.413.i.i, align 8, !noalias !101
+  store double %.109.i72.i, ptr %.413.i.i, align 8, !noalias !116
   %.214.i75.i = fmul contract double %.38.i, 1.200000e+02
   %.215.i76.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i75.i
   %.216.i77.i = fmul contract double %.38.i, %.215.i76.i
@@ -4490,21 +5800,21 @@ entry:
   %.223.i84.i = fsub contract double %.218.i79.i, %.222.i83.i
   %.224.i85.i = fmul contract double %.147.i.i67.i, %.223.i84.i
   %.225.i86.i = fadd contract double %.224.i85.i, %.225.i.i
-  store double %.225.i86.i, ptr %.686.i.i, align 8, !noalias !101
+  store double %.225.i86.i, ptr %.686.i.i, align 8, !noalias !116
   %.331.i89.i = fmul contract double %.147.i.i67.i, 0x4093A28C59D5433B
   %.332.i90.i = fmul contract double %.331.i89.i, %.55.le.i65.i
   %15 = fsub contract double %11, %.332.i90.i
-  store double %15, ptr %.970.i.i, align 8, !noalias !101
+  store double %15, ptr %.970.i.i, align 8, !noalias !116
   %.27.i.i = fmul contract double %.137, %.25.i.i
   %.28.i.i = fmul contract double %.167, %.27.i.i
   %.82.i95.i = fmul contract double %.28.i.i, 9.875000e+01
   %16 = fsub contract double %.109.i72.i, %.82.i95.i
-  store double %16, ptr %.413.i.i, align 8, !noalias !104
+  store double %16, ptr %.413.i.i, align 8, !noalias !119
   %.188.i98.i = fmul contract double %.25.i.i, 0x40735B8E38E38E39
   %.189.i99.i = fadd contract double %.188.i98.i, 0x40723BDB6DB6DB6E
   %.190.i100.i = fmul contract double %.28.i.i, %.189.i99.i
   %.191.i101.i = fadd contract double %.190.i100.i, %.225.i86.i
-  store double %.191.i101.i, ptr %.686.i.i, align 8, !noalias !104
+  store double %.191.i101.i, ptr %.686.i.i, align 8, !noalias !119
   %.245.i.i = fmul contract double %.167, %.24.i.i
   %.246.i.i = fsub contract double %.26.i.i, %.245.i.i
   %.147.i.i103.i = fmul contract double %.246.i.i, %.246.i.i
@@ -4513,7 +5823,7 @@ entry:
   %.329.i106.i = fadd contract double %.301.i104.i, %.328.i105.i
   %.330.i.i = fmul contract double %.329.i106.i, 0x400921FB54442D18
   %17 = fsub contract double %15, %.330.i.i
-  store double %17, ptr %.970.i.i, align 8, !noalias !104
+  store double %17, ptr %.970.i.i, align 8, !noalias !119
   %.147.i.i107.i = fmul contract double %.33.i, %.33.i
   %.147.i.1.i.i = fmul contract double %.147.i.i107.i, %.147.i.i107.i
   %.50.i.i = fmul contract double %.147.i.1.i.i, -2.400000e+01
@@ -4522,9 +5832,9 @@ entry:
   %.106.i110.i = fsub contract double 1.200000e+01, %.105.i.i
   %.107.i111.i = fmul contract double %.106.i110.i, %.51.i.i
   %.108.i.i = fadd contract double %.107.i111.i, %.1968.i.i
-  store double %.108.i.i, ptr %.1867.i.i, align 8, !noalias !107
+  store double %.108.i.i, ptr %.1867.i.i, align 8, !noalias !122
   %.211.i.i = getelementptr i8, ptr %arg.room.4, i64 96
-  %.212.i112.i = load double, ptr %.211.i.i, align 8, !noalias !107
+  %.212.i112.i = load double, ptr %.211.i.i, align 8, !noalias !122
   %.213.i113.i = fmul contract double %.51.i.i, 5.000000e+00
   %.217.i114.i = fdiv contract double %.213.i113.i, 6.720000e+02
   %.219.i116.i = fsub contract double 2.286000e+03, %.302.i.i
@@ -4534,19 +5844,19 @@ entry:
   %.223.i120.i = fsub contract double 3.179000e+03, %.222.i119.i
   %.224.i121.i = fmul contract double %.223.i120.i, %.217.i114.i
   %.225.i122.i = fadd contract double %.224.i121.i, %.212.i112.i
-  store double %.225.i122.i, ptr %.211.i.i, align 8, !noalias !107
+  store double %.225.i122.i, ptr %.211.i.i, align 8, !noalias !122
   %.328.i123.i = getelementptr i8, ptr %arg.room.4, i64 104
-  %.329.i124.i = load double, ptr %.328.i123.i, align 8, !noalias !107
+  %.329.i124.i = load double, ptr %.328.i123.i, align 8, !noalias !122
   %.331.i125.i = fmul contract double %.51.i.i, 0xC00921FB54442D18
   %.334.i.i = fmul contract double %.106.i110.i, %.331.i125.i
   %.335.i.i = fadd contract double %.334.i.i, %.329.i124.i
-  store double %.335.i.i, ptr %.328.i123.i, align 8, !noalias !107
+  store double %.335.i.i, ptr %.328.i123.i, align 8, !noalias !122
   %.387.i.i = fmul contract double %.33.i, 0x4151712000000000
   %.388.i.i = fsub contract double 0x41737B1700000000, %.387.i.i
   %.389.i.i = fmul contract double %.33.i, %.388.i.i
   %.390.i.i = fsub contract double 0x41A2E151D8000000, %.389.i.i
   %.442.i.i = getelementptr i8, ptr %arg.room.4, i64 112
-  %.443.i.i = load double, ptr %.442.i.i, align 8, !noalias !107
+  %.443.i.i = load double, ptr %.442.i.i, align 8, !noalias !122
   %.448.i.i = fdiv contract double %.213.i113.i, 0x417A29B000000000
   %.449.i.i = fmul contract double %.33.i, %.390.i.i
   %.450.i.i = fadd contract double %.449.i.i, 0x41A4DB86E0000000
@@ -4556,9 +5866,9 @@ entry:
   %.454.i.i = fsub contract double 0x41B72002EE000000, %.453.i.i
   %.455.i.i = fmul contract double %.454.i.i, %.448.i.i
   %.456.i.i = fadd contract double %.455.i.i, %.443.i.i
-  store double %.456.i.i, ptr %.442.i.i, align 8, !noalias !107
+  store double %.456.i.i, ptr %.442.i.i, align 8, !noalias !122
   %.559.i.i = getelementptr i8, ptr %arg.room.4, i64 120
-  %.560.i.i = load double, ptr %.559.i.i, align 8, !noalias !107
+  %.560.i.i = load double, ptr %.559.i.i, align 8, !noalias !122
   %.566.i.i = fdiv contract double %.331.i125.i, 6.720000e+02
   %.567.i.i = fmul contract double %.33.i, 1.052000e+04
   %.568.i.i = fsub contract double 7.598000e+03, %.567.i.i
@@ -4568,7 +5878,7 @@ entry:
   %.572.i.i = fsub contract double 2.771900e+04, %.571.i.i
   %.573.i.i = fmul contract double %.572.i.i, %.566.i.i
   %.574.i.i = fadd contract double %.573.i.i, %.560.i.i
-  store double %.574.i.i, ptr %.559.i.i, align 8, !noalias !107
+  store double %.574.i.i, ptr %.559.i.i, align 8, !noalias !122
   %.147.i.i126.i = fmul contract double %.38.i, %.38.i
   %.147.i.1.i127.i = fmul contract double %.147.i.i126.i, %.147.i.i126.i
   %.50.i128.i = fmul contract double %.147.i.1.i127.i, -2.400000e+01
@@ -4577,7 +5887,7 @@ entry:
   %.106.i133.i = fsub contract double 1.200000e+01, %.105.i132.i
   %.107.i134.i = fmul contract double %.106.i133.i, %.51.i129.i
   %.108.i135.i = fadd contract double %.107.i134.i, %.108.i.i
-  store double %.108.i135.i, ptr %.1867.i.i, align 8, !noalias !110
+  store double %.108.i135.i, ptr %.1867.i.i, align 8, !noalias !125
   %.213.i138.i = fmul contract double %.51.i129.i, 5.000000e+00
   %.217.i139.i = fdiv contract double %.213.i138.i, 6.720000e+02
   %.219.i141.i = fsub contract double 2.286000e+03, %.302.i29.i
@@ -4587,11 +5897,11 @@ entry:
   %.223.i145.i = fsub contract double 3.179000e+03, %.222.i144.i
   %.224.i146.i = fmul contract double %.223.i145.i, %.217.i139.i
   %.225.i147.i = fadd contract double %.224.i146.i, %.225.i122.i
-  store double %.225.i147.i, ptr %.211.i.i, align 8, !noalias !110
+  store double %.225.i147.i, ptr %.211.i.i, align 8, !noalias !125
   %.331.i150.i = fmul contract double %.51.i129.i, 0xC00921FB54442D18
   %.334.i151.i = fmul contract double %.106.i133.i, %.331.i150.i
   %.335.i152.i = fadd contract double %.334.i151.i, %.335.i.i
-  store double %.335.i152.i, ptr %.328.i123.i, align 8, !noalias !110
+  store double %.335.i152.i, ptr %.328.i123.i, align 8, !noalias !125
   %.387.i153.i = fmul contract double %.38.i, 0x4151712000000000
   %.388.i154.i = fsub contract double 0x41737B1700000000, %.387.i153.i
   %.389.i155.i = fmul contract double %.38.i, %.388.i154.i
@@ -4605,7 +5915,7 @@ entry:
   %.454.i165.i = fsub contract double 0x41B72002EE000000, %.453.i164.i
   %.455.i166.i = fmul contract double %.454.i165.i, %.448.i159.i
   %.456.i167.i = fadd contract double %.455.i166.i, %.456.i.i
-  store double %.456.i167.i, ptr %.442.i.i, align 8, !noalias !110
+  store double %.456.i167.i, ptr %.442.i.i, align 8, !noalias !125
   %.566.i170.i = fdiv contract double %.331.i150.i, 6.720000e+02
   %.567.i171.i = fmul contract double %.38.i, 1.052000e+04
   %.568.i172.i = fsub contract double 7.598000e+03, %.567.i171.i
@@ -4615,176 +5925,176 @@ entry:
   %.572.i176.i = fsub contract double 2.771900e+04, %.571.i175.i
   %.573.i177.i = fmul contract double %.572.i176.i, %.566.i170.i
   %.574.i178.i = fadd contract double %.573.i177.i, %.574.i.i
-  store double %.574.i178.i, ptr %.559.i.i, align 8, !noalias !110
+  store double %.574.i178.i, ptr %.559.i.i, align 8, !noalias !125
   %.671.i5 = fmul contract double %.39.i3, 1.280000e+02
   %.675.i = fdiv contract double 3.000000e+00, %.671.i5
-  store double %.675.i, ptr %arg.room.4, align 8, !noalias !86
+  store double %.675.i, ptr %arg.room.4, align 8, !noalias !101
   %18 = getelementptr i8, ptr %arg.room.4, i64 8
-  %.968.1.i = load double, ptr %18, align 8, !noalias !86
+  %.968.1.i = load double, ptr %18, align 8, !noalias !101
   %.970.1.i = fmul contract double %.675.i, %.968.1.i
-  store double %.970.1.i, ptr %18, align 8, !noalias !86
+  store double %.970.1.i, ptr %18, align 8, !noalias !101
   %.970.2.i = fmul contract double %.675.i, %.204.i.i
-  store double %.970.2.i, ptr %.183.i.i, align 8, !noalias !86
+  store double %.970.2.i, ptr %.183.i.i, align 8, !noalias !101
   %.970.3.i = fmul contract double %.675.i, %.83.i15.i
-  store double %.970.3.i, ptr %.308.i.i, align 8, !noalias !86
+  store double %.970.3.i, ptr %.308.i.i, align 8, !noalias !101
   %.970.4.i = fmul contract double %.675.i, %16
-  store double %.970.4.i, ptr %.413.i.i, align 8, !noalias !86
+  store double %.970.4.i, ptr %.413.i.i, align 8, !noalias !101
   %19 = getelementptr i8, ptr %arg.room.4, i64 40
-  %.968.5.i = load double, ptr %19, align 8, !noalias !86
+  %.968.5.i = load double, ptr %19, align 8, !noalias !101
   %.970.5.i = fmul contract double %.675.i, %.968.5.i
-  store double %.970.5.i, ptr %19, align 8, !noalias !86
+  store double %.970.5.i, ptr %19, align 8, !noalias !101
   %.970.6.i = fmul contract double %.675.i, %.191.i101.i
-  store double %.970.6.i, ptr %.686.i.i, align 8, !noalias !86
+  store double %.970.6.i, ptr %.686.i.i, align 8, !noalias !101
   %.970.7.i = fmul contract double %.675.i, %17
-  store double %.970.7.i, ptr %.970.i.i, align 8, !noalias !86
+  store double %.970.7.i, ptr %.970.i.i, align 8, !noalias !101
   %20 = getelementptr i8, ptr %arg.room.4, i64 64
-  %.968.8.i = load double, ptr %20, align 8, !noalias !86
+  %.968.8.i = load double, ptr %20, align 8, !noalias !101
   %.970.8.i = fmul contract double %.675.i, %.968.8.i
-  store double %.970.8.i, ptr %20, align 8, !noalias !86
+  store double %.970.8.i, ptr %20, align 8, !noalias !101
   %.970.9.i = fmul contract double %.675.i, %.1537.i.i
-  store double %.970.9.i, ptr %.1461.i.i, align 8, !noalias !86
+  store double %.970.9.i, ptr %.1461.i.i, align 8, !noalias !101
   %.970.10.i = fmul contract double %.675.i, %.108.i135.i
-  store double %.970.10.i, ptr %.1867.i.i, align 8, !noalias !86
+  store double %.970.10.i, ptr %.1867.i.i, align 8, !noalias !101
   %.970.11.i = fmul contract double %.675.i, %.2371.i.i
-  store double %.970.11.i, ptr %.2256.i.i, align 8, !noalias !86
+  store double %.970.11.i, ptr %.2256.i.i, align 8, !noalias !101
   %.970.12.i = fmul contract double %.675.i, %.225.i147.i
-  store double %.970.12.i, ptr %.211.i.i, align 8, !noalias !86
+  store double %.970.12.i, ptr %.211.i.i, align 8, !noalias !101
   %.970.13.i = fmul contract double %.675.i, %.335.i152.i
-  store double %.970.13.i, ptr %.328.i123.i, align 8, !noalias !86
+  store double %.970.13.i, ptr %.328.i123.i, align 8, !noalias !101
   %.970.14.i = fmul contract double %.675.i, %.456.i167.i
-  store double %.970.14.i, ptr %.442.i.i, align 8, !noalias !86
+  store double %.970.14.i, ptr %.442.i.i, align 8, !noalias !101
   %.970.15.i = fmul contract double %.675.i, %.574.i178.i
-  store double %.970.15.i, ptr %.559.i.i, align 8, !noalias !86
-  %.968.1276.i = load double, ptr %5, align 8, !noalias !86
+  store double %.970.15.i, ptr %.559.i.i, align 8, !noalias !101
+  %.968.1276.i = load double, ptr %5, align 8, !noalias !101
   %.970.1277.i = fmul contract double %.675.i, %.968.1276.i
-  store double %.970.1277.i, ptr %5, align 8, !noalias !86
+  store double %.970.1277.i, ptr %5, align 8, !noalias !101
   %21 = getelementptr i8, ptr %arg.room.4, i64 136
-  %.968.1.1.i = load double, ptr %21, align 8, !noalias !86
+  %.968.1.1.i = load double, ptr %21, align 8, !noalias !101
   %.970.1.1.i = fmul contract double %.675.i, %.968.1.1.i
-  store double %.970.1.1.i, ptr %21, align 8, !noalias !86
+  store double %.970.1.1.i, ptr %21, align 8, !noalias !101
   %22 = getelementptr i8, ptr %arg.room.4, i64 144
-  %.968.2.1.i = load double, ptr %22, align 8, !noalias !86
+  %.968.2.1.i = load double, ptr %22, align 8, !noalias !101
   %.970.2.1.i = fmul contract double %.675.i, %.968.2.1.i
-  store double %.970.2.1.i, ptr %22, align 8, !noalias !86
+  store double %.970.2.1.i, ptr %22, align 8, !noalias !101
   %23 = getelementptr i8, ptr %arg.room.4, i64 152
-  %.968.3.1.i = load double, ptr %23, align 8, !noalias !86
+  %.968.3.1.i = load double, ptr %23, align 8, !noalias !101
   %.970.3.1.i = fmul contract double %.675.i, %.968.3.1.i
-  store double %.970.3.1.i, ptr %23, align 8, !noalias !86
+  store double %.970.3.1.i, ptr %23, align 8, !noalias !101
   %24 = getelementptr i8, ptr %arg.room.4, i64 160
-  %.968.4.1.i = load double, ptr %24, align 8, !noalias !86
+  %.968.4.1.i = load double, ptr %24, align 8, !noalias !101
   %.970.4.1.i = fmul contract double %.675.i, %.968.4.1.i
-  store double %.970.4.1.i, ptr %24, align 8, !noalias !86
+  store double %.970.4.1.i, ptr %24, align 8, !noalias !101
   %.970.5.1.i = fmul contract double %.675.i, %7
-  store double %.970.5.1.i, ptr %.561.i.i, align 8, !noalias !86
+  store double %.970.5.1.i, ptr %.561.i.i, align 8, !noalias !101
   %.970.6.1.i = fmul contract double %.675.i, %.867.i.i
-  store double %.970.6.1.i, ptr %.865.i.i, align 8, !noalias !86
+  store double %.970.6.1.i, ptr %.865.i.i, align 8, !noalias !101
   %25 = getelementptr i8, ptr %arg.room.4, i64 184
-  %.968.7.1.i = load double, ptr %25, align 8, !noalias !86
+  %.968.7.1.i = load double, ptr %25, align 8, !noalias !101
   %.970.7.1.i = fmul contract double %.675.i, %.968.7.1.i
-  store double %.970.7.1.i, ptr %25, align 8, !noalias !86
+  store double %.970.7.1.i, ptr %25, align 8, !noalias !101
   %.970.8.1.i = fmul contract double %.675.i, %.1233.i.i
-  store double %.970.8.1.i, ptr %.1118.i.i, align 8, !noalias !86
+  store double %.970.8.1.i, ptr %.1118.i.i, align 8, !noalias !101
   %.970.9.1.i = fmul contract double %.675.i, %.1642.i.i
-  store double %.970.9.1.i, ptr %.1640.i.i, align 8, !noalias !86
+  store double %.970.9.1.i, ptr %.1640.i.i, align 8, !noalias !101
   %.970.10.1.i = fmul contract double %.675.i, %.2153.i.i
-  store double %.970.10.1.i, ptr %.2145.i.i, align 8, !noalias !86
+  store double %.970.10.1.i, ptr %.2145.i.i, align 8, !noalias !101
   %.970.11.1.i = fmul contract double %.675.i, %.2496.i.i
-  store double %.970.11.1.i, ptr %.2474.i.i, align 8, !noalias !86
+  store double %.970.11.1.i, ptr %.2474.i.i, align 8, !noalias !101
   %26 = getelementptr i8, ptr %arg.room.4, i64 224
-  %.968.12.1.i = load double, ptr %26, align 8, !noalias !86
+  %.968.12.1.i = load double, ptr %26, align 8, !noalias !101
   %.970.12.1.i = fmul contract double %.675.i, %.968.12.1.i
-  store double %.970.12.1.i, ptr %26, align 8, !noalias !86
+  store double %.970.12.1.i, ptr %26, align 8, !noalias !101
   %27 = getelementptr i8, ptr %arg.room.4, i64 232
-  %.968.13.1.i = load double, ptr %27, align 8, !noalias !86
+  %.968.13.1.i = load double, ptr %27, align 8, !noalias !101
   %.970.13.1.i = fmul contract double %.675.i, %.968.13.1.i
-  store double %.970.13.1.i, ptr %27, align 8, !noalias !86
+  store double %.970.13.1.i, ptr %27, align 8, !noalias !101
   %28 = getelementptr i8, ptr %arg.room.4, i64 240
-  %.968.14.1.i = load double, ptr %28, align 8, !noalias !86
+  %.968.14.1.i = load double, ptr %28, align 8, !noalias !101
   %.970.14.1.i = fmul contract double %.675.i, %.968.14.1.i
-  store double %.970.14.1.i, ptr %28, align 8, !noalias !86
+  store double %.970.14.1.i, ptr %28, align 8, !noalias !101
   %29 = getelementptr i8, ptr %arg.room.4, i64 248
-  %.968.15.1.i = load double, ptr %29, align 8, !noalias !86
+  %.968.15.1.i = load double, ptr %29, align 8, !noalias !101
   %.970.15.1.i = fmul contract double %.675.i, %.968.15.1.i
-  store double %.970.15.1.i, ptr %29, align 8, !noalias !86
+  store double %.970.15.1.i, ptr %29, align 8, !noalias !101
   %30 = getelementptr i8, ptr %arg.room.4, i64 256
-  %.968.2278.i = load double, ptr %30, align 8, !noalias !86
+  %.968.2278.i = load double, ptr %30, align 8, !noalias !101
   %.970.2279.i = fmul contract double %.675.i, %.968.2278.i
-  store double %.970.2279.i, ptr %30, align 8, !noalias !86
+  store double %.970.2279.i, ptr %30, align 8, !noalias !101
   %31 = getelementptr i8, ptr %arg.room.4, i64 264
-  %.968.1.2.i = load double, ptr %31, align 8, !noalias !86
+  %.968.1.2.i = load double, ptr %31, align 8, !noalias !101
   %.970.1.2.i = fmul contract double %.675.i, %.968.1.2.i
-  store double %.970.1.2.i, ptr %31, align 8, !noalias !86
+  store double %.970.1.2.i, ptr %31, align 8, !noalias !101
   %32 = getelementptr i8, ptr %arg.room.4, i64 272
-  %.968.2.2.i = load double, ptr %32, align 8, !noalias !86
+  %.968.2.2.i = load double, ptr %32, align 8, !noalias !101
   %.970.2.2.i = fmul contract double %.675.i, %.968.2.2.i
-  store double %.970.2.2.i, ptr %32, align 8, !noalias !86
+  store double %.970.2.2.i, ptr %32, align 8, !noalias !101
   %33 = getelementptr i8, ptr %arg.room.4, i64 280
-  %.968.3.2.i = load double, ptr %33, align 8, !noalias !86
+  %.968.3.2.i = load double, ptr %33, align 8, !noalias !101
   %.970.3.2.i = fmul contract double %.675.i, %.968.3.2.i
-  store double %.970.3.2.i, ptr %33, align 8, !noalias !86
+  store double %.970.3.2.i, ptr %33, align 8, !noalias !101
   %34 = getelementptr i8, ptr %arg.room.4, i64 288
-  %.968.4.2.i = load double, ptr %34, align 8, !noalias !86
+  %.968.4.2.i = load double, ptr %34, align 8, !noalias !101
   %.970.4.2.i = fmul contract double %.675.i, %.968.4.2.i
-  store double %.970.4.2.i, ptr %34, align 8, !noalias !86
+  store double %.970.4.2.i, ptr %34, align 8, !noalias !101
   %35 = getelementptr i8, ptr %arg.room.4, i64 296
-  %.968.5.2.i = load double, ptr %35, align 8, !noalias !86
+  %.968.5.2.i = load double, ptr %35, align 8, !noalias !101
   %.970.5.2.i = fmul contract double %.675.i, %.968.5.2.i
-  store double %.970.5.2.i, ptr %35, align 8, !noalias !86
+  store double %.970.5.2.i, ptr %35, align 8, !noalias !101
   %36 = getelementptr i8, ptr %arg.room.4, i64 304
-  %.968.6.2.i = load double, ptr %36, align 8, !noalias !86
+  %.968.6.2.i = load double, ptr %36, align 8, !noalias !101
   %.970.6.2.i = fmul contract double %.675.i, %.968.6.2.i
-  store double %.970.6.2.i, ptr %36, align 8, !noalias !86
+  store double %.970.6.2.i, ptr %36, align 8, !noalias !101
   %37 = getelementptr i8, ptr %arg.room.4, i64 312
-  %.968.7.2.i = load double, ptr %37, align 8, !noalias !86
+  %.968.7.2.i = load double, ptr %37, align 8, !noalias !101
   %.970.7.2.i = fmul contract double %.675.i, %.968.7.2.i
-  store double %.970.7.2.i, ptr %37, align 8, !noalias !86
+  store double %.970.7.2.i, ptr %37, align 8, !noalias !101
   %.970.8.2.i = fmul contract double %.675.i, %.1358.i.i
-  store double %.970.8.2.i, ptr %.1336.i.i, align 8, !noalias !86
+  store double %.970.8.2.i, ptr %.1336.i.i, align 8, !noalias !101
   %38 = getelementptr i8, ptr %arg.room.4, i64 328
-  %.968.9.2.i = load double, ptr %38, align 8, !noalias !86
+  %.968.9.2.i = load double, ptr %38, align 8, !noalias !101
   %.970.9.2.i = fmul contract double %.675.i, %.968.9.2.i
-  store double %.970.9.2.i, ptr %38, align 8, !noalias !86
+  store double %.970.9.2.i, ptr %38, align 8, !noalias !101
   %39 = getelementptr i8, ptr %arg.room.4, i64 336
-  %.968.10.2.i = load double, ptr %39, align 8, !noalias !86
+  %.968.10.2.i = load double, ptr %39, align 8, !noalias !101
   %.970.10.2.i = fmul contract double %.675.i, %.968.10.2.i
-  store double %.970.10.2.i, ptr %39, align 8, !noalias !86
+  store double %.970.10.2.i, ptr %39, align 8, !noalias !101
   %40 = getelementptr i8, ptr %arg.room.4, i64 344
-  %.968.11.2.i = load double, ptr %40, align 8, !noalias !86
+  %.968.11.2.i = load double, ptr %40, align 8, !noalias !101
   %.970.11.2.i = fmul contract double %.675.i, %.968.11.2.i
-  store double %.970.11.2.i, ptr %40, align 8, !noalias !86
+  store double %.970.11.2.i, ptr %40, align 8, !noalias !101
   %41 = getelementptr i8, ptr %arg.room.4, i64 352
-  %.968.12.2.i = load double, ptr %41, align 8, !noalias !86
+  %.968.12.2.i = load double, ptr %41, align 8, !noalias !101
   %.970.12.2.i = fmul contract double %.675.i, %.968.12.2.i
-  store double %.970.12.2.i, ptr %41, align 8, !noalias !86
+  store double %.970.12.2.i, ptr %41, align 8, !noalias !101
   %42 = getelementptr i8, ptr %arg.room.4, i64 360
-  %.968.13.2.i = load double, ptr %42, align 8, !noalias !86
+  %.968.13.2.i = load double, ptr %42, align 8, !noalias !101
   %.970.13.2.i = fmul contract double %.675.i, %.968.13.2.i
-  store double %.970.13.2.i, ptr %42, align 8, !noalias !86
+  store double %.970.13.2.i, ptr %42, align 8, !noalias !101
   %43 = getelementptr i8, ptr %arg.room.4, i64 368
-  %.968.14.2.i = load double, ptr %43, align 8, !noalias !86
+  %.968.14.2.i = load double, ptr %43, align 8, !noalias !101
   %.970.14.2.i = fmul contract double %.675.i, %.968.14.2.i
-  store double %.970.14.2.i, ptr %43, align 8, !noalias !86
+  store double %.970.14.2.i, ptr %43, align 8, !noalias !101
   %44 = getelementptr i8, ptr %arg.room.4, i64 376
-  %.968.15.2.i = load double, ptr %44, align 8, !noalias !86
+  %.968.15.2.i = load double, ptr %44, align 8, !noalias !101
   %.970.15.2.i = fmul contract double %.675.i, %.968.15.2.i
-  store double %.970.15.2.i, ptr %44, align 8, !noalias !86
+  store double %.970.15.2.i, ptr %44, align 8, !noalias !101
   %.904 = getelementptr i8, ptr %arg.out.4, i64 64
   %.1137 = fmul contract double %.306, %.454
   %.1139 = fmul contract double %.306, %.1137
   %.1143 = fdiv contract double 1.000000e+00, %.1139
   %.1539 = fmul contract double %.318.le, 2.000000e+00
+  %scevgep7 = getelementptr i8, ptr %arg.out.4, i64 152
   br label %B852.if
 
 B970:                                             ; preds = %B852.if
-  %.1537 = load double, ptr %sunkaddr41, align 8
-  %.1594 = load double, ptr %sunkaddr44, align 8
+  %.1537 = load double, ptr %sunkaddr44, align 8
+  %.1594 = load double, ptr %sunkaddr47, align 8
   %.1595 = fmul contract double %.1539, %.1594
   %.1596 = fadd contract double %.1537, %.1595
   %.1598 = fmul contract double %power.1.2.0758, %.1596
   %.1602 = fdiv contract double %.1598, 3.000000e+00
-  %sunkaddr25 = getelementptr i8, ptr %arg.out.4, i64 %sunkaddr36
-  %sunkaddr26 = getelementptr i8, ptr %sunkaddr25, i64 152
-  store double %.1602, ptr %sunkaddr26, align 8
+  %scevgep8 = getelementptr i8, ptr %scevgep7, i64 %sunkaddr40
+  store double %.1602, ptr %scevgep8, align 8
   br label %B1054
 
 B1054:                                            ; preds = %B852.if, %B970
@@ -4796,8 +6106,8 @@ B1066:                                            ; preds = %B1054
   %.1721 = load double, ptr %.1336.i.i, align 8
   %.1722 = fmul contract double %.305, %.1721
   %.1726 = fdiv contract double %.1722, 9.000000e+00
-  %sunkaddr22 = getelementptr i8, ptr %arg.out.4, i64 248
-  store double %.1726, ptr %sunkaddr22, align 8
+  %sunkaddr25 = getelementptr i8, ptr %arg.out.4, i64 248
+  store double %.1726, ptr %sunkaddr25, align 8
   %.1785 = getelementptr i8, ptr %arg.row.4, i64 64
   %.1786 = load double, ptr %.1785, align 8
   %45 = lshr i64 %arg.alignment, 61
@@ -4807,8 +6117,8 @@ B1066:                                            ; preds = %B1054
   %.1817 = getelementptr double, ptr %46, i64 %.1803
   %.1818 = load double, ptr %.1817, align 8
   %.1819 = fsub contract double %.1786, %.1818
-  %sunkaddr24 = getelementptr i8, ptr %arg.out.4, i64 256
-  store double %.1819, ptr %sunkaddr24, align 8
+  %sunkaddr27 = getelementptr i8, ptr %arg.out.4, i64 256
+  store double %.1819, ptr %sunkaddr27, align 8
   %.1851 = icmp eq i64 %arg.alignment, 1
   br i1 %.1851, label %B1204, label %B1300
 
@@ -4826,7 +6136,7 @@ B1228:                                            ; preds = %B1204
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
 
 B134.if.lr.ph.i:                                  ; preds = %B1228
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
@@ -4834,18 +6144,18 @@ B134.if.lr.ph.i:                                  ; preds = %B1228
   br label %B134.if.i
 
 B134.if.i:                                        ; preds = %B134.if.i, %B134.if.lr.ph.i
-  %lsr.iv = phi i64 [ %math, %B134.if.i ], [ -16, %B134.if.lr.ph.i ]
+  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B134.if.i ], [ -16, %B134.if.lr.ph.i ]
   %power.2.0146.i = phi double [ %.493.i, %B134.if.i ], [ %.175.i.i, %B134.if.lr.ph.i ]
   %result.2.0145.i = phi double [ %.488.i, %B134.if.i ], [ 0.000000e+00, %B134.if.lr.ph.i ]
-  %47 = add nsw i64 %lsr.iv, 11
-  %sunkaddr27 = shl i64 %lsr.iv, 3
-  %sunkaddr28 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr27
-  %sunkaddr29 = getelementptr i8, ptr %sunkaddr28, i64 128
-  %.249.i = load double, ptr %sunkaddr29, align 8, !noalias !113
-  %sunkaddr32 = getelementptr i8, ptr %sunkaddr28, i64 256
-  %.303.i = load double, ptr %sunkaddr32, align 8, !noalias !113
-  %sunkaddr35 = getelementptr i8, ptr %sunkaddr28, i64 384
-  %.357.i = load double, ptr %sunkaddr35, align 8, !noalias !113
+  %47 = add nsw i64 %lsr.iv1, 11
+  %sunkaddr28 = shl i64 %lsr.iv1, 3
+  %sunkaddr29 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr28
+  %sunkaddr30 = getelementptr i8, ptr %sunkaddr29, i64 128
+  %.249.i = load double, ptr %sunkaddr30, align 8, !noalias !128
+  %sunkaddr33 = getelementptr i8, ptr %sunkaddr29, i64 256
+  %.303.i = load double, ptr %sunkaddr33, align 8, !noalias !128
+  %sunkaddr36 = getelementptr i8, ptr %sunkaddr29, i64 384
+  %.357.i = load double, ptr %sunkaddr36, align 8, !noalias !128
   %.359.i = fmul contract double %.38.le.i, %.357.i
   %.360.i = fadd contract double %.303.i, %.359.i
   %.362.i = fmul contract double %.38.le.i, %.360.i
@@ -4860,12 +6170,11 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %.486.i = fmul contract double %power.2.0146.i, %.484.i
   %.488.i = fadd contract double %result.2.0145.i, %.486.i
   %.493.i = fmul contract double %.26.i, %power.2.0146.i
-  %48 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv, i64 1)
-  %math = extractvalue { i64, i1 } %48, 0
-  %ov = extractvalue { i64, i1 } %48, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  %ov = icmp eq i64 %lsr.iv1, -1
+  %lsr.iv.next = add nsw i64 %lsr.iv1, 1
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
+_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
   %.1952.0 = phi double [ 0.000000e+00, %B1228 ], [ %.488.i, %B134.if.i ]
   %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1228 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B1228.endif, label %B1228.if, !prof !0
@@ -4877,13 +6186,13 @@ B1300:                                            ; preds = %B1228.endif, %B1204
   %.2069 = fmul contract double %.206, 0x3ED4A8B4A9ED04E3
   %.2076 = fdiv contract double %arg.unit, %.2069
   %.2077 = fmul contract double %.2076, %.2067
-  %49 = getelementptr i8, ptr %46, i64 8
-  %.2111 = getelementptr double, ptr %49, i64 %.1803
+  %48 = getelementptr i8, ptr %46, i64 8
+  %.2111 = getelementptr double, ptr %48, i64 %.1803
   %.2112 = load double, ptr %.2111, align 8
   %.2119 = fmul contract double %arg.unit, %.2112
   %.2122 = fsub contract double %.2077, %.2119
-  %sunkaddr37 = getelementptr i8, ptr %arg.out.4, i64 264
-  store double %.2122, ptr %sunkaddr37, align 8
+  %sunkaddr39 = getelementptr i8, ptr %arg.out.4, i64 264
+  store double %.2122, ptr %sunkaddr39, align 8
   %.2159 = fmul contract double %.389, 2.000000e+01
   store double %.2159, ptr %retptr, align 8
   br label %common.ret
@@ -4896,36 +6205,36 @@ B852.if:                                          ; preds = %entry, %B1054
   %power.1.2.0758 = phi double [ %.1143, %entry ], [ %.1647, %B1054 ]
   %.1232754756 = phi i64 [ 0, %entry ], [ %.1239, %B1054 ]
   %.1239 = add nuw nsw i64 %.1232754756, 1
-  %sunkaddr36 = shl i64 %.1232754756, 3
-  %sunkaddr38 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr36
-  %.1321 = load double, ptr %sunkaddr38, align 8
-  %sunkaddr41 = getelementptr i8, ptr %sunkaddr38, i64 128
-  %.1376 = load double, ptr %sunkaddr41, align 8
-  %sunkaddr44 = getelementptr i8, ptr %sunkaddr38, i64 256
-  %.1431 = load double, ptr %sunkaddr44, align 8
+  %sunkaddr40 = shl i64 %.1232754756, 3
+  %sunkaddr41 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr40
+  %.1321 = load double, ptr %sunkaddr41, align 8
+  %sunkaddr44 = getelementptr i8, ptr %sunkaddr41, i64 128
+  %.1376 = load double, ptr %sunkaddr44, align 8
+  %sunkaddr47 = getelementptr i8, ptr %sunkaddr41, i64 256
+  %.1431 = load double, ptr %sunkaddr47, align 8
   %.1433 = fmul contract double %.318.le, %.1431
   %.1434 = fadd contract double %.1376, %.1433
   %.1436 = fmul contract double %.318.le, %.1434
   %.1437 = fadd contract double %.1321, %.1436
   %.1439 = fmul contract double %power.1.2.0758, %.1437
-  %scevgep10 = getelementptr i8, ptr %.904, i64 %sunkaddr36
-  store double %.1439, ptr %scevgep10, align 8
-  %50 = add nsw i64 %.1232754756, -5
-  %or.cond = icmp ult i64 %50, 7
+  %scevgep9 = getelementptr i8, ptr %.904, i64 %sunkaddr40
+  store double %.1439, ptr %scevgep9, align 8
+  %49 = add nsw i64 %.1232754756, -5
+  %or.cond = icmp ult i64 %49, 7
   br i1 %or.cond, label %B970, label %B1054
 
-B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.6.0, ptr %excinfo, align 8
   br label %common.ret
 
-B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   %.1987 = fadd contract double %.1819, %.1952.0
-  store double %.1987, ptr %sunkaddr24, align 8
+  store double %.1987, ptr %sunkaddr27, align 8
   br label %B1300
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_10(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.f.4, ptr readonly captures(none) %arg.cbrt_f.4, ptr readonly captures(none) %arg.power.4, i64 range(i64 0, -9223372036854775808) %arg.segments.0, i64 range(i64 0, -9223372036854775808) %arg.segments.1, i64 range(i64 0, -7) %arg.segments.2, double %arg.mass, ptr readonly captures(none) %arg.c.4, double %arg.constant, ptr readonly captures(none) %arg.residuals.4, ptr writeonly captures(none) %arg.out.4) unnamed_addr #7 {
+define internal fastcc void @inner_12(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.f.4, ptr readonly captures(none) %arg.cbrt_f.4, ptr readonly captures(none) %arg.power.4, i64 range(i64 0, -9223372036854775808) %arg.segments.0, i64 range(i64 0, -9223372036854775808) %arg.segments.1, i64 %arg.segments.2, double %arg.mass, ptr readonly captures(none) %arg.c.4, double %arg.constant, ptr readonly captures(none) %arg.residuals.4, ptr writeonly captures(none) %arg.out.4) unnamed_addr #6 {
 entry:
   %.129 = load double, ptr %arg.c.4, align 8
   %.157 = getelementptr i8, ptr %arg.c.4, i64 8
@@ -5194,7 +6503,7 @@ B1332.if:                                         ; preds = %B1332.if, %B1332.if
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc void @inner_11(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, i64 %arg.start, i64 %arg.inside, i64 range(i64 -9223372036854774784, -9223372036854775808) %arg.stop, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, double %arg.factors.0, double %arg.factors.1, ptr captures(none) %arg.tail.4) unnamed_addr #5 {
+define internal fastcc void @inner_13(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, i64 %arg.start, i64 %arg.inside, i64 range(i64 -9223372036854774784, -9223372036854775808) %arg.stop, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, double %arg.factors.0, double %arg.factors.1, ptr captures(none) %arg.tail.4) unnamed_addr #4 {
 entry:
   %.1158 = alloca ptr, align 8
   store ptr null, ptr %.1158, align 8
@@ -5357,7 +6666,7 @@ B504:                                             ; preds = %entry, %entry
   %"$phi628.3.2.0" = select i1 %.96.1.i.not, i64 %.879, i64 0
   %.974 = inttoptr i64 %.947 to ptr
   %.1047 = icmp sgt i64 %"$phi628.3.2.0", 0
-  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !117
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !132
   %.98.i = shl i64 %.206, 3
   %.100.i = mul i64 %.98.i, %.65.i
   %29 = zext i1 %.1047 to i64
@@ -5377,10 +6686,10 @@ B504:                                             ; preds = %entry, %entry
   %storemerge.i = select i1 %or.cond.not.i, i64 -1, i64 %.312.i
   %.1084 = sub nsw i64 %arg.inside, %arg.start
   store ptr null, ptr %.1158, align 8
-  call fastcc void @inner_13(ptr nonnull %.1158, ptr %arg.amplitude.4, ptr %arg.phase.4, i64 %.1084, double %arg.factors.0, double %arg.factors.1, i64 %storemerge.i, ptr %.889, i64 %.879, ptr %.974, i64 %"$phi628.3.2.0", ptr %arg.tail.4)
+  call fastcc void @inner_17(ptr nonnull %.1158, ptr %arg.amplitude.4, ptr %arg.phase.4, i64 %.1084, double %arg.factors.0, double %arg.factors.1, i64 %storemerge.i, ptr %.889, i64 %.879, ptr %.974, i64 %"$phi628.3.2.0", ptr %arg.tail.4)
   %.1219 = shl nsw i64 %.1084, 1
   store ptr null, ptr %.1221, align 8
-  call fastcc void @inner_14(ptr nonnull %.1221, ptr %.889, i64 %.879, ptr %.974, i64 %"$phi628.3.2.0", i64 %.1219)
+  call fastcc void @inner_18(ptr nonnull %.1221, ptr %.889, i64 %.879, ptr %.974, i64 %"$phi628.3.2.0", i64 %.1219)
   br label %common.ret
 
 B882:                                             ; preds = %entry
@@ -5394,7 +6703,7 @@ B882:                                             ; preds = %entry
   %"$phi1006.3.2.0" = select i1 %.1334, i64 %.1264, i64 0
   %.1359 = inttoptr i64 %.1332 to ptr
   %.1432 = icmp sgt i64 %"$phi1006.3.2.0", 0
-  %.65.i31 = load i64, ptr %arg.arguments.4, align 8, !noalias !120
+  %.65.i31 = load i64, ptr %arg.arguments.4, align 8, !noalias !135
   %.98.i34 = shl i64 %.206, 4
   %.100.i35 = mul i64 %.98.i34, %.65.i31
   %30 = zext i1 %.1432 to i64
@@ -5414,10 +6723,10 @@ B882:                                             ; preds = %entry
   %storemerge.i49 = select i1 %or.cond.not.i45, i64 -1, i64 %.312.i48
   %.1469 = sub nsw i64 %arg.inside, %arg.start
   store ptr null, ptr %.1475, align 8
-  call fastcc void @inner_15(ptr nonnull %.1475, ptr %arg.amplitude.4, ptr %arg.phase.4, i64 %.1469, double %arg.factors.0, double %arg.factors.1, i64 %storemerge.i49, ptr %.1274, i64 %.1264, ptr %.1359, i64 %"$phi1006.3.2.0", ptr %arg.tail.4)
+  call fastcc void @inner_19(ptr nonnull %.1475, ptr %arg.amplitude.4, ptr %arg.phase.4, i64 %.1469, double %arg.factors.0, double %arg.factors.1, i64 %storemerge.i49, ptr %.1274, i64 %.1264, ptr %.1359, i64 %"$phi1006.3.2.0", ptr %arg.tail.4)
   %.1538 = shl nsw i64 %.1469, 1
   store ptr null, ptr %.1540, align 8
-  call fastcc void @inner_16(ptr nonnull %.1540, ptr %.1274, i64 %.1264, ptr %.1359, i64 %"$phi1006.3.2.0", i64 %.1538)
+  call fastcc void @inner_20(ptr nonnull %.1540, ptr %.1274, i64 %.1264, ptr %.1359, i64 %"$phi1006.3.2.0", i64 %.1538)
   br label %common.ret
 
 B328.if:                                          ; preds = %B328.if, %B328.if.preheader.new.new
@@ -5494,7 +6803,7 @@ B422.if:                                          ; preds = %B422.if, %B422.if.p
 declare double @llvm.log.f64(double) #3
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_12(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.log_f.4, i64 %arg.points, ptr readonly captures(none) %arg.table.4, i64 %arg.bins, double %arg.density, double %arg.bound) unnamed_addr #7 {
+define internal fastcc void @inner_14(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.log_f.4, i64 %arg.points, ptr readonly captures(none) %arg.table.4, i64 %arg.bins, double %arg.density, double %arg.bound) unnamed_addr #6 {
 entry:
   %.52 = load double, ptr %arg.log_f.4, align 8
   %.54 = fcmp contract olt double %arg.bound, %.52
@@ -5599,7 +6908,7 @@ B552:                                             ; preds = %B540, %B552
 declare double @llvm.fma.f64(double, double, double) #3
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_13(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, i64 %arg.stop, double %arg.factors.0, double %arg.factors.1, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #7 {
+define internal fastcc void @inner_17(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, i64 %arg.stop, double %arg.factors.0, double %arg.factors.1, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
 entry:
   %.126 = icmp sgt i64 %arg.stop, 0
   br i1 %.126, label %B150.preheader, label %common.ret
@@ -5650,8 +6959,8 @@ B150.preheader:                                   ; preds = %entry
   %sunkaddr39 = getelementptr i8, ptr %arg.tail.4, i64 52
   br label %B150
 
-B150:                                             ; preds = %B6091, %B150.preheader
-  %j.2.0 = phi i64 [ %.1580, %B6091 ], [ 0, %B150.preheader ]
+B150:                                             ; preds = %B22719, %B150.preheader
+  %j.2.0 = phi i64 [ %.1580, %B22719 ], [ 0, %B150.preheader ]
   %.133 = sub nsw i64 %arg.stop, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.133, i64 8)
   %.173 = icmp slt i64 %j.2.0, %arg.streamed
@@ -5710,12 +7019,12 @@ B150:                                             ; preds = %B6091, %B150.prehea
   %.882 = icmp slt i64 %count.2.1, 8
   %10 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.899 = fptrunc <16 x double> %10 to <16 x float>
-  br i1 %.882, label %B472, label %B5763
+  br i1 %.882, label %B472, label %B22391
 
 B472:                                             ; preds = %B150
   store <16 x float> %.899, ptr %arg.tail.4, align 4
   %.989841.not = icmp slt i64 %count.2.1, 1
-  br i1 %.989841.not, label %B5875, label %B532.if.lr.ph
+  br i1 %.989841.not, label %B22503, label %B532.if.lr.ph
 
 B532.if.lr.ph:                                    ; preds = %B472
   %.1058 = shl nsw i64 %j.2.0, 1
@@ -5730,37 +7039,37 @@ B532.if.lr.ph:                                    ; preds = %B472
   %scevgep310 = getelementptr i8, ptr %scevgep311, i64 4
   store float %.1056.1, ptr %scevgep310, align 4
   %exitcond.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond.not.1, label %B5875, label %B532.if.1
+  br i1 %exitcond.not.1, label %B22503, label %B532.if.1
 
-B5763:                                            ; preds = %B150
+B22391:                                           ; preds = %B150
   %sunkaddr5 = shl i64 %j.2.0, 3
   %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %sunkaddr5
-  br i1 %3, label %B5835, label %B5837
+  br i1 %3, label %B22463, label %B22465
 
-B5835:                                            ; preds = %B5763
-  store <16 x float> %.899, ptr %sunkaddr6, align 64, !nontemporal !123
-  br label %B5875
+B22463:                                           ; preds = %B22391
+  store <16 x float> %.899, ptr %sunkaddr6, align 64, !nontemporal !138
+  br label %B22503
 
-B5837:                                            ; preds = %B5763
+B22465:                                           ; preds = %B22391
   store <16 x float> %.899, ptr %sunkaddr6, align 4
-  br label %B5875
+  br label %B22503
 
-B5875:                                            ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B5837, %B5835
-  br i1 %0, label %B5879, label %B6091
+B22503:                                           ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B22465, %B22463
+  br i1 %0, label %B22507, label %B22719
 
-B5879:                                            ; preds = %B5875
+B22507:                                           ; preds = %B22503
   %.8.i277 = fmul contract <8 x double> %.7.i, %.783
   %.8.i303 = fmul contract <8 x double> %.7.i302, %.756
   %13 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.1294 = fptrunc <16 x double> %13 to <16 x float>
-  br i1 %.882, label %B5891, label %B6035
+  br i1 %.882, label %B22519, label %B22663
 
-B5891:                                            ; preds = %B5879
+B22519:                                           ; preds = %B22507
   store <16 x float> %.1294, ptr %arg.tail.4, align 4
   %.1384847.not = icmp slt i64 %count.2.1, 1
-  br i1 %.1384847.not, label %B6091, label %B5931.if.lr.ph
+  br i1 %.1384847.not, label %B22719, label %B22559.if.lr.ph
 
-B5931.if.lr.ph:                                   ; preds = %B5891
+B22559.if.lr.ph:                                  ; preds = %B22519
   %.1453 = shl nsw i64 %j.2.0, 1
   %14 = shl i64 %j.2.0, 3
   %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %14
@@ -5773,27 +7082,27 @@ B5931.if.lr.ph:                                   ; preds = %B5891
   %scevgep319 = getelementptr i8, ptr %scevgep320, i64 4
   store float %.1451.1, ptr %scevgep319, align 4
   %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond1331.not.1, label %B6091, label %B5931.if.1
+  br i1 %exitcond1331.not.1, label %B22719, label %B22559.if.1
 
-B6035:                                            ; preds = %B5879
+B22663:                                           ; preds = %B22507
   %sunkaddr13 = shl i64 %j.2.0, 3
   %sunkaddr14 = getelementptr i8, ptr %arg.second.4, i64 %sunkaddr13
-  br i1 %4, label %B6037, label %B6075
+  br i1 %4, label %B22665, label %B22703
 
-B6037:                                            ; preds = %B6035
-  store <16 x float> %.1294, ptr %sunkaddr14, align 64, !nontemporal !123
-  br label %B6091
+B22665:                                           ; preds = %B22663
+  store <16 x float> %.1294, ptr %sunkaddr14, align 64, !nontemporal !138
+  br label %B22719
 
-B6075:                                            ; preds = %B6035
+B22703:                                           ; preds = %B22663
   store <16 x float> %.1294, ptr %sunkaddr14, align 4
-  br label %B6091
+  br label %B22719
 
-B6091:                                            ; preds = %B6037, %B6075, %B5931.if.6, %B5931.if.5, %B5931.if.4, %B5931.if.3, %B5931.if.2, %B5931.if.1, %B5931.if.lr.ph, %B5891, %B5875
+B22719:                                           ; preds = %B22665, %B22703, %B22559.if.6, %B22559.if.5, %B22559.if.4, %B22559.if.3, %B22559.if.2, %B22559.if.1, %B22559.if.lr.ph, %B22519, %B22503
   %.1580 = add nsw i64 %count.2.1, %j.2.0
   %.1586 = icmp slt i64 %.1580, %arg.stop
   br i1 %.1586, label %B150, label %common.ret
 
-common.ret:                                       ; preds = %B6091, %entry
+common.ret:                                       ; preds = %B22719, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -5809,7 +7118,7 @@ B532.if.1:                                        ; preds = %B532.if.lr.ph
   %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 12
   store float %.1056.1.1, ptr %scevgep310.1, align 4
   %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond.not.1.1, label %B5875, label %B532.if.2
+  br i1 %exitcond.not.1.1, label %B22503, label %B532.if.2
 
 B532.if.2:                                        ; preds = %B532.if.1
   %.1056.2 = load float, ptr %sunkaddr, align 4
@@ -5823,7 +7132,7 @@ B532.if.2:                                        ; preds = %B532.if.1
   %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 20
   store float %.1056.1.2, ptr %scevgep310.2, align 4
   %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond.not.1.2, label %B5875, label %B532.if.3
+  br i1 %exitcond.not.1.2, label %B22503, label %B532.if.3
 
 B532.if.3:                                        ; preds = %B532.if.2
   %.1056.3 = load float, ptr %sunkaddr20, align 4
@@ -5837,7 +7146,7 @@ B532.if.3:                                        ; preds = %B532.if.2
   %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 28
   store float %.1056.1.3, ptr %scevgep310.3, align 4
   %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond.not.1.3, label %B5875, label %B532.if.4
+  br i1 %exitcond.not.1.3, label %B22503, label %B532.if.4
 
 B532.if.4:                                        ; preds = %B532.if.3
   %.1056.4 = load float, ptr %sunkaddr22, align 4
@@ -5851,7 +7160,7 @@ B532.if.4:                                        ; preds = %B532.if.3
   %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 36
   store float %.1056.1.4, ptr %scevgep310.4, align 4
   %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond.not.1.4, label %B5875, label %B532.if.5
+  br i1 %exitcond.not.1.4, label %B22503, label %B532.if.5
 
 B532.if.5:                                        ; preds = %B532.if.4
   %.1056.5 = load float, ptr %sunkaddr24, align 4
@@ -5865,7 +7174,7 @@ B532.if.5:                                        ; preds = %B532.if.4
   %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 44
   store float %.1056.1.5, ptr %scevgep310.5, align 4
   %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond.not.1.5, label %B5875, label %B532.if.6
+  br i1 %exitcond.not.1.5, label %B22503, label %B532.if.6
 
 B532.if.6:                                        ; preds = %B532.if.5
   %.1056.6 = load float, ptr %sunkaddr26, align 4
@@ -5878,9 +7187,9 @@ B532.if.6:                                        ; preds = %B532.if.5
   %.1056.1.6 = load float, ptr %sunkaddr27, align 4
   %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 52
   store float %.1056.1.6, ptr %scevgep310.6, align 4
-  br label %B5875
+  br label %B22503
 
-B5931.if.1:                                       ; preds = %B5931.if.lr.ph
+B22559.if.1:                                      ; preds = %B22559.if.lr.ph
   %.1451.12 = load float, ptr %sunkaddr28, align 4
   %28 = add i64 %.1453, 2
   %.1468.1 = icmp slt i64 %28, 0
@@ -5892,9 +7201,9 @@ B5931.if.1:                                       ; preds = %B5931.if.lr.ph
   %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 12
   store float %.1451.1.1, ptr %scevgep319.1, align 4
   %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond1331.not.1.1, label %B6091, label %B5931.if.2
+  br i1 %exitcond1331.not.1.1, label %B22719, label %B22559.if.2
 
-B5931.if.2:                                       ; preds = %B5931.if.1
+B22559.if.2:                                      ; preds = %B22559.if.1
   %.1451.2 = load float, ptr %sunkaddr30, align 4
   %30 = add i64 %.1453, 4
   %.1468.2 = icmp slt i64 %30, 0
@@ -5906,9 +7215,9 @@ B5931.if.2:                                       ; preds = %B5931.if.1
   %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 20
   store float %.1451.1.2, ptr %scevgep319.2, align 4
   %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond1331.not.1.2, label %B6091, label %B5931.if.3
+  br i1 %exitcond1331.not.1.2, label %B22719, label %B22559.if.3
 
-B5931.if.3:                                       ; preds = %B5931.if.2
+B22559.if.3:                                      ; preds = %B22559.if.2
   %.1451.3 = load float, ptr %sunkaddr32, align 4
   %32 = add i64 %.1453, 6
   %.1468.3 = icmp slt i64 %32, 0
@@ -5920,9 +7229,9 @@ B5931.if.3:                                       ; preds = %B5931.if.2
   %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 28
   store float %.1451.1.3, ptr %scevgep319.3, align 4
   %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond1331.not.1.3, label %B6091, label %B5931.if.4
+  br i1 %exitcond1331.not.1.3, label %B22719, label %B22559.if.4
 
-B5931.if.4:                                       ; preds = %B5931.if.3
+B22559.if.4:                                      ; preds = %B22559.if.3
   %.1451.4 = load float, ptr %sunkaddr34, align 4
   %34 = add i64 %.1453, 8
   %.1468.4 = icmp slt i64 %34, 0
@@ -5934,9 +7243,9 @@ B5931.if.4:                                       ; preds = %B5931.if.3
   %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 36
   store float %.1451.1.4, ptr %scevgep319.4, align 4
   %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond1331.not.1.4, label %B6091, label %B5931.if.5
+  br i1 %exitcond1331.not.1.4, label %B22719, label %B22559.if.5
 
-B5931.if.5:                                       ; preds = %B5931.if.4
+B22559.if.5:                                      ; preds = %B22559.if.4
   %.1451.5 = load float, ptr %sunkaddr36, align 4
   %36 = add i64 %.1453, 10
   %.1468.5 = icmp slt i64 %36, 0
@@ -5948,9 +7257,9 @@ B5931.if.5:                                       ; preds = %B5931.if.4
   %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 44
   store float %.1451.1.5, ptr %scevgep319.5, align 4
   %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond1331.not.1.5, label %B6091, label %B5931.if.6
+  br i1 %exitcond1331.not.1.5, label %B22719, label %B22559.if.6
 
-B5931.if.6:                                       ; preds = %B5931.if.5
+B22559.if.6:                                      ; preds = %B22559.if.5
   %.1451.6 = load float, ptr %sunkaddr38, align 4
   %38 = add i64 %.1453, 12
   %.1468.6 = icmp slt i64 %38, 0
@@ -5961,11 +7270,11 @@ B5931.if.6:                                       ; preds = %B5931.if.5
   %.1451.1.6 = load float, ptr %sunkaddr39, align 4
   %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 52
   store float %.1451.1.6, ptr %scevgep319.6, align 4
-  br label %B6091
+  br label %B22719
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_15(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, i64 %arg.stop, double %arg.factors.0, double %arg.factors.1, i64 range(i64 -1, 4) %arg.streamed, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #7 {
+define internal fastcc void @inner_19(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.amplitude.4, ptr readonly captures(none) %arg.phase.4, i64 %arg.stop, double %arg.factors.0, double %arg.factors.1, i64 range(i64 -1, 4) %arg.streamed, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
 entry:
   %.122 = icmp sgt i64 %arg.stop, 0
   br i1 %.122, label %B150.preheader, label %common.ret
@@ -6012,8 +7321,8 @@ B150.preheader:                                   ; preds = %entry
   %sunkaddr56 = getelementptr i8, ptr %arg.tail.4, i64 104
   br label %B150
 
-B150:                                             ; preds = %B6488, %B150.preheader
-  %j.2.0 = phi i64 [ %.1560, %B6488 ], [ 0, %B150.preheader ]
+B150:                                             ; preds = %B23116, %B150.preheader
+  %j.2.0 = phi i64 [ %.1560, %B23116 ], [ 0, %B150.preheader ]
   %.129 = sub nsw i64 %arg.stop, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.129, i64 8)
   %.169 = icmp slt i64 %j.2.0, %arg.streamed
@@ -6066,13 +7375,13 @@ B150:                                             ; preds = %B6488, %B150.prehea
   %.8.i297 = fmul contract <8 x double> %.7.i296, %.6.i293
   %.8.i300 = fmul contract <8 x double> %.7.i296, %.6.i294
   %.874 = icmp slt i64 %count.2.1, 8
-  br i1 %.874, label %B472, label %B6160
+  br i1 %.874, label %B472, label %B22788
 
 B472:                                             ; preds = %B150
   %.889 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.889, ptr %arg.tail.4, align 4
   %.979841.not = icmp slt i64 %count.2.1, 1
-  br i1 %.979841.not, label %B6272, label %B532.if.lr.ph
+  br i1 %.979841.not, label %B22900, label %B532.if.lr.ph
 
 B532.if.lr.ph:                                    ; preds = %B472
   %.1048 = shl nsw i64 %j.2.0, 1
@@ -6087,37 +7396,37 @@ B532.if.lr.ph:                                    ; preds = %B472
   %scevgep310 = getelementptr i8, ptr %scevgep311, i64 8
   store double %.1046.1, ptr %scevgep310, align 8
   %exitcond.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond.not.1, label %B6272, label %B532.if.1
+  br i1 %exitcond.not.1, label %B22900, label %B532.if.1
 
-B6160:                                            ; preds = %B150
+B22788:                                           ; preds = %B150
   %.1121.idx = shl i64 %j.2.0, 4
   %.1122 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %.1121.idx
-  br i1 %3, label %B6232, label %B6234
+  br i1 %3, label %B22860, label %B22862
 
-B6232:                                            ; preds = %B6160
-  store <16 x double> %.1122, ptr %sunkaddr6, align 64, !nontemporal !123
-  br label %B6272
+B22860:                                           ; preds = %B22788
+  store <16 x double> %.1122, ptr %sunkaddr6, align 64, !nontemporal !138
+  br label %B22900
 
-B6234:                                            ; preds = %B6160
+B22862:                                           ; preds = %B22788
   store <16 x double> %.1122, ptr %sunkaddr6, align 4
-  br label %B6272
+  br label %B22900
 
-B6272:                                            ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B6234, %B6232
-  br i1 %0, label %B6276, label %B6488
+B22900:                                           ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B22862, %B22860
+  br i1 %0, label %B22904, label %B23116
 
-B6276:                                            ; preds = %B6272
+B22904:                                           ; preds = %B22900
   %.8.i277 = fmul contract <8 x double> %.7.i, %.6.i294
   %.8.i303 = fmul contract <8 x double> %.7.i302, %.6.i293
-  br i1 %.874, label %B6288, label %B6432
+  br i1 %.874, label %B22916, label %B23060
 
-B6288:                                            ; preds = %B6276
+B22916:                                           ; preds = %B22904
   %.1278 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.1278, ptr %arg.tail.4, align 4
   %.1368847.not = icmp slt i64 %count.2.1, 1
-  br i1 %.1368847.not, label %B6488, label %B6328.if.lr.ph
+  br i1 %.1368847.not, label %B23116, label %B22956.if.lr.ph
 
-B6328.if.lr.ph:                                   ; preds = %B6288
+B22956.if.lr.ph:                                  ; preds = %B22916
   %.1437 = shl nsw i64 %j.2.0, 1
   %12 = shl i64 %j.2.0, 4
   %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %12
@@ -6130,28 +7439,28 @@ B6328.if.lr.ph:                                   ; preds = %B6288
   %scevgep319 = getelementptr i8, ptr %scevgep320, i64 8
   store double %.1435.1, ptr %scevgep319, align 8
   %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond1331.not.1, label %B6488, label %B6328.if.1
+  br i1 %exitcond1331.not.1, label %B23116, label %B22956.if.1
 
-B6432:                                            ; preds = %B6276
+B23060:                                           ; preds = %B22904
   %.1510.idx = shl i64 %j.2.0, 4
   %.1511 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr32 = getelementptr i8, ptr %arg.second.4, i64 %.1510.idx
-  br i1 %4, label %B6434, label %B6472
+  br i1 %4, label %B23062, label %B23100
 
-B6434:                                            ; preds = %B6432
-  store <16 x double> %.1511, ptr %sunkaddr32, align 64, !nontemporal !123
-  br label %B6488
+B23062:                                           ; preds = %B23060
+  store <16 x double> %.1511, ptr %sunkaddr32, align 64, !nontemporal !138
+  br label %B23116
 
-B6472:                                            ; preds = %B6432
+B23100:                                           ; preds = %B23060
   store <16 x double> %.1511, ptr %sunkaddr32, align 4
-  br label %B6488
+  br label %B23116
 
-B6488:                                            ; preds = %B6434, %B6472, %B6328.if.6, %B6328.if.5, %B6328.if.4, %B6328.if.3, %B6328.if.2, %B6328.if.1, %B6328.if.lr.ph, %B6288, %B6272
+B23116:                                           ; preds = %B23062, %B23100, %B22956.if.6, %B22956.if.5, %B22956.if.4, %B22956.if.3, %B22956.if.2, %B22956.if.1, %B22956.if.lr.ph, %B22916, %B22900
   %.1560 = add nsw i64 %count.2.1, %j.2.0
   %.1566 = icmp slt i64 %.1560, %arg.stop
   br i1 %.1566, label %B150, label %common.ret
 
-common.ret:                                       ; preds = %B6488, %entry
+common.ret:                                       ; preds = %B23116, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -6167,7 +7476,7 @@ B532.if.1:                                        ; preds = %B532.if.lr.ph
   %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 24
   store double %.1046.1.1, ptr %scevgep310.1, align 8
   %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond.not.1.1, label %B6272, label %B532.if.2
+  br i1 %exitcond.not.1.1, label %B22900, label %B532.if.2
 
 B532.if.2:                                        ; preds = %B532.if.1
   %.1046.2 = load double, ptr %sunkaddr, align 8
@@ -6181,7 +7490,7 @@ B532.if.2:                                        ; preds = %B532.if.1
   %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 40
   store double %.1046.1.2, ptr %scevgep310.2, align 8
   %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond.not.1.2, label %B6272, label %B532.if.3
+  br i1 %exitcond.not.1.2, label %B22900, label %B532.if.3
 
 B532.if.3:                                        ; preds = %B532.if.2
   %.1046.3 = load double, ptr %sunkaddr37, align 8
@@ -6195,7 +7504,7 @@ B532.if.3:                                        ; preds = %B532.if.2
   %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 56
   store double %.1046.1.3, ptr %scevgep310.3, align 8
   %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond.not.1.3, label %B6272, label %B532.if.4
+  br i1 %exitcond.not.1.3, label %B22900, label %B532.if.4
 
 B532.if.4:                                        ; preds = %B532.if.3
   %.1046.4 = load double, ptr %sunkaddr39, align 8
@@ -6209,7 +7518,7 @@ B532.if.4:                                        ; preds = %B532.if.3
   %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 72
   store double %.1046.1.4, ptr %scevgep310.4, align 8
   %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond.not.1.4, label %B6272, label %B532.if.5
+  br i1 %exitcond.not.1.4, label %B22900, label %B532.if.5
 
 B532.if.5:                                        ; preds = %B532.if.4
   %.1046.5 = load double, ptr %sunkaddr41, align 8
@@ -6223,7 +7532,7 @@ B532.if.5:                                        ; preds = %B532.if.4
   %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 88
   store double %.1046.1.5, ptr %scevgep310.5, align 8
   %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond.not.1.5, label %B6272, label %B532.if.6
+  br i1 %exitcond.not.1.5, label %B22900, label %B532.if.6
 
 B532.if.6:                                        ; preds = %B532.if.5
   %.1046.6 = load double, ptr %sunkaddr43, align 8
@@ -6236,9 +7545,9 @@ B532.if.6:                                        ; preds = %B532.if.5
   %.1046.1.6 = load double, ptr %sunkaddr44, align 8
   %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 104
   store double %.1046.1.6, ptr %scevgep310.6, align 8
-  br label %B6272
+  br label %B22900
 
-B6328.if.1:                                       ; preds = %B6328.if.lr.ph
+B22956.if.1:                                      ; preds = %B22956.if.lr.ph
   %.1435.12 = load double, ptr %sunkaddr45, align 8
   %26 = add i64 %.1437, 2
   %.1452.1 = icmp slt i64 %26, 0
@@ -6250,9 +7559,9 @@ B6328.if.1:                                       ; preds = %B6328.if.lr.ph
   %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 24
   store double %.1435.1.1, ptr %scevgep319.1, align 8
   %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond1331.not.1.1, label %B6488, label %B6328.if.2
+  br i1 %exitcond1331.not.1.1, label %B23116, label %B22956.if.2
 
-B6328.if.2:                                       ; preds = %B6328.if.1
+B22956.if.2:                                      ; preds = %B22956.if.1
   %.1435.2 = load double, ptr %sunkaddr47, align 8
   %28 = add i64 %.1437, 4
   %.1452.2 = icmp slt i64 %28, 0
@@ -6264,9 +7573,9 @@ B6328.if.2:                                       ; preds = %B6328.if.1
   %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 40
   store double %.1435.1.2, ptr %scevgep319.2, align 8
   %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond1331.not.1.2, label %B6488, label %B6328.if.3
+  br i1 %exitcond1331.not.1.2, label %B23116, label %B22956.if.3
 
-B6328.if.3:                                       ; preds = %B6328.if.2
+B22956.if.3:                                      ; preds = %B22956.if.2
   %.1435.3 = load double, ptr %sunkaddr49, align 8
   %30 = add i64 %.1437, 6
   %.1452.3 = icmp slt i64 %30, 0
@@ -6278,9 +7587,9 @@ B6328.if.3:                                       ; preds = %B6328.if.2
   %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 56
   store double %.1435.1.3, ptr %scevgep319.3, align 8
   %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond1331.not.1.3, label %B6488, label %B6328.if.4
+  br i1 %exitcond1331.not.1.3, label %B23116, label %B22956.if.4
 
-B6328.if.4:                                       ; preds = %B6328.if.3
+B22956.if.4:                                      ; preds = %B22956.if.3
   %.1435.4 = load double, ptr %sunkaddr51, align 8
   %32 = add i64 %.1437, 8
   %.1452.4 = icmp slt i64 %32, 0
@@ -6292,9 +7601,9 @@ B6328.if.4:                                       ; preds = %B6328.if.3
   %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 72
   store double %.1435.1.4, ptr %scevgep319.4, align 8
   %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond1331.not.1.4, label %B6488, label %B6328.if.5
+  br i1 %exitcond1331.not.1.4, label %B23116, label %B22956.if.5
 
-B6328.if.5:                                       ; preds = %B6328.if.4
+B22956.if.5:                                      ; preds = %B22956.if.4
   %.1435.5 = load double, ptr %sunkaddr53, align 8
   %34 = add i64 %.1437, 10
   %.1452.5 = icmp slt i64 %34, 0
@@ -6306,9 +7615,9 @@ B6328.if.5:                                       ; preds = %B6328.if.4
   %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 88
   store double %.1435.1.5, ptr %scevgep319.5, align 8
   %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond1331.not.1.5, label %B6488, label %B6328.if.6
+  br i1 %exitcond1331.not.1.5, label %B23116, label %B22956.if.6
 
-B6328.if.6:                                       ; preds = %B6328.if.5
+B22956.if.6:                                      ; preds = %B22956.if.5
   %.1435.6 = load double, ptr %sunkaddr55, align 8
   %36 = add i64 %.1437, 12
   %.1452.6 = icmp slt i64 %36, 0
@@ -6319,11 +7628,11 @@ B6328.if.6:                                       ; preds = %B6328.if.5
   %.1435.1.6 = load double, ptr %sunkaddr56, align 8
   %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 104
   store double %.1435.1.6, ptr %scevgep319.6, align 8
-  br label %B6488
+  br label %B23116
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: write)
-define internal fastcc void @inner_14(ptr noalias nonnull writeonly captures(none) %retptr, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.start) unnamed_addr #8 {
+define internal fastcc void @inner_18(ptr noalias nonnull writeonly captures(none) %retptr, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.start) unnamed_addr #7 {
 entry:
   %.83 = sub i64 %arg.first.5.0, %arg.start
   %.128135.not = icmp slt i64 %.83, 1
@@ -6350,7 +7659,7 @@ B58.if.prol:                                      ; preds = %B58.if.prol, %B58.i
   store float 0.000000e+00, ptr %scevgep34, align 4
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next36, 0
-  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !124
+  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !139
 
 B58.if.prol.loopexit.loopexit:                    ; preds = %B58.if.prol
   %3 = sub i64 %arg.first.5.0, %.141.prol
@@ -6399,7 +7708,7 @@ B128.if.prol:                                     ; preds = %B128.if.prol, %B128
   store float 0.000000e+00, ptr %scevgep17, align 4
   %lsr.iv.next19 = add nsw i64 %lsr.iv18, -1
   %prol.iter3.cmp.not = icmp eq i64 %lsr.iv.next19, 0
-  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !125
+  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !140
 
 B128.if.prol.loopexit.loopexit:                   ; preds = %B128.if.prol
   %15 = sub i64 %arg.second.5.0, %.313.prol
@@ -6486,7 +7795,7 @@ B128.if:                                          ; preds = %B128.if, %B128.if.p
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: write)
-define internal fastcc void @inner_16(ptr noalias nonnull writeonly captures(none) %retptr, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.start) unnamed_addr #8 {
+define internal fastcc void @inner_20(ptr noalias nonnull writeonly captures(none) %retptr, ptr writeonly captures(none) %arg.first.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.first.5.0, ptr writeonly captures(none) %arg.second.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.second.5.0, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.start) unnamed_addr #7 {
 entry:
   %.83 = sub i64 %arg.first.5.0, %arg.start
   %.128135.not = icmp slt i64 %.83, 1
@@ -6513,7 +7822,7 @@ B58.if.prol:                                      ; preds = %B58.if.prol, %B58.i
   store double 0.000000e+00, ptr %scevgep34, align 8
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next36, 0
-  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !126
+  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !141
 
 B58.if.prol.loopexit.loopexit:                    ; preds = %B58.if.prol
   %3 = sub i64 %arg.first.5.0, %.141.prol
@@ -6562,7 +7871,7 @@ B128.if.prol:                                     ; preds = %B128.if.prol, %B128
   store double 0.000000e+00, ptr %scevgep17, align 8
   %lsr.iv.next19 = add nsw i64 %lsr.iv18, -1
   %prol.iter3.cmp.not = icmp eq i64 %lsr.iv.next19, 0
-  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !127
+  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !142
 
 B128.if.prol.loopexit.loopexit:                   ; preds = %B128.if.prol
   %15 = sub i64 %arg.second.5.0, %.312.prol
@@ -6651,979 +7960,3903 @@ B128.if:                                          ; preds = %B128.if, %B128.if.p
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare double @llvm.pow.f64(double, double) #3
 
-; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
-declare double @sqrt(double) local_unnamed_addr #9
-
-; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_6(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.parameters.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.scaling.4, ptr captures(none) initializes((0, 40)) %arg.scratch.4, ptr writeonly captures(none) %arg.out.4) unnamed_addr #7 {
-entry:
-  %.271 = load i64, ptr %arg.contents.4, align 8
-  %.303 = getelementptr i8, ptr %arg.scaling.4, i64 80
-  %.304 = load double, ptr %.303, align 8
-  %scevgep = getelementptr i8, ptr %arg.out.4, i64 256
-  %sunkaddr77 = getelementptr i8, ptr %arg.scaling.4, i64 40
-  %sunkaddr80 = getelementptr i8, ptr %arg.scratch.4, i64 8
-  %sunkaddr81 = getelementptr i8, ptr %arg.scaling.4, i64 8
-  %sunkaddr82 = getelementptr i8, ptr %arg.scaling.4, i64 48
-  %sunkaddr85 = getelementptr i8, ptr %arg.scratch.4, i64 16
-  %sunkaddr86 = getelementptr i8, ptr %arg.scaling.4, i64 16
-  %sunkaddr87 = getelementptr i8, ptr %arg.scaling.4, i64 56
-  %sunkaddr90 = getelementptr i8, ptr %arg.scratch.4, i64 24
-  %sunkaddr91 = getelementptr i8, ptr %arg.scaling.4, i64 24
-  %sunkaddr92 = getelementptr i8, ptr %arg.scaling.4, i64 64
-  %sunkaddr95 = getelementptr i8, ptr %arg.scratch.4, i64 32
-  %sunkaddr = getelementptr i8, ptr %arg.scaling.4, i64 32
-  %sunkaddr96 = getelementptr i8, ptr %arg.scaling.4, i64 72
-  %sunkaddr30 = getelementptr i8, ptr %arg.scratch.4, i64 8
-  %sunkaddr36 = getelementptr i8, ptr %arg.scratch.4, i64 16
-  %sunkaddr41 = getelementptr i8, ptr %arg.scratch.4, i64 24
-  %sunkaddr45 = getelementptr i8, ptr %arg.scratch.4, i64 32
-  %sunkaddr8 = getelementptr i8, ptr %arg.scratch.4, i64 8
-  %sunkaddr12 = getelementptr i8, ptr %arg.scratch.4, i64 16
-  %sunkaddr19 = getelementptr i8, ptr %arg.scratch.4, i64 24
-  %sunkaddr23 = getelementptr i8, ptr %arg.scratch.4, i64 32
-  %sunkaddr59 = getelementptr i8, ptr %arg.scratch.4, i64 8
-  %sunkaddr65 = getelementptr i8, ptr %arg.scratch.4, i64 16
-  %sunkaddr71 = getelementptr i8, ptr %arg.scratch.4, i64 24
-  %sunkaddr74 = getelementptr i8, ptr %arg.scratch.4, i64 32
-  br label %B118.if
-
-B270:                                             ; preds = %B118.if
-  %.38.le.i = tail call contract double @llvm.log.f64(double %.1045)
-  %.21.i = fadd contract double %.1045, 1.000000e+00
-  %.30.i = fdiv contract double 1.000000e+00, %.21.i
-  %.25.i = fdiv contract double %.1045, %.21.i
-  store double %.38.le.i, ptr %arg.scratch.4, align 8, !noalias !128
-  %.72.i = tail call contract double @llvm.pow.f64(double %.13.i, double 4.000000e-01)
-  %.73.i = fmul contract double %.72.i, %.25.i
-  store double %.73.i, ptr %sunkaddr8, align 8, !noalias !128
-  %.103.i = tail call contract double @llvm.pow.f64(double %.13.i13, double 4.000000e-01)
-  %.104.i = fmul contract double %.103.i, %.30.i
-  store double %.104.i, ptr %sunkaddr12, align 8, !noalias !128
-  %.134.i = fmul contract double %.1075, %.25.i
-  %.135.i = fmul contract double %.30.i, %.1105
-  %.136.i = fadd contract double %.134.i, %.135.i
-  %.137.i = fmul contract double %.25.i, 0x3FD585A9E9585A9F
-  %.138.i = fmul contract double %.30.i, %.137.i
-  %.139.i = fadd contract double %.1075, %.1105
-  %.140.i = fmul contract double %.139.i, %.138.i
-  %.141.i = fsub contract double %.136.i, %.140.i
-  store double %.141.i, ptr %sunkaddr19, align 8, !noalias !128
-  %.171.i = fsub contract double %.1075, %.1105
-  %.172.i = fmul contract double %.171.i, 5.000000e-01
-  store double %.172.i, ptr %sunkaddr23, align 8, !noalias !128
-  br label %B570.if
-
-B370:                                             ; preds = %B118.if
-  %.38.le.i.i = tail call contract double @llvm.log.f64(double %.1045)
-  %.21.i.i = fadd contract double %.1045, 1.000000e+00
-  %.30.i.i = fdiv contract double 1.000000e+00, %.21.i.i
-  %.25.i.i = fdiv contract double %.1045, %.21.i.i
-  store double %.38.le.i.i, ptr %arg.scratch.4, align 8, !noalias !131
-  %.72.i.i = tail call contract double @llvm.pow.f64(double %.13.i, double 4.000000e-01)
-  %.73.i.i = fmul contract double %.72.i.i, %.25.i.i
-  store double %.73.i.i, ptr %sunkaddr30, align 8, !noalias !131
-  %.103.i.i = tail call contract double @llvm.pow.f64(double %.13.i13, double 4.000000e-01)
-  %.104.i.i = fmul contract double %.103.i.i, %.30.i.i
-  store double %.104.i.i, ptr %sunkaddr36, align 8, !noalias !131
-  %.134.i.i = fmul contract double %.1075, %.25.i.i
-  %.135.i.i = fmul contract double %.30.i.i, %.1105
-  %.136.i.i = fadd contract double %.134.i.i, %.135.i.i
-  %.137.i.i = fmul contract double %.25.i.i, 0x3FD585A9E9585A9F
-  %.138.i.i = fmul contract double %.30.i.i, %.137.i.i
-  %.139.i.i = fadd contract double %.1075, %.1105
-  %.140.i.i = fmul contract double %.139.i.i, %.138.i.i
-  %.141.i.i = fsub contract double %.136.i.i, %.140.i.i
-  store double %.141.i.i, ptr %sunkaddr41, align 8, !noalias !131
-  %.171.i.i = fsub contract double %.1075, %.1105
-  %.172.i.i = fmul contract double %.171.i.i, 5.000000e-01
-  store double %.172.i.i, ptr %sunkaddr45, align 8, !noalias !131
-  %.107.i = fsub contract double %.73.i.i, %.104.i.i
-  %.166.i = fadd contract double %.73.i.i, %.104.i.i
-  store double %.107.i, ptr %sunkaddr30, align 8, !noalias !136
-  store double %.166.i, ptr %sunkaddr36, align 8, !noalias !136
-  br label %B570.if
-
-B448:                                             ; preds = %B118.if
-  store double %.1045, ptr %arg.scratch.4, align 8
-  store double %.1075, ptr %sunkaddr59, align 8
-  store double %.1105, ptr %sunkaddr65, align 8
-  store double %.13.i, ptr %sunkaddr71, align 8
-  store double %.13.i13, ptr %sunkaddr74, align 8
-  br label %B570.if
-
-B666:                                             ; preds = %B570.if
-  store ptr null, ptr %retptr, align 8
-  ret void
-
-B118.if:                                          ; preds = %B570.if, %entry
-  %lsr.iv19 = phi i64 [ 0, %entry ], [ %lsr.iv.next, %B570.if ]
-  %lsr.iv = phi ptr [ %scevgep, %entry ], [ %scevgep14, %B570.if ]
-  %.590 = getelementptr double, ptr %arg.parameters.4, i64 %lsr.iv19
-  %.656 = getelementptr i8, ptr %.590, i64 24
-  %.657 = load double, ptr %.656, align 8
-  %.12.i = fcmp contract ogt double %.304, %.657
-  %.13.i = select i1 %.12.i, double %.304, double %.657
-  %.715 = getelementptr i8, ptr %.590, i64 32
-  %.716 = load double, ptr %.715, align 8
-  %.12.i12 = fcmp contract ogt double %.304, %.716
-  %.13.i13 = select i1 %.12.i12, double %.304, double %.716
-  %.1045 = load double, ptr %.590, align 8
-  %.1074 = getelementptr i8, ptr %.590, i64 8
-  %.1075 = load double, ptr %.1074, align 8
-  %.1104 = getelementptr i8, ptr %.590, i64 16
-  %.1105 = load double, ptr %.1104, align 8
-  switch i64 %.271, label %B448 [
-    i64 1, label %B270
-    i64 2, label %B370
-  ]
-
-B570.if:                                          ; preds = %B448, %B370, %B270
-  %.1444 = load double, ptr %arg.scratch.4, align 8
-  %.1474 = load double, ptr %arg.scaling.4, align 8
-  %.1475 = fsub contract double %.1444, %.1474
-  %.1506 = load double, ptr %sunkaddr77, align 8
-  %.1507 = fmul contract double %.1475, %.1506
-  %scevgep18 = getelementptr i8, ptr %lsr.iv, i64 -256
-  store double %.1507, ptr %scevgep18, align 8
-  %.1444.1 = load double, ptr %sunkaddr80, align 8
-  %.1474.1 = load double, ptr %sunkaddr81, align 8
-  %.1475.1 = fsub contract double %.1444.1, %.1474.1
-  %.1506.1 = load double, ptr %sunkaddr82, align 8
-  %.1507.1 = fmul contract double %.1475.1, %.1506.1
-  %scevgep17 = getelementptr i8, ptr %lsr.iv, i64 -192
-  store double %.1507.1, ptr %scevgep17, align 8
-  %.1444.2 = load double, ptr %sunkaddr85, align 8
-  %.1474.2 = load double, ptr %sunkaddr86, align 8
-  %.1475.2 = fsub contract double %.1444.2, %.1474.2
-  %.1506.2 = load double, ptr %sunkaddr87, align 8
-  %.1507.2 = fmul contract double %.1475.2, %.1506.2
-  %scevgep16 = getelementptr i8, ptr %lsr.iv, i64 -128
-  store double %.1507.2, ptr %scevgep16, align 8
-  %.1444.3 = load double, ptr %sunkaddr90, align 8
-  %.1474.3 = load double, ptr %sunkaddr91, align 8
-  %.1475.3 = fsub contract double %.1444.3, %.1474.3
-  %.1506.3 = load double, ptr %sunkaddr92, align 8
-  %.1507.3 = fmul contract double %.1475.3, %.1506.3
-  %scevgep15 = getelementptr i8, ptr %lsr.iv, i64 -64
-  store double %.1507.3, ptr %scevgep15, align 8
-  %.1444.4 = load double, ptr %sunkaddr95, align 8
-  %.1474.4 = load double, ptr %sunkaddr, align 8
-  %.1475.4 = fsub contract double %.1444.4, %.1474.4
-  %.1506.4 = load double, ptr %sunkaddr96, align 8
-  %.1507.4 = fmul contract double %.1475.4, %.1506.4
-  store double %.1507.4, ptr %lsr.iv, align 8
-  %scevgep14 = getelementptr i8, ptr %lsr.iv, i64 8
-  %lsr.iv.next = add nuw nsw i64 %lsr.iv19, 5
-  %exitcond.not = icmp eq i64 %lsr.iv.next, 40
-  br i1 %exitcond.not, label %B666, label %B118.if
-}
-
-; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
-define internal fastcc void @inner_7(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.coordinates.4, i64 %arg.rows, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.layers.4, i64 range(i64 0, 1073741825) %arg.layers.5.0, ptr %arg.scratch.4, i64 range(i64 0, -9223372036854775808) %arg.scratch.5.0, ptr captures(none) %arg.out.4, i64 range(i64 16, 9) %arg.out_row) unnamed_addr #7 {
-entry:
-  %.107 = getelementptr i8, ptr %arg.contents.4, i64 40
-  %.108 = load i64, ptr %.107, align 8
-  %.109 = sub i64 0, %.108
-  %.117.1 = and i64 %.109, -8
-  %.152 = sub i64 8, %.117.1
-  %.157 = shl i64 %.152, 3
-  %.210 = icmp slt i64 %.152, 0
-  %.211 = select i1 %.210, i64 %arg.scratch.5.0, i64 0
-  %.212 = add i64 %.211, %.157
-  %.215 = icmp slt i64 %.212, 0
-  br i1 %.215, label %B0.endif.else.endif.endif.if, label %B0.endif.else.endif.endif.endif, !prof !5
-
-B406:                                             ; preds = %B216.if
-  %.979 = getelementptr i8, ptr %arg.contents.4, i64 32
-  %.980 = load i64, ptr %.979, align 8
-  %.981 = add nsw i64 %.980, -1
-  %.1069813.not = icmp slt i64 %.980, 1
-  br i1 %.1069813.not, label %B1114, label %B488.if.lr.ph
-
-B488.if.lr.ph:                                    ; preds = %B406
-  %.471 = getelementptr double, ptr %arg.scratch.4, i64 %.358.sroa.0.3
-  %0 = add nuw i64 %arg.rows, 3
-  %.1287 = lshr i64 %0, 2
-  %.1266.inv = icmp sgt i64 %arg.rows, 0
-  %storemerge762 = select i1 %.1266.inv, i64 %.1287, i64 0
-  %.idx814.i = mul i64 %.152, 24
-  %1 = icmp eq i64 %storemerge762, 0
-  %2 = icmp slt i64 %arg.rows, 1
-  %sunkaddr78 = getelementptr i8, ptr %arg.contents.4, i64 48
-  br label %B488.if
-
-B816:                                             ; preds = %B662.endif.endif.endif.endif, %B488.if
-  %.1924 = mul nsw i64 %.1144, %.1224
-  %.1928 = add nsw i64 %.1924, %position.2.0818
-  %.1936 = icmp sge i64 %.1013.0, %.981
-  %or.cond = select i1 %.1936, i1 true, i1 %2
-  br i1 %or.cond, label %B1102, label %B874.if.lr.ph
-
-B874.if.lr.ph:                                    ; preds = %B816
-  %smax = tail call i64 @llvm.smax.i64(i64 %.1190.1, i64 0)
-  %scevgep46 = getelementptr i8, ptr %following.2.sroa.44.0815, i64 64
-  %reass.sub = sub nsw i64 %smax, %.1190.1
-  %3 = add nsw i64 %reass.sub, 5
-  %4 = icmp slt i64 %.1190.1, 0
-  br label %B874.if
-
-B874.loopexit:                                    ; preds = %B974.endif, %B874.if
-  %scevgep48 = getelementptr i8, ptr %lsr.iv47, i64 %.157
-  %exitcond854.not = icmp eq i64 %arg.rows, %.2033
-  br i1 %exitcond854.not, label %B1102, label %B874.if
-
-B1102:                                            ; preds = %B874.loopexit, %B816
-  %exitcond.not16 = icmp eq i64 %.1082, %.980
-  br i1 %exitcond.not16, label %B1114, label %B488.if
-
-B1114:                                            ; preds = %B1102, %B406
-  %current.2.sroa.40.0.lcssa = phi ptr [ %arg.scratch.4, %B406 ], [ %following.2.sroa.44.0815, %B1102 ]
-  %columns.1.0.lcssa = phi i64 [ 0, %B406 ], [ %.1224, %B1102 ]
-  %.2420835.not = icmp slt i64 %arg.rows, 1
-  br i1 %.2420835.not, label %B1340, label %B1144.if.lr.ph
-
-B1144.if.lr.ph:                                   ; preds = %B1114
-  %5 = tail call i64 @llvm.smax.i64(i64 %columns.1.0.lcssa, i64 0)
-  %storemerge760 = lshr i64 %5, 3
-  %scevgep = getelementptr i8, ptr %current.2.sroa.40.0.lcssa, i64 64
-  %6 = shl i64 %.109, 3
-  %7 = and i64 %6, -64
-  %8 = sub i64 64, %7
-  %9 = shl i64 %arg.out_row, 3
-  %10 = add nuw nsw i64 %storemerge760, 5
-  %11 = icmp slt i64 %columns.1.0.lcssa, 1
-  br label %B1144.if
-
-B1144.loopexit:                                   ; preds = %B1192.if, %B1144.if
-  %scevgep18 = getelementptr i8, ptr %lsr.iv17, i64 %8
-  %scevgep23 = getelementptr i8, ptr %lsr.iv22, i64 %9
-  %exitcond856.not = icmp eq i64 %.2433, %arg.rows
-  br i1 %exitcond856.not, label %B1340, label %B1144.if
-
-B1340:                                            ; preds = %B1144.loopexit, %B1114
-  store ptr null, ptr %retptr, align 8
-  ret void
-
-B0.endif.else.endif.endif.if:                     ; preds = %entry
-  br label %B0.endif.else.endif.endif.endif
-
-B0.endif.else.endif.endif.endif:                  ; preds = %B0.endif.else.endif.endif.if, %entry
-  %.183.sroa.13.1 = phi i64 [ 0, %B0.endif.else.endif.endif.if ], [ %.212, %entry ]
-  %.220.not = icmp slt i64 %.212, %arg.scratch.5.0
-  br i1 %.220.not, label %B0.endif.else.endif.endif.endif.endif, label %B0.endif.else.endif.endif.endif.if, !prof !1
-
-B0.endif.else.endif.endif.endif.if:               ; preds = %B0.endif.else.endif.endif.endif
-  br label %B0.endif.else.endif.endif.endif.endif
-
-B0.endif.else.endif.endif.endif.endif:            ; preds = %B0.endif.else.endif.endif.endif.if, %B0.endif.else.endif.endif.endif
-  %.183.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.else.endif.endif.endif.if ], [ %.183.sroa.13.1, %B0.endif.else.endif.endif.endif ]
-  %.332 = shl i64 %.152, 4
-  br i1 %.215, label %B0.endif.endif.else.if, label %B0.endif.endif.else.endif, !prof !5
-
-B0.endif.endif.else.if:                           ; preds = %B0.endif.else.endif.endif.endif.endif
-  br label %B0.endif.endif.else.endif
-
-B0.endif.endif.else.endif:                        ; preds = %B0.endif.endif.else.if, %B0.endif.else.endif.endif.endif.endif
-  %.358.sroa.0.1 = phi i64 [ 0, %B0.endif.endif.else.if ], [ %.212, %B0.endif.else.endif.endif.endif.endif ]
-  br i1 %.220.not, label %B0.endif.endif.else.endif.endif, label %B0.endif.endif.else.endif.if, !prof !1
-
-B0.endif.endif.else.endif.if:                     ; preds = %B0.endif.endif.else.endif
-  br label %B0.endif.endif.else.endif.endif
-
-B0.endif.endif.else.endif.endif:                  ; preds = %B0.endif.endif.else.endif.if, %B0.endif.endif.else.endif
-  %.358.sroa.0.3 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.if ], [ %.358.sroa.0.1, %B0.endif.endif.else.endif ]
-  %.387 = add i64 %.211, %.332
-  %.390 = icmp slt i64 %.387, 0
-  br i1 %.390, label %B0.endif.endif.else.endif.endif.if, label %B0.endif.endif.else.endif.endif.endif, !prof !5
-
-B0.endif.endif.else.endif.endif.if:               ; preds = %B0.endif.endif.else.endif.endif
-  br label %B0.endif.endif.else.endif.endif.endif
-
-B0.endif.endif.else.endif.endif.endif:            ; preds = %B0.endif.endif.else.endif.endif.if, %B0.endif.endif.else.endif.endif
-  %.358.sroa.13.1 = phi i64 [ 0, %B0.endif.endif.else.endif.endif.if ], [ %.387, %B0.endif.endif.else.endif.endif ]
-  %.395.not = icmp slt i64 %.387, %arg.scratch.5.0
-  br i1 %.395.not, label %B0.endif.endif.else.endif.endif.endif.endif, label %B0.endif.endif.else.endif.endif.endif.if, !prof !1
-
-B0.endif.endif.else.endif.endif.endif.if:         ; preds = %B0.endif.endif.else.endif.endif.endif
-  br label %B0.endif.endif.else.endif.endif.endif.endif
-
-B0.endif.endif.else.endif.endif.endif.endif:      ; preds = %B0.endif.endif.else.endif.endif.endif.if, %B0.endif.endif.else.endif.endif.endif
-  %.358.sroa.13.2 = phi i64 [ %arg.scratch.5.0, %B0.endif.endif.else.endif.endif.endif.if ], [ %.358.sroa.13.1, %B0.endif.endif.else.endif.endif.endif ]
-  %.446 = sub nsw i64 %.358.sroa.13.2, %.358.sroa.0.3
-  %.455 = tail call i64 @llvm.smax.i64(i64 %.446, i64 0)
-  %12 = shl i64 %.358.sroa.0.3, 3
-  %13 = shl i64 %.183.sroa.13.2, 3
-  %14 = shl i64 %.455, 3
-  %15 = add i64 %13, 56
-  %16 = add i64 %13, 64
-  %17 = add i64 %13, 72
-  %18 = add i64 %13, 80
-  %19 = add i64 %13, 88
-  %20 = add i64 %13, 96
-  br label %B216.if
-
-B216.if:                                          ; preds = %B216.if, %B0.endif.endif.else.endif.endif.endif.endif
-  %lsr.iv = phi ptr [ %scevgep45, %B216.if ], [ %arg.scratch.4, %B0.endif.endif.else.endif.endif.endif.endif ]
-  %lsr.iv54 = phi i64 [ %lsr.iv.next55, %B216.if ], [ -64, %B0.endif.endif.else.endif.endif.endif.endif ]
-  %lsr.iv63 = phi i64 [ %lsr.iv.next64, %B216.if ], [ 0, %B0.endif.endif.else.endif.endif.endif.endif ]
-  %.664 = icmp slt i64 %lsr.iv63, 0
-  %21 = select i1 %.664, i64 %15, i64 56
-  %scevgep58 = getelementptr i8, ptr %lsr.iv, i64 %21
-  store double 1.000000e+00, ptr %scevgep58, align 8
-  %22 = select i1 %.664, i64 %14, i64 0
-  %23 = getelementptr i8, ptr %lsr.iv, i64 %12
-  %24 = getelementptr i8, ptr %23, i64 56
-  %scevgep41 = getelementptr i8, ptr %24, i64 %22
-  store double 1.000000e+00, ptr %scevgep41, align 8
-  %sunkaddr = getelementptr i8, ptr %arg.coordinates.4, i64 %lsr.iv54
-  %sunkaddr69 = getelementptr i8, ptr %sunkaddr, i64 64
-  %.865 = load double, ptr %sunkaddr69, align 8
-  %.884 = icmp slt i64 %lsr.iv63, -8
-  %25 = select i1 %.884, i64 %16, i64 64
-  %scevgep57 = getelementptr i8, ptr %lsr.iv, i64 %25
-  store double %.865, ptr %scevgep57, align 8
-  %sunkaddr71 = getelementptr i8, ptr %sunkaddr, i64 128
-  %.865.1 = load double, ptr %sunkaddr71, align 8
-  %.884.1 = icmp slt i64 %lsr.iv63, -9
-  %26 = select i1 %.884.1, i64 %17, i64 72
-  %scevgep56 = getelementptr i8, ptr %lsr.iv, i64 %26
-  store double %.865.1, ptr %scevgep56, align 8
-  %sunkaddr73 = getelementptr i8, ptr %sunkaddr, i64 192
-  %.865.2 = load double, ptr %sunkaddr73, align 8
-  %.884.2 = icmp slt i64 %lsr.iv63, -10
-  %27 = select i1 %.884.2, i64 %18, i64 80
-  %scevgep44 = getelementptr i8, ptr %lsr.iv, i64 %27
-  store double %.865.2, ptr %scevgep44, align 8
-  %sunkaddr75 = getelementptr i8, ptr %sunkaddr, i64 256
-  %.865.3 = load double, ptr %sunkaddr75, align 8
-  %.884.3 = icmp slt i64 %lsr.iv63, -11
-  %28 = select i1 %.884.3, i64 %19, i64 88
-  %scevgep43 = getelementptr i8, ptr %lsr.iv, i64 %28
-  store double %.865.3, ptr %scevgep43, align 8
-  %sunkaddr77 = getelementptr i8, ptr %sunkaddr, i64 320
-  %.865.4 = load double, ptr %sunkaddr77, align 8
-  %.884.4 = icmp slt i64 %lsr.iv63, -12
-  %29 = select i1 %.884.4, i64 %20, i64 96
-  %scevgep42 = getelementptr i8, ptr %lsr.iv, i64 %29
-  store double %.865.4, ptr %scevgep42, align 8
-  %lsr.iv.next64 = add i64 %lsr.iv63, %.152
-  %lsr.iv.next55 = add nsw i64 %lsr.iv54, 8
-  %scevgep45 = getelementptr i8, ptr %lsr.iv, i64 %.157
-  %ov = icmp eq i64 %lsr.iv.next55, 0
-  br i1 %ov, label %B406, label %B216.if
-
-B488.if:                                          ; preds = %B1102, %B488.if.lr.ph
-  %.1013.0 = phi i64 [ 0, %B488.if.lr.ph ], [ %.1082, %B1102 ]
-  %position.2.0818 = phi i64 [ 0, %B488.if.lr.ph ], [ %.1928, %B1102 ]
-  %current.2.sroa.40.0817 = phi ptr [ %arg.scratch.4, %B488.if.lr.ph ], [ %following.2.sroa.44.0815, %B1102 ]
-  %current.2.sroa.50.0816 = phi i64 [ %.183.sroa.13.2, %B488.if.lr.ph ], [ %following.2.sroa.55.0814, %B1102 ]
-  %following.2.sroa.44.0815 = phi ptr [ %.471, %B488.if.lr.ph ], [ %current.2.sroa.40.0817, %B1102 ]
-  %following.2.sroa.55.0814 = phi i64 [ %.455, %B488.if.lr.ph ], [ %current.2.sroa.50.0816, %B1102 ]
-  %.1082 = add nuw nsw i64 %.1013.0, 1
-  %30 = getelementptr i64, ptr %arg.contents.4, i64 %.1013.0
-  %31 = getelementptr i8, ptr %30, i64 168
-  %.1143 = load i64, ptr %31, align 8
-  %.1144 = add i64 %.1143, 1
-  %32 = getelementptr i8, ptr %30, i64 176
-  %.1181 = load i64, ptr %32, align 8
-  %.1182 = sub i64 0, %.1181
-  %.1190.1 = ashr i64 %.1182, 3
-  %33 = and i64 %.1182, -8
-  %.1224 = sub i64 0, %33
-  br i1 %1, label %B816, label %B660.if.lr.ph
-
-B660.if.lr.ph:                                    ; preds = %B488.if
-  %.1739 = icmp slt i64 %position.2.0818, 0
-  %.1740 = select i1 %.1739, i64 %arg.layers.5.0, i64 0
-  %.1741 = add i64 %.1740, %position.2.0818
-  %34 = tail call i64 @llvm.smax.i64(i64 %.1224, i64 31)
-  %storemerge.i = lshr i64 %34, 5
-  %.1086.i = and i64 %.1224, 24
-  %35 = shl i64 %.1144, 8
-  %factor.op.mul = shl i64 %.1144, 5
-  %.reass = mul i64 %factor.op.mul, %storemerge.i
-  %.1046.i = and i64 %.1224, -32
-  %.1106806.i = lshr exact i64 %.1086.i, 3
-  %.arg.count815.i = tail call i64 @llvm.smax.i64(i64 %.1144, i64 0)
-  %36 = shl i64 %.arg.count815.i, 3
-  %37 = icmp slt i64 %.1741, 0
-  %38 = icmp slt i64 %.1741, %arg.layers.5.0
-  %39 = icmp eq i64 %storemerge.i, 0
-  %40 = icmp eq i64 %.1086.i, 0
-  %41 = icmp slt i64 %.1143, 0
-  %42 = icmp slt i64 %.1143, 0
-  br label %B660.if
-
-B660.if:                                          ; preds = %B662.endif.endif.endif.endif, %B660.if.lr.ph
-  %.1252.0 = phi i64 [ 0, %B660.if.lr.ph ], [ %.1321, %B662.endif.endif.endif.endif ]
-  %.1307791 = phi i64 [ %storemerge762, %B660.if.lr.ph ], [ %.1317, %B662.endif.endif.endif.endif ]
-  %.1317 = add nsw i64 %.1307791, -1
-  %.1321 = add nuw i64 %.1252.0, 4
-  %.1347 = mul nsw i64 %.1252.0, %.152
-  %.1348 = or disjoint i64 %.1347, 8
-  %.1349 = or disjoint i64 %.1347, 7
-  %.1386 = icmp slt i64 %.1347, 0
-  %.1387 = select i1 %.1386, i64 %current.2.sroa.50.0816, i64 0
-  %.1388 = add i64 %.1387, %.1349
-  %.1391 = icmp slt i64 %.1388, 0
-  br i1 %.1391, label %B662.else.if, label %B662.else.endif, !prof !5
-
-B662.else.if:                                     ; preds = %B660.if
-  br label %B662.else.endif
-
-B662.else.endif:                                  ; preds = %B662.else.if, %B660.if
-  %.1376.sroa.0.1 = phi i64 [ 0, %B662.else.if ], [ %.1388, %B660.if ]
-  %.1396.not = icmp slt i64 %.1388, %current.2.sroa.50.0816
-  br i1 %.1396.not, label %B662.else.endif.endif, label %B662.else.endif.if, !prof !1
-
-B662.else.endif.if:                               ; preds = %B662.else.endif
-  br label %B662.else.endif.endif
-
-B662.else.endif.endif:                            ; preds = %B662.else.endif.if, %B662.else.endif
-  %.1376.sroa.0.3 = phi i64 [ %current.2.sroa.50.0816, %B662.else.endif.if ], [ %.1376.sroa.0.1, %B662.else.endif ]
-  %.1489 = getelementptr double, ptr %current.2.sroa.40.0817, i64 %.1376.sroa.0.3
-  %.1560 = icmp slt i64 %.1347, -8
-  %.1561 = select i1 %.1560, i64 %following.2.sroa.55.0814, i64 0
-  %.1562 = add i64 %.1561, %.1348
-  %.1565 = icmp slt i64 %.1562, 0
-  br i1 %.1565, label %B662.endif.else.if, label %B662.endif.else.endif, !prof !5
-
-B662.endif.else.if:                               ; preds = %B662.else.endif.endif
-  br label %B662.endif.else.endif
-
-B662.endif.else.endif:                            ; preds = %B662.endif.else.if, %B662.else.endif.endif
-  %.1550.sroa.0.1 = phi i64 [ 0, %B662.endif.else.if ], [ %.1562, %B662.else.endif.endif ]
-  %.1570.not = icmp slt i64 %.1562, %following.2.sroa.55.0814
-  br i1 %.1570.not, label %B662.endif.else.endif.endif, label %B662.endif.else.endif.if, !prof !1
-
-B662.endif.else.endif.if:                         ; preds = %B662.endif.else.endif
-  br label %B662.endif.else.endif.endif
-
-B662.endif.else.endif.endif:                      ; preds = %B662.endif.else.endif.if, %B662.endif.else.endif
-  %.1550.sroa.0.3 = phi i64 [ %following.2.sroa.55.0814, %B662.endif.else.endif.if ], [ %.1550.sroa.0.1, %B662.endif.else.endif ]
-  %.1663 = getelementptr double, ptr %following.2.sroa.44.0815, i64 %.1550.sroa.0.3
-  br i1 %37, label %B662.endif.endif.else.if, label %B662.endif.endif.else.endif, !prof !5
-
-B662.endif.endif.else.if:                         ; preds = %B662.endif.else.endif.endif
-  br label %B662.endif.endif.else.endif
-
-B662.endif.endif.else.endif:                      ; preds = %B662.endif.endif.else.if, %B662.endif.else.endif.endif
-  %.1729.sroa.0.1 = phi i64 [ 0, %B662.endif.endif.else.if ], [ %.1741, %B662.endif.else.endif.endif ]
-  br i1 %38, label %B662.endif.endif.else.endif.endif, label %B662.endif.endif.else.endif.if, !prof !1
-
-B662.endif.endif.else.endif.if:                   ; preds = %B662.endif.endif.else.endif
-  br label %B662.endif.endif.else.endif.endif
-
-B662.endif.endif.else.endif.endif:                ; preds = %B662.endif.endif.else.endif.if, %B662.endif.endif.else.endif
-  %.1729.sroa.0.3 = phi i64 [ %arg.layers.5.0, %B662.endif.endif.else.endif.if ], [ %.1729.sroa.0.1, %B662.endif.endif.else.endif ]
-  %.1842 = getelementptr double, ptr %arg.layers.4, i64 %.1729.sroa.0.3
-  br i1 %39, label %B354.else.i, label %B84.if.lr.ph.i
-
-B84.if.lr.ph.i:                                   ; preds = %B662.endif.endif.else.endif.endif
-  %43 = getelementptr double, ptr %.1489, i64 %.152
-  %44 = getelementptr i8, ptr %.1489, i64 %.332
-  %45 = getelementptr i8, ptr %.1489, i64 %.idx814.i
-  %scevgep17.i = getelementptr i8, ptr %.1842, i64 192
-  br label %B84.if.i
-
-B280.i:                                           ; preds = %B200.if.i, %B84.if.i
-  %_multiply_wide_v57_a00.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.577.i, %B200.if.i ]
-  %_multiply_wide_v57_a01.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.581.i, %B200.if.i ]
-  %_multiply_wide_v57_a02.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.589.i, %B200.if.i ]
-  %_multiply_wide_v57_a03.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.593.i, %B200.if.i ]
-  %_multiply_wide_v57_a10.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.614.i, %B200.if.i ]
-  %_multiply_wide_v57_a11.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.618.i, %B200.if.i ]
-  %_multiply_wide_v57_a12.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.626.i, %B200.if.i ]
-  %_multiply_wide_v57_a13.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.630.i, %B200.if.i ]
-  %_multiply_wide_v57_a20.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.652.i, %B200.if.i ]
-  %_multiply_wide_v57_a21.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.656.i, %B200.if.i ]
-  %_multiply_wide_v57_a22.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.664.i, %B200.if.i ]
-  %_multiply_wide_v57_a23.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.668.i, %B200.if.i ]
-  %_multiply_wide_v57_a30.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.690.i, %B200.if.i ]
-  %_multiply_wide_v57_a31.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.694.i, %B200.if.i ]
-  %_multiply_wide_v57_a32.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.702.i, %B200.if.i ]
-  %_multiply_wide_v57_a33.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B84.if.i ], [ %.706.i, %B200.if.i ]
-  store <8 x double> %_multiply_wide_v57_a00.2.1.lcssa.i, ptr %.237.i, align 8, !noalias !137
-  %.765.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a01.2.1.lcssa.i, ptr %.765.i, align 8, !noalias !137
-  %.776.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a02.2.1.lcssa.i, ptr %.776.i, align 8, !noalias !137
-  %.787.i = getelementptr inbounds nuw i8, ptr %.237.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a03.2.1.lcssa.i, ptr %.787.i, align 8, !noalias !137
-  %.817.i = getelementptr inbounds double, ptr %.237.i, i64 %.152
-  store <8 x double> %_multiply_wide_v57_a10.2.1.lcssa.i, ptr %.817.i, align 8, !noalias !137
-  %.827.i = getelementptr i8, ptr %.817.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a11.2.1.lcssa.i, ptr %.827.i, align 8, !noalias !137
-  %.838.i = getelementptr i8, ptr %.817.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a12.2.1.lcssa.i, ptr %.838.i, align 8, !noalias !137
-  %.849.i = getelementptr i8, ptr %.817.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a13.2.1.lcssa.i, ptr %.849.i, align 8, !noalias !137
-  %.880.i = getelementptr inbounds i8, ptr %.237.i, i64 %.332
-  store <8 x double> %_multiply_wide_v57_a20.2.1.lcssa.i, ptr %.880.i, align 8, !noalias !137
-  %.890.i = getelementptr i8, ptr %.880.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a21.2.1.lcssa.i, ptr %.890.i, align 8, !noalias !137
-  %.901.i = getelementptr i8, ptr %.880.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a22.2.1.lcssa.i, ptr %.901.i, align 8, !noalias !137
-  %.912.i = getelementptr i8, ptr %.880.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a23.2.1.lcssa.i, ptr %.912.i, align 8, !noalias !137
-  %.950.i = getelementptr inbounds i8, ptr %.237.i, i64 %.idx814.i
-  store <8 x double> %_multiply_wide_v57_a30.2.1.lcssa.i, ptr %.950.i, align 8, !noalias !137
-  %.960.i = getelementptr i8, ptr %.950.i, i64 64
-  store <8 x double> %_multiply_wide_v57_a31.2.1.lcssa.i, ptr %.960.i, align 8, !noalias !137
-  %.971.i = getelementptr i8, ptr %.950.i, i64 128
-  store <8 x double> %_multiply_wide_v57_a32.2.1.lcssa.i, ptr %.971.i, align 8, !noalias !137
-  %.982.i = getelementptr i8, ptr %.950.i, i64 192
-  store <8 x double> %_multiply_wide_v57_a33.2.1.lcssa.i, ptr %.982.i, align 8, !noalias !137
-  %scevgep19.i = getelementptr i8, ptr %lsr.iv18.i, i64 %35
-  %.187.i = icmp sgt i64 %.186856868.i, 1
-  br i1 %.187.i, label %B84.if.i, label %B354.else.i
-
-B3459.loopexit.i:                                 ; preds = %B884.if.i
-  %46 = add i64 %position.5.0901.i, %36
-  br label %B3459.i
-
-B3459.i:                                          ; preds = %B356.if.i, %B3459.loopexit.i
-  %position.4.1.lcssa.i = phi i64 [ %position.5.0901.i, %B356.if.i ], [ %46, %B3459.loopexit.i ]
-  %b0.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1337.i, %B3459.loopexit.i ]
-  %b1.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1356.i, %B3459.loopexit.i ]
-  %b2.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1376.i, %B3459.loopexit.i ]
-  %b3.2.1.lcssa.i = phi <8 x double> [ zeroinitializer, %B356.if.i ], [ %.1396.i, %B3459.loopexit.i ]
-  %.1418.i = getelementptr inbounds double, ptr %.1663, i64 %.1135893899.i
-  store <8 x double> %b0.2.1.lcssa.i, ptr %.1418.i, align 8, !noalias !137
-  %.1434.i = getelementptr double, ptr %51, i64 %.1135893899.i
-  store <8 x double> %b1.2.1.lcssa.i, ptr %.1434.i, align 8, !noalias !137
-  %.1451.i = getelementptr double, ptr %52, i64 %.1135893899.i
-  store <8 x double> %b2.2.1.lcssa.i, ptr %.1451.i, align 8, !noalias !137
-  %.1470.i = getelementptr double, ptr %53, i64 %.1135893899.i
-  store <8 x double> %b3.2.1.lcssa.i, ptr %.1470.i, align 8, !noalias !137
-  %.1129.i = icmp sgt i64 %.1128892900.i, 1
-  br i1 %.1129.i, label %B356.if.i, label %B662.endif.endif.endif.endif
-
-B84.if.i:                                         ; preds = %B280.i, %B84.if.lr.ph.i
-  %lsr.iv18.i = phi ptr [ %scevgep17.i, %B84.if.lr.ph.i ], [ %scevgep19.i, %B280.i ]
-  %.186856868.i = phi i64 [ %storemerge.i, %B84.if.lr.ph.i ], [ %.196.i, %B280.i ]
-  %.193857867.i = phi i64 [ 0, %B84.if.lr.ph.i ], [ %.200.i, %B280.i ]
-  %.196.i = add nsw i64 %.186856868.i, -1
-  %.200.i = add nuw nsw i64 %.193857867.i, 32
-  %.237.i = getelementptr inbounds nuw double, ptr %.1663, i64 %.193857867.i
-  br i1 %41, label %B280.i, label %B200.if.i
-
-B200.if.i:                                        ; preds = %B84.if.i, %B200.if.i
-  %lsr.iv25 = phi i64 [ %lsr.iv.next26, %B200.if.i ], [ -1, %B84.if.i ]
-  %lsr.iv20.i = phi ptr [ %scevgep21.i, %B200.if.i ], [ %lsr.iv18.i, %B84.if.i ]
-  %_multiply_wide_v57_a33.2.1838.i = phi <8 x double> [ %.706.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a32.2.1837.i = phi <8 x double> [ %.702.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a31.2.1836.i = phi <8 x double> [ %.694.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a30.2.1835.i = phi <8 x double> [ %.690.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a23.2.1834.i = phi <8 x double> [ %.668.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a22.2.1833.i = phi <8 x double> [ %.664.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a21.2.1832.i = phi <8 x double> [ %.656.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a20.2.1831.i = phi <8 x double> [ %.652.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a13.2.1830.i = phi <8 x double> [ %.630.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a12.2.1829.i = phi <8 x double> [ %.626.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a11.2.1828.i = phi <8 x double> [ %.618.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a10.2.1827.i = phi <8 x double> [ %.614.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a03.2.1826.i = phi <8 x double> [ %.593.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a02.2.1825.i = phi <8 x double> [ %.589.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a01.2.1824.i = phi <8 x double> [ %.581.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %_multiply_wide_v57_a00.2.1823.i = phi <8 x double> [ %.577.i, %B200.if.i ], [ zeroinitializer, %B84.if.i ]
-  %scevgep24.i = getelementptr i8, ptr %lsr.iv20.i, i64 -192
-  %.520.i = load <8 x double>, ptr %scevgep24.i, align 8, !noalias !137
-  %scevgep23.i = getelementptr i8, ptr %lsr.iv20.i, i64 -128
-  %.532.i = load <8 x double>, ptr %scevgep23.i, align 8, !noalias !137
-  %scevgep22.i = getelementptr i8, ptr %lsr.iv20.i, i64 -64
-  %.545.i = load <8 x double>, ptr %scevgep22.i, align 8, !noalias !137
-  %.558.i = load <8 x double>, ptr %lsr.iv20.i, align 8, !noalias !137
-  %47 = shl i64 %lsr.iv25, 3
-  %scevgep33 = getelementptr i8, ptr %.1489, i64 %47
-  %scevgep34 = getelementptr i8, ptr %scevgep33, i64 8
-  %.573.i = load double, ptr %scevgep34, align 8, !noalias !137
-  %.575.i = insertelement <8 x double> poison, double %.573.i, i64 0
-  %.576.i = shufflevector <8 x double> %.575.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.577.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a00.2.1823.i)
-  %.581.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a01.2.1824.i)
-  %.589.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a02.2.1825.i)
-  %.593.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.576.i, <8 x double> %_multiply_wide_v57_a03.2.1826.i)
-  %scevgep26 = getelementptr i8, ptr %43, i64 %47
-  %scevgep27 = getelementptr i8, ptr %scevgep26, i64 8
-  %.610.i = load double, ptr %scevgep27, align 8, !noalias !137
-  %.612.i = insertelement <8 x double> poison, double %.610.i, i64 0
-  %.613.i = shufflevector <8 x double> %.612.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.614.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a10.2.1827.i)
-  %.618.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a11.2.1828.i)
-  %.626.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a12.2.1829.i)
-  %.630.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.613.i, <8 x double> %_multiply_wide_v57_a13.2.1830.i)
-  %scevgep20 = getelementptr i8, ptr %44, i64 %47
-  %scevgep22 = getelementptr i8, ptr %scevgep20, i64 8
-  %.648.i = load double, ptr %scevgep22, align 8, !noalias !137
-  %.650.i = insertelement <8 x double> poison, double %.648.i, i64 0
-  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a20.2.1831.i)
-  %.656.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a21.2.1832.i)
-  %.664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a22.2.1833.i)
-  %.668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.651.i, <8 x double> %_multiply_wide_v57_a23.2.1834.i)
-  %scevgep9 = getelementptr i8, ptr %45, i64 %47
-  %scevgep10 = getelementptr i8, ptr %scevgep9, i64 8
-  %.686.i = load double, ptr %scevgep10, align 8, !noalias !137
-  %.688.i = insertelement <8 x double> poison, double %.686.i, i64 0
-  %.689.i = shufflevector <8 x double> %.688.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.690.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.520.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a30.2.1835.i)
-  %.694.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.532.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a31.2.1836.i)
-  %.702.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.545.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a32.2.1837.i)
-  %.706.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.558.i, <8 x double> %.689.i, <8 x double> %_multiply_wide_v57_a33.2.1838.i)
-  %scevgep21.i = getelementptr i8, ptr %lsr.iv20.i, i64 256
-  %lsr.iv.next26 = add nsw i64 %lsr.iv25, 1
-  %exitcond.not.i = icmp eq i64 %.1143, %lsr.iv.next26
-  br i1 %exitcond.not.i, label %B280.i, label %B200.if.i
-
-B354.else.i:                                      ; preds = %B280.i, %B662.endif.endif.else.endif.endif
-  %position.3.0.lcssa.i = phi i64 [ 0, %B662.endif.endif.else.endif.endif ], [ %.reass, %B280.i ]
-  br i1 %40, label %B662.endif.endif.endif.endif, label %B354.endif.endif.endif.i
-
-B354.endif.endif.endif.i:                         ; preds = %B354.else.i
-  %48 = getelementptr double, ptr %.1489, i64 %.152
-  %49 = getelementptr i8, ptr %.1489, i64 %.332
-  %50 = getelementptr i8, ptr %.1489, i64 %.idx814.i
-  %51 = getelementptr double, ptr %.1663, i64 %.152
-  %52 = getelementptr i8, ptr %.1663, i64 %.332
-  %53 = getelementptr i8, ptr %.1663, i64 %.idx814.i
-  br label %B356.if.i
-
-B356.if.i:                                        ; preds = %B354.endif.endif.endif.i, %B3459.i
-  %position.5.0901.i = phi i64 [ %position.3.0.lcssa.i, %B354.endif.endif.endif.i ], [ %position.4.1.lcssa.i, %B3459.i ]
-  %.1128892900.i = phi i64 [ %.1106806.i, %B354.endif.endif.endif.i ], [ %.1138.i, %B3459.i ]
-  %.1135893899.i = phi i64 [ %.1046.i, %B354.endif.endif.endif.i ], [ %.1142.i, %B3459.i ]
-  %.1138.i = add nsw i64 %.1128892900.i, -1
-  %.1142.i = add nuw nsw i64 %.1135893899.i, 8
-  br i1 %42, label %B3459.i, label %B884.if.preheader.i
-
-B884.if.preheader.i:                              ; preds = %B356.if.i
-  %54 = shl i64 %position.5.0901.i, 3
-  %scevgep.i = getelementptr i8, ptr %.1842, i64 %54
-  br label %B884.if.i
-
-B884.if.i:                                        ; preds = %B884.if.i, %B884.if.preheader.i
-  %lsr.iv31 = phi i64 [ %lsr.iv.next32, %B884.if.i ], [ %.1144, %B884.if.preheader.i ]
-  %lsr.iv28 = phi i64 [ %lsr.iv.next29, %B884.if.i ], [ 0, %B884.if.preheader.i ]
-  %b3.2.1884.i = phi <8 x double> [ %.1396.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %b2.2.1883.i = phi <8 x double> [ %.1376.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %b1.2.1882.i = phi <8 x double> [ %.1356.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %b0.2.1881.i = phi <8 x double> [ %.1337.i, %B884.if.i ], [ zeroinitializer, %B884.if.preheader.i ]
-  %55 = shl i64 %lsr.iv28, 3
-  %scevgep30 = getelementptr i8, ptr %scevgep.i, i64 %55
-  %.1318.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !137
-  %scevgep38 = getelementptr i8, ptr %.1489, i64 %lsr.iv28
-  %.1333.i = load double, ptr %scevgep38, align 8, !noalias !137
-  %.1335.i = insertelement <8 x double> poison, double %.1333.i, i64 0
-  %.1336.i = shufflevector <8 x double> %.1335.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1336.i, <8 x double> %b0.2.1881.i)
-  %scevgep37 = getelementptr i8, ptr %48, i64 %lsr.iv28
-  %.1352.i = load double, ptr %scevgep37, align 8, !noalias !137
-  %.1354.i = insertelement <8 x double> poison, double %.1352.i, i64 0
-  %.1355.i = shufflevector <8 x double> %.1354.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1356.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1355.i, <8 x double> %b1.2.1882.i)
-  %scevgep36 = getelementptr i8, ptr %49, i64 %lsr.iv28
-  %.1372.i = load double, ptr %scevgep36, align 8, !noalias !137
-  %.1374.i = insertelement <8 x double> poison, double %.1372.i, i64 0
-  %.1375.i = shufflevector <8 x double> %.1374.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1376.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1375.i, <8 x double> %b2.2.1883.i)
-  %scevgep35 = getelementptr i8, ptr %50, i64 %lsr.iv28
-  %.1392.i = load double, ptr %scevgep35, align 8, !noalias !137
-  %.1394.i = insertelement <8 x double> poison, double %.1392.i, i64 0
-  %.1395.i = shufflevector <8 x double> %.1394.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1396.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1318.i, <8 x double> %.1395.i, <8 x double> %b3.2.1884.i)
-  %lsr.iv.next29 = add i64 %lsr.iv28, 8
-  %lsr.iv.next32 = add i64 %lsr.iv31, -1
-  %exitcond909.not.i = icmp eq i64 %lsr.iv.next32, 0
-  br i1 %exitcond909.not.i, label %B3459.loopexit.i, label %B884.if.i
-
-B662.endif.endif.endif.endif:                     ; preds = %B3459.i, %B354.else.i
-  %.1308 = icmp sgt i64 %.1307791, 1
-  br i1 %.1308, label %B660.if, label %B816
-
-B874.if:                                          ; preds = %B874.loopexit, %B874.if.lr.ph
-  %lsr.iv47 = phi ptr [ %scevgep46, %B874.if.lr.ph ], [ %scevgep48, %B874.loopexit ]
-  %.2026800806 = phi i64 [ 0, %B874.if.lr.ph ], [ %.2033, %B874.loopexit ]
-  %.2033 = add nuw nsw i64 %.2026800806, 1
-  br i1 %4, label %B972.if, label %B874.loopexit
-
-B972.if:                                          ; preds = %B874.if, %B974.endif
-  %lsr.iv39 = phi i64 [ %lsr.iv.next40, %B974.endif ], [ %3, %B874.if ]
-  %lsr.iv49 = phi ptr [ %scevgep50, %B974.endif ], [ %lsr.iv47, %B874.if ]
-  %.2193 = load <8 x double>, ptr %lsr.iv49, align 8
-  %.2223 = load i64, ptr %sunkaddr78, align 8
-  %.11.i = bitcast <8 x double> %.2193 to <8 x i64>
-  %56 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %.2193)
-  %.8.i.i = bitcast <8 x double> %56 to <8 x i64>
-  %.43.i = icmp eq i64 %.2223, 1
-  br i1 %.43.i, label %B98.i, label %B114.i
-
-B98.i:                                            ; preds = %B972.if
-  %.6.i.i = fadd contract <8 x double> %.2193, %56
-  %.8.i3.i = fmul contract <8 x double> %.6.i.i, splat (double 5.000000e-01)
-  br label %B974.endif
-
-B114.i:                                           ; preds = %B972.if
-  %.106.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %56, <8 x double> splat (double 3.500000e+02))
-  %.111.i = icmp eq i64 %.2223, 0
-  br i1 %.111.i, label %B168.i, label %B372.i
-
-B168.i:                                           ; preds = %B114.i
-  %.8.i1.i = fmul contract <8 x double> %.106.i, splat (double -2.000000e+00)
-  %.147.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i1.i, <8 x double> splat (double 0x3FF71547652B82FE), <8 x double> splat (double 0x4338000000000000))
-  %.8.i4.i = fadd contract <8 x double> %.147.i, splat (double 0xC338000000000000)
-  %.176.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i4.i, <8 x double> splat (double 0xBFE62E42FEFA39EF), <8 x double> %.8.i1.i)
-  %.179.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i4.i, <8 x double> splat (double 0xBC7ABC9E3B39803F), <8 x double> %.176.i)
-  %.184.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> splat (double 0x3DE6124613A86D09), <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.187.i10 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.184.i, <8 x double> splat (double 0x3E5AE64567F544E4))
-  %.190.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.187.i10, <8 x double> splat (double 0x3E927E4FB7789F5C))
-  %.193.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.190.i, <8 x double> splat (double 0x3EC71DE3A556C734))
-  %.196.i11 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.193.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
-  %.199.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.196.i11, <8 x double> splat (double 0x3F2A01A01A01A01A))
-  %.202.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.199.i, <8 x double> splat (double 0x3F56C16C16C16C17))
-  %.205.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.202.i, <8 x double> splat (double 0x3F81111111111111))
-  %.208.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.205.i, <8 x double> splat (double 0x3FA5555555555555))
-  %.211.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.208.i, <8 x double> splat (double 0x3FC5555555555555))
-  %.214.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.179.i, <8 x double> %.211.i, <8 x double> splat (double 5.000000e-01))
-  %.6.i5.i = fmul contract <8 x double> %.179.i, %.179.i
-  %.8.i6.i = fadd contract <8 x double> %.179.i, splat (double 1.000000e+00)
-  %.263.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i5.i, <8 x double> %.214.i, <8 x double> %.8.i6.i)
-  %.264.i = bitcast <8 x double> %.147.i to <8 x i64>
-  %.8.i7.i = shl <8 x i64> %.264.i, splat (i64 52)
-  %.8.i8.i = add <8 x i64> %.8.i7.i, splat (i64 4607182418800017408)
-  %57 = bitcast <8 x i64> %.8.i8.i to <8 x double>
-  %.6.i9.i = fmul contract <8 x double> %.263.i, %57
-  %.6.i10.i = fsub contract <8 x double> splat (double 1.000000e+00), %.6.i9.i
-  %.8.i11.i = fadd contract <8 x double> %.6.i9.i, splat (double 1.000000e+00)
-  %.6.i12.i = fdiv contract <8 x double> %.6.i10.i, %.8.i11.i
-  %58 = bitcast <8 x double> %.6.i12.i to <8 x i64>
-  %59 = xor <8 x i64> %.8.i.i, %58
-  %.6.i14.i = xor <8 x i64> %59, %.11.i
-  %60 = bitcast <8 x i64> %.6.i14.i to <8 x double>
-  br label %B974.endif
-
-B372.i:                                           ; preds = %B114.i
-  %.6.i2.i = fsub contract <8 x double> zeroinitializer, %.106.i
-  %.508.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i2.i, <8 x double> splat (double 0x3FF71547652B82FE), <8 x double> splat (double 0x4338000000000000))
-  %.8.i15.i = fadd contract <8 x double> %.508.i, splat (double 0xC338000000000000)
-  %.537.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i15.i, <8 x double> splat (double 0xBFE62E42FEFA39EF), <8 x double> %.6.i2.i)
-  %.540.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i15.i, <8 x double> splat (double 0xBC7ABC9E3B39803F), <8 x double> %.537.i)
-  %.545.i8 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> splat (double 0x3DE6124613A86D09), <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.548.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.545.i8, <8 x double> splat (double 0x3E5AE64567F544E4))
-  %.551.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.548.i, <8 x double> splat (double 0x3E927E4FB7789F5C))
-  %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.551.i, <8 x double> splat (double 0x3EC71DE3A556C734))
-  %.557.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.554.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
-  %.560.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.557.i, <8 x double> splat (double 0x3F2A01A01A01A01A))
-  %.563.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.560.i, <8 x double> splat (double 0x3F56C16C16C16C17))
-  %.566.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.563.i, <8 x double> splat (double 0x3F81111111111111))
-  %.569.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.566.i, <8 x double> splat (double 0x3FA5555555555555))
-  %.572.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.569.i, <8 x double> splat (double 0x3FC5555555555555))
-  %.575.i9 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.540.i, <8 x double> %.572.i, <8 x double> splat (double 5.000000e-01))
-  %.6.i16.i = fmul contract <8 x double> %.540.i, %.540.i
-  %.8.i17.i = fadd contract <8 x double> %.540.i, splat (double 1.000000e+00)
-  %.624.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i16.i, <8 x double> %.575.i9, <8 x double> %.8.i17.i)
-  %.625.i = bitcast <8 x double> %.508.i to <8 x i64>
-  %.8.i18.i = shl <8 x i64> %.625.i, splat (i64 52)
-  %.8.i19.i = add <8 x i64> %.8.i18.i, splat (i64 4607182418800017408)
-  %61 = bitcast <8 x i64> %.8.i19.i to <8 x double>
-  %.6.i20.i = fmul contract <8 x double> %.624.i, %61
-  %.8.i21.i = fadd contract <8 x double> %.6.i20.i, splat (double 1.000000e+00)
-  %isneg.i = icmp slt <8 x i64> %.11.i, zeroinitializer
-  %.6.i31.v.v.i = select <8 x i1> %isneg.i, <8 x double> %.6.i20.i, <8 x double> splat (double 1.000000e+00)
-  %.6.i31.v.i = fdiv contract <8 x double> %.6.i31.v.v.i, %.8.i21.i
-  br label %B974.endif
-
-B974.endif:                                       ; preds = %B372.i, %B168.i, %B98.i
-  %.2224.sroa.0.5 = phi <8 x double> [ %.8.i3.i, %B98.i ], [ %60, %B168.i ], [ %.6.i31.v.i, %B372.i ]
-  store <8 x double> %.2224.sroa.0.5, ptr %lsr.iv49, align 8
-  %scevgep50 = getelementptr i8, ptr %lsr.iv49, i64 64
-  %lsr.iv.next40 = add nsw i64 %lsr.iv39, -1
-  %.2145 = icmp sgt i64 %lsr.iv39, 6
-  br i1 %.2145, label %B972.if, label %B874.loopexit
-
-B1144.if:                                         ; preds = %B1144.loopexit, %B1144.if.lr.ph
-  %lsr.iv22 = phi ptr [ %arg.out.4, %B1144.if.lr.ph ], [ %scevgep23, %B1144.loopexit ]
-  %lsr.iv17 = phi ptr [ %scevgep, %B1144.if.lr.ph ], [ %scevgep18, %B1144.loopexit ]
-  %.2426830836 = phi i64 [ 0, %B1144.if.lr.ph ], [ %.2433, %B1144.loopexit ]
-  %.2433 = add nuw nsw i64 %.2426830836, 1
-  br i1 %11, label %B1144.loopexit, label %B1192.if
-
-B1192.if:                                         ; preds = %B1144.if, %B1192.if
-  %lsr.iv2 = phi i64 [ %lsr.iv.next, %B1192.if ], [ %10, %B1144.if ]
-  %lsr.iv19 = phi i64 [ %lsr.iv.next20, %B1192.if ], [ 0, %B1144.if ]
-  %scevgep24 = getelementptr i8, ptr %lsr.iv22, i64 %lsr.iv19
-  %.2592 = load <8 x double>, ptr %scevgep24, align 8
-  %scevgep21 = getelementptr i8, ptr %lsr.iv17, i64 %lsr.iv19
-  %.2607 = load <8 x double>, ptr %scevgep21, align 8
-  %.6.i = fadd contract <8 x double> %.2592, %.2607
-  store <8 x double> %.6.i, ptr %scevgep24, align 8
-  %lsr.iv.next20 = add i64 %lsr.iv19, 64
-  %lsr.iv.next = add nsw i64 %lsr.iv2, -1
-  %.2541 = icmp sgt i64 %lsr.iv2, 6
-  br i1 %.2541, label %B1192.if, label %B1144.loopexit
-}
-
-; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
-declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #3
-
-; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
-declare <8 x double> @llvm.minnum.v8f64(<8 x double>, <8 x double>) #3
-
-; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
-declare double @llvm.fabs.f64(double) #3
-
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
 declare { i64, i1 } @llvm.uadd.with.overflow.i64(i64, i64) #3
+
+; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
+declare double @sqrt(double) local_unnamed_addr #8
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc noundef range(i32 0, 2) i32 @inner_6(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, i64 %arg.lane, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.ratios.4, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4) unnamed_addr #4 {
+entry:
+  %.4312 = alloca i64, align 8
+  store i64 0, ptr %.4312, align 8
+  %.4372 = alloca i8, align 1
+  store i8 0, ptr %.4372, align 1
+  %excinfo.36 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.36, align 8
+  %.5800 = alloca ptr, align 8
+  store ptr null, ptr %.5800, align 8
+  %excinfo.43 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.43, align 8
+  %.6416 = alloca ptr, align 8
+  store ptr null, ptr %.6416, align 8
+  %.136 = getelementptr i8, ptr %arg.arguments.4, i64 16
+  %.137 = load i64, ptr %.136, align 8
+  %.166 = getelementptr i8, ptr %arg.arguments.4, i64 88
+  %.167 = load i64, ptr %.166, align 8
+  %.203 = getelementptr i8, ptr %arg.arguments.4, i64 168
+  %.204 = load i64, ptr %.203, align 8
+  %.205 = inttoptr i64 %.204 to ptr
+  %.290 = load i64, ptr %.205, align 8
+  %.319 = getelementptr i8, ptr %.205, i64 8
+  %.320 = load i64, ptr %.319, align 8
+  %.353 = getelementptr i8, ptr %.205, i64 16
+  %.354 = load i64, ptr %.353, align 8
+  %.356 = mul nsw i64 %.290, 40
+  %.481 = getelementptr i8, ptr %arg.arguments.4, i64 32
+  %.482 = load i64, ptr %.481, align 8
+  %.511 = getelementptr i8, ptr %arg.arguments.4, i64 40
+  %.512 = load i64, ptr %.511, align 8
+  %.548 = getelementptr i8, ptr %arg.arguments.4, i64 24
+  %.549 = load i64, ptr %.548, align 8
+  %.551 = inttoptr i64 %.549 to ptr
+  %.616 = getelementptr inbounds double, ptr %.551, i64 %.482
+  %.674 = icmp sgt i64 %.512, 0
+  br i1 %.674, label %B966, label %B1170
+
+B966:                                             ; preds = %entry
+  %0 = getelementptr double, ptr %.616, i64 %.137
+  %.685 = getelementptr i8, ptr %0, i64 -8
+  %.686 = load double, ptr %.685, align 8
+  %.695 = load double, ptr %.616, align 8
+  %.696 = fsub contract double %.686, %.695
+  %.698 = uitofp nneg i64 %.512 to double
+  %.702 = fdiv contract double %.698, %.696
+  br label %B1170
+
+B1170:                                            ; preds = %B966, %entry
+  %prepared_grid_v125__vphi308_0.2.0 = phi double [ %.702, %B966 ], [ 0.000000e+00, %entry ]
+  %.742 = getelementptr i8, ptr %arg.arguments.4, i64 48
+  %.743 = load i64, ptr %.742, align 8
+  %.984 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.985 = load i64, ptr %.984, align 8
+  %.986 = sub i64 0, %.985
+  %.994.1 = and i64 %.986, -8
+  %.1028 = sub i64 0, %.994.1
+  %.1058 = getelementptr i8, ptr %arg.contents.4, i64 144
+  %.1059 = load i64, ptr %.1058, align 8
+  %.1060 = sub i64 0, %.1059
+  %.1068.1 = and i64 %.1060, -8
+  %.1102 = sub i64 0, %.1068.1
+  %.1123 = shl nsw i64 %.1028, 3
+  %.1132 = shl i64 %.1028, 2
+  %.1205 = getelementptr double, ptr %arg.scratch.4, i64 %.1132
+  %.1282 = getelementptr double, ptr %arg.scratch.4, i64 %.1123
+  %.1344.idx = shl i64 %.1102, 6
+  %.1344 = getelementptr i8, ptr %.1282, i64 %.1344.idx
+  %.1424.idx = shl i64 %.1102, 7
+  %.1424 = getelementptr i8, ptr %.1282, i64 %.1424.idx
+  %.idx553 = shl i64 %.1102, 8
+  %1 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx553
+  %.1486 = getelementptr double, ptr %1, i64 %.1123
+  %.1625 = getelementptr i8, ptr %.1486, i64 1024
+  %.1687 = getelementptr i8, ptr %.1486, i64 5184
+  %.1750 = getelementptr i8, ptr %.1486, i64 9344
+  %.1813 = getelementptr i8, ptr %.1486, i64 13504
+  %.1908 = getelementptr i8, ptr %.1486, i64 17664
+  %.1971 = getelementptr i8, ptr %.1486, i64 21824
+  %.2034 = getelementptr i8, ptr %.1486, i64 25984
+  %.2097 = getelementptr i8, ptr %.1486, i64 30144
+  %.2193 = getelementptr i8, ptr %.1486, i64 34304
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %.1102, i64 %.1028)
+  %.2273 = add nsw i64 %.13.i, 64
+  %.2274 = mul nsw i64 %.2273, %.320
+  %.2284 = getelementptr i8, ptr %.1486, i64 34432
+  %.2379 = getelementptr double, ptr %.2284, i64 %.2274
+  %.3501 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.3502 = load i64, ptr %.3501, align 8
+  %.3655 = getelementptr i8, ptr %arg.contents.4, i64 56
+  %.3656 = load i64, ptr %.3655, align 8
+  %2 = lshr i64 %.1028, 33
+  %.99.i = and i64 %2, 1073741824
+  %.100.i = sub i64 %.99.i, %.994.1
+  %3 = tail call i64 @llvm.smax.i64(i64 %.100.i, i64 0)
+  %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %3, i64 1073741824)
+  %.234.i = shl i64 %.1028, 1
+  %.272.i = add i64 %.99.i, %.234.i
+  %4 = tail call i64 @llvm.smax.i64(i64 %.272.i, i64 0)
+  %5 = add i64 %.3656, 6
+  %.486.i = lshr i64 %5, 3
+  %.463.inv.i = icmp slt i64 %.3656, 2
+  %.507321.not325.i = icmp eq i64 %.486.i, 0
+  %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
+  br i1 %.507321.not.i, label %B1170.endif.endif.endif.e...endif.4.endif.endif, label %B94.if.lr.ph.i
+
+B1248:                                            ; preds = %for.end.1.endif.endif.endif
+  %.4460 = fmul contract double %.4007, 2.000000e+00
+  %.4507 = load i64, ptr %.205, align 8
+  %.45872786.not = icmp slt i64 %.4507, 1
+  br i1 %.45872786.not, label %B1330, label %B1264.if.preheader
+
+B1264.if.preheader:                               ; preds = %B1248
+  %scevgep565 = getelementptr i8, ptr %.205, i64 48
+  %xtraiter = and i64 %.4507, 3
+  %6 = icmp ult i64 %.4507, 4
+  br i1 %6, label %B1264.if.epil.preheader, label %B1264.if.preheader.new
+
+B1264.if.preheader.new:                           ; preds = %B1264.if.preheader
+  %7 = add nsw i64 %.4507, -4
+  %8 = lshr i64 %7, 2
+  %9 = icmp eq i64 %8, 0
+  br i1 %9, label %B1264.if.epil.preheader15, label %B1264.if.preheader.new.new
+
+B1264.if.preheader.new.new:                       ; preds = %B1264.if.preheader.new
+  %10 = add nuw nsw i64 %8, 1
+  %11 = lshr i64 %10, 1
+  %12 = mul nsw i64 %11, -2
+  br label %B1264.if
+
+B1330.loopexit.unr-lcssa.unr-lcssa:               ; preds = %B1264.if
+  %13 = and i64 %7, 4
+  %lcmp.mod.not30.not = icmp eq i64 %13, 0
+  br i1 %lcmp.mod.not30.not, label %B1264.if.epil.preheader15, label %B1330.loopexit.unr-lcssa
+
+B1264.if.epil.preheader15:                        ; preds = %B1330.loopexit.unr-lcssa.unr-lcssa, %B1264.if.preheader.new
+  %lsr.iv566.epil.init21 = phi ptr [ %scevgep565, %B1264.if.preheader.new ], [ %scevgep567.3.1, %B1330.loopexit.unr-lcssa.unr-lcssa ]
+  %_highest_v115_highest.2.02789.epil.init22 = phi i64 [ 0, %B1264.if.preheader.new ], [ %.13.i246.3.1, %B1330.loopexit.unr-lcssa.unr-lcssa ]
+  %.4736.epil19 = load i64, ptr %lsr.iv566.epil.init21, align 8
+  %.13.i246.epil20 = tail call i64 @llvm.smax.i64(i64 %.4736.epil19, i64 %_highest_v115_highest.2.02789.epil.init22)
+  %scevgep567.epil = getelementptr i8, ptr %lsr.iv566.epil.init21, i64 72
+  %.4736.1.epil = load i64, ptr %scevgep567.epil, align 8
+  %.13.i246.1.epil = tail call i64 @llvm.smax.i64(i64 %.4736.1.epil, i64 %.13.i246.epil20)
+  %scevgep567.1.epil = getelementptr i8, ptr %lsr.iv566.epil.init21, i64 144
+  %.4736.2.epil = load i64, ptr %scevgep567.1.epil, align 8
+  %.13.i246.2.epil = tail call i64 @llvm.smax.i64(i64 %.4736.2.epil, i64 %.13.i246.1.epil)
+  %scevgep567.2.epil = getelementptr i8, ptr %lsr.iv566.epil.init21, i64 216
+  %.4736.3.epil = load i64, ptr %scevgep567.2.epil, align 8
+  %.13.i246.3.epil = tail call i64 @llvm.smax.i64(i64 %.4736.3.epil, i64 %.13.i246.2.epil)
+  %scevgep567.3.epil = getelementptr i8, ptr %lsr.iv566.epil.init21, i64 288
+  br label %B1330.loopexit.unr-lcssa
+
+B1330.loopexit.unr-lcssa:                         ; preds = %B1264.if.epil.preheader15, %B1330.loopexit.unr-lcssa.unr-lcssa
+  %.13.i246.3.lcssa = phi i64 [ %.13.i246.3.epil, %B1264.if.epil.preheader15 ], [ %.13.i246.3.1, %B1330.loopexit.unr-lcssa.unr-lcssa ]
+  %scevgep567.3.lcssa = phi ptr [ %scevgep567.3.epil, %B1264.if.epil.preheader15 ], [ %scevgep567.3.1, %B1330.loopexit.unr-lcssa.unr-lcssa ]
+  %lcmp.mod.not = icmp eq i64 %xtraiter, 0
+  br i1 %lcmp.mod.not, label %B1330.loopexit, label %B1264.if.epil.preheader
+
+B1264.if.epil.preheader:                          ; preds = %B1330.loopexit.unr-lcssa, %B1264.if.preheader
+  %lsr.iv566.epil.init = phi ptr [ %scevgep565, %B1264.if.preheader ], [ %scevgep567.3.lcssa, %B1330.loopexit.unr-lcssa ]
+  %_highest_v115_highest.2.02789.epil.init = phi i64 [ 0, %B1264.if.preheader ], [ %.13.i246.3.lcssa, %B1330.loopexit.unr-lcssa ]
+  %14 = mul nuw nsw i64 %xtraiter, 72
+  br label %B1264.if.epil
+
+B1264.if.epil:                                    ; preds = %B1264.if.epil, %B1264.if.epil.preheader
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B1264.if.epil ], [ 0, %B1264.if.epil.preheader ]
+  %_highest_v115_highest.2.02789.epil = phi i64 [ %.13.i246.epil, %B1264.if.epil ], [ %_highest_v115_highest.2.02789.epil.init, %B1264.if.epil.preheader ]
+  %scevgep32 = getelementptr i8, ptr %lsr.iv566.epil.init, i64 %lsr.iv
+  %.4736.epil = load i64, ptr %scevgep32, align 8
+  %.13.i246.epil = tail call i64 @llvm.smax.i64(i64 %.4736.epil, i64 %_highest_v115_highest.2.02789.epil)
+  %lsr.iv.next = add nuw nsw i64 %lsr.iv, 72
+  %epil.iter.cmp.not = icmp eq i64 %14, %lsr.iv.next
+  br i1 %epil.iter.cmp.not, label %B1330.loopexit, label %B1264.if.epil, !llvm.loop !143
+
+B1330.loopexit:                                   ; preds = %B1264.if.epil, %B1330.loopexit.unr-lcssa
+  %.13.i246.lcssa = phi i64 [ %.13.i246.3.lcssa, %B1330.loopexit.unr-lcssa ], [ %.13.i246.epil, %B1264.if.epil ]
+  %15 = uitofp nneg i64 %.13.i246.lcssa to double
+  br label %B1330
+
+B1330:                                            ; preds = %B1330.loopexit, %B1248
+  %_highest_v115_highest.2.0.lcssa = phi double [ 0.000000e+00, %B1248 ], [ %15, %B1330.loopexit ]
+  %.4789 = fdiv contract double %.4460, %_highest_v115_highest.2.0.lcssa
+  %.4799.le = tail call contract double @llvm.log.f64(double %.4789)
+  %.4850 = getelementptr inbounds nuw i8, ptr %.205, i64 48
+  %.4941 = load i64, ptr %.4850, align 8
+  %.5014 = add i64 %.4507, -1
+  %.50572797.not = icmp slt i64 %.5014, 1
+  br i1 %.50572797.not, label %B1456, label %B1410.if.preheader
+
+B1410.if.preheader:                               ; preds = %B1330
+  %scevgep = getelementptr i8, ptr %.205, i64 120
+  %16 = add i64 %.4507, -2
+  %xtraiter24 = and i64 %.5014, 3
+  %lcmp.mod25.not = icmp eq i64 %xtraiter24, 0
+  br i1 %lcmp.mod25.not, label %B1410.if.prol.loopexit, label %B1410.if.prol.preheader
+
+B1410.if.prol.preheader:                          ; preds = %B1410.if.preheader
+  %17 = mul nuw nsw i64 %xtraiter24, 72
+  br label %B1410.if.prol
+
+B1410.if.prol:                                    ; preds = %B1410.if.prol, %B1410.if.prol.preheader
+  %lsr.iv37 = phi i64 [ 0, %B1410.if.prol.preheader ], [ %lsr.iv.next38, %B1410.if.prol ]
+  %_lowest_v118_lowest.2.02800.prol = phi i64 [ %.4941, %B1410.if.prol.preheader ], [ %.13.i252.prol, %B1410.if.prol ]
+  %scevgep41 = getelementptr i8, ptr %scevgep, i64 %lsr.iv37
+  %.5206.prol = load i64, ptr %scevgep41, align 8
+  %.13.i252.prol = tail call i64 @llvm.smin.i64(i64 %.5206.prol, i64 %_lowest_v118_lowest.2.02800.prol)
+  %lsr.iv.next38 = add nuw nsw i64 %lsr.iv37, 72
+  %prol.iter.cmp.not = icmp eq i64 %17, %lsr.iv.next38
+  br i1 %prol.iter.cmp.not, label %B1410.if.prol.loopexit.loopexit, label %B1410.if.prol, !llvm.loop !144
+
+B1410.if.prol.loopexit.loopexit:                  ; preds = %B1410.if.prol
+  %18 = getelementptr i8, ptr %.205, i64 %17
+  %scevgep8 = getelementptr i8, ptr %18, i64 120
+  %19 = and i64 %.5014, 9223372036854775804
+  br label %B1410.if.prol.loopexit
+
+B1410.if.prol.loopexit:                           ; preds = %B1410.if.prol.loopexit.loopexit, %B1410.if.preheader
+  %.13.i252.lcssa.unr = phi i64 [ poison, %B1410.if.preheader ], [ %.13.i252.prol, %B1410.if.prol.loopexit.loopexit ]
+  %lsr.iv563.unr = phi i64 [ %.5014, %B1410.if.preheader ], [ %19, %B1410.if.prol.loopexit.loopexit ]
+  %lsr.iv561.unr = phi ptr [ %scevgep, %B1410.if.preheader ], [ %scevgep8, %B1410.if.prol.loopexit.loopexit ]
+  %_lowest_v118_lowest.2.02800.unr = phi i64 [ %.4941, %B1410.if.preheader ], [ %.13.i252.prol, %B1410.if.prol.loopexit.loopexit ]
+  %20 = icmp ult i64 %16, 3
+  br i1 %20, label %B1456, label %B1410.if
+
+B1456:                                            ; preds = %B1410.if, %B1410.if.prol.loopexit, %B1330
+  %_lowest_v118_lowest.2.0.lcssa = phi i64 [ %.4941, %B1330 ], [ %.13.i252.lcssa.unr, %B1410.if.prol.loopexit ], [ %.13.i252.3, %B1410.if ]
+  %.5255 = sitofp i64 %_lowest_v118_lowest.2.0.lcssa to double
+  %.5259 = fdiv contract double %.4460, %.5255
+  %.5269.le = tail call contract double @llvm.log.f64(double %.5259)
+  %.133.i = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.134.i = load i64, ptr %.133.i, align 8, !noalias !145
+  %.147.i = getelementptr inbounds double, ptr %arg.weights.4, i64 %.134.i
+  %.228.i = load i64, ptr %.1058, align 8, !noalias !145
+  %.254.i = load double, ptr %.616, align 8, !noalias !145
+  %.256.i = fadd contract double %.4799.le, %.254.i
+  %.257.i = fadd contract double %.256.i, -1.000000e-09
+  %21 = getelementptr double, ptr %.616, i64 %.137
+  %.265.i = getelementptr i8, ptr %21, i64 -8
+  %.266.i = load double, ptr %.265.i, align 8, !noalias !145
+  %.273.i = fadd contract double %.5269.le, %.266.i
+  %.274.i = fadd contract double %.273.i, 1.000000e-09
+  %.293.i = add i64 %.228.i, -1
+  %.295.i = icmp sgt i64 %.228.i, 1
+  br i1 %.295.i, label %B296.i, label %B404.i
+
+B296.i:                                           ; preds = %B1456
+  %.313.i = load double, ptr %.147.i, align 8, !noalias !145
+  %.317.i = fcmp contract olt double %.313.i, %.257.i
+  br i1 %.317.i, label %B336.preheader.i, label %B404.i
+
+B336.preheader.i:                                 ; preds = %B296.i
+  %22 = add nsw i64 %.228.i, -2
+  %23 = shl i64 %.134.i, 3
+  %24 = getelementptr i8, ptr %arg.weights.4, i64 %23
+  %scevgep11.i = getelementptr i8, ptr %24, i64 8
+  br label %B336.i
+
+B336.i:                                           ; preds = %B364.i, %B336.preheader.i
+  %first.2.0.i = phi i64 [ %.323.i, %B364.i ], [ 0, %B336.preheader.i ]
+  %exitcond.not.i = icmp eq i64 %22, %first.2.0.i
+  br i1 %exitcond.not.i, label %B404.i, label %B364.i
+
+B364.i:                                           ; preds = %B336.i
+  %.323.i = add nuw nsw i64 %first.2.0.i, 1
+  %25 = shl i64 %first.2.0.i, 3
+  %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %25
+  %.352.i = load double, ptr %scevgep12.i, align 8, !noalias !145
+  %.356.i = fcmp contract olt double %.352.i, %.257.i
+  br i1 %.356.i, label %B336.i, label %B404.i
+
+B404.i:                                           ; preds = %B364.i, %B336.i, %B296.i, %B1456
+  %first.3.1.i = phi i64 [ 0, %B296.i ], [ 0, %B1456 ], [ %.293.i, %B336.i ], [ %.323.i, %B364.i ]
+  %.378.i = add nsw i64 %first.3.1.i, 1
+  %.380.i = icmp sgt i64 %.228.i, %.378.i
+  br i1 %.380.i, label %B422.i, label %B7554
+
+B422.i:                                           ; preds = %B404.i
+  %26 = getelementptr double, ptr %.147.i, i64 %.228.i
+  %.400.i = getelementptr i8, ptr %26, i64 -16
+  %.401.i = load double, ptr %.400.i, align 8, !noalias !145
+  %.403.i = fcmp contract ogt double %.401.i, %.274.i
+  br i1 %.403.i, label %B468.preheader.i, label %B7554
+
+B468.preheader.i:                                 ; preds = %B422.i
+  %27 = shl i64 %.134.i, 3
+  %28 = getelementptr i8, ptr %arg.weights.4, i64 %27
+  %scevgep.i = getelementptr i8, ptr %28, i64 -24
+  br label %B468.i
+
+B468.i:                                           ; preds = %B496.i, %B468.preheader.i
+  %last.2.1.i = phi i64 [ %29, %B496.i ], [ %.228.i, %B468.preheader.i ]
+  %29 = add nsw i64 %last.2.1.i, -1
+  %.421.i = icmp sgt i64 %29, %.378.i
+  br i1 %.421.i, label %B496.i, label %B7650
+
+B496.i:                                           ; preds = %B468.i
+  %30 = shl i64 %last.2.1.i, 3
+  %scevgep9.i = getelementptr i8, ptr %scevgep.i, i64 %30
+  %.441.i = load double, ptr %scevgep9.i, align 8, !noalias !145
+  %.443.i = fcmp contract ogt double %.441.i, %.274.i
+  br i1 %.443.i, label %B468.i, label %B7554
+
+B1642:                                            ; preds = %for.end.1.endif.endif.endif
+  %31 = icmp eq i8 %.4407, 0
+  br i1 %31, label %B7895, label %B7554.thread
+
+B7554.thread:                                     ; preds = %B1642
+  %.5396 = getelementptr i8, ptr %.205, i64 32
+  %.5397 = load i64, ptr %.5396, align 8
+  %.5428 = add nsw i64 %.5397, 1
+  br label %B7650
+
+B7554:                                            ; preds = %B496.i, %B422.i, %B404.i
+  %last.3.0.i = phi i64 [ %.228.i, %B422.i ], [ %.228.i, %B404.i ], [ %29, %B496.i ]
+  %.5448 = icmp sgt i64 %last.3.0.i, %first.3.1.i
+  br i1 %.5448, label %B7650, label %B7797
+
+B7650:                                            ; preds = %B468.i, %B7554, %B7554.thread
+  %last.3.021 = phi i64 [ %.5428, %B7554.thread ], [ %last.3.0.i, %B7554 ], [ %.378.i, %B468.i ]
+  %first.3.020 = phi i64 [ %.5397, %B7554.thread ], [ %first.3.1.i, %B7554 ], [ %first.3.1.i, %B468.i ]
+  store ptr null, ptr %.5800, align 8
+  %.5826 = call fastcc i32 @inner_10(ptr nonnull %.5800, ptr nonnull %excinfo.43, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.167, ptr %arg.scratch.4, ptr %.1205, i64 %.1028, ptr %.1486, ptr %.1424, ptr %.1282, ptr %.1344, i64 %first.3.020, i64 %last.3.021)
+  %cond = icmp eq i32 %.5826, 0
+  br i1 %cond, label %B7797, label %B7650.if, !prof !0
+
+B7797:                                            ; preds = %B7650, %B7554
+  %32 = icmp eq i8 %.4407, 0
+  br i1 %32, label %B7895, label %B7799
+
+B7799:                                            ; preds = %B7797
+  %.5953 = getelementptr i8, ptr %.205, i64 32
+  %.5954 = load i64, ptr %.5953, align 8
+  %sunkaddr590 = inttoptr i64 %.354 to ptr
+  %sunkaddr591 = getelementptr i8, ptr %sunkaddr590, i64 %.356
+  %sunkaddr592 = getelementptr i8, ptr %sunkaddr591, i64 8
+  %.5984 = load double, ptr %sunkaddr592, align 8
+  %.105.i = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.106.i = load i64, ptr %.105.i, align 8, !noalias !148
+  %33 = getelementptr double, ptr %arg.weights.4, i64 %.106.i
+  %.123.i = getelementptr double, ptr %33, i64 %.1102
+  %34 = lshr i64 %.5954, 33
+  %.190.i = and i64 %34, 1073741824
+  %35 = getelementptr double, ptr %.123.i, i64 %.5954
+  %.204.i = getelementptr double, ptr %35, i64 %.190.i
+  %.205.i = load double, ptr %.204.i, align 8, !noalias !148
+  %.384.i = fmul contract double %.5984, 0.000000e+00
+  %.368.i = shl nsw i64 %.5954, 3
+  %.369.i = or disjoint i64 %.368.i, 7
+  %.395.i = getelementptr inbounds double, ptr %.1282, i64 %.369.i
+  %.396.i = load double, ptr %.395.i, align 8, !noalias !148
+  %.397.i = fadd contract double %.384.i, %.396.i
+  %.384.1.i = fmul contract double %.5984, %.397.i
+  %.369.1.i = or disjoint i64 %.368.i, 6
+  %.395.1.i = getelementptr inbounds double, ptr %.1282, i64 %.369.1.i
+  %.396.1.i = load double, ptr %.395.1.i, align 8, !noalias !148
+  %.397.1.i = fadd contract double %.396.1.i, %.384.1.i
+  %.384.2.i = fmul contract double %.5984, %.397.1.i
+  %.369.2.i = or disjoint i64 %.368.i, 5
+  %.395.2.i = getelementptr inbounds double, ptr %.1282, i64 %.369.2.i
+  %.396.2.i = load double, ptr %.395.2.i, align 8, !noalias !148
+  %.397.2.i = fadd contract double %.396.2.i, %.384.2.i
+  %.384.3.i = fmul contract double %.5984, %.397.2.i
+  %.369.3.i = or disjoint i64 %.368.i, 4
+  %.395.3.i = getelementptr inbounds double, ptr %.1282, i64 %.369.3.i
+  %.396.3.i = load double, ptr %.395.3.i, align 8, !noalias !148
+  %.397.3.i = fadd contract double %.396.3.i, %.384.3.i
+  %.384.4.i = fmul contract double %.5984, %.397.3.i
+  %.369.4.i = or disjoint i64 %.368.i, 3
+  %.395.4.i = getelementptr inbounds double, ptr %.1282, i64 %.369.4.i
+  %.396.4.i = load double, ptr %.395.4.i, align 8, !noalias !148
+  %.397.4.i = fadd contract double %.396.4.i, %.384.4.i
+  %.384.5.i = fmul contract double %.5984, %.397.4.i
+  %.369.5.i = or disjoint i64 %.368.i, 2
+  %.395.5.i = getelementptr inbounds double, ptr %.1282, i64 %.369.5.i
+  %.396.5.i = load double, ptr %.395.5.i, align 8, !noalias !148
+  %.397.5.i = fadd contract double %.396.5.i, %.384.5.i
+  %.384.6.i = fmul contract double %.5984, %.397.5.i
+  %.369.6.i = or disjoint i64 %.368.i, 1
+  %.395.6.i = getelementptr inbounds double, ptr %.1282, i64 %.369.6.i
+  %.396.6.i = load double, ptr %.395.6.i, align 8, !noalias !148
+  %.397.6.i = fadd contract double %.396.6.i, %.384.6.i
+  %.384.7.i = fmul contract double %.5984, %.397.6.i
+  %.395.7.i = getelementptr inbounds double, ptr %.1282, i64 %.368.i
+  %.396.7.i = load double, ptr %.395.7.i, align 8, !noalias !148
+  %.397.7.i = fadd contract double %.396.7.i, %.384.7.i
+  %.377.i = getelementptr inbounds double, ptr %.1344, i64 %.369.i
+  %.378.i36 = load double, ptr %.377.i, align 8, !noalias !148
+  %.379.i = fadd contract double %.384.i, %.378.i36
+  %.366.1.i = fmul contract double %.5984, %.379.i
+  %.377.1.i = getelementptr inbounds double, ptr %.1344, i64 %.369.1.i
+  %.378.1.i = load double, ptr %.377.1.i, align 8, !noalias !148
+  %.379.1.i = fadd contract double %.378.1.i, %.366.1.i
+  %.366.2.i = fmul contract double %.5984, %.379.1.i
+  %.377.2.i = getelementptr inbounds double, ptr %.1344, i64 %.369.2.i
+  %.378.2.i = load double, ptr %.377.2.i, align 8, !noalias !148
+  %.379.2.i = fadd contract double %.378.2.i, %.366.2.i
+  %.366.3.i = fmul contract double %.5984, %.379.2.i
+  %.377.3.i = getelementptr inbounds double, ptr %.1344, i64 %.369.3.i
+  %.378.3.i = load double, ptr %.377.3.i, align 8, !noalias !148
+  %.379.3.i = fadd contract double %.378.3.i, %.366.3.i
+  %.366.4.i = fmul contract double %.5984, %.379.3.i
+  %.377.4.i = getelementptr inbounds double, ptr %.1344, i64 %.369.4.i
+  %.378.4.i = load double, ptr %.377.4.i, align 8, !noalias !148
+  %.379.4.i = fadd contract double %.378.4.i, %.366.4.i
+  %.366.5.i = fmul contract double %.5984, %.379.4.i
+  %.377.5.i = getelementptr inbounds double, ptr %.1344, i64 %.369.5.i
+  %.378.5.i = load double, ptr %.377.5.i, align 8, !noalias !148
+  %.379.5.i = fadd contract double %.378.5.i, %.366.5.i
+  %.366.6.i = fmul contract double %.5984, %.379.5.i
+  %.377.6.i = getelementptr inbounds double, ptr %.1344, i64 %.369.6.i
+  %.378.6.i = load double, ptr %.377.6.i, align 8, !noalias !148
+  %.379.6.i = fadd contract double %.378.6.i, %.366.6.i
+  %.366.7.i = fmul contract double %.5984, %.379.6.i
+  %.377.7.i = getelementptr inbounds double, ptr %.1344, i64 %.368.i
+  %.378.7.i = load double, ptr %.377.7.i, align 8, !noalias !148
+  %.379.7.i = fadd contract double %.378.7.i, %.366.7.i
+  %.361.i = fadd contract double %.384.i, 0.000000e+00
+  %.359.1.i = fmul contract double %.5984, %.361.i
+  %.361.1.i = fadd contract double %.359.1.i, %.379.i
+  %.359.2.i = fmul contract double %.5984, %.361.1.i
+  %.361.2.i = fadd contract double %.379.1.i, %.359.2.i
+  %.359.3.i = fmul contract double %.5984, %.361.2.i
+  %.361.3.i = fadd contract double %.379.2.i, %.359.3.i
+  %.359.4.i = fmul contract double %.5984, %.361.3.i
+  %.361.4.i = fadd contract double %.379.3.i, %.359.4.i
+  %.359.5.i = fmul contract double %.5984, %.361.4.i
+  %.361.5.i = fadd contract double %.379.4.i, %.359.5.i
+  %.359.6.i = fmul contract double %.5984, %.361.5.i
+  %.361.6.i = fadd contract double %.379.5.i, %.359.6.i
+  %.359.7.i = fmul contract double %.5984, %.361.6.i
+  %.361.7.i = fadd contract double %.379.6.i, %.359.7.i
+  %.421.i37 = fmul contract double %.205.i, %.361.7.i
+  %sunkaddr593 = shl i64 %.4041, 3
+  %sunkaddr594 = getelementptr i8, ptr %arg.weights.4, i64 %sunkaddr593
+  %sunkaddr595 = getelementptr i8, ptr %sunkaddr594, i64 8
+  %.451.i = load double, ptr %sunkaddr595, align 8, !noalias !148
+  %.457.i = fmul contract double %.451.i, %.421.i37
+  %.459.i = fsub contract double %.379.7.i, %.457.i
+  br label %B7895
+
+B7895:                                            ; preds = %B1642, %B7799, %B7797
+  %top.2.sroa.16.0 = phi double [ 0.000000e+00, %B7797 ], [ %.421.i37, %B7799 ], [ 0.000000e+00, %B1642 ]
+  %top.2.sroa.8.0 = phi double [ 0.000000e+00, %B7797 ], [ %.459.i, %B7799 ], [ 0.000000e+00, %B1642 ]
+  %top.2.sroa.0.0 = phi double [ 0.000000e+00, %B7797 ], [ %.397.7.i, %B7799 ], [ 0.000000e+00, %B1642 ]
+  %36 = add i64 %.137, 511
+  %.6239 = lshr i64 %36, 9
+  %.6218.inv = icmp slt i64 %.137, 1
+  %.62602813.not2835 = icmp eq i64 %.6239, 0
+  %.62602813.not = select i1 %.6218.inv, i1 true, i1 %.62602813.not2835
+  br i1 %.62602813.not, label %B8221, label %B8141.if.preheader
+
+B8141.if.preheader:                               ; preds = %B7895
+  %37 = add nuw nsw i64 %.6239, 4
+  br label %B8141.if
+
+common.ret:                                       ; preds = %B7650.if, %for.end.1.endif.endif.if, %B8221
+  %common.ret.op = phi i32 [ 0, %B8221 ], [ 1, %B7650.if ], [ 1, %for.end.1.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B8221:                                            ; preds = %B8141.if, %B7895
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B94.if.lr.ph.i:                                   ; preds = %B1170
+  %.3411 = getelementptr i8, ptr %arg.contents.4, i64 112
+  %.3412 = load i64, ptr %.3411, align 8
+  %38 = getelementptr double, ptr %arg.scratch.4, i64 %.1028
+  %39 = getelementptr double, ptr %arg.scratch.4, i64 %.234.i
+  %.idx.i = mul i64 %.994.1, -24
+  %40 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx.i
+  %41 = shl i64 %.986, 3
+  %42 = and i64 %41, -64
+  %43 = sub i64 8, %42
+  %scevgep580 = getelementptr i8, ptr %arg.linear.4, i64 %43
+  %smin43 = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
+  %44 = add i64 %.3412, %smin43
+  %45 = shl i64 %44, 3
+  %scevgep44 = getelementptr i8, ptr %arg.weights.4, i64 %45
+  %46 = add i64 %.3412, %.88.sroa.0.3.i
+  %47 = shl i64 %46, 3
+  %scevgep46 = getelementptr i8, ptr %arg.weights.4, i64 %47
+  %48 = add nuw nsw i64 %.486.i, 5
+  br label %B94.if.i
+
+B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
+  %lsr.iv28 = phi i64 [ %lsr.iv.next29, %B94.if.i ], [ %48, %B94.if.lr.ph.i ]
+  %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
+  %sunkaddr35 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
+  %.554.i = load <8 x double>, ptr %sunkaddr35, align 8, !noalias !151
+  %sunkaddr37 = getelementptr i8, ptr %sunkaddr35, i64 8
+  %.565.i = load <8 x double>, ptr %sunkaddr37, align 8, !noalias !151
+  %scevgep582 = getelementptr i8, ptr %scevgep580, i64 %lsr.iv53.i
+  %scevgep583 = getelementptr i8, ptr %scevgep582, i64 -8
+  %.575.i = load <8 x double>, ptr %scevgep583, align 8, !noalias !151
+  %.586.i = load <8 x double>, ptr %scevgep582, align 8, !noalias !151
+  %scevgep47 = getelementptr i8, ptr %scevgep46, i64 %lsr.iv53.i
+  %.596.i = load <8 x double>, ptr %scevgep47, align 8, !noalias !151
+  %scevgep45 = getelementptr i8, ptr %scevgep44, i64 %lsr.iv53.i
+  %.606.i = load <8 x double>, ptr %scevgep45, align 8, !noalias !151
+  %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
+  %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
+  %scevgep65.i = getelementptr i8, ptr %arg.scratch.4, i64 %lsr.iv53.i
+  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !151
+  %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
+  %.8.i.i = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
+  %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i
+  %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
+  %scevgep64.i = getelementptr i8, ptr %38, i64 %lsr.iv53.i
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !151
+  %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
+  %scevgep63.i = getelementptr i8, ptr %39, i64 %lsr.iv53.i
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !151
+  %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
+  %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
+  %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
+  %scevgep62.i = getelementptr i8, ptr %40, i64 %lsr.iv53.i
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !151
+  %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
+  %lsr.iv.next29 = add nsw i64 %lsr.iv28, -1
+  %.507.i = icmp sgt i64 %lsr.iv28, 6
+  br i1 %.507.i, label %B94.if.i, label %B1170.endif.endif.endif.e...endif.4.endif.endif
+
+B1170.endif.endif.endif.e...endif.4.endif.endif:  ; preds = %B94.if.i, %B1170
+  %.3863 = load i64, ptr %.984, align 8
+  %49 = add i64 %.3863, 6
+  %.486.i190 = lshr i64 %49, 3
+  %.463.inv.i191 = icmp slt i64 %.3863, 2
+  %.507321.not325.i192 = icmp eq i64 %.486.i190, 0
+  %.507321.not.i193 = or i1 %.463.inv.i191, %.507321.not325.i192
+  br i1 %.507321.not.i193, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit230, label %B94.if.lr.ph.i194
+
+B94.if.lr.ph.i194:                                ; preds = %B1170.endif.endif.endif.e...endif.4.endif.endif
+  %50 = getelementptr double, ptr %.1205, i64 %.1028
+  %51 = getelementptr double, ptr %.1205, i64 %.234.i
+  %.idx.i195 = mul i64 %.994.1, -24
+  %52 = getelementptr i8, ptr %.1205, i64 %.idx.i195
+  %53 = lshr i64 %.986, 3
+  %.neg = mul i64 %53, -192
+  %54 = getelementptr i8, ptr %arg.linear.4, i64 %.neg
+  %scevgep570 = getelementptr i8, ptr %54, i64 8
+  %55 = shl i64 %53, 7
+  %56 = sub i64 8, %55
+  %scevgep574 = getelementptr i8, ptr %arg.linear.4, i64 %56
+  %smin = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
+  %57 = add i64 %smin, %.3502
+  %58 = shl i64 %57, 3
+  %scevgep37 = getelementptr i8, ptr %arg.weights.4, i64 %58
+  %59 = add i64 %.88.sroa.0.3.i, %.3502
+  %60 = shl i64 %59, 3
+  %scevgep39 = getelementptr i8, ptr %arg.weights.4, i64 %60
+  %61 = add nuw nsw i64 %.486.i190, 5
+  br label %B94.if.i196
+
+B94.if.i196:                                      ; preds = %B94.if.i196, %B94.if.lr.ph.i194
+  %lsr.iv26 = phi i64 [ %lsr.iv.next27, %B94.if.i196 ], [ %61, %B94.if.lr.ph.i194 ]
+  %lsr.iv53.i197 = phi i64 [ %lsr.iv.next54.i226, %B94.if.i196 ], [ 0, %B94.if.lr.ph.i194 ]
+  %scevgep576 = getelementptr i8, ptr %scevgep574, i64 %lsr.iv53.i197
+  %scevgep577 = getelementptr i8, ptr %scevgep576, i64 -8
+  %.554.i200 = load <8 x double>, ptr %scevgep577, align 8, !noalias !154
+  %.565.i202 = load <8 x double>, ptr %scevgep576, align 8, !noalias !154
+  %scevgep572 = getelementptr i8, ptr %scevgep570, i64 %lsr.iv53.i197
+  %scevgep573 = getelementptr i8, ptr %scevgep572, i64 -8
+  %.575.i204 = load <8 x double>, ptr %scevgep573, align 8, !noalias !154
+  %.586.i206 = load <8 x double>, ptr %scevgep572, align 8, !noalias !154
+  %scevgep40 = getelementptr i8, ptr %scevgep39, i64 %lsr.iv53.i197
+  %.596.i208 = load <8 x double>, ptr %scevgep40, align 8, !noalias !154
+  %scevgep38 = getelementptr i8, ptr %scevgep37, i64 %lsr.iv53.i197
+  %.606.i210 = load <8 x double>, ptr %scevgep38, align 8, !noalias !154
+  %.6.i.i211 = fsub contract <8 x double> %.565.i202, %.554.i200
+  %.6.i46.i212 = fmul contract <8 x double> %.6.i.i211, %.606.i210
+  %scevgep65.i213 = getelementptr i8, ptr %.1205, i64 %lsr.iv53.i197
+  store <8 x double> %.554.i200, ptr %scevgep65.i213, align 8, !noalias !154
+  %.669.i214 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i204, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i206)
+  %.8.i.i215 = fmul contract <8 x double> %.669.i214, splat (double 0x3FC5555555555555)
+  %.6.i47.i216 = fmul contract <8 x double> %.596.i208, %.8.i.i215
+  %.6.i48.i217 = fsub contract <8 x double> %.6.i46.i212, %.6.i47.i216
+  %scevgep64.i218 = getelementptr i8, ptr %50, i64 %lsr.iv53.i197
+  store <8 x double> %.6.i48.i217, ptr %scevgep64.i218, align 8, !noalias !154
+  %.8.i49.i219 = fmul contract <8 x double> %.575.i204, splat (double 5.000000e-01)
+  %scevgep63.i220 = getelementptr i8, ptr %51, i64 %lsr.iv53.i197
+  store <8 x double> %.8.i49.i219, ptr %scevgep63.i220, align 8, !noalias !154
+  %.6.i50.i221 = fsub contract <8 x double> %.586.i206, %.575.i204
+  %.6.i51.i222 = fmul contract <8 x double> %.6.i50.i221, %.606.i210
+  %.8.i52.i223 = fmul contract <8 x double> %.6.i51.i222, splat (double 0x3FC5555555555555)
+  %scevgep62.i224 = getelementptr i8, ptr %52, i64 %lsr.iv53.i197
+  store <8 x double> %.8.i52.i223, ptr %scevgep62.i224, align 8, !noalias !154
+  %lsr.iv.next54.i226 = add i64 %lsr.iv53.i197, 64
+  %lsr.iv.next27 = add nsw i64 %lsr.iv26, -1
+  %.507.i227 = icmp sgt i64 %lsr.iv26, 6
+  br i1 %.507.i227, label %B94.if.i196, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit230
+
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit230: ; preds = %B94.if.i196, %B1170.endif.endif.endif.e...endif.4.endif.endif
+  %62 = inttoptr i64 %.743 to ptr
+  %.4005 = getelementptr i8, ptr %arg.row.4, i64 56
+  %.4006 = load double, ptr %.4005, align 8
+  %.4007 = fmul contract double %.4006, 0x3ED4A8B4A9ED04E3
+  %.4040 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.4041 = load i64, ptr %.4040, align 8
+  %.4052 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4041
+  %.4237 = getelementptr i8, ptr %.4052, i64 8
+  %.4238 = load double, ptr %.4237, align 8
+  %.4240 = fmul contract double %.4238, 0x3FF000000044B830
+  %.4248.le = tail call contract double @llvm.log.f64(double %.4240)
+  %.4261.le = tail call contract double @llvm.log.f64(double %.4007)
+  %.4266 = fsub contract double %.4248.le, %.4261.le
+  store i64 0, ptr %.4312, align 8
+  call fastcc void @inner_14(ptr nonnull %.4312, ptr %.616, i64 %.137, ptr %62, i64 %.512, double %prepared_grid_v125__vphi308_0.2.0, double %.4266)
+  %.4330 = load i64, ptr %.4312, align 8
+  %.4116 = getelementptr inbounds double, ptr %arg.linear.4, i64 %.1132
+  %.4351 = mul nsw i64 %.320, %.137
+  %.4354 = icmp sgt i64 %.4351, 2047
+  store i8 0, ptr %.4372, align 1
+  %.4378 = zext i1 %.4354 to i8
+  %.4397 = call fastcc i32 @inner_21(ptr nonnull %.4372, ptr nonnull %excinfo.36, i64 %arg.lane, ptr %arg.row.4, double %.4007, i8 %.4378, i64 %.4330, ptr nonnull %.205, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.4116, ptr %arg.ratios.4, ptr %.1424, ptr %.2284, ptr %.2379)
+  %.4407 = load i8, ptr %.4372, align 1
+  %cond3 = icmp eq i32 %.4397, 0
+  br i1 %cond3, label %for.end.1.endif.endif.endif, label %for.end.1.endif.endif.if, !prof !0
+
+for.end.1.endif.endif.if:                         ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit230
+  %.4398 = load ptr, ptr %excinfo.36, align 8
+  store ptr %.4398, ptr %excinfo, align 8
+  br label %common.ret
+
+for.end.1.endif.endif.endif:                      ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit230
+  br i1 %.4354, label %B1248, label %B1642
+
+B1264.if:                                         ; preds = %B1264.if, %B1264.if.preheader.new.new
+  %lsr.iv24 = phi i64 [ %lsr.iv.next25, %B1264.if ], [ %12, %B1264.if.preheader.new.new ]
+  %lsr.iv566 = phi ptr [ %scevgep567.3.1, %B1264.if ], [ %scevgep565, %B1264.if.preheader.new.new ]
+  %_highest_v115_highest.2.02789 = phi i64 [ %.13.i246.3.1, %B1264.if ], [ 0, %B1264.if.preheader.new.new ]
+  %.4736 = load i64, ptr %lsr.iv566, align 8
+  %.13.i246 = tail call i64 @llvm.smax.i64(i64 %.4736, i64 %_highest_v115_highest.2.02789)
+  %scevgep567 = getelementptr i8, ptr %lsr.iv566, i64 72
+  %.4736.1 = load i64, ptr %scevgep567, align 8
+  %.13.i246.1 = tail call i64 @llvm.smax.i64(i64 %.4736.1, i64 %.13.i246)
+  %scevgep567.1 = getelementptr i8, ptr %lsr.iv566, i64 144
+  %.4736.2 = load i64, ptr %scevgep567.1, align 8
+  %.13.i246.2 = tail call i64 @llvm.smax.i64(i64 %.4736.2, i64 %.13.i246.1)
+  %scevgep567.2 = getelementptr i8, ptr %lsr.iv566, i64 216
+  %.4736.3 = load i64, ptr %scevgep567.2, align 8
+  %.13.i246.3 = tail call i64 @llvm.smax.i64(i64 %.4736.3, i64 %.13.i246.2)
+  %scevgep567.3 = getelementptr i8, ptr %lsr.iv566, i64 288
+  %.4736.127 = load i64, ptr %scevgep567.3, align 8
+  %.13.i246.128 = tail call i64 @llvm.smax.i64(i64 %.4736.127, i64 %.13.i246.3)
+  %scevgep567.129 = getelementptr i8, ptr %lsr.iv566, i64 360
+  %.4736.1.1 = load i64, ptr %scevgep567.129, align 8
+  %.13.i246.1.1 = tail call i64 @llvm.smax.i64(i64 %.4736.1.1, i64 %.13.i246.128)
+  %scevgep567.1.1 = getelementptr i8, ptr %lsr.iv566, i64 432
+  %.4736.2.1 = load i64, ptr %scevgep567.1.1, align 8
+  %.13.i246.2.1 = tail call i64 @llvm.smax.i64(i64 %.4736.2.1, i64 %.13.i246.1.1)
+  %scevgep567.2.1 = getelementptr i8, ptr %lsr.iv566, i64 504
+  %.4736.3.1 = load i64, ptr %scevgep567.2.1, align 8
+  %.13.i246.3.1 = tail call i64 @llvm.smax.i64(i64 %.4736.3.1, i64 %.13.i246.2.1)
+  %scevgep567.3.1 = getelementptr i8, ptr %lsr.iv566, i64 576
+  %lsr.iv.next25 = add i64 %lsr.iv24, 2
+  %niter.ncmp.1 = icmp eq i64 %lsr.iv.next25, 0
+  br i1 %niter.ncmp.1, label %B1330.loopexit.unr-lcssa.unr-lcssa, label %B1264.if
+
+B1410.if:                                         ; preds = %B1410.if.prol.loopexit, %B1410.if
+  %lsr.iv563 = phi i64 [ %lsr.iv.next564.3, %B1410.if ], [ %lsr.iv563.unr, %B1410.if.prol.loopexit ]
+  %lsr.iv561 = phi ptr [ %scevgep562.3, %B1410.if ], [ %lsr.iv561.unr, %B1410.if.prol.loopexit ]
+  %_lowest_v118_lowest.2.02800 = phi i64 [ %.13.i252.3, %B1410.if ], [ %_lowest_v118_lowest.2.02800.unr, %B1410.if.prol.loopexit ]
+  %.5206 = load i64, ptr %lsr.iv561, align 8
+  %.13.i252 = tail call i64 @llvm.smin.i64(i64 %.5206, i64 %_lowest_v118_lowest.2.02800)
+  %scevgep562 = getelementptr i8, ptr %lsr.iv561, i64 72
+  %.5206.1 = load i64, ptr %scevgep562, align 8
+  %.13.i252.1 = tail call i64 @llvm.smin.i64(i64 %.5206.1, i64 %.13.i252)
+  %scevgep562.1 = getelementptr i8, ptr %lsr.iv561, i64 144
+  %.5206.2 = load i64, ptr %scevgep562.1, align 8
+  %.13.i252.2 = tail call i64 @llvm.smin.i64(i64 %.5206.2, i64 %.13.i252.1)
+  %scevgep562.2 = getelementptr i8, ptr %lsr.iv561, i64 216
+  %.5206.3 = load i64, ptr %scevgep562.2, align 8
+  %.13.i252.3 = tail call i64 @llvm.smin.i64(i64 %.5206.3, i64 %.13.i252.2)
+  %scevgep562.3 = getelementptr i8, ptr %lsr.iv561, i64 288
+  %lsr.iv.next564.3 = add i64 %lsr.iv563, -4
+  %exitcond2834.not.3 = icmp eq i64 %lsr.iv.next564.3, 0
+  br i1 %exitcond2834.not.3, label %B1456, label %B1410.if
+
+B7650.if:                                         ; preds = %B7650
+  %.5827 = load ptr, ptr %excinfo.43, align 8
+  store ptr %.5827, ptr %excinfo, align 8
+  br label %common.ret
+
+B8141.if:                                         ; preds = %B8141.if, %B8141.if.preheader
+  %lsr.iv21 = phi i64 [ %lsr.iv.next22, %B8141.if ], [ %37, %B8141.if.preheader ]
+  %.626628092814 = phi i64 [ %63, %B8141.if ], [ 0, %B8141.if.preheader ]
+  %63 = add nuw i64 %.626628092814, 512
+  %.13.i253 = tail call i64 @llvm.smin.i64(i64 %.137, i64 %63)
+  %.13.i254 = tail call i64 @llvm.smax.i64(i64 %.626628092814, i64 %.4330)
+  %.13.i255 = tail call i64 @llvm.smin.i64(i64 %.13.i253, i64 %.13.i254)
+  store ptr null, ptr %.6416, align 8
+  call fastcc void @inner_22(ptr nonnull %.6416, i64 %arg.i, i64 %arg.lane, i64 %.626628092814, i64 %.13.i255, i64 %.13.i253, i8 %.4378, double %top.2.sroa.0.0, double %top.2.sroa.8.0, double %top.2.sroa.16.0, ptr nonnull %.205, ptr %arg.arguments.4, ptr %.551, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.1028, i64 %.1102, ptr %arg.scratch.4, ptr %.1205, ptr %.1282, ptr %.1344, ptr %.1625, ptr %.1687, ptr %.1750, ptr %.1813, ptr %.1908, ptr %.1971, ptr %.2034, ptr %.2097, ptr %.2193, ptr %.2284, ptr %.2379)
+  %lsr.iv.next22 = add nsw i64 %lsr.iv21, -1
+  %.6260 = icmp sgt i64 %lsr.iv21, 5
+  br i1 %.6260, label %B8141.if, label %B8221
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_5(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr readonly captures(none) %arg.coordinates.4, ptr writeonly captures(none) %arg.linear.4, ptr writeonly captures(none) %arg.ratios.4, ptr initializes((56, 64)) %arg.scratch.4) unnamed_addr #4 {
+entry:
+  %.787 = alloca { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.787, i8 0, i64 56, i1 false)
+  %.1128 = alloca ptr, align 8
+  store ptr null, ptr %.1128, align 8
+  %.1966 = alloca { ptr, ptr, i64, i64, ptr, [1 x i64], [1 x i64] }, align 8
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1966, i8 0, i64 56, i1 false)
+  %.2043 = alloca ptr, align 8
+  store ptr null, ptr %.2043, align 8
+  %.110 = sub nsw i64 %arg.stop, %arg.start
+  %.143 = getelementptr i8, ptr %arg.arguments.4, i64 168
+  %.144 = load i64, ptr %.143, align 8
+  %.229 = getelementptr i8, ptr %arg.arguments.4, i64 160
+  %.230 = load i64, ptr %.229, align 8
+  %.231.not = icmp eq i64 %.230, 0
+  %.502 = icmp slt i64 %.110, 1
+  %or.cond = select i1 %.231.not, i1 true, i1 %.502, !prof !157
+  br i1 %or.cond, label %B218, label %.568.endif.preheader, !prof !157
+
+B218:                                             ; preds = %.568.endif.preheader, %entry
+  %.648 = getelementptr i8, ptr %arg.arguments.4, i64 72
+  %.649 = load i64, ptr %.648, align 8
+  %.650 = inttoptr i64 %.649 to ptr
+  %.727 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.728 = load i64, ptr %.727, align 8
+  %.neg = mul i64 %.728, -4
+  %0 = and i64 %.neg, -32
+  %.773 = sub i64 8, %0
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.787, i8 0, i64 56, i1 false)
+  call fastcc void @inner_8(ptr nonnull %.787, ptr %arg.coordinates.4, i64 %.110, ptr %arg.contents.4, ptr %.650, ptr %arg.weights.4, i64 %.773, ptr %arg.linear.4, ptr %arg.scratch.4)
+  %sunkaddr166 = getelementptr inbounds nuw i8, ptr %.787, i64 32
+  %.813.fca.4.load = load ptr, ptr %sunkaddr166, align 8
+  %1 = inttoptr i64 %.144 to ptr
+  %sunkaddr167 = getelementptr inbounds nuw i8, ptr %.787, i64 40
+  %.813.fca.5.0.load = load i64, ptr %sunkaddr167, align 8
+  %.882 = load i64, ptr %1, align 8
+  %.962977.not = icmp slt i64 %.882, 1
+  br i1 %.962977.not, label %B604, label %B482.if.preheader
+
+B562:                                             ; preds = %B482.if
+  store ptr null, ptr %.1128, align 8
+  call fastcc void @inner_23(ptr nonnull %.1128, i64 %arg.start, i64 %arg.stop, ptr %lsr.iv159, ptr %.813.fca.4.load, i64 %.813.fca.5.0.load, ptr %arg.contents.4, ptr %arg.arguments.4)
+  br label %B602
+
+B602:                                             ; preds = %B562, %B482.if
+  %scevgep160 = getelementptr i8, ptr %lsr.iv159, i64 72
+  %lsr.iv.next163 = add nsw i64 %lsr.iv162, -1
+  %exitcond.not = icmp eq i64 %lsr.iv.next163, 0
+  br i1 %exitcond.not, label %B604, label %B482.if
+
+B604:                                             ; preds = %B602, %B218
+  %.1215 = load i64, ptr %1, align 8
+  %.1295995.not = icmp slt i64 %.1215, 1
+  br i1 %.1295995.not, label %B1066, label %B666.if.preheader
+
+B666.if.preheader:                                ; preds = %B604
+  %scevgep = getelementptr i8, ptr %1, i64 48
+  %sunkaddr8 = getelementptr inbounds nuw i8, ptr %.1966, i64 40
+  %sunkaddr12 = getelementptr inbounds nuw i8, ptr %.1966, i64 32
+  br label %B666.if
+
+B746:                                             ; preds = %B666.if
+  %scevgep155 = getelementptr i8, ptr %lsr.iv, i64 24
+  %.1488 = load i64, ptr %scevgep155, align 8
+  %.1489 = inttoptr i64 %.1488 to ptr
+  %scevgep154 = getelementptr i8, ptr %lsr.iv, i64 32
+  %.1566 = load i64, ptr %scevgep154, align 8
+  %.1567 = inttoptr i64 %.1566 to ptr
+  %scevgep153 = getelementptr i8, ptr %lsr.iv, i64 40
+  %.1650 = load i64, ptr %scevgep153, align 8
+  %.1654 = inttoptr i64 %.1650 to ptr
+  %scevgep152 = getelementptr i8, ptr %lsr.iv, i64 48
+  %.1789 = load i64, ptr %scevgep152, align 8
+  %.1800 = getelementptr inbounds double, ptr %arg.ratios.4, i64 %.1789
+  %.1901 = getelementptr i8, ptr %.1489, i64 64
+  %.1902 = load i64, ptr %.1901, align 8
+  %.neg947 = mul i64 %.1902, -4
+  %2 = and i64 %.neg947, -32
+  %.1949 = sub i64 0, %2
+  call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(56) %.1966, i8 0, i64 56, i1 false)
+  call fastcc void @inner_8(ptr nonnull %.1966, ptr %arg.coordinates.4, i64 %.110, ptr %.1489, ptr %.1567, ptr %.1654, i64 %.1949, ptr %.1800, ptr %arg.scratch.4)
+  %.1992.fca.5.0.load = load i64, ptr %sunkaddr8, align 8
+  %.1992.fca.4.load = load ptr, ptr %sunkaddr12, align 8
+  store ptr null, ptr %.2043, align 8
+  call fastcc void @inner_23(ptr nonnull %.2043, i64 %arg.start, i64 %arg.stop, ptr %lsr.iv, ptr %.1992.fca.4.load, i64 %.1992.fca.5.0.load, ptr %.1489, ptr %arg.arguments.4)
+  br label %B1064
+
+B1064:                                            ; preds = %B746, %B666.if
+  %scevgep151 = getelementptr i8, ptr %lsr.iv, i64 72
+  %lsr.iv.next = add nsw i64 %lsr.iv157, -1
+  %exitcond1024.not = icmp eq i64 %lsr.iv.next, 0
+  br i1 %exitcond1024.not, label %B1066, label %B666.if
+
+B1066:                                            ; preds = %B1064, %B604
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+.568.endif.preheader:                             ; preds = %entry
+  %.265 = shl nsw i64 %arg.start, 3
+  %.266 = add nsw i64 %.230, %.265
+  %.268 = inttoptr i64 %.266 to ptr
+  %3 = shl i64 %.110, 3
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.268, i8 0, i64 %3, i1 false)
+  br label %B218
+
+B482.if.preheader:                                ; preds = %B218
+  %scevgep158 = getelementptr i8, ptr %1, i64 48
+  br label %B482.if
+
+B482.if:                                          ; preds = %B482.if.preheader, %B602
+  %lsr.iv162 = phi i64 [ %.882, %B482.if.preheader ], [ %lsr.iv.next163, %B602 ]
+  %lsr.iv159 = phi ptr [ %scevgep158, %B482.if.preheader ], [ %scevgep160, %B602 ]
+  %scevgep161 = getelementptr i8, ptr %lsr.iv159, i64 16
+  %.1118 = load i64, ptr %scevgep161, align 8
+  %.1119 = icmp eq i64 %.1118, 0
+  br i1 %.1119, label %B562, label %B602
+
+B666.if:                                          ; preds = %B1064, %B666.if.preheader
+  %lsr.iv157 = phi i64 [ %.1215, %B666.if.preheader ], [ %lsr.iv.next, %B1064 ]
+  %lsr.iv = phi ptr [ %scevgep, %B666.if.preheader ], [ %scevgep151, %B1064 ]
+  %scevgep156 = getelementptr i8, ptr %lsr.iv, i64 16
+  %.1451 = load i64, ptr %scevgep156, align 8
+  %.1452 = icmp sgt i64 %.1451, 0
+  br i1 %.1452, label %B746, label %B1064
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_23(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.mode.4, ptr readonly captures(none) %arg.outputs.4, i64 %arg.outputs.5.0, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.arguments.4) unnamed_addr #4 {
+entry:
+  %.94 = getelementptr i8, ptr %arg.arguments.4, i64 160
+  %.95 = load i64, ptr %.94, align 8
+  %.96 = icmp eq i64 %.95, 0
+  br i1 %.96, label %common.ret, label %B48
+
+B48:                                              ; preds = %entry
+  %.126 = getelementptr i8, ptr %arg.mode.4, i64 64
+  %.127 = load i64, ptr %.126, align 8
+  %.128 = icmp eq i64 %.127, 0
+  br i1 %.128, label %common.ret, label %B96
+
+common.ret:                                       ; preds = %B646.if, %B96, %B48, %entry
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B96:                                              ; preds = %B48
+  %.273 = getelementptr i8, ptr %arg.arguments.4, i64 168
+  %.274 = load i64, ptr %.273, align 8
+  %.275 = inttoptr i64 %.274 to ptr
+  %.351 = load i64, ptr %.275, align 8
+  %.782 = sub i64 %arg.stop, %arg.start
+  %.825584.not = icmp slt i64 %.782, 1
+  br i1 %.825584.not, label %common.ret, label %B646.if.lr.ph
+
+B646.if.lr.ph:                                    ; preds = %B96
+  %.466 = getelementptr i8, ptr %arg.arguments.4, i64 144
+  %.467 = load i64, ptr %.466, align 8
+  %.387 = getelementptr i8, ptr %arg.arguments.4, i64 136
+  %.388 = load i64, ptr %.387, align 8
+  %.653 = getelementptr i8, ptr %arg.contents.4, i64 24
+  %.654 = load i64, ptr %.653, align 8
+  %.563 = getelementptr i8, ptr %arg.arguments.4, i64 8
+  %.564 = load i64, ptr %.563, align 8
+  %.695 = sub i64 0, %.654
+  %.703.1 = and i64 %.695, -8
+  %.655 = add i64 %.654, 7
+  %0 = inttoptr i64 %.564 to ptr
+  %1 = add nuw i64 %.782, 1
+  %2 = mul i64 %arg.start, 80
+  %3 = getelementptr i8, ptr %0, i64 %2
+  %scevgep64 = getelementptr i8, ptr %3, i64 48
+  %4 = mul i64 %.351, %arg.start
+  %5 = shl i64 %arg.stop, 3
+  %6 = shl i64 %arg.outputs.5.0, 3
+  %7 = inttoptr i64 %.467 to ptr
+  %8 = inttoptr i64 %.388 to ptr
+  %9 = inttoptr i64 %.95 to ptr
+  %sunkaddr = getelementptr i8, ptr %arg.mode.4, i64 8
+  br label %B646.if
+
+B646.if:                                          ; preds = %B646.if, %B646.if.lr.ph
+  %lsr.iv72 = phi i64 [ %4, %B646.if.lr.ph ], [ %lsr.iv.next73, %B646.if ]
+  %lsr.iv69 = phi i64 [ %.655, %B646.if.lr.ph ], [ %lsr.iv.next70, %B646.if ]
+  %lsr.iv65 = phi ptr [ %scevgep64, %B646.if.lr.ph ], [ %scevgep66, %B646.if ]
+  %lsr.iv = phi i64 [ %1, %B646.if.lr.ph ], [ %lsr.iv.next, %B646.if ]
+  %.831583585 = phi i64 [ %arg.start, %B646.if.lr.ph ], [ %.838, %B646.if ]
+  %.878 = icmp slt i64 %.831583585, 0
+  %.879 = select i1 %.878, i64 8589934592, i64 0
+  %scevgep67 = getelementptr i8, ptr %lsr.iv65, i64 %.879
+  %.894 = load double, ptr %scevgep67, align 8
+  %.902.le = tail call contract double @llvm.cos.f64(double %.894)
+  %.147.i = fmul contract double %.902.le, %.902.le
+  %.838 = add i64 %.831583585, 1
+  %.931 = fadd contract double %.147.i, 1.000000e+00
+  %.932 = fmul contract double %.931, 2.500000e-01
+  %.934 = fmul contract double %.931, %.932
+  %.935 = fadd contract double %.147.i, %.934
+  %.967 = load i64, ptr %sunkaddr, align 8
+  %10 = add i64 %.967, %lsr.iv72
+  %11 = lshr i64 %10, 33
+  %.983 = and i64 %11, 1073741824
+  %12 = getelementptr double, ptr %8, i64 %10
+  %.997 = getelementptr double, ptr %12, i64 %.983
+  %.998 = load double, ptr %.997, align 8
+  %.1029 = fmul contract double %.998, %.998
+  %.idx579 = shl i64 %10, 4
+  %13 = getelementptr i8, ptr %7, i64 %.idx579
+  %14 = getelementptr i8, ptr %13, i64 8
+  %.1060 = getelementptr double, ptr %14, i64 %.983
+  %.1061 = load double, ptr %.1060, align 8
+  %.1094 = fmul contract double %.1061, %.1061
+  %.1095 = fadd contract double %.1029, %.1094
+  %15 = select i1 %.878, i64 %5, i64 0
+  %scevgep = getelementptr i8, ptr %9, i64 %15
+  %16 = shl i64 %.831583585, 3
+  %scevgep63 = getelementptr i8, ptr %scevgep, i64 %16
+  %.1125 = load double, ptr %scevgep63, align 8
+  %.1129 = fdiv contract double %.1095, %.935
+  %.1149 = icmp slt i64 %lsr.iv69, 0
+  %17 = select i1 %.1149, i64 %6, i64 0
+  %scevgep68 = getelementptr i8, ptr %arg.outputs.4, i64 %17
+  %18 = shl i64 %lsr.iv69, 3
+  %scevgep71 = getelementptr i8, ptr %scevgep68, i64 %18
+  %.1165 = load double, ptr %scevgep71, align 8
+  %.1173.le = tail call contract double @llvm.exp.f64(double %.1165)
+  %.1178 = fmul contract double %.1173.le, %.1129
+  %.1179 = fadd contract double %.1125, %.1178
+  store double %.1179, ptr %scevgep63, align 8
+  %lsr.iv.next = add i64 %lsr.iv, -1
+  %scevgep66 = getelementptr i8, ptr %lsr.iv65, i64 80
+  %reass.sub1 = sub i64 %lsr.iv69, %.703.1
+  %lsr.iv.next70 = add i64 %reass.sub1, 8
+  %lsr.iv.next73 = add i64 %lsr.iv72, %.351
+  %.825 = icmp sgt i64 %lsr.iv.next, 1
+  br i1 %.825, label %B646.if, label %common.ret
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc noundef range(i32 0, 2) i32 @inner_21(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.lane, ptr readonly captures(none) %arg.row.4, double %arg.mass, i8 range(i8 0, 2) %arg.dense, i64 %arg.stop, ptr readonly captures(none) %arg.plan.4, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr readonly captures(none) %arg.gauge.4, ptr readonly captures(none) %arg.ratios.4, ptr %arg.room.4, ptr captures(none) %arg.carriers.4, ptr writeonly captures(none) %arg.modes.4) unnamed_addr #4 {
+entry:
+  %.1692 = alloca ptr, align 8
+  store ptr null, ptr %.1692, align 8
+  %excinfo.10 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.10, align 8
+  %.1910 = alloca ptr, align 8
+  store ptr null, ptr %.1910, align 8
+  %.204 = getelementptr i8, ptr %arg.arguments.4, i64 16
+  %.205 = load i64, ptr %.204, align 8
+  %.234 = getelementptr i8, ptr %arg.arguments.4, i64 32
+  %.235 = load i64, ptr %.234, align 8
+  %.264 = getelementptr i8, ptr %arg.arguments.4, i64 40
+  %.265 = load i64, ptr %.264, align 8
+  %.301 = getelementptr i8, ptr %arg.arguments.4, i64 24
+  %.302 = load i64, ptr %.301, align 8
+  %.304 = inttoptr i64 %.302 to ptr
+  %.371 = getelementptr inbounds double, ptr %.304, i64 %.235
+  %.429 = icmp sgt i64 %.265, 0
+  br i1 %.429, label %B262, label %B342
+
+B262:                                             ; preds = %entry
+  %0 = getelementptr double, ptr %.371, i64 %.205
+  %.440 = getelementptr i8, ptr %0, i64 -8
+  %.441 = load double, ptr %.440, align 8
+  %.450 = load double, ptr %.371, align 8
+  %.451 = fsub contract double %.441, %.450
+  %.453 = uitofp nneg i64 %.265 to double
+  %.457 = fdiv contract double %.453, %.451
+  br label %B342
+
+B342:                                             ; preds = %B262, %entry
+  %prepared_grid_v170__vphi308_0.2.0 = phi double [ %.457, %B262 ], [ 0.000000e+00, %entry ]
+  %.751 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.752 = load i64, ptr %.751, align 8
+  %.753 = sub i64 0, %.752
+  %.761.1 = and i64 %.753, -8
+  %.795 = sub i64 0, %.761.1
+  %.825 = getelementptr i8, ptr %arg.contents.4, i64 144
+  %.826 = load i64, ptr %.825, align 8
+  %.827 = sub i64 0, %.826
+  %.835.1 = and i64 %.827, -8
+  %.869 = sub i64 0, %.835.1
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %.869, i64 %.795)
+  %.945 = load i64, ptr %arg.plan.4, align 8
+  %.10251227.not = icmp slt i64 %.945, 1
+  br i1 %.10251227.not, label %B8649, label %B568.if.lr.ph
+
+B724:                                             ; preds = %B568.if
+  %.1276 = add nsw i64 %number.2.01233, 1
+  %.1290 = mul nsw i64 %.1276, %.1289
+  %.1301 = getelementptr double, ptr %arg.carriers.4, i64 %.1290
+  %.1364 = getelementptr i8, ptr %.1301, i64 320
+  %.1427 = getelementptr i8, ptr %.1301, i64 384
+  %.1493 = getelementptr i8, ptr %.1301, i64 512
+  %.1649 = sitofp i64 %.1239 to double
+  %.1653 = fdiv contract double %.1648, %.1649
+  %.1683 = load i64, ptr %sunkaddr, align 8
+  store ptr null, ptr %.1692, align 8
+  %.1719 = call fastcc i32 @inner_24(ptr nonnull %.1692, ptr nonnull %excinfo.10, ptr %arg.row.4, double %.1653, i8 %arg.dense, ptr %.371, i64 %.205, ptr %2, i64 %.265, double %prepared_grid_v170__vphi308_0.2.0, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.gauge.4, i64 %.1683, ptr %arg.room.4, ptr %.1301, ptr %.1364, ptr %.1427, ptr %.1493, i64 %.13.i)
+  %cond = icmp eq i32 %.1719, 0
+  br i1 %cond, label %B724.endif.endif.endif.endif.endif.endif, label %B724.endif.endif.endif.endif.endif.if, !prof !0
+
+B726:                                             ; preds = %B724.endif.endif.endif.endif.endif.endif, %B568.if
+  %number.3.1 = phi i64 [ %.1276, %B724.endif.endif.endif.endif.endif.endif ], [ %number.2.01233, %B568.if ]
+  %order.3.1 = phi i64 [ %.1239, %B724.endif.endif.endif.endif.endif.endif ], [ %order.2.01234, %B568.if ]
+  %line.3.1 = phi i1 [ %.1790, %B724.endif.endif.endif.endif.endif.endif ], [ %line.2.01235, %B568.if ]
+  %carrier.1.sroa.99.1 = phi ptr [ %.1364, %B724.endif.endif.endif.endif.endif.endif ], [ %carrier.2.sroa.110.01230, %B568.if ]
+  %scevgep136 = getelementptr i8, ptr %lsr.iv, i64 16
+  %.1829 = load i64, ptr %scevgep136, align 8
+  %.1830 = icmp sgt i64 %.1829, 0
+  br i1 %.1830, label %B8569, label %B8647
+
+B8569:                                            ; preds = %B726
+  %scevgep135 = getelementptr i8, ptr %lsr.iv, i64 56
+  %.1861 = load i64, ptr %scevgep135, align 8
+  %.1863 = icmp eq i64 %.969.0, %.1861
+  %.1899 = getelementptr i8, ptr %carrier.1.sroa.99.1, i64 8
+  %.1900 = load double, ptr %.1899, align 8
+  store ptr null, ptr %.1910, align 8
+  %.1916 = zext i1 %.1863 to i8
+  call fastcc void @inner_25(ptr nonnull %.1910, ptr nonnull %lsr.iv, i8 %.1916, i64 %arg.lane, ptr %arg.ratios.4, ptr %arg.modes.4, ptr %.371, i64 %.205, ptr %3, i64 %.265, double %prepared_grid_v170__vphi308_0.2.0, double %.1900, i64 %arg.stop)
+  br label %B8647
+
+B8647:                                            ; preds = %B8569, %B726
+  %scevgep134 = getelementptr i8, ptr %lsr.iv, i64 72
+  %exitcond.not = icmp eq i64 %.945, %.1038
+  br i1 %exitcond.not, label %B8649.loopexit, label %B568.if
+
+common.ret:                                       ; preds = %B724.endif.endif.endif.endif.endif.if, %B8649
+  %common.ret.op = phi i32 [ 0, %B8649 ], [ %.1719, %B724.endif.endif.endif.endif.endif.if ]
+  ret i32 %common.ret.op
+
+B8649.loopexit:                                   ; preds = %B8647
+  %1 = zext i1 %line.3.1 to i8
+  br label %B8649
+
+B8649:                                            ; preds = %B8649.loopexit, %B342
+  %line.2.0.lcssa = phi i8 [ 0, %B342 ], [ %1, %B8649.loopexit ]
+  store i8 %line.2.0.lcssa, ptr %retptr, align 1
+  br label %common.ret
+
+B568.if.lr.ph:                                    ; preds = %B342
+  %.512 = getelementptr i8, ptr %arg.arguments.4, i64 48
+  %.513 = load i64, ptr %.512, align 8
+  %.1289 = add nsw i64 %.13.i, 64
+  %.1648 = fmul contract double %arg.mass, 2.000000e+00
+  %scevgep = getelementptr i8, ptr %arg.plan.4, i64 48
+  %2 = inttoptr i64 %.513 to ptr
+  %sunkaddr = getelementptr i8, ptr %arg.arguments.4, i64 88
+  %3 = inttoptr i64 %.513 to ptr
+  br label %B568.if
+
+B568.if:                                          ; preds = %B568.if.lr.ph, %B8647
+  %lsr.iv = phi ptr [ %scevgep, %B568.if.lr.ph ], [ %scevgep134, %B8647 ]
+  %.969.0 = phi i64 [ 0, %B568.if.lr.ph ], [ %.1038, %B8647 ]
+  %line.2.01235 = phi i1 [ false, %B568.if.lr.ph ], [ %line.3.1, %B8647 ]
+  %order.2.01234 = phi i64 [ 0, %B568.if.lr.ph ], [ %order.3.1, %B8647 ]
+  %number.2.01233 = phi i64 [ -1, %B568.if.lr.ph ], [ %number.3.1, %B8647 ]
+  %carrier.2.sroa.110.01230 = phi ptr [ null, %B568.if.lr.ph ], [ %carrier.1.sroa.99.1, %B8647 ]
+  %.1038 = add nuw nsw i64 %.969.0, 1
+  %.1239 = load i64, ptr %lsr.iv, align 8
+  %.1241.not = icmp eq i64 %.1239, %order.2.01234
+  br i1 %.1241.not, label %B726, label %B724
+
+B724.endif.endif.endif.endif.endif.if:            ; preds = %B724
+  %.1720 = load ptr, ptr %excinfo.10, align 8
+  store ptr %.1720, ptr %excinfo, align 8
+  br label %common.ret
+
+B724.endif.endif.endif.endif.endif.endif:         ; preds = %B724
+  %.1782 = getelementptr i8, ptr %.1301, i64 392
+  %.1783 = load i64, ptr %.1782, align 8
+  %.1788 = icmp slt i64 %.1783, %arg.stop
+  %.1790 = or i1 %line.2.01235, %.1788
+  br label %B726
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_22(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, i64 %arg.lane, i64 %arg.ends.0, i64 %arg.ends.1, i64 %arg.ends.2, i8 range(i8 0, 2) %arg.dense, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr readonly captures(none) %arg.plan.4, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.grid.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.ratios.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 range(i64 8, 1) %arg.sizes.0, i64 range(i64 8, 1) %arg.sizes.1, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, ptr readonly captures(none) %arg.fitted.0.4, ptr readonly captures(none) %arg.fitted.1.4, ptr captures(none) %arg.buffers.0.4, ptr captures(none) %arg.buffers.1.4, ptr captures(none) %arg.buffers.2.4, ptr captures(none) %arg.buffers.3.4, ptr captures(none) %arg.sums.0.4, ptr captures(none) %arg.sums.1.4, ptr captures(none) %arg.sums.2.4, ptr captures(none) %arg.sums.3.4, ptr captures(none) %arg.tail.4, ptr captures(none) %arg.carriers.4, ptr captures(none) %arg.modes.4) unnamed_addr #4 {
+entry:
+  %.1698 = alloca ptr, align 8
+  store ptr null, ptr %.1698, align 8
+  %.2059 = alloca ptr, align 8
+  store ptr null, ptr %.2059, align 8
+  %.4863 = alloca ptr, align 8
+  store ptr null, ptr %.4863, align 8
+  %.5096 = alloca ptr, align 8
+  store ptr null, ptr %.5096, align 8
+  %.387 = sub i64 %arg.ends.1, %arg.ends.0
+  %.416 = getelementptr i8, ptr %arg.arguments.4, i64 112
+  %.417 = load i64, ptr %.416, align 8
+  %.446 = getelementptr i8, ptr %arg.arguments.4, i64 32
+  %.447 = load i64, ptr %.446, align 8
+  %0 = and i64 %.417, -2
+  %or.cond.i.not = icmp eq i64 %0, 2
+  %.641 = getelementptr i8, ptr %arg.arguments.4, i64 136
+  %.642 = load i64, ptr %.641, align 8
+  %.720 = getelementptr i8, ptr %arg.arguments.4, i64 144
+  %.721 = load i64, ptr %.720, align 8
+  %.idx = shl i64 %.447, 4
+  %1 = getelementptr i8, ptr %arg.grid.4, i64 %.idx
+  %.803 = getelementptr double, ptr %1, i64 %arg.ends.0
+  br i1 %or.cond.i.not, label %B372, label %B404
+
+B372:                                             ; preds = %entry
+  %2 = add i64 %.387, 7
+  %.123.i = lshr i64 %2, 3
+  %.100.inv.i = icmp slt i64 %.387, 1
+  %.144157.not161.i = icmp eq i64 %.123.i, 0
+  %.144157.not.i = or i1 %.100.inv.i, %.144157.not161.i
+  br i1 %.144157.not.i, label %B404, label %B48.if.preheader.i
+
+B48.if.preheader.i:                               ; preds = %B372
+  %3 = icmp eq i64 %.123.i, 1
+  br i1 %3, label %B48.if.epil.preheader.i, label %B48.if.preheader.new.i
+
+B48.if.preheader.new.i:                           ; preds = %B48.if.preheader.i
+  %4 = lshr i64 %2, 4
+  %5 = mul nsw i64 %4, -2
+  br label %B48.if.i
+
+B342.loopexit.unr-lcssa.i:                        ; preds = %B48.if.i
+  %6 = and i64 %2, 8
+  %lcmp.mod.not.i = icmp eq i64 %6, 0
+  br i1 %lcmp.mod.not.i, label %B404, label %B48.if.epil.preheader.i
+
+B48.if.epil.preheader.i:                          ; preds = %B342.loopexit.unr-lcssa.i, %B48.if.preheader.i
+  %.150156158.epil.init.i = phi i64 [ 0, %B48.if.preheader.i ], [ %.157.1.i, %B342.loopexit.unr-lcssa.i ]
+  %.195.epil.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.150156158.epil.init.i
+  store <8 x double> zeroinitializer, ptr %.195.epil.i, align 8, !noalias !158
+  %.214.epil.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.150156158.epil.init.i
+  store <8 x double> zeroinitializer, ptr %.214.epil.i, align 8, !noalias !158
+  %.233.epil.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.150156158.epil.init.i
+  store <8 x double> zeroinitializer, ptr %.233.epil.i, align 8, !noalias !158
+  %.252.epil.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.150156158.epil.init.i
+  store <8 x double> zeroinitializer, ptr %.252.epil.i, align 8, !noalias !158
+  br label %B404
+
+B48.if.i:                                         ; preds = %B48.if.i, %B48.if.preheader.new.i
+  %lsr.iv40 = phi i64 [ %lsr.iv.next41, %B48.if.i ], [ %5, %B48.if.preheader.new.i ]
+  %.150156158.i = phi i64 [ %.157.1.i, %B48.if.i ], [ 0, %B48.if.preheader.new.i ]
+  %sunkaddr = shl i64 %.150156158.i, 3
+  %sunkaddr58 = getelementptr i8, ptr %arg.sums.0.4, i64 %sunkaddr
+  store <8 x double> zeroinitializer, ptr %sunkaddr58, align 8, !noalias !158
+  %sunkaddr60 = getelementptr i8, ptr %arg.sums.1.4, i64 %sunkaddr
+  store <8 x double> zeroinitializer, ptr %sunkaddr60, align 8, !noalias !158
+  %sunkaddr62 = getelementptr i8, ptr %arg.sums.2.4, i64 %sunkaddr
+  store <8 x double> zeroinitializer, ptr %sunkaddr62, align 8, !noalias !158
+  %sunkaddr64 = getelementptr i8, ptr %arg.sums.3.4, i64 %sunkaddr
+  store <8 x double> zeroinitializer, ptr %sunkaddr64, align 8, !noalias !158
+  %.157.1.i = add i64 %.150156158.i, 16
+  %sunkaddr65 = shl i64 %.157.1.i, 3
+  %sunkaddr66 = getelementptr i8, ptr %arg.sums.0.4, i64 %sunkaddr65
+  %sunkaddr67 = getelementptr i8, ptr %sunkaddr66, i64 -64
+  store <8 x double> zeroinitializer, ptr %sunkaddr67, align 8, !noalias !158
+  %sunkaddr69 = getelementptr i8, ptr %arg.sums.1.4, i64 %sunkaddr65
+  %sunkaddr70 = getelementptr i8, ptr %sunkaddr69, i64 -64
+  store <8 x double> zeroinitializer, ptr %sunkaddr70, align 8, !noalias !158
+  %sunkaddr72 = getelementptr i8, ptr %arg.sums.2.4, i64 %sunkaddr65
+  %sunkaddr73 = getelementptr i8, ptr %sunkaddr72, i64 -64
+  store <8 x double> zeroinitializer, ptr %sunkaddr73, align 8, !noalias !158
+  %sunkaddr76 = getelementptr i8, ptr %arg.sums.3.4, i64 %sunkaddr65
+  %sunkaddr78 = getelementptr i8, ptr %sunkaddr76, i64 -64
+  store <8 x double> zeroinitializer, ptr %sunkaddr78, align 8, !noalias !158
+  %lsr.iv.next41 = add i64 %lsr.iv40, 2
+  %niter.ncmp.1.not.i = icmp eq i64 %lsr.iv.next41, 0
+  br i1 %niter.ncmp.1.not.i, label %B342.loopexit.unr-lcssa.i, label %B48.if.i
+
+B404:                                             ; preds = %B48.if.epil.preheader.i, %B342.loopexit.unr-lcssa.i, %B372, %entry
+  %.956 = load i64, ptr %arg.plan.4, align 8
+  %.10363039.not = icmp slt i64 %.956, 1
+  br i1 %.10363039.not, label %B1270, label %B476.if.lr.ph
+
+B476.if.lr.ph:                                    ; preds = %B404
+  %.4321 = getelementptr double, ptr %arg.grid.4, i64 %.447
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %arg.sizes.1, i64 %arg.sizes.0)
+  %.1323 = add nsw i64 %.13.i, 64
+  %7 = add i64 %.387, 7
+  %.96.i508 = lshr i64 %7, 3
+  %.73.inv.i = icmp slt i64 %.387, 1
+  %.117323.not517.i = icmp eq i64 %.96.i508, 0
+  %.117323.not.i = or i1 %.73.inv.i, %.117323.not517.i
+  %.163279.not.i = select i1 %.73.inv.i, i1 true, i1 %.117323.not517.i
+  %scevgep875 = getelementptr i8, ptr %arg.modes.4, i64 72
+  %8 = mul i64 %arg.ends.0, -8
+  %scevgep880 = getelementptr i8, ptr %arg.buffers.1.4, i64 %8
+  %scevgep882 = getelementptr i8, ptr %arg.buffers.0.4, i64 %8
+  %9 = add nuw nsw i64 %.96.i508, 6
+  %10 = inttoptr i64 %.721 to ptr
+  %11 = inttoptr i64 %.642 to ptr
+  %sunkaddr125 = getelementptr i8, ptr %arg.plan.4, i64 16
+  br label %B476.if
+
+B558:                                             ; preds = %B476.if
+  %.1279 = add nsw i64 %number.2.03045, 1
+  %.1324 = mul nsw i64 %.1279, %.1323
+  %.1335 = getelementptr double, ptr %arg.carriers.4, i64 %.1324
+  %.1398 = getelementptr i8, ptr %.1335, i64 320
+  %.1461 = getelementptr i8, ptr %.1335, i64 384
+  %.1527 = getelementptr i8, ptr %.1335, i64 512
+  store ptr null, ptr %.1698, align 8
+  call fastcc void @inner_26(ptr nonnull %.1698, i64 %arg.ends.0, i64 %arg.ends.1, i8 %arg.dense, ptr %arg.grid.4, i64 %.447, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.contents.4, ptr %arg.weights.4, i64 %arg.sizes.0, i64 %arg.sizes.1, ptr %arg.cubics.0.4, ptr %arg.cubics.1.4, ptr %arg.fitted.0.4, ptr %arg.fitted.1.4, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr %.1335, ptr %.1398, ptr %.1461, ptr %.1527, ptr %arg.buffers.0.4, ptr %arg.buffers.1.4, ptr %arg.buffers.2.4, ptr %arg.buffers.3.4)
+  br i1 %.117323.not.i, label %B794, label %B48.if.preheader.i509
+
+B794:                                             ; preds = %B48.if.i512, %B558, %B476.if
+  %number.3.1 = phi i64 [ %number.2.03045, %B476.if ], [ %.1279, %B558 ], [ %.1279, %B48.if.i512 ]
+  %order.3.1 = phi i64 [ %order.2.03046, %B476.if ], [ %.1242, %B558 ], [ %.1242, %B48.if.i512 ]
+  %carrier.1.sroa.99.1 = phi ptr [ %carrier.2.sroa.110.03042, %B476.if ], [ %.1398, %B558 ], [ %.1398, %B48.if.i512 ]
+  %.1842 = load i64, ptr %arg.plan.4, align 8
+  %.1844 = mul nsw i64 %.1842, %arg.i
+  %sunkaddr82 = getelementptr i8, ptr %34, i64 56
+  %.1874 = load i64, ptr %sunkaddr82, align 8
+  %.1875 = add nsw i64 %.1844, %.1874
+  %12 = lshr i64 %.1875, 33
+  %.1894 = and i64 %12, 1073741824
+  %13 = getelementptr double, ptr %11, i64 %.1875
+  %.1908 = getelementptr double, ptr %13, i64 %.1894
+  %.1909 = load double, ptr %.1908, align 8
+  %.idx2572 = shl i64 %.1875, 4
+  %14 = getelementptr i8, ptr %10, i64 %.idx2572
+  %15 = getelementptr i8, ptr %14, i64 8
+  %.1941 = getelementptr double, ptr %15, i64 %.1894
+  %.1942 = load double, ptr %.1941, align 8
+  %sunkaddr86 = getelementptr i8, ptr %34, i64 64
+  %.1981 = load i64, ptr %sunkaddr86, align 8
+  %.1982 = icmp eq i64 %.1981, 0
+  br i1 %.1982, label %B962, label %B1054
+
+B962:                                             ; preds = %B794
+  br i1 %or.cond.i.not, label %B966, label %B1006
+
+B966:                                             ; preds = %B962
+  br i1 %.73.inv.i, label %B1266, label %B48.if.lr.ph.i
+
+B48.if.lr.ph.i:                                   ; preds = %B966
+  %.287.i = insertelement <8 x double> poison, double %.1909, i64 0
+  %.288.i = shufflevector <8 x double> %.287.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.341.i = fsub contract double 0.000000e+00, %.1942
+  %.358.i = insertelement <8 x double> poison, double %.341.i, i64 0
+  %.359.i = shufflevector <8 x double> %.358.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.409.i = insertelement <8 x double> poison, double %.1942, i64 0
+  %.410.i = shufflevector <8 x double> %.409.i, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %B48.if.i434
+
+B48.if.i434:                                      ; preds = %B48.if.i434, %B48.if.lr.ph.i
+  %lsr.iv38 = phi i64 [ %lsr.iv.next39, %B48.if.i434 ], [ %9, %B48.if.lr.ph.i ]
+  %lsr.iv1.i = phi i64 [ %lsr.iv.next2.i, %B48.if.i434 ], [ 0, %B48.if.lr.ph.i ]
+  %scevgep7.i = getelementptr i8, ptr %arg.buffers.2.4, i64 %lsr.iv1.i
+  %.228.i = load <8 x double>, ptr %scevgep7.i, align 8, !noalias !161
+  %scevgep6.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %lsr.iv1.i
+  %.238.i = load <8 x double>, ptr %scevgep6.i, align 8, !noalias !161
+  %scevgep5.i = getelementptr i8, ptr %arg.sums.0.4, i64 %lsr.iv1.i
+  %.283.i = load <8 x double>, ptr %scevgep5.i, align 8, !noalias !161
+  %.289.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.228.i, <8 x double> %.288.i, <8 x double> %.283.i)
+  store <8 x double> %.289.i, ptr %scevgep5.i, align 8, !noalias !161
+  %scevgep4.i = getelementptr i8, ptr %arg.sums.1.4, i64 %lsr.iv1.i
+  %.318.i = load <8 x double>, ptr %scevgep4.i, align 8, !noalias !161
+  %.324.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.238.i, <8 x double> %.288.i, <8 x double> %.318.i)
+  store <8 x double> %.324.i, ptr %scevgep4.i, align 8, !noalias !161
+  %scevgep3.i = getelementptr i8, ptr %arg.sums.2.4, i64 %lsr.iv1.i
+  %.354.i = load <8 x double>, ptr %scevgep3.i, align 8, !noalias !161
+  %.360.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.238.i, <8 x double> %.359.i, <8 x double> %.354.i)
+  store <8 x double> %.360.i, ptr %scevgep3.i, align 8, !noalias !161
+  %scevgep.i = getelementptr i8, ptr %arg.sums.3.4, i64 %lsr.iv1.i
+  %.405.i = load <8 x double>, ptr %scevgep.i, align 8, !noalias !161
+  %.411.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.228.i, <8 x double> %.410.i, <8 x double> %.405.i)
+  store <8 x double> %.411.i, ptr %scevgep.i, align 8, !noalias !161
+  %lsr.iv.next2.i = add i64 %lsr.iv1.i, 64
+  %lsr.iv.next39 = add nsw i64 %lsr.iv38, -1
+  %.180.i = icmp sgt i64 %lsr.iv38, 7
+  br i1 %.180.i, label %B48.if.i434, label %B1266
+
+B1006:                                            ; preds = %B962
+  store ptr null, ptr %.2059, align 8
+  call fastcc void @inner_27(ptr nonnull %.2059, i64 %.1875, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.arguments.4, i64 %.387, ptr %arg.buffers.2.4, ptr %arg.buffers.3.4, ptr %arg.tail.4)
+  br label %B1266
+
+B1054:                                            ; preds = %B794
+  %sunkaddr90 = getelementptr i8, ptr %34, i64 72
+  %.2180 = load i64, ptr %sunkaddr90, align 8
+  %.2181 = inttoptr i64 %.2180 to ptr
+  %sunkaddr92 = getelementptr i8, ptr %34, i64 88
+  %.2258 = load i64, ptr %sunkaddr92, align 8
+  %.2259 = inttoptr i64 %.2258 to ptr
+  %.2341 = getelementptr i8, ptr %.2181, i64 64
+  %.2342 = load i64, ptr %.2341, align 8
+  %.2343 = sub i64 0, %.2342
+  %.2351.1 = and i64 %.2343, -8
+  %.2385 = sub i64 0, %.2351.1
+  %sunkaddr94 = getelementptr i8, ptr %34, i64 96
+  %.2415 = load i64, ptr %sunkaddr94, align 8
+  %.2419 = ashr i64 %.2415, 1
+  %.2432 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.2419
+  %.2484 = shl nsw i64 %.2385, 2
+  %.2557 = getelementptr inbounds double, ptr %.2432, i64 %.2484
+  %.2635.idx = shl i64 %.2385, 6
+  %.2635 = getelementptr i8, ptr %.2432, i64 %.2635.idx
+  %.2782 = getelementptr i8, ptr %.2181, i64 120
+  %.2783 = load i64, ptr %.2782, align 8
+  %.2796 = getelementptr inbounds double, ptr %.2259, i64 %.2783
+  %sunkaddr96 = getelementptr i8, ptr %34, i64 104
+  %.3128 = load i64, ptr %sunkaddr96, align 8
+  %.idx2573 = mul i64 %.3128, 72
+  %16 = getelementptr i8, ptr %arg.plan.4, i64 %.idx2573
+  %.3250 = getelementptr i8, ptr %16, i64 72
+  %.3251 = load i64, ptr %.3250, align 8
+  %.3252 = inttoptr i64 %.3251 to ptr
+  %.3412 = getelementptr i8, ptr %.3252, i64 64
+  %.3413 = load i64, ptr %.3412, align 8
+  %.3485 = getelementptr i8, ptr %16, i64 96
+  %.3486 = load i64, ptr %.3485, align 8
+  %.3490 = ashr i64 %.3486, 1
+  %.3503 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.3490
+  %.neg = mul i64 %.3413, -64
+  %17 = and i64 %.neg, -512
+  %.3706.idx = sub i64 0, %17
+  %.3706 = getelementptr i8, ptr %.3503, i64 %.3706.idx
+  %.3773 = getelementptr i8, ptr %.3706, i64 64
+  %.4110 = mul nsw i64 %.2484, %arg.lane
+  %18 = getelementptr double, ptr %arg.ratios.4, i64 %.2415
+  %.4125 = getelementptr double, ptr %18, i64 %.4110
+  %.4205 = shl nsw i64 %.2385, 1
+  %.4248.inv = icmp sgt i64 %.2342, 0
+  %.4249 = select i1 %.4248.inv, i64 0, i64 %.2484
+  %19 = getelementptr double, ptr %.4125, i64 %.2342
+  %20 = getelementptr i8, ptr %19, i64 -8
+  %.4263 = getelementptr double, ptr %20, i64 %.4249
+  %.4264 = load double, ptr %.4263, align 8
+  %.4266 = add nsw i64 %.4205, %.2342
+  %.4280.inv = icmp sgt i64 %.4266, 0
+  %.4281 = select i1 %.4280.inv, i64 0, i64 %.2484
+  %21 = getelementptr double, ptr %.4125, i64 %.4266
+  %22 = getelementptr i8, ptr %21, i64 -8
+  %.4295 = getelementptr double, ptr %22, i64 %.4281
+  %.4296 = load double, ptr %.4295, align 8
+  %.4400 = getelementptr i8, ptr %carrier.1.sroa.99.1, i64 8
+  %.4401 = load double, ptr %.4400, align 8
+  %.173.i = load i64, ptr %.2635, align 8, !noalias !164
+  %.13.i.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.173.i)
+  %.13.i1.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i.i)
+  %.262.i = getelementptr i8, ptr %.2635, i64 8
+  %.263.i = load i64, ptr %.262.i, align 8, !noalias !164
+  %.13.i2.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.263.i)
+  %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i2.i)
+  %.330.i609 = sub nsw i64 %.13.i1.i, %arg.ends.0
+  %23 = add i64 %.330.i609, 7
+  %.389.i = lshr i64 %23, 3
+  %.368.inv.i = icmp slt i64 %.330.i609, 1
+  %.410442.not453.i = icmp eq i64 %.389.i, 0
+  %.410442.not.i = or i1 %.368.inv.i, %.410442.not453.i
+  br i1 %.410442.not.i, label %B348.i, label %B198.if.lr.ph.i
+
+B1122:                                            ; preds = %B1054.endif.endif.endif.e...endif.3.endif
+  br i1 %.163279.not.i, label %B1266, label %B48.if.lr.ph.i437
+
+B48.if.lr.ph.i437:                                ; preds = %B1122
+  %.318.i438 = insertelement <8 x double> poison, double %.4658, i64 0
+  %.319.i = shufflevector <8 x double> %.318.i438, <8 x double> poison, <8 x i32> zeroinitializer
+  %.364.i = add i64 %.4687, -1
+  %..364.i = tail call i64 @llvm.smax.i64(i64 %.364.i, i64 0)
+  %.717.i = insertelement <8 x double> poison, double %.1909, i64 0
+  %.718.i = shufflevector <8 x double> %.717.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.771.i = fsub contract double 0.000000e+00, %.1942
+  %.788.i = insertelement <8 x double> poison, double %.771.i, i64 0
+  %.789.i = shufflevector <8 x double> %.788.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.839.i = insertelement <8 x double> poison, double %.1942, i64 0
+  %.840.i = shufflevector <8 x double> %.839.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i24.i = insertelement <8 x double> poison, double %.4656, i64 0
+  %.7.i.i = shufflevector <8 x double> %.6.i24.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %xtraiter.i = and i64 %..364.i, 3
+  %24 = lshr i64 %..364.i, 2
+  %25 = mul nsw i64 %24, -4
+  %26 = icmp slt i64 %.364.i, 1
+  %27 = icmp slt i64 %.364.i, 4
+  %28 = icmp eq i64 %xtraiter.i, 0
+  br label %B48.if.i440
+
+B9925.loopexit.unr-lcssa.i:                       ; preds = %B434.if.i
+  br i1 %28, label %B9925.i, label %B434.if.epil.i.preheader
+
+B434.if.epil.i.preheader:                         ; preds = %B434.if.preheader.i, %B9925.loopexit.unr-lcssa.i
+  %_velocity_v330_w.2.1319.epil.i.ph = phi <8 x double> [ %.6.i25.3.i, %B9925.loopexit.unr-lcssa.i ], [ %.320.i, %B434.if.preheader.i ]
+  br label %B434.if.epil.i
+
+B434.if.epil.i:                                   ; preds = %B434.if.epil.i.preheader, %B434.if.epil.i
+  %lsr.iv33.i = phi i64 [ %lsr.iv.next34.i, %B434.if.epil.i ], [ %xtraiter.i, %B434.if.epil.i.preheader ]
+  %_velocity_v330_w.2.1319.epil.i = phi <8 x double> [ %.6.i25.epil.i, %B434.if.epil.i ], [ %_velocity_v330_w.2.1319.epil.i.ph, %B434.if.epil.i.preheader ]
+  %.6.i25.epil.i = fmul contract <8 x double> %.320.i, %_velocity_v330_w.2.1319.epil.i
+  %lsr.iv.next34.i = add nsw i64 %lsr.iv33.i, -1
+  %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next34.i, 0
+  br i1 %epil.iter.cmp.not.i, label %B9925.i, label %B434.if.epil.i, !llvm.loop !167
+
+B9925.i:                                          ; preds = %B434.if.epil.i, %B48.if.i440, %B9925.loopexit.unr-lcssa.i
+  %_velocity_v330_w.2.1.lcssa.i = phi <8 x double> [ %.320.i, %B48.if.i440 ], [ %.6.i25.3.i, %B9925.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i, %B434.if.epil.i ]
+  %.491.i = getelementptr inbounds double, ptr %arg.buffers.2.4, i64 %.235329353.i
+  %.493.i = load <8 x double>, ptr %.491.i, align 8, !noalias !168
+  %.6.i.i = fmul contract <8 x double> %_velocity_v330_w.2.1.lcssa.i, %.493.i
+  %.526.i = getelementptr inbounds double, ptr %arg.buffers.3.4, i64 %.235329353.i
+  %.528.i = load <8 x double>, ptr %.526.i, align 8, !noalias !168
+  %.6.i26.i = fmul contract <8 x double> %_velocity_v330_w.2.1.lcssa.i, %.528.i
+  %.565.i = getelementptr inbounds double, ptr %arg.buffers.0.4, i64 %.235329353.i
+  %.567.i = load <8 x double>, ptr %.565.i, align 8, !noalias !168
+  %.583.i = getelementptr inbounds double, ptr %arg.buffers.1.4, i64 %.235329353.i
+  %.585.i = load <8 x double>, ptr %.583.i, align 8, !noalias !168
+  %.6.i27.i = fmul contract <8 x double> %.6.i26.i, %.585.i
+  %.6.i28.i = fsub contract <8 x double> zeroinitializer, %.6.i27.i
+  %.6.i29.i = fmul contract <8 x double> %.6.i26.i, %.567.i
+  %.640.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i, <8 x double> %.567.i, <8 x double> %.6.i28.i)
+  %.665.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i, <8 x double> %.585.i, <8 x double> %.6.i29.i)
+  %.711.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.235329353.i
+  %.713.i = load <8 x double>, ptr %.711.i, align 8, !noalias !168
+  %.719.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.640.i, <8 x double> %.718.i, <8 x double> %.713.i)
+  store <8 x double> %.719.i, ptr %.711.i, align 8, !noalias !168
+  %.746.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.235329353.i
+  %.748.i = load <8 x double>, ptr %.746.i, align 8, !noalias !168
+  %.754.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.665.i, <8 x double> %.718.i, <8 x double> %.748.i)
+  store <8 x double> %.754.i, ptr %.746.i, align 8, !noalias !168
+  %.782.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.235329353.i
+  %.784.i = load <8 x double>, ptr %.782.i, align 8, !noalias !168
+  %.790.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.665.i, <8 x double> %.789.i, <8 x double> %.784.i)
+  store <8 x double> %.790.i, ptr %.782.i, align 8, !noalias !168
+  %.833.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.235329353.i
+  %.835.i = load <8 x double>, ptr %.833.i, align 8, !noalias !168
+  %.841.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.640.i, <8 x double> %.840.i, <8 x double> %.835.i)
+  store <8 x double> %.841.i, ptr %.833.i, align 8, !noalias !168
+  %.229.i = icmp sgt i64 %.228322354.i, 1
+  br i1 %.229.i, label %B48.if.i440, label %B1266
+
+B48.if.i440:                                      ; preds = %B9925.i, %B48.if.lr.ph.i437
+  %.228322354.i = phi i64 [ %.96.i508, %B48.if.lr.ph.i437 ], [ %.238.i441, %B9925.i ]
+  %.235329353.i = phi i64 [ 0, %B48.if.lr.ph.i437 ], [ %.242.i, %B9925.i ]
+  %.238.i441 = add nsw i64 %.228322354.i, -1
+  %.242.i = add nuw i64 %.235329353.i, 8
+  %.288.i442 = getelementptr inbounds double, ptr %.803, i64 %.235329353.i
+  %.290.i = load <8 x double>, ptr %.288.i442, align 8, !noalias !168
+  %.8.i.i = fmul contract <8 x double> %.7.i.i, %.290.i
+  %.320.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i, <8 x double> %.319.i)
+  br i1 %26, label %B9925.i, label %B434.if.preheader.i
+
+B434.if.preheader.i:                              ; preds = %B48.if.i440
+  br i1 %27, label %B434.if.epil.i.preheader, label %B434.if.i
+
+B434.if.i:                                        ; preds = %B434.if.preheader.i, %B434.if.i
+  %lsr.iv36 = phi i64 [ %lsr.iv.next37, %B434.if.i ], [ %25, %B434.if.preheader.i ]
+  %_velocity_v330_w.2.1319.i = phi <8 x double> [ %.6.i25.3.i, %B434.if.i ], [ %.320.i, %B434.if.preheader.i ]
+  %.6.i25.i = fmul contract <8 x double> %.320.i, %_velocity_v330_w.2.1319.i
+  %.6.i25.1.i = fmul contract <8 x double> %.320.i, %.6.i25.i
+  %.6.i25.2.i = fmul contract <8 x double> %.320.i, %.6.i25.1.i
+  %.6.i25.3.i = fmul contract <8 x double> %.320.i, %.6.i25.2.i
+  %lsr.iv.next37 = add nsw i64 %lsr.iv36, 4
+  %niter.ncmp.3.i = icmp eq i64 %lsr.iv.next37, 0
+  br i1 %niter.ncmp.3.i, label %B9925.loopexit.unr-lcssa.i, label %B434.if.i
+
+B1174:                                            ; preds = %B1054.endif.endif.endif.e...endif.3.endif
+  br i1 %.163279.not.i, label %B1174.endif, label %B48.if.lr.ph.i445
+
+B48.if.lr.ph.i445:                                ; preds = %B1174
+  %.252.i = insertelement <8 x double> poison, double %.4658, i64 0
+  %.253.i = shufflevector <8 x double> %.252.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.298.i = add i64 %.4687, -1
+  %..298.i = tail call i64 @llvm.smax.i64(i64 %.298.i, i64 0)
+  %.6.i24.i446 = insertelement <8 x double> poison, double %.4656, i64 0
+  %.7.i.i447 = shufflevector <8 x double> %.6.i24.i446, <8 x double> poison, <8 x i32> zeroinitializer
+  %xtraiter.i448 = and i64 %..298.i, 3
+  %29 = lshr i64 %..298.i, 2
+  %30 = mul nsw i64 %29, -4
+  %31 = icmp slt i64 %.298.i, 1
+  %32 = icmp slt i64 %.298.i, 4
+  %33 = icmp eq i64 %xtraiter.i448, 0
+  br label %B48.if.i450
+
+B10053.loopexit.unr-lcssa.i:                      ; preds = %B488.if.i
+  br i1 %33, label %B10053.i, label %B488.if.epil.i.preheader
+
+B488.if.epil.i.preheader:                         ; preds = %B488.if.preheader.i, %B10053.loopexit.unr-lcssa.i
+  %_velocity_v333_w.2.1248.epil.i.ph = phi <8 x double> [ %.6.i25.3.i456, %B10053.loopexit.unr-lcssa.i ], [ %.254.i, %B488.if.preheader.i ]
+  br label %B488.if.epil.i
+
+B488.if.epil.i:                                   ; preds = %B488.if.epil.i.preheader, %B488.if.epil.i
+  %lsr.iv33.i459 = phi i64 [ %lsr.iv.next34.i461, %B488.if.epil.i ], [ %xtraiter.i448, %B488.if.epil.i.preheader ]
+  %_velocity_v333_w.2.1248.epil.i = phi <8 x double> [ %.6.i25.epil.i460, %B488.if.epil.i ], [ %_velocity_v333_w.2.1248.epil.i.ph, %B488.if.epil.i.preheader ]
+  %.6.i25.epil.i460 = fmul contract <8 x double> %.254.i, %_velocity_v333_w.2.1248.epil.i
+  %lsr.iv.next34.i461 = add nsw i64 %lsr.iv33.i459, -1
+  %epil.iter.cmp.not.i462 = icmp eq i64 %lsr.iv.next34.i461, 0
+  br i1 %epil.iter.cmp.not.i462, label %B10053.i, label %B488.if.epil.i, !llvm.loop !171
+
+B10053.i:                                         ; preds = %B488.if.epil.i, %B48.if.i450, %B10053.loopexit.unr-lcssa.i
+  %_velocity_v333_w.2.1.lcssa.i = phi <8 x double> [ %.254.i, %B48.if.i450 ], [ %.6.i25.3.i456, %B10053.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i460, %B488.if.epil.i ]
+  %.425.i = getelementptr inbounds double, ptr %arg.buffers.2.4, i64 %.169258282.i
+  %.427.i = load <8 x double>, ptr %.425.i, align 8, !noalias !172
+  %.6.i.i463 = fmul contract <8 x double> %_velocity_v333_w.2.1.lcssa.i, %.427.i
+  %.460.i = getelementptr inbounds double, ptr %arg.buffers.3.4, i64 %.169258282.i
+  %.462.i = load <8 x double>, ptr %.460.i, align 8, !noalias !172
+  %.6.i26.i464 = fmul contract <8 x double> %_velocity_v333_w.2.1.lcssa.i, %.462.i
+  %.499.i = getelementptr inbounds double, ptr %arg.buffers.0.4, i64 %.169258282.i
+  %.501.i = load <8 x double>, ptr %.499.i, align 8, !noalias !172
+  %.517.i = getelementptr inbounds double, ptr %arg.buffers.1.4, i64 %.169258282.i
+  %.519.i = load <8 x double>, ptr %.517.i, align 8, !noalias !172
+  %.6.i27.i465 = fmul contract <8 x double> %.6.i26.i464, %.519.i
+  %.6.i28.i466 = fsub contract <8 x double> zeroinitializer, %.6.i27.i465
+  %.578.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i463, <8 x double> %.501.i, <8 x double> %.6.i28.i466)
+  store <8 x double> %.578.i, ptr %.499.i, align 8, !noalias !172
+  %.6.i29.i467 = fmul contract <8 x double> %.6.i26.i464, %.501.i
+  %.621.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i463, <8 x double> %.519.i, <8 x double> %.6.i29.i467)
+  store <8 x double> %.621.i, ptr %.517.i, align 8, !noalias !172
+  %.163.i = icmp sgt i64 %.162251283.i, 1
+  br i1 %.163.i, label %B48.if.i450, label %B1174.endif
+
+B48.if.i450:                                      ; preds = %B10053.i, %B48.if.lr.ph.i445
+  %.162251283.i = phi i64 [ %.96.i508, %B48.if.lr.ph.i445 ], [ %.172.i, %B10053.i ]
+  %.169258282.i = phi i64 [ 0, %B48.if.lr.ph.i445 ], [ %.176.i, %B10053.i ]
+  %.172.i = add nsw i64 %.162251283.i, -1
+  %.176.i = add nuw i64 %.169258282.i, 8
+  %.222.i = getelementptr inbounds double, ptr %.803, i64 %.169258282.i
+  %.224.i = load <8 x double>, ptr %.222.i, align 8, !noalias !172
+  %.8.i.i451 = fmul contract <8 x double> %.7.i.i447, %.224.i
+  %.254.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i451, <8 x double> %.253.i)
+  br i1 %31, label %B10053.i, label %B488.if.preheader.i
+
+B488.if.preheader.i:                              ; preds = %B48.if.i450
+  br i1 %32, label %B488.if.epil.i.preheader, label %B488.if.i
+
+B488.if.i:                                        ; preds = %B488.if.preheader.i, %B488.if.i
+  %lsr.iv34 = phi i64 [ %lsr.iv.next35, %B488.if.i ], [ %30, %B488.if.preheader.i ]
+  %_velocity_v333_w.2.1248.i = phi <8 x double> [ %.6.i25.3.i456, %B488.if.i ], [ %.254.i, %B488.if.preheader.i ]
+  %.6.i25.i453 = fmul contract <8 x double> %.254.i, %_velocity_v333_w.2.1248.i
+  %.6.i25.1.i454 = fmul contract <8 x double> %.254.i, %.6.i25.i453
+  %.6.i25.2.i455 = fmul contract <8 x double> %.254.i, %.6.i25.1.i454
+  %.6.i25.3.i456 = fmul contract <8 x double> %.254.i, %.6.i25.2.i455
+  %lsr.iv.next35 = add nsw i64 %lsr.iv34, 4
+  %niter.ncmp.3.i458 = icmp eq i64 %lsr.iv.next35, 0
+  br i1 %niter.ncmp.3.i458, label %B10053.loopexit.unr-lcssa.i, label %B488.if.i
+
+B1266:                                            ; preds = %B9925.i, %B48.if.i434, %B1122, %B1174.endif, %B1006, %B966
+  %exitcond.not = icmp eq i64 %.1049, %.956
+  br i1 %exitcond.not, label %B1270, label %B476.if
+
+B1270:                                            ; preds = %B1266, %B404
+  br i1 %or.cond.i.not, label %B1316, label %common.ret
+
+B1316:                                            ; preds = %B1270
+  store ptr null, ptr %.5096, align 8
+  call fastcc void @inner_28(ptr nonnull %.5096, i64 %arg.i, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.arguments.4, i64 %.387, ptr %arg.sums.0.4, ptr %arg.sums.1.4, ptr %arg.sums.2.4, ptr %arg.sums.3.4, ptr %arg.tail.4)
+  br label %common.ret
+
+common.ret:                                       ; preds = %B1270, %B1316
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B476.if:                                          ; preds = %B1266, %B476.if.lr.ph
+  %.980.0 = phi i64 [ 0, %B476.if.lr.ph ], [ %.1049, %B1266 ]
+  %order.2.03046 = phi i64 [ 0, %B476.if.lr.ph ], [ %order.3.1, %B1266 ]
+  %number.2.03045 = phi i64 [ -1, %B476.if.lr.ph ], [ %number.3.1, %B1266 ]
+  %carrier.2.sroa.110.03042 = phi ptr [ null, %B476.if.lr.ph ], [ %carrier.1.sroa.99.1, %B1266 ]
+  %.1049 = add nuw nsw i64 %.980.0, 1
+  %.idx2571 = mul i64 %.980.0, 72
+  %34 = getelementptr i8, ptr %arg.plan.4, i64 %.idx2571
+  %.1144 = getelementptr i8, ptr %34, i64 48
+  %.1242 = load i64, ptr %.1144, align 8
+  %.1244.not = icmp eq i64 %.1242, %order.2.03046
+  br i1 %.1244.not, label %B794, label %B558
+
+B48.if.preheader.i509:                            ; preds = %B558
+  %.1777 = sitofp i64 %.1242 to double
+  %.1778 = fmul contract double %.1777, 5.000000e-01
+  %.6.i.i510 = insertelement <8 x double> poison, double %.1778, i64 0
+  %.7.i.i511 = shufflevector <8 x double> %.6.i.i510, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %B48.if.i512
+
+B48.if.i512:                                      ; preds = %B48.if.i512, %B48.if.preheader.i509
+  %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B48.if.i512 ], [ %9, %B48.if.preheader.i509 ]
+  %lsr.iv209.i = phi i64 [ %lsr.iv.next210.i, %B48.if.i512 ], [ 0, %B48.if.preheader.i509 ]
+  %scevgep211.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %lsr.iv209.i
+  %.165.i = load <8 x double>, ptr %scevgep211.i, align 8, !noalias !175
+  %.8.i.i514 = fmul contract <8 x double> %.7.i.i511, %.165.i
+  %.195.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i514, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
+  %.8.i191.i = fadd contract <8 x double> %.195.i, splat (double 0xC338000000000000)
+  %.236.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i191.i, <8 x double> splat (double 0xBFF921FB54442D18), <8 x double> %.8.i.i514)
+  %.253.i515 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i191.i, <8 x double> splat (double 0xBC91A62633145C07), <8 x double> %.236.i)
+  %.6.i192.i = fmul contract <8 x double> %.253.i515, %.253.i515
+  %.6.i193.i = fmul contract <8 x double> %.253.i515, %.6.i192.i
+  %.282.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
+  %.285.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.282.i, <8 x double> splat (double 0xBE5AE64567F544E4))
+  %.288.i516 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.285.i, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.288.i516, <8 x double> splat (double 0xBF2A01A01A01A01A))
+  %.294.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.291.i, <8 x double> splat (double 0x3F81111111111111))
+  %.297.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.294.i, <8 x double> splat (double 0xBFC5555555555555))
+  %.322.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i193.i, <8 x double> %.297.i, <8 x double> %.253.i515)
+  %.327.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> splat (double 0x3D2AE7F3E733B81F), <8 x double> splat (double 0xBDA93974A8C07C9D))
+  %.330.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.327.i, <8 x double> splat (double 0x3E21EED8EFF8D898))
+  %.333.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.330.i, <8 x double> splat (double 0xBE927E4FB7789F5C))
+  %.336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.333.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
+  %.339.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.336.i, <8 x double> splat (double 0xBF56C16C16C16C17))
+  %.342.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.339.i, <8 x double> splat (double 0x3FA5555555555555))
+  %.345.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.342.i, <8 x double> splat (double -5.000000e-01))
+  %.348.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i192.i, <8 x double> %.345.i, <8 x double> splat (double 1.000000e+00))
+  %.349.i = bitcast <8 x double> %.195.i to <8 x i64>
+  %.350.i = bitcast <8 x double> %.322.i to <8 x i64>
+  %.351.i = bitcast <8 x double> %.348.i to <8 x i64>
+  %.6.i194.i = xor <8 x i64> %.351.i, %.350.i
+  %.8.i195.i = and <8 x i64> %.349.i, splat (i64 1)
+  %35 = icmp eq <8 x i64> %.8.i195.i, zeroinitializer
+  %.6.i197.i = select <8 x i1> %35, <8 x i64> zeroinitializer, <8 x i64> %.6.i194.i
+  %.8.i198.i = shl <8 x i64> %.349.i, splat (i64 62)
+  %.8.i199.i = and <8 x i64> %.8.i198.i, splat (i64 -9223372036854775808)
+  %.8.i201.i = add <8 x i64> %.8.i198.i, splat (i64 4611686018427387904)
+  %.8.i202.i = and <8 x i64> %.8.i201.i, splat (i64 -9223372036854775808)
+  %36 = xor <8 x i64> %.8.i199.i, %.350.i
+  %.6.i204.i = xor <8 x i64> %36, %.6.i197.i
+  %37 = bitcast <8 x i64> %.6.i204.i to <8 x double>
+  %38 = xor <8 x i64> %.8.i202.i, %.351.i
+  %.6.i206.i = xor <8 x i64> %38, %.6.i197.i
+  %39 = bitcast <8 x i64> %.6.i206.i to <8 x double>
+  %scevgep.i517 = getelementptr i8, ptr %arg.buffers.2.4, i64 %lsr.iv209.i
+  %.695.i = load <8 x double>, ptr %scevgep.i517, align 8, !noalias !175
+  %.6.i207.i = fmul contract <8 x double> %.695.i, %39
+  store <8 x double> %.6.i207.i, ptr %scevgep.i517, align 8, !noalias !175
+  %.6.i208.i = fmul contract <8 x double> %.695.i, %37
+  store <8 x double> %.6.i208.i, ptr %scevgep211.i, align 8, !noalias !175
+  %lsr.iv.next210.i = add i64 %lsr.iv209.i, 64
+  %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
+  %.117.i = icmp sgt i64 %lsr.iv2, 7
+  br i1 %.117.i, label %B48.if.i512, label %B794
+
+B348.loopexit.unr-lcssa.i:                        ; preds = %B198.if.i
+  %lcmp.mod.not.i613 = icmp eq i64 %xtraiter.i610, 0
+  br i1 %lcmp.mod.not.i613, label %B348.i, label %B198.if.epil.preheader.i
+
+B198.if.epil.preheader.i:                         ; preds = %B198.if.lr.ph.i, %B348.loopexit.unr-lcssa.i
+  %.416441443.epil.init.i = phi i64 [ 0, %B198.if.lr.ph.i ], [ %.423.3.i, %B348.loopexit.unr-lcssa.i ]
+  %40 = shl i64 %.416441443.epil.init.i, 3
+  %scevgep51.i = getelementptr i8, ptr %arg.buffers.1.4, i64 %40
+  %scevgep55.i = getelementptr i8, ptr %arg.buffers.0.4, i64 %40
+  %41 = shl nuw nsw i64 %xtraiter.i610, 6
+  br label %B198.if.epil.i
+
+B198.if.epil.i:                                   ; preds = %B198.if.epil.i, %B198.if.epil.preheader.i
+  %lsr.iv52.i = phi i64 [ %lsr.iv.next53.i, %B198.if.epil.i ], [ 0, %B198.if.epil.preheader.i ]
+  %scevgep56.i = getelementptr i8, ptr %scevgep55.i, i64 %lsr.iv52.i
+  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !164
+  %scevgep54.i = getelementptr i8, ptr %scevgep51.i, i64 %lsr.iv52.i
+  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !164
+  %lsr.iv.next53.i = add nuw nsw i64 %lsr.iv52.i, 64
+  %epil.iter.cmp.not.i614 = icmp eq i64 %41, %lsr.iv.next53.i
+  br i1 %epil.iter.cmp.not.i614, label %B348.i, label %B198.if.epil.i, !llvm.loop !178
+
+B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B1054
+  %.487.i = sub nsw i64 %.13.i3.i, %arg.ends.0
+  %sunkaddr98 = getelementptr i8, ptr %.2635, i64 16
+  %.653.i = load i64, ptr %sunkaddr98, align 8, !noalias !164
+  %.126.i.i = icmp slt i64 %.13.i.i, %.13.i3.i
+  br i1 %.126.i.i, label %B22.preheader.i.i, label %B348.endif.endif.endif.i
+
+B198.if.lr.ph.i:                                  ; preds = %B1054
+  %42 = getelementptr double, ptr %.4125, i64 %.4205
+  %.4218 = icmp slt i64 %.2385, 0
+  %.4219 = select i1 %.4218, i64 %.2484, i64 0
+  %.4233 = getelementptr double, ptr %42, i64 %.4219
+  %.4234 = load double, ptr %.4233, align 8
+  %.4204 = load double, ptr %.4125, align 8
+  %.450.i = insertelement <8 x double> poison, double %.4204, i64 0
+  %.451.i = shufflevector <8 x double> %.450.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.464.i = insertelement <8 x double> poison, double %.4234, i64 0
+  %.465.i = shufflevector <8 x double> %.464.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %43 = add nsw i64 %.389.i, -1
+  %xtraiter.i610 = and i64 %.389.i, 3
+  %44 = icmp ult i64 %43, 3
+  br i1 %44, label %B198.if.epil.preheader.i, label %B198.if.lr.ph.new.i
+
+B198.if.lr.ph.new.i:                              ; preds = %B198.if.lr.ph.i
+  %45 = lshr i64 %23, 5
+  %46 = mul nsw i64 %45, -4
+  br label %B198.if.i
+
+B198.if.i:                                        ; preds = %B198.if.i, %B198.if.lr.ph.new.i
+  %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B198.if.i ], [ %46, %B198.if.lr.ph.new.i ]
+  %.416441443.i = phi i64 [ %.423.3.i, %B198.if.i ], [ 0, %B198.if.lr.ph.new.i ]
+  %sunkaddr99 = shl i64 %.416441443.i, 3
+  %sunkaddr100 = getelementptr i8, ptr %arg.buffers.0.4, i64 %sunkaddr99
+  store <8 x double> %.451.i, ptr %sunkaddr100, align 8, !noalias !164
+  %sunkaddr102 = getelementptr i8, ptr %arg.buffers.1.4, i64 %sunkaddr99
+  store <8 x double> %.465.i, ptr %sunkaddr102, align 8, !noalias !164
+  %sunkaddr105 = getelementptr i8, ptr %sunkaddr100, i64 64
+  store <8 x double> %.451.i, ptr %sunkaddr105, align 8, !noalias !164
+  %sunkaddr108 = getelementptr i8, ptr %sunkaddr102, i64 64
+  store <8 x double> %.465.i, ptr %sunkaddr108, align 8, !noalias !164
+  %sunkaddr111 = getelementptr i8, ptr %sunkaddr100, i64 128
+  store <8 x double> %.451.i, ptr %sunkaddr111, align 8, !noalias !164
+  %sunkaddr115 = getelementptr i8, ptr %sunkaddr102, i64 128
+  store <8 x double> %.465.i, ptr %sunkaddr115, align 8, !noalias !164
+  %.423.3.i = add i64 %.416441443.i, 32
+  %sunkaddr116 = shl i64 %.423.3.i, 3
+  %sunkaddr117 = getelementptr i8, ptr %arg.buffers.0.4, i64 %sunkaddr116
+  %sunkaddr118 = getelementptr i8, ptr %sunkaddr117, i64 -64
+  store <8 x double> %.451.i, ptr %sunkaddr118, align 8, !noalias !164
+  %sunkaddr120 = getelementptr i8, ptr %arg.buffers.1.4, i64 %sunkaddr116
+  %sunkaddr121 = getelementptr i8, ptr %sunkaddr120, i64 -64
+  store <8 x double> %.465.i, ptr %sunkaddr121, align 8, !noalias !164
+  %lsr.iv.next5 = add i64 %lsr.iv4, 4
+  %niter.ncmp.3.not.i = icmp eq i64 %lsr.iv.next5, 0
+  br i1 %niter.ncmp.3.not.i, label %B348.loopexit.unr-lcssa.i, label %B198.if.i
+
+B22.preheader.i.i:                                ; preds = %B348.i
+  %.277.i.i = mul i64 %.2351.1, -3
+  %47 = shl i64 %.3490, 3
+  %48 = sub i64 %47, %17
+  %scevgep876 = getelementptr i8, ptr %scevgep875, i64 %48
+  br label %B22.i.i
+
+B22.i.i:                                          ; preds = %B926.i.i, %B22.preheader.i.i
+  %cell.2.0.i.i = phi i64 [ %cell.3.2.i.i, %B926.i.i ], [ %.653.i, %B22.preheader.i.i ]
+  %start.2.0.i.i = phi i64 [ %.13.i.i.i, %B926.i.i ], [ %.13.i1.i, %B22.preheader.i.i ]
+  %.149.i.i = getelementptr inbounds i64, ptr %.3773, i64 %cell.2.0.i.i
+  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !179
+  %.154.not.i.i = icmp sgt i64 %.150.i.i, %start.2.0.i.i
+  br i1 %.154.not.i.i, label %B112.i.i, label %B62.i.i
+
+B62.i.i:                                          ; preds = %B22.i.i, %B62.i.i
+  %cell.4.1.i.i = phi i64 [ %.157.i.i, %B62.i.i ], [ %cell.2.0.i.i, %B22.i.i ]
+  %.157.i.i = add i64 %cell.4.1.i.i, 1
+  %49 = shl i64 %cell.4.1.i.i, 3
+  %scevgep877 = getelementptr i8, ptr %scevgep876, i64 %49
+  %.170.i.i = load i64, ptr %scevgep877, align 8, !noalias !179
+  %.172.not.i.i = icmp sgt i64 %.170.i.i, %start.2.0.i.i
+  br i1 %.172.not.i.i, label %B112.i.i, label %B62.i.i
+
+B112.i.i:                                         ; preds = %B62.i.i, %B22.i.i
+  %cell.3.2.i.i = phi i64 [ %cell.2.0.i.i, %B22.i.i ], [ %.157.i.i, %B62.i.i ]
+  %.184.i.i = getelementptr inbounds i64, ptr %.3773, i64 %cell.3.2.i.i
+  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !179
+  %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i3.i, i64 %.185.i.i)
+  %.395.i.i = sub i64 %.13.i.i.i, %start.2.0.i.i
+  %50 = add i64 %.395.i.i, 7
+  %.417.i.i = lshr i64 %50, 3
+  %.396.inv.i.i = icmp slt i64 %.395.i.i, 1
+  %.438305.not326.i.i = icmp eq i64 %.417.i.i, 0
+  %.438305.not.i.i = or i1 %.396.inv.i.i, %.438305.not326.i.i
+  br i1 %.438305.not.i.i, label %B926.i.i, label %B570.if.lr.ph.i.i
+
+B926.i.i:                                         ; preds = %B570.if.i.i, %B112.i.i
+  %.602.i.i = icmp slt i64 %.185.i.i, %.13.i3.i
+  br i1 %.602.i.i, label %B22.i.i, label %B348.endif.endif.endif.i
+
+B570.if.lr.ph.i.i:                                ; preds = %B112.i.i
+  %.228.i.i = getelementptr inbounds double, ptr %.2796, i64 %cell.3.2.i.i
+  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !179
+  %.231.i.i = fsub contract double %.4401, %.229.i.i
+  %.279.i.i = add nsw i64 %cell.3.2.i.i, %.277.i.i
+  %.347.i.i = getelementptr inbounds double, ptr %.2557, i64 %.279.i.i
+  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !179
+  %.266.i.i = add nsw i64 %cell.3.2.i.i, %.4205
+  %.334.i.i = getelementptr inbounds double, ptr %.2557, i64 %.266.i.i
+  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !179
+  %.247.i.i = sub i64 %cell.3.2.i.i, %.2351.1
+  %.315.i.i = getelementptr inbounds double, ptr %.2557, i64 %.247.i.i
+  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !179
+  %.303.i.i = getelementptr inbounds double, ptr %.2557, i64 %cell.3.2.i.i
+  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !179
+  %.287.i.i = getelementptr inbounds double, ptr %.2432, i64 %.279.i.i
+  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !179
+  %.274.i.i = getelementptr inbounds double, ptr %.2432, i64 %.266.i.i
+  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !179
+  %.255.i.i = getelementptr inbounds double, ptr %.2432, i64 %.247.i.i
+  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !179
+  %.243.i.i = getelementptr inbounds double, ptr %.2432, i64 %cell.3.2.i.i
+  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !179
+  %.514.i.i = insertelement <8 x double> poison, double %.288.i.i, i64 0
+  %.515.i.i = shufflevector <8 x double> %.514.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.517.i.i = insertelement <8 x double> poison, double %.275.i.i, i64 0
+  %.518.i.i = shufflevector <8 x double> %.517.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.521.i.i = insertelement <8 x double> poison, double %.256.i.i, i64 0
+  %.522.i.i = shufflevector <8 x double> %.521.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.525.i.i = insertelement <8 x double> poison, double %.244.i.i, i64 0
+  %.526.i.i = shufflevector <8 x double> %.525.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.541.i.i = insertelement <8 x double> poison, double %.348.i.i, i64 0
+  %.542.i.i = shufflevector <8 x double> %.541.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.544.i.i = insertelement <8 x double> poison, double %.335.i.i, i64 0
+  %.545.i.i = shufflevector <8 x double> %.544.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.548.i.i = insertelement <8 x double> poison, double %.316.i.i, i64 0
+  %.549.i.i = shufflevector <8 x double> %.548.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.552.i.i = insertelement <8 x double> poison, double %.304.i.i, i64 0
+  %.553.i.i = shufflevector <8 x double> %.552.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i.i.i = insertelement <8 x double> poison, double %.231.i.i, i64 0
+  %.7.i.i.i = shufflevector <8 x double> %.6.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %51 = shl i64 %start.2.0.i.i, 3
+  %52 = add nuw nsw i64 %.417.i.i, 7
+  br label %B570.if.i.i
+
+B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.if.lr.ph.i.i
+  %lsr.iv21 = phi i64 [ %lsr.iv.next22, %B570.if.i.i ], [ %52, %B570.if.lr.ph.i.i ]
+  %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B570.if.i.i ], [ %51, %B570.if.lr.ph.i.i ]
+  %scevgep13.i.i = getelementptr i8, ptr %.4321, i64 %lsr.iv8.i.i
+  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !179
+  %.8.i.i.i = fadd contract <8 x double> %.7.i.i.i, %.485.i.i
+  %.519.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.515.i.i, <8 x double> %.518.i.i)
+  %.523.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.519.i.i, <8 x double> %.522.i.i)
+  %.527.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.523.i.i, <8 x double> %.526.i.i)
+  %scevgep883 = getelementptr i8, ptr %scevgep882, i64 %lsr.iv8.i.i
+  store <8 x double> %.527.i.i, ptr %scevgep883, align 8, !noalias !179
+  %.546.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.542.i.i, <8 x double> %.545.i.i)
+  %.550.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.546.i.i, <8 x double> %.549.i.i)
+  %.554.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.550.i.i, <8 x double> %.553.i.i)
+  %scevgep881 = getelementptr i8, ptr %scevgep880, i64 %lsr.iv8.i.i
+  store <8 x double> %.554.i.i, ptr %scevgep881, align 8, !noalias !179
+  %lsr.iv.next9.i.i = add i64 %lsr.iv8.i.i, 64
+  %lsr.iv.next22 = add nsw i64 %lsr.iv21, -1
+  %.438.i.i = icmp sgt i64 %lsr.iv21, 8
+  br i1 %.438.i.i, label %B570.if.i.i, label %B926.i.i
+
+B348.endif.endif.endif.i:                         ; preds = %B926.i.i, %B348.i
+  %cell.5.1.i.i = phi i64 [ %.653.i, %B348.i ], [ %cell.3.2.i.i, %B926.i.i ]
+  store i64 %cell.5.1.i.i, ptr %sunkaddr98, align 8, !noalias !164
+  %.835.i615 = sub i64 %arg.ends.1, %.13.i3.i
+  %53 = add i64 %.835.i615, 7
+  %.857.i = lshr i64 %53, 3
+  %.836.inv.i = icmp slt i64 %.835.i615, 1
+  %.878448.not454.i = icmp eq i64 %.857.i, 0
+  %.878448.not.i = or i1 %.836.inv.i, %.878448.not454.i
+  br i1 %.878448.not.i, label %B1054.endif.endif.endif.e...endif.3.endif, label %B590.if.lr.ph.i
+
+B590.if.lr.ph.i:                                  ; preds = %B348.endif.endif.endif.i
+  %.918.i = insertelement <8 x double> poison, double %.4264, i64 0
+  %.919.i = shufflevector <8 x double> %.918.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.932.i = insertelement <8 x double> poison, double %.4296, i64 0
+  %.933.i = shufflevector <8 x double> %.932.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %54 = add nsw i64 %.857.i, -1
+  %xtraiter28.i = and i64 %.857.i, 3
+  %lcmp.mod29.not.i = icmp eq i64 %xtraiter28.i, 0
+  br i1 %lcmp.mod29.not.i, label %B590.if.prol.loopexit.i, label %B590.if.prol.i.preheader
+
+B590.if.prol.i.preheader:                         ; preds = %B590.if.lr.ph.i
+  %55 = sub nsw i64 0, %xtraiter28.i
+  br label %B590.if.prol.i
+
+B590.if.prol.i:                                   ; preds = %B590.if.prol.i, %B590.if.prol.i.preheader
+  %lsr.iv23 = phi i64 [ %55, %B590.if.prol.i.preheader ], [ %math, %B590.if.prol.i ]
+  %.884447449.prol.i = phi i64 [ %.487.i, %B590.if.prol.i.preheader ], [ %.891.prol.i, %B590.if.prol.i ]
+  %.891.prol.i = add i64 %.884447449.prol.i, 8
+  %56 = shl i64 %.884447449.prol.i, 3
+  %scevgep46.i = getelementptr i8, ptr %arg.buffers.0.4, i64 %56
+  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !164
+  %scevgep45.i = getelementptr i8, ptr %arg.buffers.1.4, i64 %56
+  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !164
+  %57 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv23, i64 1)
+  %math = extractvalue { i64, i1 } %57, 0
+  %ov124 = extractvalue { i64, i1 } %57, 1
+  br i1 %ov124, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !182
+
+B590.if.prol.loopexit.loopexit.i:                 ; preds = %B590.if.prol.i
+  %58 = and i64 %.857.i, 2305843009213693948
+  br label %B590.if.prol.loopexit.i
+
+B590.if.prol.loopexit.i:                          ; preds = %B590.if.prol.loopexit.loopexit.i, %B590.if.lr.ph.i
+  %.877446450.unr.i = phi i64 [ %.857.i, %B590.if.lr.ph.i ], [ %58, %B590.if.prol.loopexit.loopexit.i ]
+  %.884447449.unr.i = phi i64 [ %.487.i, %B590.if.lr.ph.i ], [ %.891.prol.i, %B590.if.prol.loopexit.loopexit.i ]
+  %59 = icmp ult i64 %54, 3
+  br i1 %59, label %B1054.endif.endif.endif.e...endif.3.endif, label %B590.if.preheader.i
+
+B590.if.preheader.i:                              ; preds = %B590.if.prol.loopexit.i
+  %60 = shl i64 %.884447449.unr.i, 3
+  %61 = add i64 %60, 192
+  %62 = add nuw nsw i64 %.877446450.unr.i, 24
+  br label %B590.if.i
+
+B590.if.i:                                        ; preds = %B590.if.i, %B590.if.preheader.i
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B590.if.i ], [ %62, %B590.if.preheader.i ]
+  %lsr.iv30.i = phi i64 [ %lsr.iv.next31.i, %B590.if.i ], [ %61, %B590.if.preheader.i ]
+  %scevgep41.i = getelementptr i8, ptr %arg.buffers.0.4, i64 %lsr.iv30.i
+  %scevgep42.i = getelementptr i8, ptr %scevgep41.i, i64 -192
+  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !164
+  %scevgep34.i = getelementptr i8, ptr %arg.buffers.1.4, i64 %lsr.iv30.i
+  %scevgep35.i = getelementptr i8, ptr %scevgep34.i, i64 -192
+  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !164
+  %scevgep33 = getelementptr i8, ptr %scevgep41.i, i64 -128
+  store <8 x double> %.919.i, ptr %scevgep33, align 8, !noalias !164
+  %scevgep37.i = getelementptr i8, ptr %scevgep34.i, i64 -128
+  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !164
+  %scevgep31 = getelementptr i8, ptr %scevgep41.i, i64 -64
+  store <8 x double> %.919.i, ptr %scevgep31, align 8, !noalias !164
+  %scevgep28 = getelementptr i8, ptr %scevgep34.i, i64 -64
+  store <8 x double> %.933.i, ptr %scevgep28, align 8, !noalias !164
+  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !164
+  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !164
+  %lsr.iv.next31.i = add i64 %lsr.iv30.i, 256
+  %lsr.iv.next = add nsw i64 %lsr.iv, -4
+  %.878.3.i = icmp sgt i64 %lsr.iv, 28
+  br i1 %.878.3.i, label %B590.if.i, label %B1054.endif.endif.endif.e...endif.3.endif
+
+B1054.endif.endif.endif.e...endif.3.endif:        ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
+  %.4507 = load i64, ptr %sunkaddr125, align 8
+  %.4537 = load i64, ptr %arg.plan.4, align 8
+  %.4541 = mul nsw i64 %.4537, 40
+  %.4542 = add nsw i64 %.4541, %.4507
+  %.4543 = inttoptr i64 %.4542 to ptr
+  %.4619 = load double, ptr %.4543, align 8
+  %.4651 = load double, ptr %carrier.1.sroa.99.1, align 8
+  %.4655 = fmul contract double %.4651, 0x400921FB54442D18
+  %.4656 = tail call contract double @llvm.pow.f64(double %.4655, double 0x3FD5555555555555)
+  %.4657 = fmul contract double %.4619, 0x400921FB54442D18
+  %.4658 = tail call contract double @llvm.pow.f64(double %.4657, double 0x3FD5555555555555)
+  %.4687 = load i64, ptr %sunkaddr86, align 8
+  br i1 %or.cond.i.not, label %B1122, label %B1174
+
+B1174.endif:                                      ; preds = %B10053.i, %B1174
+  store ptr null, ptr %.4863, align 8
+  call fastcc void @inner_27(ptr nonnull %.4863, i64 %.1875, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.arguments.4, i64 %.387, ptr %arg.buffers.0.4, ptr %arg.buffers.1.4, ptr %arg.tail.4)
+  br label %B1266
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_26(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.start, i64 %arg.inside, i8 range(i8 0, 2) %arg.dense, ptr readonly captures(none) %arg.grid.4, i64 %arg.stride, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 range(i64 8, 1) %arg.sizes.0, i64 range(i64 8, 1) %arg.sizes.1, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, ptr readonly captures(none) %arg.fitted.0.4, ptr readonly captures(none) %arg.fitted.1.4, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr readonly captures(none) %arg.carrier.0.4, ptr readonly captures(none) %arg.carrier.1.4, ptr captures(none) %arg.carrier.2.4, ptr readonly captures(none) %arg.carrier.3.4, ptr captures(none) %arg.a.4, ptr captures(none) %arg.p.4, ptr writeonly captures(none) %arg.amplitude.4, ptr writeonly captures(none) %arg.phase.4) unnamed_addr #4 {
+entry:
+  %.2483 = alloca ptr, align 8
+  store ptr null, ptr %.2483, align 8
+  %.405 = load double, ptr %arg.carrier.1.4, align 8
+  %.434 = getelementptr i8, ptr %arg.carrier.1.4, i64 8
+  %.435 = load double, ptr %.434, align 8
+  %.647 = load i64, ptr %arg.carrier.2.4, align 8
+  %.13.i21 = tail call i64 @llvm.smax.i64(i64 %arg.start, i64 %.647)
+  %.13.i22 = tail call i64 @llvm.smin.i64(i64 %arg.inside, i64 %.13.i21)
+  %.734 = getelementptr i8, ptr %arg.carrier.2.4, i64 8
+  %.735 = load i64, ptr %.734, align 8
+  %.13.i23 = tail call i64 @llvm.smax.i64(i64 %arg.start, i64 %.735)
+  %.13.i24 = tail call i64 @llvm.smin.i64(i64 %arg.inside, i64 %.13.i23)
+  %.802 = icmp sgt i64 %.13.i22, %arg.start
+  br i1 %.802, label %B322, label %B476
+
+B322:                                             ; preds = %entry
+  %.549.idx = shl nsw i64 %arg.sizes.0, 5
+  %.549 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.549.idx
+  %.471 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.472 = load i64, ptr %.471, align 8
+  %.483 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.472
+  %.833 = load double, ptr %arg.linear.4, align 8
+  %.849 = icmp slt i64 %arg.sizes.0, 0
+  %.850 = select i1 %.849, i64 %arg.linear.5.0, i64 0
+  %.idx = shl i64 %arg.sizes.0, 4
+  %0 = getelementptr i8, ptr %arg.linear.4, i64 %.idx
+  %.864 = getelementptr double, ptr %0, i64 %.850
+  %.865 = load double, ptr %.864, align 8
+  %.888 = getelementptr double, ptr %arg.grid.4, i64 %arg.start
+  %.941 = sub nsw i64 %.13.i22, %arg.start
+  %.971 = load double, ptr %.483, align 8
+  %.1005 = getelementptr i8, ptr %.549, i64 8
+  %.1006 = load double, ptr %.1005, align 8
+  %.145103.not.i = icmp slt i64 %.941, 1
+  br i1 %.145103.not.i, label %B476, label %B34.if.i
+
+B476:                                             ; preds = %B144.i, %B322, %entry
+  %1 = icmp eq i8 %arg.dense, 0
+  br i1 %1, label %B480, label %B736
+
+B480:                                             ; preds = %B476
+  %.1100 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.1101 = load i64, ptr %.1100, align 8
+  %.1112 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1101
+  %.1221 = getelementptr i8, ptr %arg.carrier.2.4, i64 40
+  %.1222 = load i64, ptr %.1221, align 8
+  %.1245 = getelementptr double, ptr %arg.grid.4, i64 %arg.stride
+  %.126.i = icmp slt i64 %.13.i21, %.13.i24
+  br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
+  %.696..784 = phi i64 [ %.13.i22, %B476 ], [ %.13.i24, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %.1877 = sub nsw i64 %.696..784, %arg.start
+  %.1884 = icmp sgt i64 %.1877, 0
+  br i1 %.1884, label %B1168, label %B1224
+
+B1168:                                            ; preds = %B736
+  %.1914 = getelementptr i8, ptr %arg.carrier.2.4, i64 16
+  %.1915 = load i64, ptr %.1914, align 8
+  %.1944 = getelementptr i8, ptr %arg.carrier.2.4, i64 24
+  %.1945 = load i64, ptr %.1944, align 8
+  %.1979 = getelementptr i8, ptr %arg.carrier.1.4, i64 16
+  %.1980 = load double, ptr %.1979, align 8
+  %.2038 = sub nsw i64 %.1915, %arg.start
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %.2038, i64 0)
+  %.13.i46 = tail call i64 @llvm.smin.i64(i64 %.1877, i64 %.13.i)
+  %.2098 = sub nsw i64 %.1945, %arg.start
+  %.13.i47 = tail call i64 @llvm.smax.i64(i64 %.2098, i64 0)
+  %.13.i48 = tail call i64 @llvm.smin.i64(i64 %.1877, i64 %.13.i47)
+  %.2171 = getelementptr double, ptr %arg.grid.4, i64 %arg.start
+  %.idx1791 = shl i64 %arg.stride, 4
+  %2 = getelementptr i8, ptr %arg.grid.4, i64 %.idx1791
+  %.2302 = getelementptr double, ptr %2, i64 %arg.start
+  %.idx1792 = mul i64 %arg.stride, 24
+  %.idx1793 = shl i64 %arg.stride, 5
+  %3 = getelementptr i8, ptr %arg.grid.4, i64 %.idx1793
+  %.2431 = getelementptr double, ptr %3, i64 %arg.start
+  store ptr null, ptr %.2483, align 8
+  call fastcc void @inner_12(ptr nonnull %.2483, ptr %.2171, ptr %.2302, ptr %.2431, i64 %.13.i46, i64 %.13.i48, i64 %.1877, double %.405, ptr %arg.carrier.0.4, double %.1980, ptr %arg.a.4, ptr %arg.amplitude.4)
+  %4 = add nuw i64 %.1877, 7
+  %.1167.i = lshr i64 %4, 3
+  %.2608 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 192
+  %.2544 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 64
+  %.1012.i = getelementptr i8, ptr %arg.carrier.0.4, i64 264
+  %.1013.i = load double, ptr %.1012.i, align 8, !noalias !183
+  %.983.i = getelementptr i8, ptr %arg.carrier.0.4, i64 256
+  %.984.i = load double, ptr %.983.i, align 8, !noalias !183
+  %.954.i = getelementptr i8, ptr %arg.carrier.0.4, i64 248
+  %.955.i = load double, ptr %.954.i, align 8, !noalias !183
+  %.925.i = getelementptr i8, ptr %arg.carrier.0.4, i64 240
+  %.926.i = load double, ptr %.925.i, align 8, !noalias !183
+  %.896.i = getelementptr i8, ptr %arg.carrier.0.4, i64 232
+  %.897.i = load double, ptr %.896.i, align 8, !noalias !183
+  %.867.i = getelementptr i8, ptr %arg.carrier.0.4, i64 224
+  %.868.i = load double, ptr %.867.i, align 8, !noalias !183
+  %.838.i = getelementptr i8, ptr %arg.carrier.0.4, i64 216
+  %.839.i = load double, ptr %.838.i, align 8, !noalias !183
+  %.809.i = getelementptr i8, ptr %arg.carrier.0.4, i64 208
+  %.810.i = load double, ptr %.809.i, align 8, !noalias !183
+  %.780.i = getelementptr i8, ptr %arg.carrier.0.4, i64 200
+  %.781.i = load double, ptr %.780.i, align 8, !noalias !183
+  %.752.i = load double, ptr %.2608, align 8, !noalias !183
+  %.647.i = getelementptr i8, ptr %arg.carrier.0.4, i64 184
+  %.648.i = load double, ptr %.647.i, align 8, !noalias !183
+  %.618.i = getelementptr i8, ptr %arg.carrier.0.4, i64 176
+  %.619.i = load double, ptr %.618.i, align 8, !noalias !183
+  %.589.i = getelementptr i8, ptr %arg.carrier.0.4, i64 168
+  %.590.i = load double, ptr %.589.i, align 8, !noalias !183
+  %.560.i = getelementptr i8, ptr %arg.carrier.0.4, i64 160
+  %.561.i = load double, ptr %.560.i, align 8, !noalias !183
+  %.531.i = getelementptr i8, ptr %arg.carrier.0.4, i64 152
+  %.532.i = load double, ptr %.531.i, align 8, !noalias !183
+  %.502.i = getelementptr i8, ptr %arg.carrier.0.4, i64 144
+  %.503.i = load double, ptr %.502.i, align 8, !noalias !183
+  %.473.i = getelementptr i8, ptr %arg.carrier.0.4, i64 136
+  %.474.i = load double, ptr %.473.i, align 8, !noalias !183
+  %.444.i = getelementptr i8, ptr %arg.carrier.0.4, i64 128
+  %.445.i = load double, ptr %.444.i, align 8, !noalias !183
+  %.343.i = getelementptr i8, ptr %arg.carrier.0.4, i64 120
+  %.344.i = load double, ptr %.343.i, align 8, !noalias !183
+  %.314.i84 = getelementptr i8, ptr %arg.carrier.0.4, i64 112
+  %.315.i85 = load double, ptr %.314.i84, align 8, !noalias !183
+  %.285.i = getelementptr i8, ptr %arg.carrier.0.4, i64 104
+  %.286.i = load double, ptr %.285.i, align 8, !noalias !183
+  %.256.i86 = getelementptr i8, ptr %arg.carrier.0.4, i64 96
+  %.257.i = load double, ptr %.256.i86, align 8, !noalias !183
+  %.227.i = getelementptr i8, ptr %arg.carrier.0.4, i64 88
+  %.228.i87 = load double, ptr %.227.i, align 8, !noalias !183
+  %.198.i = getelementptr i8, ptr %arg.carrier.0.4, i64 80
+  %.199.i = load double, ptr %.198.i, align 8, !noalias !183
+  %.169.i = getelementptr i8, ptr %arg.carrier.0.4, i64 72
+  %.170.i88 = load double, ptr %.169.i, align 8, !noalias !183
+  %.141.i = load double, ptr %.2544, align 8, !noalias !183
+  %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
+  %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
+  %.1286.i = shufflevector <8 x double> %.1285.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1289.i = insertelement <8 x double> poison, double %.503.i, i64 0
+  %.1290.i = shufflevector <8 x double> %.1289.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1293.i = insertelement <8 x double> poison, double %.445.i, i64 0
+  %.1294.i = shufflevector <8 x double> %.1293.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1297.i = insertelement <8 x double> poison, double %.648.i, i64 0
+  %.1298.i = shufflevector <8 x double> %.1297.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1300.i = insertelement <8 x double> poison, double %.590.i, i64 0
+  %.1301.i = shufflevector <8 x double> %.1300.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1304.i = insertelement <8 x double> poison, double %.532.i, i64 0
+  %.1305.i = shufflevector <8 x double> %.1304.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1308.i = insertelement <8 x double> poison, double %.474.i, i64 0
+  %.1309.i = shufflevector <8 x double> %.1308.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1312.i = insertelement <8 x double> poison, double %.315.i85, i64 0
+  %.1313.i = shufflevector <8 x double> %.1312.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1315.i = insertelement <8 x double> poison, double %.257.i, i64 0
+  %.1316.i = shufflevector <8 x double> %.1315.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1319.i = insertelement <8 x double> poison, double %.199.i, i64 0
+  %.1320.i = shufflevector <8 x double> %.1319.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1323.i = insertelement <8 x double> poison, double %.141.i, i64 0
+  %.1324.i = shufflevector <8 x double> %.1323.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1327.i = insertelement <8 x double> poison, double %.344.i, i64 0
+  %.1328.i = shufflevector <8 x double> %.1327.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1330.i = insertelement <8 x double> poison, double %.286.i, i64 0
+  %.1331.i = shufflevector <8 x double> %.1330.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1334.i = insertelement <8 x double> poison, double %.228.i87, i64 0
+  %.1335.i = shufflevector <8 x double> %.1334.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1338.i = insertelement <8 x double> poison, double %.170.i88, i64 0
+  %.1339.i = shufflevector <8 x double> %.1338.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1342.i = insertelement <8 x double> poison, double %.926.i, i64 0
+  %.1343.i = shufflevector <8 x double> %.1342.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1345.i = insertelement <8 x double> poison, double %.868.i, i64 0
+  %.1346.i = shufflevector <8 x double> %.1345.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1349.i = insertelement <8 x double> poison, double %.810.i, i64 0
+  %.1350.i = shufflevector <8 x double> %.1349.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1353.i = insertelement <8 x double> poison, double %.752.i, i64 0
+  %.1354.i = shufflevector <8 x double> %.1353.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1357.i = insertelement <8 x double> poison, double %.897.i, i64 0
+  %.1358.i = shufflevector <8 x double> %.1357.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1360.i = insertelement <8 x double> poison, double %.839.i, i64 0
+  %.1361.i = shufflevector <8 x double> %.1360.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1364.i = insertelement <8 x double> poison, double %.781.i, i64 0
+  %.1365.i = shufflevector <8 x double> %.1364.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1428.i = insertelement <8 x double> poison, double %.955.i, i64 0
+  %.1429.i = shufflevector <8 x double> %.1428.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1446.i = insertelement <8 x double> poison, double %.1013.i, i64 0
+  %.1447.i = shufflevector <8 x double> %.1446.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1448.i = insertelement <8 x double> poison, double %.984.i, i64 0
+  %.1449.i = shufflevector <8 x double> %.1448.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %5 = add nuw nsw i64 %.1167.i, 7
+  %sunkaddr17 = shl i64 %arg.stride, 3
+  br label %B484.if.i
+
+B1224:                                            ; preds = %B484.if.i, %B736
+  br i1 %1, label %B1456, label %B1226
+
+B1226:                                            ; preds = %B1224
+  %.2788 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.2789 = load i64, ptr %.2788, align 8
+  %6 = getelementptr double, ptr %arg.weights.4, i64 %.2789
+  %.2812 = getelementptr double, ptr %6, i64 %arg.sizes.1
+  %.2942 = getelementptr inbounds double, ptr %.2812, i64 %arg.sizes.1
+  %.3174 = getelementptr i8, ptr %arg.carrier.2.4, i64 40
+  %.3175 = load i64, ptr %.3174, align 8
+  %.137.i = icmp slt i64 %.13.i21, %.13.i24
+  br i1 %.137.i, label %B22.preheader.i114, label %B1226.endif.endif.endif.endif.endif.endif
+
+B1456:                                            ; preds = %B1226.endif.endif.endif.endif.endif.endif, %B1224
+  %.3621 = sub i64 %arg.inside, %.13.i24
+  %7 = add i64 %.3621, 7
+  %.3643 = lshr i64 %7, 3
+  %.3622.inv = icmp slt i64 %.3621, 1
+  %.36641797.not1801 = icmp eq i64 %.3643, 0
+  %.36641797.not = or i1 %.3622.inv, %.36641797.not1801
+  br i1 %.36641797.not, label %B9387, label %B9081.if.lr.ph
+
+B9081.if.lr.ph:                                   ; preds = %B1456
+  %.3704 = insertelement <8 x double> poison, double %arg.top.0, i64 0
+  %.3705 = shufflevector <8 x double> %.3704, <8 x double> poison, <8 x i32> zeroinitializer
+  %.3731 = fmul contract double %arg.top.2, %.405
+  %.3734 = insertelement <8 x double> poison, double %arg.top.1, i64 0
+  %.3735 = shufflevector <8 x double> %.3734, <8 x double> poison, <8 x i32> zeroinitializer
+  %.3736 = insertelement <8 x double> poison, double %.3731, i64 0
+  %.3737 = shufflevector <8 x double> %.3736, <8 x double> poison, <8 x i32> zeroinitializer
+  %8 = shl i64 %.13.i24, 3
+  %9 = mul i64 %arg.start, -8
+  %scevgep302 = getelementptr i8, ptr %arg.phase.4, i64 %9
+  %scevgep304 = getelementptr i8, ptr %arg.amplitude.4, i64 %9
+  %10 = add nuw nsw i64 %.3643, 6
+  br label %B9081.if
+
+B9387:                                            ; preds = %B9081.if, %B1456
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B94.i:                                            ; preds = %B34.if.i
+  %.6.i.i = fmul contract double %.229.i, 0x400921FB54442D18
+  %.7.i.i = tail call contract double @llvm.fma.f64(double %.6.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.8.i.i = fadd contract double %.7.i.i, 0xC338000000000000
+  %.23.i.i = tail call contract double @llvm.fma.f64(double %.8.i.i, double 0xBFF921FB54442D18, double %.6.i.i)
+  %.38.i.i = tail call contract double @llvm.fma.f64(double %.8.i.i, double 0xBC91A62633145C07, double %.23.i.i)
+  %.39.i.i = fmul contract double %.38.i.i, %.38.i.i
+  %.56.i.i = bitcast double %.7.i.i to i64
+  %.60.i.i = and i64 %.56.i.i, 1
+  %11 = icmp eq i64 %.60.i.i, 0
+  br i1 %11, label %select.true.sink.i.i, label %select.false.sink.i.i
+
+select.true.sink.i.i:                             ; preds = %B94.i
+  %.48.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.49.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.48.i.i, double 0x3E21EED8EFF8D898)
+  %.50.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.49.i.i, double 0xBE927E4FB7789F5C)
+  %.51.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.50.i.i, double 0x3EFA01A01A01A01A)
+  %.52.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.51.i.i, double 0xBF56C16C16C16C17)
+  %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
+  %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
+  %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+
+select.false.sink.i.i:                            ; preds = %B94.i
+  %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
+  %.40.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.41.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.40.i.i, double 0xBE5AE64567F544E4)
+  %.42.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.41.i.i, double 0x3EC71DE3A556C734)
+  %.43.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.42.i.i, double 0xBF2A01A01A01A01A)
+  %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
+  %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
+  %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+
+_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+  %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
+  %.65.i.i = shl i64 %.56.i.i, 62
+  %.66.i.i = add i64 %.65.i.i, 4611686018427387904
+  %.67.i.i = and i64 %.66.i.i, -9223372036854775808
+  %.71.i.i = bitcast double %.71.v.i.i to i64
+  %.72.i.i = xor i64 %.67.i.i, %.71.i.i
+  %.73.i.i = bitcast i64 %.72.i.i to double
+  %.89.i.i = tail call contract double @llvm.fma.f64(double %.73.i.i, double -5.000000e-01, double 5.000000e-01)
+  %.266.i = fmul contract double %.833, %.89.i.i
+  br label %B144.i
+
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+  %scevgep14 = getelementptr i8, ptr %arg.a.4, i64 %13
+  store double %"$phi144.1.2.1.i", ptr %scevgep14, align 8, !noalias !186
+  %.314.i = fsub contract double %.218.i, %.971
+  %12 = fmul contract double %.1006, %.314.i
+  %.319.i = fsub contract double %.865, %12
+  %scevgep13 = getelementptr i8, ptr %arg.p.4, i64 %13
+  store double %.319.i, ptr %scevgep13, align 8, !noalias !186
+  %exitcond.not.i = icmp eq i64 %.941, %.158.i
+  br i1 %exitcond.not.i, label %B476, label %B34.if.i
+
+B34.if.i:                                         ; preds = %B322, %B144.i
+  %.151102104.i = phi i64 [ %.158.i, %B144.i ], [ 0, %B322 ]
+  %.158.i = add nuw nsw i64 %.151102104.i, 1
+  %13 = shl i64 %.151102104.i, 3
+  %scevgep2.i = getelementptr i8, ptr %.888, i64 %13
+  %.216.i = load double, ptr %scevgep2.i, align 8, !noalias !186
+  %.218.i = fmul contract double %.405, %.216.i
+  %.223.i = fmul contract double %.218.i, 2.000000e+00
+  %.228.i = fdiv contract double %.223.i, %.971
+  %.228.fr.i = freeze double %.228.i
+  %.229.i = fadd contract double %.228.fr.i, -1.000000e+00
+  %.234.i = fcmp contract ogt double %.229.i, 0.000000e+00
+  br i1 %.234.i, label %B94.i, label %B144.i
+
+B22.preheader.i:                                  ; preds = %B480
+  %.1508 = sub i64 %.13.i22, %arg.start
+  %.1587 = getelementptr double, ptr %arg.p.4, i64 %.1508
+  %.1521 = getelementptr double, ptr %arg.a.4, i64 %.1508
+  %.264.i = shl nsw i64 %arg.sizes.0, 1
+  %.277.i = mul nsw i64 %arg.sizes.0, 3
+  %14 = mul i64 %.13.i22, -8
+  %scevgep7.i = getelementptr i8, ptr %.1587, i64 %14
+  %scevgep11.i = getelementptr i8, ptr %.1521, i64 %14
+  br label %B22.i
+
+B22.i:                                            ; preds = %B926.i, %B22.preheader.i
+  %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %.1222, %B22.preheader.i ]
+  %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i22, %B22.preheader.i ]
+  %.149.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i
+  %.150.i = load i64, ptr %.149.i, align 8, !noalias !189
+  %.154.not.i = icmp sgt i64 %.150.i, %start.2.0.i
+  br i1 %.154.not.i, label %B112.i, label %B62.i
+
+B62.i:                                            ; preds = %B22.i, %B62.i
+  %cell.4.1.i = phi i64 [ %.157.i, %B62.i ], [ %cell.2.0.i, %B22.i ]
+  %.157.i = add i64 %cell.4.1.i, 1
+  %sunkaddr = shl i64 %.157.i, 3
+  %sunkaddr15 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr
+  %.170.i = load i64, ptr %sunkaddr15, align 8, !noalias !189
+  %.172.not.i = icmp sgt i64 %.170.i, %start.2.0.i
+  br i1 %.172.not.i, label %B112.i, label %B62.i
+
+B112.i:                                           ; preds = %B62.i, %B22.i
+  %cell.3.2.i = phi i64 [ %cell.2.0.i, %B22.i ], [ %.157.i, %B62.i ]
+  %.184.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i
+  %.185.i = load i64, ptr %.184.i, align 8, !noalias !189
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i24, i64 %.185.i)
+  %.395.i = sub i64 %.13.i.i, %start.2.0.i
+  %15 = add i64 %.395.i, 7
+  %.417.i = lshr i64 %15, 3
+  %.396.inv.i = icmp slt i64 %.395.i, 1
+  %.438305.not326.i = icmp eq i64 %.417.i, 0
+  %.438305.not.i = or i1 %.396.inv.i, %.438305.not326.i
+  br i1 %.438305.not.i, label %B926.i, label %B570.if.lr.ph.i
+
+B926.i:                                           ; preds = %B570.if.i, %B112.i
+  %.602.i = icmp slt i64 %.185.i, %.13.i24
+  br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B570.if.lr.ph.i:                                  ; preds = %B112.i
+  %.228.i40 = getelementptr inbounds double, ptr %.1112, i64 %cell.3.2.i
+  %.229.i41 = load double, ptr %.228.i40, align 8, !noalias !189
+  %.231.i = fsub contract double %.435, %.229.i41
+  %.279.i = add nsw i64 %cell.3.2.i, %.277.i
+  %.347.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.279.i
+  %.348.i = load double, ptr %.347.i, align 8, !noalias !189
+  %.266.i42 = add nsw i64 %cell.3.2.i, %.264.i
+  %.334.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.266.i42
+  %.335.i = load double, ptr %.334.i, align 8, !noalias !189
+  %.247.i = add nsw i64 %cell.3.2.i, %arg.sizes.0
+  %.315.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.247.i
+  %.316.i = load double, ptr %.315.i, align 8, !noalias !189
+  %.303.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %cell.3.2.i
+  %.304.i = load double, ptr %.303.i, align 8, !noalias !189
+  %.287.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.279.i
+  %.288.i = load double, ptr %.287.i, align 8, !noalias !189
+  %.274.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.266.i42
+  %.275.i = load double, ptr %.274.i, align 8, !noalias !189
+  %.255.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.247.i
+  %.256.i = load double, ptr %.255.i, align 8, !noalias !189
+  %.243.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %cell.3.2.i
+  %.244.i = load double, ptr %.243.i, align 8, !noalias !189
+  %.514.i = insertelement <8 x double> poison, double %.288.i, i64 0
+  %.515.i = shufflevector <8 x double> %.514.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.517.i = insertelement <8 x double> poison, double %.275.i, i64 0
+  %.518.i = shufflevector <8 x double> %.517.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.521.i = insertelement <8 x double> poison, double %.256.i, i64 0
+  %.522.i = shufflevector <8 x double> %.521.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.525.i = insertelement <8 x double> poison, double %.244.i, i64 0
+  %.526.i = shufflevector <8 x double> %.525.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.541.i = insertelement <8 x double> poison, double %.348.i, i64 0
+  %.542.i = shufflevector <8 x double> %.541.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.544.i = insertelement <8 x double> poison, double %.335.i, i64 0
+  %.545.i = shufflevector <8 x double> %.544.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.548.i = insertelement <8 x double> poison, double %.316.i, i64 0
+  %.549.i = shufflevector <8 x double> %.548.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.552.i = insertelement <8 x double> poison, double %.304.i, i64 0
+  %.553.i = shufflevector <8 x double> %.552.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i.i43 = insertelement <8 x double> poison, double %.231.i, i64 0
+  %.7.i.i44 = shufflevector <8 x double> %.6.i.i43, <8 x double> poison, <8 x i32> zeroinitializer
+  %16 = shl i64 %start.2.0.i, 3
+  %17 = add nuw nsw i64 %.417.i, 7
+  br label %B570.if.i
+
+B570.if.i:                                        ; preds = %B570.if.i, %B570.if.lr.ph.i
+  %lsr.iv11 = phi i64 [ %lsr.iv.next12, %B570.if.i ], [ %17, %B570.if.lr.ph.i ]
+  %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %16, %B570.if.lr.ph.i ]
+  %scevgep13.i = getelementptr i8, ptr %.1245, i64 %lsr.iv8.i
+  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !189
+  %.8.i.i45 = fadd contract <8 x double> %.7.i.i44, %.485.i
+  %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.515.i, <8 x double> %.518.i)
+  %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.519.i, <8 x double> %.522.i)
+  %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.523.i, <8 x double> %.526.i)
+  %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %lsr.iv8.i
+  store <8 x double> %.527.i, ptr %scevgep12.i, align 8, !noalias !189
+  %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.542.i, <8 x double> %.545.i)
+  %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.546.i, <8 x double> %.549.i)
+  %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.550.i, <8 x double> %.553.i)
+  %scevgep10.i = getelementptr i8, ptr %scevgep7.i, i64 %lsr.iv8.i
+  store <8 x double> %.554.i, ptr %scevgep10.i, align 8, !noalias !189
+  %lsr.iv.next9.i = add i64 %lsr.iv8.i, 64
+  %lsr.iv.next12 = add nsw i64 %lsr.iv11, -1
+  %.438.i = icmp sgt i64 %lsr.iv11, 8
+  br i1 %.438.i, label %B570.if.i, label %B926.i
+
+_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
+  %cell.5.1.i = phi i64 [ %.1222, %B480 ], [ %cell.3.2.i, %B926.i ]
+  store i64 %cell.5.1.i, ptr %.1221, align 8
+  br label %B736
+
+B484.if.i:                                        ; preds = %B484.if.i, %B1168
+  %lsr.iv6 = phi i64 [ %lsr.iv.next7, %B484.if.i ], [ %5, %B1168 ]
+  %lsr.iv9 = phi ptr [ %scevgep11, %B484.if.i ], [ %arg.p.4, %B1168 ]
+  %lsr.iv = phi ptr [ %scevgep8, %B484.if.i ], [ %arg.phase.4, %B1168 ]
+  %lsr.iv314 = phi ptr [ %scevgep315, %B484.if.i ], [ %.2171, %B1168 ]
+  %scevgep318 = getelementptr i8, ptr %lsr.iv314, i64 %.idx1791
+  %.1236.i = load <8 x double>, ptr %scevgep318, align 8, !noalias !183
+  %.1246.i = load <8 x double>, ptr %lsr.iv314, align 8, !noalias !183
+  %sunkaddr18 = getelementptr i8, ptr %lsr.iv314, i64 %sunkaddr17
+  %.1256.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !183
+  %.6.i.i90 = fmul contract <8 x double> %.1236.i, %.1236.i
+  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1283.i, <8 x double> %.1286.i)
+  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1287.i, <8 x double> %.1290.i)
+  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1291.i, <8 x double> %.1294.i)
+  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1298.i, <8 x double> %.1301.i)
+  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1302.i, <8 x double> %.1305.i)
+  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1306.i, <8 x double> %.1309.i)
+  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1313.i, <8 x double> %.1316.i)
+  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1317.i, <8 x double> %.1320.i)
+  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1321.i, <8 x double> %.1324.i)
+  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1328.i, <8 x double> %.1331.i)
+  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1332.i, <8 x double> %.1335.i)
+  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1336.i, <8 x double> %.1339.i)
+  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1343.i, <8 x double> %.1346.i)
+  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1347.i, <8 x double> %.1350.i)
+  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1351.i, <8 x double> %.1354.i)
+  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1358.i, <8 x double> %.1361.i)
+  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1362.i, <8 x double> %.1365.i)
+  %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
+  %scevgep316 = getelementptr i8, ptr %lsr.iv314, i64 %.idx1792
+  %.1377.i = load <8 x double>, ptr %scevgep316, align 8, !noalias !183
+  %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
+  %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
+  %.1426.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1366.i, <8 x double> %.1355.i)
+  %.1430.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i17.i, <8 x double> %.1429.i, <8 x double> %.1426.i)
+  %.1431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1310.i, <8 x double> %.1295.i)
+  %.1441.i = load <8 x double>, ptr %lsr.iv9, align 8, !noalias !183
+  %.1442.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1431.i, <8 x double> %.1441.i)
+  %.1443.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1256.i, <8 x double> %.1430.i, <8 x double> %.1442.i)
+  %.6.i18.i = fadd contract <8 x double> %.6.i16.i, %.1443.i
+  %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
+  %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
+  store <8 x double> %.6.i19.i, ptr %lsr.iv, align 8, !noalias !183
+  %scevgep315 = getelementptr i8, ptr %lsr.iv314, i64 64
+  %scevgep8 = getelementptr i8, ptr %lsr.iv, i64 64
+  %scevgep11 = getelementptr i8, ptr %lsr.iv9, i64 64
+  %lsr.iv.next7 = add nsw i64 %lsr.iv6, -1
+  %.1189.i = icmp sgt i64 %lsr.iv6, 8
+  br i1 %.1189.i, label %B484.if.i, label %B1224
+
+B22.preheader.i114:                               ; preds = %B1226
+  %.3002 = sub i64 %.13.i22, %arg.start
+  %.3078 = getelementptr double, ptr %arg.phase.4, i64 %.3002
+  %.3013 = getelementptr double, ptr %arg.amplitude.4, i64 %.3002
+  %18 = mul i64 %.13.i22, -8
+  %scevgep4.i = getelementptr i8, ptr %.3078, i64 %18
+  %scevgep8.i = getelementptr i8, ptr %.3013, i64 %18
+  br label %B22.i115
+
+B22.i115:                                         ; preds = %B1344.i, %B22.preheader.i114
+  %cell.2.0.i116 = phi i64 [ %cell.3.2.i122, %B1344.i ], [ %.3175, %B22.preheader.i114 ]
+  %start.2.0.i117 = phi i64 [ %.13.i.i123, %B1344.i ], [ %.13.i22, %B22.preheader.i114 ]
+  %.160.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i116
+  %.161.i = load i64, ptr %.160.i, align 8, !noalias !192
+  %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i117
+  br i1 %.165.not.i, label %B112.i121, label %B62.i118
+
+B62.i118:                                         ; preds = %B22.i115, %B62.i118
+  %cell.4.1.i119 = phi i64 [ %.168.i, %B62.i118 ], [ %cell.2.0.i116, %B22.i115 ]
+  %.168.i = add i64 %cell.4.1.i119, 1
+  %sunkaddr19 = shl i64 %.168.i, 3
+  %sunkaddr20 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr19
+  %.181.i = load i64, ptr %sunkaddr20, align 8, !noalias !192
+  %.183.not.i = icmp sgt i64 %.181.i, %start.2.0.i117
+  br i1 %.183.not.i, label %B112.i121, label %B62.i118
+
+B112.i121:                                        ; preds = %B62.i118, %B22.i115
+  %cell.3.2.i122 = phi i64 [ %cell.2.0.i116, %B22.i115 ], [ %.168.i, %B62.i118 ]
+  %.195.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i122
+  %.196.i = load i64, ptr %.195.i, align 8, !noalias !192
+  %.13.i.i123 = tail call i64 @llvm.smin.i64(i64 %.13.i24, i64 %.196.i)
+  %.529.i = sub i64 %.13.i.i123, %start.2.0.i117
+  %19 = add i64 %.529.i, 7
+  %.551.i = lshr i64 %19, 3
+  %.530.inv.i = icmp slt i64 %.529.i, 1
+  %.573363.not375.i = icmp eq i64 %.551.i, 0
+  %.573363.not.i = or i1 %.530.inv.i, %.573363.not375.i
+  br i1 %.573363.not.i, label %B1344.i, label %B808.if.lr.ph.i
+
+B1344.i:                                          ; preds = %B808.if.i, %B112.i121
+  %.751.i = icmp slt i64 %.196.i, %.13.i24
+  br i1 %.751.i, label %B22.i115, label %B1226.endif.endif.endif.endif.endif.endif
+
+B808.if.lr.ph.i:                                  ; preds = %B112.i121
+  %.261.i = shl nsw i64 %cell.3.2.i122, 3
+  %20 = getelementptr double, ptr %arg.fitted.1.4, i64 %.261.i
+  %.478.i = getelementptr i8, ptr %20, i64 48
+  %.479.i = load double, ptr %.478.i, align 8, !noalias !192
+  %.311.i = or disjoint i64 %.261.i, 5
+  %.468.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.311.i
+  %.469.i = load double, ptr %.468.i, align 8, !noalias !192
+  %.301.i = or disjoint i64 %.261.i, 4
+  %.458.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.301.i
+  %.459.i = load double, ptr %.458.i, align 8, !noalias !192
+  %.291.i = or disjoint i64 %.261.i, 3
+  %.412.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.291.i
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !192
+  %.281.i = or disjoint i64 %.261.i, 2
+  %.402.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.281.i
+  %.403.i = load double, ptr %.402.i, align 8, !noalias !192
+  %.271.i = or disjoint i64 %.261.i, 1
+  %.392.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.271.i
+  %.393.i = load double, ptr %.392.i, align 8, !noalias !192
+  %.383.i = load double, ptr %20, align 8, !noalias !192
+  %.319.i124 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.311.i
+  %.320.i = load double, ptr %.319.i124, align 8, !noalias !192
+  %.309.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.301.i
+  %.310.i = load double, ptr %.309.i, align 8, !noalias !192
+  %.299.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.291.i
+  %.300.i = load double, ptr %.299.i, align 8, !noalias !192
+  %.289.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.281.i
+  %.290.i = load double, ptr %.289.i, align 8, !noalias !192
+  %.279.i125 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.271.i
+  %.280.i = load double, ptr %.279.i125, align 8, !noalias !192
+  %.269.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.261.i
+  %.270.i = load double, ptr %.269.i, align 8, !noalias !192
+  %.251.i = getelementptr inbounds double, ptr %.2942, i64 %cell.3.2.i122
+  %.252.i = load double, ptr %.251.i, align 8, !noalias !192
+  %.253.i = fsub contract double 0.000000e+00, %.252.i
+  %.239.i = getelementptr inbounds double, ptr %.2812, i64 %cell.3.2.i122
+  %.240.i = load double, ptr %.239.i, align 8, !noalias !192
+  %.242.i = fmul contract double %.405, %.240.i
+  %.623.i = insertelement <8 x double> poison, double %.242.i, i64 0
+  %.624.i = shufflevector <8 x double> %.623.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.625.i = insertelement <8 x double> poison, double %.253.i, i64 0
+  %.626.i = shufflevector <8 x double> %.625.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.631.i = insertelement <8 x double> poison, double %.320.i, i64 0
+  %.632.i = shufflevector <8 x double> %.631.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.634.i = insertelement <8 x double> poison, double %.310.i, i64 0
+  %.635.i = shufflevector <8 x double> %.634.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.638.i = insertelement <8 x double> poison, double %.300.i, i64 0
+  %.639.i = shufflevector <8 x double> %.638.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.642.i = insertelement <8 x double> poison, double %.290.i, i64 0
+  %.643.i = shufflevector <8 x double> %.642.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.646.i = insertelement <8 x double> poison, double %.280.i, i64 0
+  %.647.i126 = shufflevector <8 x double> %.646.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.650.i = insertelement <8 x double> poison, double %.270.i, i64 0
+  %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.664.i = insertelement <8 x double> poison, double %.479.i, i64 0
+  %.665.i = shufflevector <8 x double> %.664.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.667.i = insertelement <8 x double> poison, double %.469.i, i64 0
+  %.668.i = shufflevector <8 x double> %.667.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.671.i = insertelement <8 x double> poison, double %.459.i, i64 0
+  %.672.i = shufflevector <8 x double> %.671.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.675.i = insertelement <8 x double> poison, double %.413.i, i64 0
+  %.676.i = shufflevector <8 x double> %.675.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.681.i = insertelement <8 x double> poison, double %.403.i, i64 0
+  %.682.i = shufflevector <8 x double> %.681.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.685.i = insertelement <8 x double> poison, double %.393.i, i64 0
+  %.686.i = shufflevector <8 x double> %.685.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.689.i = insertelement <8 x double> poison, double %.383.i, i64 0
+  %.690.i = shufflevector <8 x double> %.689.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %21 = shl i64 %start.2.0.i117, 3
+  %22 = add nuw nsw i64 %.551.i, 7
+  br label %B808.if.i
+
+B808.if.i:                                        ; preds = %B808.if.i, %B808.if.lr.ph.i
+  %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B808.if.i ], [ %22, %B808.if.lr.ph.i ]
+  %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %21, %B808.if.lr.ph.i ]
+  %scevgep10.i128 = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv5.i
+  %.620.i = load <8 x double>, ptr %scevgep10.i128, align 8, !noalias !192
+  %.627.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.620.i, <8 x double> %.624.i, <8 x double> %.626.i)
+  %.636.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.632.i, <8 x double> %.635.i)
+  %.640.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.636.i, <8 x double> %.639.i)
+  %.644.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.640.i, <8 x double> %.643.i)
+  %.648.i129 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.644.i, <8 x double> %.647.i126)
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i129, <8 x double> %.651.i)
+  %scevgep9.i = getelementptr i8, ptr %scevgep8.i, i64 %lsr.iv5.i
+  store <8 x double> %.652.i, ptr %scevgep9.i, align 8, !noalias !192
+  %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.665.i, <8 x double> %.668.i)
+  %.673.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.669.i, <8 x double> %.672.i)
+  %.677.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.673.i, <8 x double> %.676.i)
+  %.683.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.677.i, <8 x double> %.682.i)
+  %.687.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.683.i, <8 x double> %.686.i)
+  %.691.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.687.i, <8 x double> %.690.i)
+  %scevgep7.i130 = getelementptr i8, ptr %scevgep4.i, i64 %lsr.iv5.i
+  store <8 x double> %.691.i, ptr %scevgep7.i130, align 8, !noalias !192
+  %lsr.iv.next6.i = add i64 %lsr.iv5.i, 64
+  %lsr.iv.next5 = add nsw i64 %lsr.iv4, -1
+  %.573.i = icmp sgt i64 %lsr.iv4, 8
+  br i1 %.573.i, label %B808.if.i, label %B1344.i
+
+B1226.endif.endif.endif.endif.endif.endif:        ; preds = %B1344.i, %B1226
+  %cell.5.1.i113 = phi i64 [ %.3175, %B1226 ], [ %cell.3.2.i122, %B1344.i ]
+  store i64 %cell.5.1.i113, ptr %.3174, align 8
+  br label %B1456
+
+B9081.if:                                         ; preds = %B9081.if, %B9081.if.lr.ph
+  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B9081.if ], [ %10, %B9081.if.lr.ph ]
+  %lsr.iv300 = phi i64 [ %lsr.iv.next301, %B9081.if ], [ %8, %B9081.if.lr.ph ]
+  %scevgep305 = getelementptr i8, ptr %scevgep304, i64 %lsr.iv300
+  store <8 x double> %.3705, ptr %scevgep305, align 8
+  %scevgep = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv300
+  %.3727 = load <8 x double>, ptr %scevgep, align 8
+  %.3738 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.3727, <8 x double> %.3737, <8 x double> %.3735)
+  %scevgep303 = getelementptr i8, ptr %scevgep302, i64 %lsr.iv300
+  store <8 x double> %.3738, ptr %scevgep303, align 8
+  %lsr.iv.next301 = add i64 %lsr.iv300, 64
+  %lsr.iv.next = add nsw i64 %lsr.iv1, -1
+  %.3664 = icmp sgt i64 %lsr.iv1, 7
+  br i1 %.3664, label %B9081.if, label %B9387
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_27(ptr noalias nonnull writeonly captures(none) initializes((0, 8)) %retptr, i64 %arg.place, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.arguments.4, i64 %arg.count, ptr readonly captures(none) %arg.real.4, ptr readonly captures(none) %arg.imaginary.4, ptr captures(none) %arg.tail.4) unnamed_addr #4 {
+entry:
+  %.344 = alloca ptr, align 8
+  store ptr null, ptr %.344, align 8
+  %.499 = alloca ptr, align 8
+  store ptr null, ptr %.499, align 8
+  %.94 = getelementptr i8, ptr %arg.arguments.4, i64 16
+  %.95 = load i64, ptr %.94, align 8
+  %.124 = getelementptr i8, ptr %arg.arguments.4, i64 120
+  %.125 = load i64, ptr %.124, align 8
+  %.129 = mul nsw i64 %.95, %arg.place
+  %.130 = add nsw i64 %.129, %arg.start
+  %.131 = sub nsw i64 %arg.stop, %arg.start
+  %.132 = shl nsw i64 %.131, 1
+  %.167 = getelementptr i8, ptr %arg.arguments.4, i64 112
+  %.168 = load i64, ptr %.167, align 8
+  %.169 = icmp eq i64 %.168, 1
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !195
+  %.98.i = mul nsw i64 %.65.i, %.95
+  br i1 %.169, label %B172, label %B356
+
+B172:                                             ; preds = %entry
+  %.173 = shl nsw i64 %.130, 3
+  %.175 = add nsw i64 %.173, %.125
+  %.120.i = icmp sgt i64 %.98.i, 524287
+  %.209.1.i = and i64 %.125, 7
+  %.239.not.i = icmp eq i64 %.209.1.i, 0
+  %or.cond.i = select i1 %.120.i, i1 %.239.not.i, i1 false
+  %.250.i = sub i64 0, %.175
+  %.263.1.i = lshr exact i64 %.250.i, 3
+  %.312.i = and i64 %.263.1.i, 7
+  %storemerge.i = select i1 %or.cond.i, i64 %.312.i, i64 -1
+  %.223 = inttoptr i64 %.175 to ptr
+  store ptr null, ptr %.344, align 8
+  call fastcc void @inner_29(ptr nonnull %.344, i64 %arg.count, ptr %arg.real.4, ptr %arg.imaginary.4, i64 %storemerge.i, ptr %.223, i64 %.132, ptr %arg.tail.4)
+  br label %common.ret.sink.split
+
+B356:                                             ; preds = %entry
+  %.398 = shl nsw i64 %.130, 4
+  %.400 = add nsw i64 %.398, %.125
+  %.120.i5 = icmp sgt i64 %.98.i, 262143
+  %.209.1.i6 = and i64 %.125, 15
+  %.239.not.i7 = icmp eq i64 %.209.1.i6, 0
+  %or.cond.i8 = select i1 %.120.i5, i1 %.239.not.i7, i1 false
+  %.250.i9 = sub i64 0, %.400
+  %.263.1.i10 = lshr exact i64 %.250.i9, 4
+  %.312.i11 = and i64 %.263.1.i10, 3
+  %storemerge.i12 = select i1 %or.cond.i8, i64 %.312.i11, i64 -1
+  %.447 = inttoptr i64 %.400 to ptr
+  store ptr null, ptr %.499, align 8
+  call fastcc void @inner_30(ptr nonnull %.499, i64 %arg.count, ptr %arg.real.4, ptr %arg.imaginary.4, i64 %storemerge.i12, ptr %.447, i64 %.132, ptr %arg.tail.4)
+  br label %common.ret.sink.split
+
+common.ret.sink.split:                            ; preds = %B356, %B172
+  store ptr null, ptr %retptr, align 8
+  ret void
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_28(ptr noalias nonnull writeonly captures(none) initializes((0, 8)) %retptr, i64 %arg.i, i64 %arg.start, i64 %arg.stop, ptr readonly captures(none) %arg.arguments.4, i64 %arg.count, ptr readonly captures(none) %arg.sums.0.4, ptr readonly captures(none) %arg.sums.1.4, ptr readonly captures(none) %arg.sums.2.4, ptr readonly captures(none) %arg.sums.3.4, ptr captures(none) %arg.tail.4) unnamed_addr #4 {
+entry:
+  %.436 = alloca ptr, align 8
+  store ptr null, ptr %.436, align 8
+  %.563 = alloca ptr, align 8
+  store ptr null, ptr %.563, align 8
+  %.680 = alloca ptr, align 8
+  store ptr null, ptr %.680, align 8
+  %.808 = alloca ptr, align 8
+  store ptr null, ptr %.808, align 8
+  %.124 = getelementptr i8, ptr %arg.arguments.4, i64 16
+  %.125 = load i64, ptr %.124, align 8
+  %.126 = mul nsw i64 %.125, %arg.i
+  %.127 = add nsw i64 %.126, %arg.start
+  %.128 = sub nsw i64 %arg.stop, %arg.start
+  %.129 = shl nsw i64 %.128, 1
+  %.164 = getelementptr i8, ptr %arg.arguments.4, i64 112
+  %.165 = load i64, ptr %.164, align 8
+  %.166 = icmp eq i64 %.165, 3
+  %.210 = getelementptr i8, ptr %arg.arguments.4, i64 120
+  %.211 = load i64, ptr %.210, align 8
+  %0 = select i1 %.166, i64 3, i64 4
+  %.213 = shl i64 %.127, %0
+  %.214 = add nsw i64 %.213, %.211
+  %.243 = getelementptr i8, ptr %arg.arguments.4, i64 128
+  %.244 = load i64, ptr %.243, align 8
+  %.249 = add nsw i64 %.213, %.244
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !196
+  %.98.i = shl i64 %.65.i, %0
+  %.100.i = mul i64 %.98.i, %.125
+  %.120.i = icmp slt i64 %.100.i, 2097152
+  %.134.i = sub nsw i64 %.211, %.244
+  %.147.1.i = and i64 %.134.i, 63
+  %.177.i = icmp ne i64 %.147.1.i, 0
+  %brmerge.i = or i1 %.177.i, %.120.i
+  br i1 %brmerge.i, label %B142.endif, label %B162.i
+
+B162.i:                                           ; preds = %entry
+  %"$phi142.0.2.0" = select i1 %.166, i64 8, i64 16
+  %"$phi142.0.2.0.neg" = select i1 %.166, i64 -8, i64 -16
+  %.218.i = srem i64 %.214, %"$phi142.0.2.0"
+  %.220.i = icmp slt i64 %.218.i, 0
+  %.229.i.neg = select i1 %.220.i, i64 %"$phi142.0.2.0.neg", i64 0
+  %1 = icmp eq i64 %.218.i, %.229.i.neg
+  br i1 %1, label %B184.endif.else.if.i, label %B142.endif
+
+B184.endif.else.if.i:                             ; preds = %B162.i
+  %.250.i = sub i64 0, %.214
+  %.263.1.i = and i64 %.250.i, 63
+  %.312.i66 = lshr i64 %.263.1.i, %0
+  br label %B142.endif
+
+B282:                                             ; preds = %B142.endif
+  store ptr null, ptr %.436, align 8
+  call fastcc void @inner_29(ptr nonnull %.436, i64 %arg.count, ptr %arg.sums.0.4, ptr %arg.sums.1.4, i64 %storemerge.i, ptr %2, i64 %.129, ptr %arg.tail.4)
+  store ptr null, ptr %.563, align 8
+  call fastcc void @inner_29(ptr nonnull %.563, i64 %arg.count, ptr %arg.sums.2.4, ptr %arg.sums.3.4, i64 %storemerge.i, ptr %.513, i64 %.129, ptr %arg.tail.4)
+  br label %common.ret.sink.split
+
+B520:                                             ; preds = %B142.endif
+  store ptr null, ptr %.680, align 8
+  call fastcc void @inner_30(ptr nonnull %.680, i64 %arg.count, ptr %arg.sums.0.4, ptr %arg.sums.1.4, i64 %storemerge.i, ptr %2, i64 %.129, ptr %arg.tail.4)
+  store ptr null, ptr %.808, align 8
+  call fastcc void @inner_30(ptr nonnull %.808, i64 %arg.count, ptr %arg.sums.2.4, ptr %arg.sums.3.4, i64 %storemerge.i, ptr %.513, i64 %.129, ptr %arg.tail.4)
+  br label %common.ret.sink.split
+
+B142.endif:                                       ; preds = %B184.endif.else.if.i, %B162.i, %entry
+  %storemerge.i = phi i64 [ -1, %B162.i ], [ -1, %entry ], [ %.312.i66, %B184.endif.else.if.i ]
+  %2 = inttoptr i64 %.214 to ptr
+  %.513 = inttoptr i64 %.249 to ptr
+  br i1 %.166, label %B282, label %B520
+
+common.ret.sink.split:                            ; preds = %B520, %B282
+  store ptr null, ptr %retptr, align 8
+  ret void
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
+define internal fastcc void @inner_29(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.count, ptr readonly captures(none) %arg.real.4, ptr readonly captures(none) %arg.imaginary.4, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.out.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.out.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
+entry:
+  %.70 = icmp sgt i64 %arg.count, 0
+  br i1 %.70, label %B20.preheader, label %B9559
+
+B20.preheader:                                    ; preds = %entry
+  %0 = shl i64 %arg.out.5.0, 2
+  %1 = icmp sgt i64 %arg.streamed, -1
+  %sunkaddr4 = getelementptr i8, ptr %arg.tail.4, i64 4
+  %sunkaddr20 = getelementptr i8, ptr %arg.tail.4, i64 8
+  %sunkaddr21 = getelementptr i8, ptr %arg.tail.4, i64 12
+  %sunkaddr22 = getelementptr i8, ptr %arg.tail.4, i64 16
+  %sunkaddr23 = getelementptr i8, ptr %arg.tail.4, i64 20
+  %sunkaddr24 = getelementptr i8, ptr %arg.tail.4, i64 24
+  %sunkaddr = getelementptr i8, ptr %arg.tail.4, i64 28
+  %sunkaddr25 = getelementptr i8, ptr %arg.tail.4, i64 32
+  %sunkaddr26 = getelementptr i8, ptr %arg.tail.4, i64 36
+  %sunkaddr27 = getelementptr i8, ptr %arg.tail.4, i64 40
+  %sunkaddr28 = getelementptr i8, ptr %arg.tail.4, i64 44
+  %sunkaddr29 = getelementptr i8, ptr %arg.tail.4, i64 48
+  %sunkaddr30 = getelementptr i8, ptr %arg.tail.4, i64 52
+  br label %B20
+
+B20:                                              ; preds = %B9555, %B20.preheader
+  %j.2.0 = phi i64 [ %.516, %B9555 ], [ 0, %B20.preheader ]
+  %.77 = sub nsw i64 %arg.count, %j.2.0
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.77, i64 8)
+  %.117 = icmp slt i64 %j.2.0, %arg.streamed
+  %.13.i3 = tail call i64 @llvm.smin.i64(i64 %arg.streamed, i64 %.13.i)
+  %size.2.1 = select i1 %.117, i64 %.13.i3, i64 %.13.i
+  %.165 = getelementptr inbounds double, ptr %arg.real.4, i64 %j.2.0
+  %.167 = load <8 x double>, ptr %.165, align 8
+  %.176 = getelementptr inbounds double, ptr %arg.imaginary.4, i64 %j.2.0
+  %.178 = load <8 x double>, ptr %.176, align 8
+  %.218 = icmp slt i64 %size.2.1, 8
+  %2 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  %.235 = fptrunc <16 x double> %2 to <16 x float>
+  br i1 %.218, label %B232, label %B9443
+
+B232:                                             ; preds = %B20
+  store <16 x float> %.235, ptr %arg.tail.4, align 4
+  %.325319.not = icmp slt i64 %size.2.1, 1
+  br i1 %.325319.not, label %B9555, label %B292.if.lr.ph
+
+B292.if.lr.ph:                                    ; preds = %B232
+  %.394 = shl nsw i64 %j.2.0, 1
+  %3 = shl i64 %j.2.0, 3
+  %scevgep23 = getelementptr i8, ptr %arg.out.4, i64 %3
+  %.392 = load float, ptr %arg.tail.4, align 4
+  %.409 = icmp slt i64 %j.2.0, 0
+  %4 = select i1 %.409, i64 %0, i64 0
+  %scevgep27 = getelementptr i8, ptr %scevgep23, i64 %4
+  store float %.392, ptr %scevgep27, align 4
+  %.392.1 = load float, ptr %sunkaddr4, align 4
+  %scevgep26 = getelementptr i8, ptr %scevgep27, i64 4
+  store float %.392.1, ptr %scevgep26, align 4
+  %exitcond.not.1 = icmp eq i64 %size.2.1, 1
+  br i1 %exitcond.not.1, label %B9555, label %B292.if.1
+
+B9443:                                            ; preds = %B20
+  %sunkaddr5 = shl i64 %j.2.0, 3
+  %sunkaddr6 = getelementptr i8, ptr %arg.out.4, i64 %sunkaddr5
+  br i1 %1, label %B9515, label %B9517
+
+B9515:                                            ; preds = %B9443
+  store <16 x float> %.235, ptr %sunkaddr6, align 64, !nontemporal !138
+  br label %B9555
+
+B9517:                                            ; preds = %B9443
+  store <16 x float> %.235, ptr %sunkaddr6, align 4
+  br label %B9555
+
+B9555:                                            ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B9517, %B9515
+  %.516 = add nsw i64 %size.2.1, %j.2.0
+  %.522 = icmp slt i64 %.516, %arg.count
+  br i1 %.522, label %B20, label %B9559
+
+B9559:                                            ; preds = %B9555, %entry
+  %.549 = shl nsw i64 %arg.count, 1
+  %.599 = sub i64 %arg.out.5.0, %.549
+  %.642333.not = icmp slt i64 %.599, 1
+  br i1 %.642333.not, label %B9612, label %B9571.if.preheader
+
+B9571.if.preheader:                               ; preds = %B9559
+  %xtraiter = and i64 %.599, 3
+  %lcmp.mod.not = icmp eq i64 %xtraiter, 0
+  br i1 %lcmp.mod.not, label %B9571.if.prol.loopexit, label %B9571.if.prol.preheader
+
+B9571.if.prol.preheader:                          ; preds = %B9571.if.preheader
+  %5 = shl i64 %arg.out.5.0, 2
+  br label %B9571.if.prol
+
+B9571.if.prol:                                    ; preds = %B9571.if.prol, %B9571.if.prol.preheader
+  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B9571.if.prol ], [ %xtraiter, %B9571.if.prol.preheader ]
+  %.648332334.prol = phi i64 [ %.655.prol, %B9571.if.prol ], [ %.549, %B9571.if.prol.preheader ]
+  %.655.prol = add i64 %.648332334.prol, 1
+  %.693.prol = icmp slt i64 %.648332334.prol, 0
+  %6 = select i1 %.693.prol, i64 %5, i64 0
+  %scevgep15 = getelementptr i8, ptr %arg.out.4, i64 %6
+  %7 = shl i64 %.648332334.prol, 2
+  %scevgep16 = getelementptr i8, ptr %scevgep15, i64 %7
+  store float 0.000000e+00, ptr %scevgep16, align 4
+  %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
+  %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
+  br i1 %prol.iter.cmp.not, label %B9571.if.prol.loopexit.loopexit, label %B9571.if.prol, !llvm.loop !199
+
+B9571.if.prol.loopexit.loopexit:                  ; preds = %B9571.if.prol
+  %8 = sub i64 %arg.out.5.0, %.655.prol
+  br label %B9571.if.prol.loopexit
+
+B9571.if.prol.loopexit:                           ; preds = %B9571.if.prol.loopexit.loopexit, %B9571.if.preheader
+  %.641331335.unr = phi i64 [ %.599, %B9571.if.preheader ], [ %8, %B9571.if.prol.loopexit.loopexit ]
+  %.648332334.unr = phi i64 [ %.549, %B9571.if.preheader ], [ %.655.prol, %B9571.if.prol.loopexit.loopexit ]
+  %9 = sub i64 %.549, %arg.out.5.0
+  %10 = icmp ugt i64 %9, -4
+  br i1 %10, label %B9612, label %B9571.if.preheader4
+
+B9571.if.preheader4:                              ; preds = %B9571.if.prol.loopexit
+  %11 = add i64 %.641331335.unr, 4
+  %12 = shl i64 %arg.out.5.0, 2
+  %13 = add i64 %12, 4
+  %14 = add i64 %12, 8
+  %15 = add i64 %12, 12
+  %16 = shl i64 %.648332334.unr, 2
+  %scevgep = getelementptr i8, ptr %arg.out.4, i64 %16
+  br label %B9571.if
+
+B9612:                                            ; preds = %B9571.if, %B9571.if.prol.loopexit, %B9559
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B292.if.1:                                        ; preds = %B292.if.lr.ph
+  %.392.11 = load float, ptr %sunkaddr20, align 4
+  %17 = add i64 %.394, 2
+  %.409.1 = icmp slt i64 %17, 0
+  %18 = select i1 %.409.1, i64 %0, i64 0
+  %scevgep27.1 = getelementptr i8, ptr %scevgep23, i64 %18
+  %scevgep28.1 = getelementptr i8, ptr %scevgep27.1, i64 8
+  store float %.392.11, ptr %scevgep28.1, align 4
+  %.392.1.1 = load float, ptr %sunkaddr21, align 4
+  %scevgep26.1 = getelementptr i8, ptr %scevgep27.1, i64 12
+  store float %.392.1.1, ptr %scevgep26.1, align 4
+  %exitcond.not.1.1 = icmp eq i64 %size.2.1, 2
+  br i1 %exitcond.not.1.1, label %B9555, label %B292.if.2
+
+B292.if.2:                                        ; preds = %B292.if.1
+  %.392.2 = load float, ptr %sunkaddr22, align 4
+  %19 = add i64 %.394, 4
+  %.409.2 = icmp slt i64 %19, 0
+  %20 = select i1 %.409.2, i64 %0, i64 0
+  %scevgep27.2 = getelementptr i8, ptr %scevgep23, i64 %20
+  %scevgep28.2 = getelementptr i8, ptr %scevgep27.2, i64 16
+  store float %.392.2, ptr %scevgep28.2, align 4
+  %.392.1.2 = load float, ptr %sunkaddr23, align 4
+  %scevgep26.2 = getelementptr i8, ptr %scevgep27.2, i64 20
+  store float %.392.1.2, ptr %scevgep26.2, align 4
+  %exitcond.not.1.2 = icmp eq i64 %size.2.1, 3
+  br i1 %exitcond.not.1.2, label %B9555, label %B292.if.3
+
+B292.if.3:                                        ; preds = %B292.if.2
+  %.392.3 = load float, ptr %sunkaddr24, align 4
+  %21 = add i64 %.394, 6
+  %.409.3 = icmp slt i64 %21, 0
+  %22 = select i1 %.409.3, i64 %0, i64 0
+  %scevgep27.3 = getelementptr i8, ptr %scevgep23, i64 %22
+  %scevgep28.3 = getelementptr i8, ptr %scevgep27.3, i64 24
+  store float %.392.3, ptr %scevgep28.3, align 4
+  %.392.1.3 = load float, ptr %sunkaddr, align 4
+  %scevgep26.3 = getelementptr i8, ptr %scevgep27.3, i64 28
+  store float %.392.1.3, ptr %scevgep26.3, align 4
+  %exitcond.not.1.3 = icmp eq i64 %size.2.1, 4
+  br i1 %exitcond.not.1.3, label %B9555, label %B292.if.4
+
+B292.if.4:                                        ; preds = %B292.if.3
+  %.392.4 = load float, ptr %sunkaddr25, align 4
+  %23 = add i64 %.394, 8
+  %.409.4 = icmp slt i64 %23, 0
+  %24 = select i1 %.409.4, i64 %0, i64 0
+  %scevgep27.4 = getelementptr i8, ptr %scevgep23, i64 %24
+  %scevgep28.4 = getelementptr i8, ptr %scevgep27.4, i64 32
+  store float %.392.4, ptr %scevgep28.4, align 4
+  %.392.1.4 = load float, ptr %sunkaddr26, align 4
+  %scevgep26.4 = getelementptr i8, ptr %scevgep27.4, i64 36
+  store float %.392.1.4, ptr %scevgep26.4, align 4
+  %exitcond.not.1.4 = icmp eq i64 %size.2.1, 5
+  br i1 %exitcond.not.1.4, label %B9555, label %B292.if.5
+
+B292.if.5:                                        ; preds = %B292.if.4
+  %.392.5 = load float, ptr %sunkaddr27, align 4
+  %25 = add i64 %.394, 10
+  %.409.5 = icmp slt i64 %25, 0
+  %26 = select i1 %.409.5, i64 %0, i64 0
+  %scevgep27.5 = getelementptr i8, ptr %scevgep23, i64 %26
+  %scevgep28.5 = getelementptr i8, ptr %scevgep27.5, i64 40
+  store float %.392.5, ptr %scevgep28.5, align 4
+  %.392.1.5 = load float, ptr %sunkaddr28, align 4
+  %scevgep26.5 = getelementptr i8, ptr %scevgep27.5, i64 44
+  store float %.392.1.5, ptr %scevgep26.5, align 4
+  %exitcond.not.1.5 = icmp eq i64 %size.2.1, 6
+  br i1 %exitcond.not.1.5, label %B9555, label %B292.if.6
+
+B292.if.6:                                        ; preds = %B292.if.5
+  %.392.6 = load float, ptr %sunkaddr29, align 4
+  %27 = add i64 %.394, 12
+  %.409.6 = icmp slt i64 %27, 0
+  %28 = select i1 %.409.6, i64 %0, i64 0
+  %scevgep27.6 = getelementptr i8, ptr %scevgep23, i64 %28
+  %scevgep28.6 = getelementptr i8, ptr %scevgep27.6, i64 48
+  store float %.392.6, ptr %scevgep28.6, align 4
+  %.392.1.6 = load float, ptr %sunkaddr30, align 4
+  %scevgep26.6 = getelementptr i8, ptr %scevgep27.6, i64 52
+  store float %.392.1.6, ptr %scevgep26.6, align 4
+  br label %B9555
+
+B9571.if:                                         ; preds = %B9571.if, %B9571.if.preheader4
+  %lsr.iv1 = phi ptr [ %scevgep5, %B9571.if ], [ %scevgep, %B9571.if.preheader4 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B9571.if ], [ %11, %B9571.if.preheader4 ]
+  %.648332334 = phi i64 [ %36, %B9571.if ], [ %.648332334.unr, %B9571.if.preheader4 ]
+  %.693 = icmp slt i64 %.648332334, 0
+  %29 = select i1 %.693, i64 %12, i64 0
+  %scevgep9 = getelementptr i8, ptr %lsr.iv1, i64 %29
+  store float 0.000000e+00, ptr %scevgep9, align 4
+  %30 = add i64 %.648332334, 1
+  %.693.1 = icmp slt i64 %30, 0
+  %31 = select i1 %.693.1, i64 %13, i64 4
+  %scevgep8 = getelementptr i8, ptr %lsr.iv1, i64 %31
+  store float 0.000000e+00, ptr %scevgep8, align 4
+  %32 = add i64 %.648332334, 2
+  %.693.2 = icmp slt i64 %32, 0
+  %33 = select i1 %.693.2, i64 %14, i64 8
+  %scevgep7 = getelementptr i8, ptr %lsr.iv1, i64 %33
+  store float 0.000000e+00, ptr %scevgep7, align 4
+  %34 = add i64 %.648332334, 3
+  %.693.3 = icmp slt i64 %34, 0
+  %35 = select i1 %.693.3, i64 %15, i64 12
+  %scevgep6 = getelementptr i8, ptr %lsr.iv1, i64 %35
+  store float 0.000000e+00, ptr %scevgep6, align 4
+  %lsr.iv.next = add i64 %lsr.iv, -4
+  %scevgep5 = getelementptr i8, ptr %lsr.iv1, i64 16
+  %.642.3 = icmp sgt i64 %lsr.iv.next, 4
+  %36 = add i64 %.648332334, 4
+  br i1 %.642.3, label %B9571.if, label %B9612
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
+define internal fastcc void @inner_30(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.count, ptr readonly captures(none) %arg.real.4, ptr readonly captures(none) %arg.imaginary.4, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.out.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.out.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
+entry:
+  %.70 = icmp sgt i64 %arg.count, 0
+  br i1 %.70, label %B20.preheader, label %B9756
+
+B20.preheader:                                    ; preds = %entry
+  %0 = shl i64 %arg.out.5.0, 3
+  %1 = icmp sgt i64 %arg.streamed, -1
+  %sunkaddr3 = getelementptr i8, ptr %arg.tail.4, i64 8
+  %sunkaddr17 = getelementptr i8, ptr %arg.tail.4, i64 16
+  %sunkaddr18 = getelementptr i8, ptr %arg.tail.4, i64 24
+  %sunkaddr19 = getelementptr i8, ptr %arg.tail.4, i64 32
+  %sunkaddr20 = getelementptr i8, ptr %arg.tail.4, i64 40
+  %sunkaddr21 = getelementptr i8, ptr %arg.tail.4, i64 48
+  %sunkaddr = getelementptr i8, ptr %arg.tail.4, i64 56
+  %sunkaddr22 = getelementptr i8, ptr %arg.tail.4, i64 64
+  %sunkaddr23 = getelementptr i8, ptr %arg.tail.4, i64 72
+  %sunkaddr24 = getelementptr i8, ptr %arg.tail.4, i64 80
+  %sunkaddr25 = getelementptr i8, ptr %arg.tail.4, i64 88
+  %sunkaddr26 = getelementptr i8, ptr %arg.tail.4, i64 96
+  %sunkaddr27 = getelementptr i8, ptr %arg.tail.4, i64 104
+  br label %B20
+
+B20:                                              ; preds = %B9752, %B20.preheader
+  %j.2.0 = phi i64 [ %.510, %B9752 ], [ 0, %B20.preheader ]
+  %.77 = sub nsw i64 %arg.count, %j.2.0
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.77, i64 8)
+  %.117 = icmp slt i64 %j.2.0, %arg.streamed
+  %.13.i3 = tail call i64 @llvm.smin.i64(i64 %arg.streamed, i64 %.13.i)
+  %size.2.1 = select i1 %.117, i64 %.13.i3, i64 %.13.i
+  %.165 = getelementptr inbounds double, ptr %arg.real.4, i64 %j.2.0
+  %.167 = load <8 x double>, ptr %.165, align 8
+  %.176 = getelementptr inbounds double, ptr %arg.imaginary.4, i64 %j.2.0
+  %.178 = load <8 x double>, ptr %.176, align 8
+  %.218 = icmp slt i64 %size.2.1, 8
+  br i1 %.218, label %B232, label %B9640
+
+B232:                                             ; preds = %B20
+  %.233 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  store <16 x double> %.233, ptr %arg.tail.4, align 4
+  %.323319.not = icmp slt i64 %size.2.1, 1
+  br i1 %.323319.not, label %B9752, label %B292.if.lr.ph
+
+B292.if.lr.ph:                                    ; preds = %B232
+  %.392 = shl nsw i64 %j.2.0, 1
+  %2 = shl i64 %j.2.0, 4
+  %scevgep23 = getelementptr i8, ptr %arg.out.4, i64 %2
+  %.390 = load double, ptr %arg.tail.4, align 8
+  %.407 = icmp slt i64 %j.2.0, 0
+  %3 = select i1 %.407, i64 %0, i64 0
+  %scevgep27 = getelementptr i8, ptr %scevgep23, i64 %3
+  store double %.390, ptr %scevgep27, align 8
+  %.390.1 = load double, ptr %sunkaddr3, align 8
+  %scevgep26 = getelementptr i8, ptr %scevgep27, i64 8
+  store double %.390.1, ptr %scevgep26, align 8
+  %exitcond.not.1 = icmp eq i64 %size.2.1, 1
+  br i1 %exitcond.not.1, label %B9752, label %B292.if.1
+
+B9640:                                            ; preds = %B20
+  %.465.idx = shl i64 %j.2.0, 4
+  %.466 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
+  %sunkaddr15 = getelementptr i8, ptr %arg.out.4, i64 %.465.idx
+  br i1 %1, label %B9712, label %B9714
+
+B9712:                                            ; preds = %B9640
+  store <16 x double> %.466, ptr %sunkaddr15, align 64, !nontemporal !138
+  br label %B9752
+
+B9714:                                            ; preds = %B9640
+  store <16 x double> %.466, ptr %sunkaddr15, align 4
+  br label %B9752
+
+B9752:                                            ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B9714, %B9712
+  %.510 = add nsw i64 %size.2.1, %j.2.0
+  %.516 = icmp slt i64 %.510, %arg.count
+  br i1 %.516, label %B20, label %B9756
+
+B9756:                                            ; preds = %B9752, %entry
+  %.543 = shl nsw i64 %arg.count, 1
+  %.593 = sub i64 %arg.out.5.0, %.543
+  %.636333.not = icmp slt i64 %.593, 1
+  br i1 %.636333.not, label %B9809, label %B9768.if.preheader
+
+B9768.if.preheader:                               ; preds = %B9756
+  %xtraiter = and i64 %.593, 3
+  %lcmp.mod.not = icmp eq i64 %xtraiter, 0
+  br i1 %lcmp.mod.not, label %B9768.if.prol.loopexit, label %B9768.if.prol.preheader
+
+B9768.if.prol.preheader:                          ; preds = %B9768.if.preheader
+  %4 = shl i64 %arg.out.5.0, 3
+  br label %B9768.if.prol
+
+B9768.if.prol:                                    ; preds = %B9768.if.prol, %B9768.if.prol.preheader
+  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B9768.if.prol ], [ %xtraiter, %B9768.if.prol.preheader ]
+  %.642332334.prol = phi i64 [ %.649.prol, %B9768.if.prol ], [ %.543, %B9768.if.prol.preheader ]
+  %.649.prol = add i64 %.642332334.prol, 1
+  %.687.prol = icmp slt i64 %.642332334.prol, 0
+  %5 = select i1 %.687.prol, i64 %4, i64 0
+  %scevgep15 = getelementptr i8, ptr %arg.out.4, i64 %5
+  %6 = shl i64 %.642332334.prol, 3
+  %scevgep16 = getelementptr i8, ptr %scevgep15, i64 %6
+  store double 0.000000e+00, ptr %scevgep16, align 8
+  %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
+  %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
+  br i1 %prol.iter.cmp.not, label %B9768.if.prol.loopexit.loopexit, label %B9768.if.prol, !llvm.loop !200
+
+B9768.if.prol.loopexit.loopexit:                  ; preds = %B9768.if.prol
+  %7 = sub i64 %arg.out.5.0, %.649.prol
+  br label %B9768.if.prol.loopexit
+
+B9768.if.prol.loopexit:                           ; preds = %B9768.if.prol.loopexit.loopexit, %B9768.if.preheader
+  %.635331335.unr = phi i64 [ %.593, %B9768.if.preheader ], [ %7, %B9768.if.prol.loopexit.loopexit ]
+  %.642332334.unr = phi i64 [ %.543, %B9768.if.preheader ], [ %.649.prol, %B9768.if.prol.loopexit.loopexit ]
+  %8 = sub i64 %.543, %arg.out.5.0
+  %9 = icmp ugt i64 %8, -4
+  br i1 %9, label %B9809, label %B9768.if.preheader4
+
+B9768.if.preheader4:                              ; preds = %B9768.if.prol.loopexit
+  %10 = add i64 %.635331335.unr, 4
+  %11 = shl i64 %arg.out.5.0, 3
+  %12 = add i64 %11, 8
+  %13 = add i64 %11, 16
+  %14 = add i64 %11, 24
+  %15 = shl i64 %.642332334.unr, 3
+  %scevgep = getelementptr i8, ptr %arg.out.4, i64 %15
+  br label %B9768.if
+
+B9809:                                            ; preds = %B9768.if, %B9768.if.prol.loopexit, %B9756
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B292.if.1:                                        ; preds = %B292.if.lr.ph
+  %.390.11 = load double, ptr %sunkaddr17, align 8
+  %16 = add i64 %.392, 2
+  %.407.1 = icmp slt i64 %16, 0
+  %17 = select i1 %.407.1, i64 %0, i64 0
+  %scevgep27.1 = getelementptr i8, ptr %scevgep23, i64 %17
+  %scevgep28.1 = getelementptr i8, ptr %scevgep27.1, i64 16
+  store double %.390.11, ptr %scevgep28.1, align 8
+  %.390.1.1 = load double, ptr %sunkaddr18, align 8
+  %scevgep26.1 = getelementptr i8, ptr %scevgep27.1, i64 24
+  store double %.390.1.1, ptr %scevgep26.1, align 8
+  %exitcond.not.1.1 = icmp eq i64 %size.2.1, 2
+  br i1 %exitcond.not.1.1, label %B9752, label %B292.if.2
+
+B292.if.2:                                        ; preds = %B292.if.1
+  %.390.2 = load double, ptr %sunkaddr19, align 8
+  %18 = add i64 %.392, 4
+  %.407.2 = icmp slt i64 %18, 0
+  %19 = select i1 %.407.2, i64 %0, i64 0
+  %scevgep27.2 = getelementptr i8, ptr %scevgep23, i64 %19
+  %scevgep28.2 = getelementptr i8, ptr %scevgep27.2, i64 32
+  store double %.390.2, ptr %scevgep28.2, align 8
+  %.390.1.2 = load double, ptr %sunkaddr20, align 8
+  %scevgep26.2 = getelementptr i8, ptr %scevgep27.2, i64 40
+  store double %.390.1.2, ptr %scevgep26.2, align 8
+  %exitcond.not.1.2 = icmp eq i64 %size.2.1, 3
+  br i1 %exitcond.not.1.2, label %B9752, label %B292.if.3
+
+B292.if.3:                                        ; preds = %B292.if.2
+  %.390.3 = load double, ptr %sunkaddr21, align 8
+  %20 = add i64 %.392, 6
+  %.407.3 = icmp slt i64 %20, 0
+  %21 = select i1 %.407.3, i64 %0, i64 0
+  %scevgep27.3 = getelementptr i8, ptr %scevgep23, i64 %21
+  %scevgep28.3 = getelementptr i8, ptr %scevgep27.3, i64 48
+  store double %.390.3, ptr %scevgep28.3, align 8
+  %.390.1.3 = load double, ptr %sunkaddr, align 8
+  %scevgep26.3 = getelementptr i8, ptr %scevgep27.3, i64 56
+  store double %.390.1.3, ptr %scevgep26.3, align 8
+  %exitcond.not.1.3 = icmp eq i64 %size.2.1, 4
+  br i1 %exitcond.not.1.3, label %B9752, label %B292.if.4
+
+B292.if.4:                                        ; preds = %B292.if.3
+  %.390.4 = load double, ptr %sunkaddr22, align 8
+  %22 = add i64 %.392, 8
+  %.407.4 = icmp slt i64 %22, 0
+  %23 = select i1 %.407.4, i64 %0, i64 0
+  %scevgep27.4 = getelementptr i8, ptr %scevgep23, i64 %23
+  %scevgep28.4 = getelementptr i8, ptr %scevgep27.4, i64 64
+  store double %.390.4, ptr %scevgep28.4, align 8
+  %.390.1.4 = load double, ptr %sunkaddr23, align 8
+  %scevgep26.4 = getelementptr i8, ptr %scevgep27.4, i64 72
+  store double %.390.1.4, ptr %scevgep26.4, align 8
+  %exitcond.not.1.4 = icmp eq i64 %size.2.1, 5
+  br i1 %exitcond.not.1.4, label %B9752, label %B292.if.5
+
+B292.if.5:                                        ; preds = %B292.if.4
+  %.390.5 = load double, ptr %sunkaddr24, align 8
+  %24 = add i64 %.392, 10
+  %.407.5 = icmp slt i64 %24, 0
+  %25 = select i1 %.407.5, i64 %0, i64 0
+  %scevgep27.5 = getelementptr i8, ptr %scevgep23, i64 %25
+  %scevgep28.5 = getelementptr i8, ptr %scevgep27.5, i64 80
+  store double %.390.5, ptr %scevgep28.5, align 8
+  %.390.1.5 = load double, ptr %sunkaddr25, align 8
+  %scevgep26.5 = getelementptr i8, ptr %scevgep27.5, i64 88
+  store double %.390.1.5, ptr %scevgep26.5, align 8
+  %exitcond.not.1.5 = icmp eq i64 %size.2.1, 6
+  br i1 %exitcond.not.1.5, label %B9752, label %B292.if.6
+
+B292.if.6:                                        ; preds = %B292.if.5
+  %.390.6 = load double, ptr %sunkaddr26, align 8
+  %26 = add i64 %.392, 12
+  %.407.6 = icmp slt i64 %26, 0
+  %27 = select i1 %.407.6, i64 %0, i64 0
+  %scevgep27.6 = getelementptr i8, ptr %scevgep23, i64 %27
+  %scevgep28.6 = getelementptr i8, ptr %scevgep27.6, i64 96
+  store double %.390.6, ptr %scevgep28.6, align 8
+  %.390.1.6 = load double, ptr %sunkaddr27, align 8
+  %scevgep26.6 = getelementptr i8, ptr %scevgep27.6, i64 104
+  store double %.390.1.6, ptr %scevgep26.6, align 8
+  br label %B9752
+
+B9768.if:                                         ; preds = %B9768.if, %B9768.if.preheader4
+  %lsr.iv1 = phi ptr [ %scevgep5, %B9768.if ], [ %scevgep, %B9768.if.preheader4 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B9768.if ], [ %10, %B9768.if.preheader4 ]
+  %.642332334 = phi i64 [ %35, %B9768.if ], [ %.642332334.unr, %B9768.if.preheader4 ]
+  %.687 = icmp slt i64 %.642332334, 0
+  %28 = select i1 %.687, i64 %11, i64 0
+  %scevgep9 = getelementptr i8, ptr %lsr.iv1, i64 %28
+  store double 0.000000e+00, ptr %scevgep9, align 8
+  %29 = add i64 %.642332334, 1
+  %.687.1 = icmp slt i64 %29, 0
+  %30 = select i1 %.687.1, i64 %12, i64 8
+  %scevgep8 = getelementptr i8, ptr %lsr.iv1, i64 %30
+  store double 0.000000e+00, ptr %scevgep8, align 8
+  %31 = add i64 %.642332334, 2
+  %.687.2 = icmp slt i64 %31, 0
+  %32 = select i1 %.687.2, i64 %13, i64 16
+  %scevgep7 = getelementptr i8, ptr %lsr.iv1, i64 %32
+  store double 0.000000e+00, ptr %scevgep7, align 8
+  %33 = add i64 %.642332334, 3
+  %.687.3 = icmp slt i64 %33, 0
+  %34 = select i1 %.687.3, i64 %14, i64 24
+  %scevgep6 = getelementptr i8, ptr %lsr.iv1, i64 %34
+  store double 0.000000e+00, ptr %scevgep6, align 8
+  %lsr.iv.next = add i64 %lsr.iv, -4
+  %scevgep5 = getelementptr i8, ptr %lsr.iv1, i64 32
+  %.636.3 = icmp sgt i64 %lsr.iv.next, 4
+  %35 = add i64 %.642332334, 4
+  br i1 %.636.3, label %B9768.if, label %B9809
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc noundef range(i32 0, 2) i32 @inner_24(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.row.4, double %arg.mass, i8 range(i8 0, 2) %arg.dense, ptr readonly captures(none) %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr readonly captures(none) %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr readonly captures(none) %arg.gauge.4, i64 %arg.alignment, ptr %arg.room.4, ptr writeonly captures(none) %arg.carrier.0.4, ptr writeonly captures(none) initializes((0, 24)) %arg.carrier.1.4, ptr writeonly captures(none) initializes((0, 48)) %arg.carrier.2.4, ptr writeonly captures(none) %arg.carrier.3.4, i64 range(i64 8, 1) %arg.carrier.3.5.0) unnamed_addr #4 {
+entry:
+  %.510 = alloca i64, align 8
+  store i64 0, ptr %.510, align 8
+  %.665 = alloca i64, align 8
+  store i64 0, ptr %.665, align 8
+  %.786 = alloca i64, align 8
+  store i64 0, ptr %.786, align 8
+  %.945 = alloca i64, align 8
+  store i64 0, ptr %.945, align 8
+  %.1417 = alloca double, align 8
+  store double 0.000000e+00, ptr %.1417, align 8
+  %excinfo.8 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.8, align 8
+  %.271.le = tail call contract double @llvm.log.f64(double %arg.mass)
+  %.305 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.306 = load i64, ptr %.305, align 8
+  %.317 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.306
+  %.449 = load double, ptr %.317, align 8
+  %.451 = fmul contract double %.449, 0x3FEFFFFFFF768FA1
+  %.459.le = tail call contract double @llvm.log.f64(double %.451)
+  %.464 = fsub contract double %.459.le, %.271.le
+  store i64 0, ptr %.510, align 8
+  call fastcc void @inner_14(ptr nonnull %.510, ptr %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, double %.464)
+  %.528 = load i64, ptr %.510, align 8
+  %.600 = getelementptr i8, ptr %.317, i64 8
+  %.601 = load double, ptr %.600, align 8
+  %.606 = fmul contract double %.601, 0x3FF000000044B830
+  %.614.le = tail call contract double @llvm.log.f64(double %.606)
+  %.619 = fsub contract double %.614.le, %.271.le
+  store i64 0, ptr %.665, align 8
+  call fastcc void @inner_14(ptr nonnull %.665, ptr %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, double %.619)
+  %.683 = load i64, ptr %.665, align 8
+  %.740 = fsub contract double 0xC0126BB1BBB55515, %.271.le
+  store i64 0, ptr %.786, align 8
+  call fastcc void @inner_14(ptr nonnull %.786, ptr %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, double %.740)
+  %.804 = load i64, ptr %.786, align 8
+  %.899 = fsub contract double 0xC00F4BD2B7AC1BAF, %.271.le
+  store i64 0, ptr %.945, align 8
+  call fastcc void @inner_14(ptr nonnull %.945, ptr %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, double %.899)
+  %0 = icmp eq i8 %arg.dense, 0
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %.683, i64 %.804)
+  %.963 = load i64, ptr %.945, align 8
+  %.13.i11 = tail call i64 @llvm.smin.i64(i64 %.683, i64 %.963)
+  store double %arg.mass, ptr %arg.carrier.1.4, align 8
+  %.1149 = getelementptr i8, ptr %arg.carrier.1.4, i64 8
+  store double %.271.le, ptr %.1149, align 8
+  %.1179 = getelementptr i8, ptr %arg.carrier.1.4, i64 16
+  store double 0.000000e+00, ptr %.1179, align 8
+  store i64 %.528, ptr %arg.carrier.2.4, align 8
+  %.1267 = getelementptr i8, ptr %arg.carrier.2.4, i64 8
+  store i64 %.683, ptr %.1267, align 8
+  %.1296 = getelementptr i8, ptr %arg.carrier.2.4, i64 16
+  store i64 %.13.i, ptr %.1296, align 8
+  %.1325 = getelementptr i8, ptr %arg.carrier.2.4, i64 24
+  store i64 %.13.i11, ptr %.1325, align 8
+  %.1366 = getelementptr i8, ptr %arg.carrier.2.4, i64 32
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.1366, i8 0, i64 16, i1 false)
+  %.1403 = icmp sgt i64 %.528, 0
+  %or.cond = select i1 %0, i1 true, i1 %.1403
+  br i1 %or.cond, label %B310, label %B358
+
+B310:                                             ; preds = %entry
+  store double 0.000000e+00, ptr %.1417, align 8
+  %.1431 = call fastcc i32 @inner_11(ptr nonnull %.1417, ptr nonnull %excinfo.8, ptr %arg.row.4, double %arg.mass, ptr nonnull %.317, ptr %arg.gauge.4, i64 %arg.alignment, ptr %arg.room.4, ptr %arg.carrier.0.4)
+  %cond = icmp eq i32 %.1431, 0
+  br i1 %cond, label %B310.endif, label %B310.if, !prof !0
+
+B358:                                             ; preds = %B310.endif, %entry
+  br i1 %0, label %B510, label %B362
+
+B362:                                             ; preds = %B358
+  %.1584 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.1585 = load i64, ptr %.1584, align 8
+  %.1601 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1585
+  %.1680 = getelementptr i8, ptr %arg.contents.4, i64 144
+  %.1681 = load i64, ptr %.1680, align 8
+  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !201
+  %.143.i = add nsw i64 %.1681, -1
+  %.181.i = icmp slt i64 %.1681, 2
+  %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
+  %.225207.i = icmp sgt i64 %..143.i, 0
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+
+B510:                                             ; preds = %B358
+  %.1774 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.1775 = load i64, ptr %.1774, align 8
+  %1 = getelementptr double, ptr %arg.weights.4, i64 %.1775
+  %.1792 = getelementptr i8, ptr %1, i64 8
+  %.1872 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.1873 = load i64, ptr %.1872, align 8
+  %.135.i12 = load double, ptr %arg.grid_places.0.4, align 8, !noalias !204
+  %.143.i13 = add nsw i64 %.1873, -2
+  %.181.i14 = icmp slt i64 %.1873, 3
+  %..143.i15 = select i1 %.181.i14, i64 0, i64 %.143.i13
+  %.225207.i16 = icmp sgt i64 %..143.i15, 0
+  br i1 %.225207.i16, label %B92.if.preheader.i20, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55
+
+common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B310.if
+  %common.ret.op = phi i32 [ 1, %B310.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55 ]
+  ret i32 %common.ret.op
+
+B310.if:                                          ; preds = %B310
+  %.1432 = load ptr, ptr %excinfo.8, align 8
+  store ptr %.1432, ptr %excinfo, align 8
+  br label %common.ret
+
+B310.endif:                                       ; preds = %B310
+  %.1441 = load double, ptr %.1417, align 8
+  store double %.1441, ptr %.1179, align 8
+  br label %B358
+
+B92.if.preheader.i:                               ; preds = %B362
+  %2 = add i64 %.683, -1
+  br label %B92.if.i
+
+B146.i:                                           ; preds = %B92.if.i
+  %.291.i = fsub contract double %.281.i, %.135.i
+  %.293.i = fmul contract double %arg.grid_places.4, %.291.i
+  %.5.i.i = fptosi double %.293.i to i64
+  %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
+  %.354.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i
+  %.355.i = load i64, ptr %.354.i, align 8, !noalias !201
+  %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
+  %.395.i = icmp slt i64 %.13.i6.i, %.683
+  br i1 %.395.i, label %B284.i, label %B386.i
+
+B284.i:                                           ; preds = %B146.i
+  %.412.i = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !201
+  %.417.i = fcmp contract ugt double %.413.i, %.281.i
+  br i1 %.417.i, label %B386.i, label %B324.i
+
+B324.i:                                           ; preds = %B284.i, %B346.i
+  %end.5.2.i = phi i64 [ %.423.i, %B346.i ], [ %.13.i6.i, %B284.i ]
+  %exitcond.not.i = icmp eq i64 %2, %end.5.2.i
+  br i1 %exitcond.not.i, label %B386.i, label %B346.i
+
+B346.i:                                           ; preds = %B324.i
+  %.423.i = add i64 %end.5.2.i, 1
+  %sunkaddr4 = shl i64 %.423.i, 3
+  %sunkaddr5 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr4
+  %.451.i = load double, ptr %sunkaddr5, align 8, !noalias !201
+  %.455.i = fcmp contract ugt double %.451.i, %.281.i
+  br i1 %.455.i, label %B386.i, label %B324.i
+
+B386.i:                                           ; preds = %B346.i, %B324.i, %B92.if.i, %B284.i, %B146.i
+  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.683, %B324.i ], [ %.423.i, %B346.i ]
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.4.1.i)
+  %3 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i
+  store i64 %.13.i.i, ptr %3, align 8, !noalias !201
+  %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+
+B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
+  %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
+  %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
+  %.238.i = add nuw nsw i64 %.231203208.i, 1
+  %.278.i = getelementptr inbounds nuw double, ptr %.1601, i64 %.231203208.i
+  %.279.i = load double, ptr %.278.i, align 8, !noalias !201
+  %.281.i = fsub contract double %.279.i, %.271.le
+  %.287.i = fcmp contract ult double %.281.i, %.135.i
+  br i1 %.287.i, label %B386.i, label %B146.i
+
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B362
+  %.586.inv.i = icmp sgt i64 %.1681, 0
+  %.587.i = select i1 %.586.inv.i, i64 0, i64 %arg.carrier.3.5.0
+  %4 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i
+  %.601.i = getelementptr i64, ptr %4, i64 %.587.i
+  store i64 %.683, ptr %.601.i, align 8, !noalias !201
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+
+B92.if.preheader.i20:                             ; preds = %B510
+  %5 = add i64 %.683, -1
+  br label %B92.if.i21
+
+B146.i29:                                         ; preds = %B92.if.i21
+  %.291.i30 = fsub contract double %.281.i27, %.135.i12
+  %.293.i31 = fmul contract double %arg.grid_places.4, %.291.i30
+  %.5.i.i32 = fptosi double %.293.i31 to i64
+  %.13.i5.i33 = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i32)
+  %.354.i34 = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i33
+  %.355.i35 = load i64, ptr %.354.i34, align 8, !noalias !204
+  %.13.i6.i36 = tail call i64 @llvm.smax.i64(i64 %.355.i35, i64 %end.3.0210.i22)
+  %.395.i37 = icmp slt i64 %.13.i6.i36, %.683
+  br i1 %.395.i37, label %B284.i42, label %B386.i38
+
+B284.i42:                                         ; preds = %B146.i29
+  %.412.i43 = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i36
+  %.413.i44 = load double, ptr %.412.i43, align 8, !noalias !204
+  %.417.i45 = fcmp contract ugt double %.413.i44, %.281.i27
+  br i1 %.417.i45, label %B386.i38, label %B324.i46
+
+B324.i46:                                         ; preds = %B284.i42, %B346.i49
+  %end.5.2.i47 = phi i64 [ %.423.i50, %B346.i49 ], [ %.13.i6.i36, %B284.i42 ]
+  %exitcond.not.i48 = icmp eq i64 %5, %end.5.2.i47
+  br i1 %exitcond.not.i48, label %B386.i38, label %B346.i49
+
+B346.i49:                                         ; preds = %B324.i46
+  %.423.i50 = add i64 %end.5.2.i47, 1
+  %sunkaddr6 = shl i64 %.423.i50, 3
+  %sunkaddr7 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr6
+  %.451.i53 = load double, ptr %sunkaddr7, align 8, !noalias !204
+  %.455.i54 = fcmp contract ugt double %.451.i53, %.281.i27
+  br i1 %.455.i54, label %B386.i38, label %B324.i46
+
+B386.i38:                                         ; preds = %B346.i49, %B324.i46, %B92.if.i21, %B284.i42, %B146.i29
+  %end.4.1.i39 = phi i64 [ %.13.i6.i36, %B146.i29 ], [ %end.3.0210.i22, %B92.if.i21 ], [ %.13.i6.i36, %B284.i42 ], [ %.683, %B324.i46 ], [ %.423.i50, %B346.i49 ]
+  %.13.i.i40 = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.4.1.i39)
+  %6 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i23
+  store i64 %.13.i.i40, ptr %6, align 8, !noalias !204
+  %exitcond216.not.i41 = icmp eq i64 %.238.i24, %..143.i15
+  br i1 %exitcond216.not.i41, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, label %B92.if.i21
+
+B92.if.i21:                                       ; preds = %B386.i38, %B92.if.preheader.i20
+  %end.3.0210.i22 = phi i64 [ %end.4.1.i39, %B386.i38 ], [ 0, %B92.if.preheader.i20 ]
+  %.231203208.i23 = phi i64 [ %.238.i24, %B386.i38 ], [ 0, %B92.if.preheader.i20 ]
+  %.238.i24 = add nuw nsw i64 %.231203208.i23, 1
+  %.278.i25 = getelementptr inbounds nuw double, ptr %.1792, i64 %.231203208.i23
+  %.279.i26 = load double, ptr %.278.i25, align 8, !noalias !204
+  %.281.i27 = fsub contract double %.279.i26, %.271.le
+  %.287.i28 = fcmp contract ult double %.281.i27, %.135.i12
+  br i1 %.287.i28, label %B386.i38, label %B146.i29
+
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55: ; preds = %B386.i38, %B510
+  %.586.inv.i17 = icmp sgt i64 %.1873, 1
+  %.587.i18 = select i1 %.586.inv.i17, i64 0, i64 %arg.carrier.3.5.0
+  %7 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i13
+  %.601.i19 = getelementptr i64, ptr %7, i64 %.587.i18
+  store i64 %.683, ptr %.601.i19, align 8, !noalias !204
+  store ptr null, ptr %retptr, align 8
+  br label %common.ret
+}
+
+; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
+define internal fastcc void @inner_25(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.mode.4, i8 range(i8 0, 2) %arg.ends, i64 %arg.lane, ptr readonly captures(none) %arg.ratios.4, ptr writeonly captures(none) %arg.modes.4, ptr readonly captures(none) %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr readonly captures(none) %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, double %arg.shift, i64 %arg.stop) unnamed_addr #4 {
+entry:
+  %.1557 = alloca i64, align 8
+  store i64 0, ptr %.1557, align 8
+  %.1737 = alloca i64, align 8
+  store i64 0, ptr %.1737, align 8
+  %.122 = getelementptr i8, ptr %arg.mode.4, i64 24
+  %.123 = load i64, ptr %.122, align 8
+  %.124 = inttoptr i64 %.123 to ptr
+  %.202 = getelementptr i8, ptr %arg.mode.4, i64 40
+  %.203 = load i64, ptr %.202, align 8
+  %.204 = inttoptr i64 %.203 to ptr
+  %.286 = getelementptr i8, ptr %.124, i64 64
+  %.287 = load i64, ptr %.286, align 8
+  %.288 = sub i64 0, %.287
+  %.296.1 = and i64 %.288, -8
+  %.330 = sub i64 0, %.296.1
+  %.359 = getelementptr i8, ptr %arg.mode.4, i64 48
+  %.360 = load i64, ptr %.359, align 8
+  %.364 = ashr i64 %.360, 1
+  %.377 = getelementptr double, ptr %arg.modes.4, i64 %.364
+  %.502.idx = shl i64 %.330, 5
+  %.502 = getelementptr i8, ptr %.377, i64 %.502.idx
+  %.580.idx = shl i64 %.330, 6
+  %.580 = getelementptr i8, ptr %.377, i64 %.580.idx
+  %.647 = getelementptr i8, ptr %.580, i64 64
+  %.727 = getelementptr i8, ptr %.124, i64 120
+  %.728 = load i64, ptr %.727, align 8
+  %.741 = getelementptr double, ptr %.204, i64 %.728
+  %.234.i = shl i64 %.330, 1
+  %0 = add i64 %.287, 6
+  %.486.i = lshr i64 %0, 3
+  %.463.inv.i = icmp slt i64 %.287, 2
+  %.507321.not325.i = icmp eq i64 %.486.i, 0
+  %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
+  br i1 %.507321.not.i, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122, label %B94.if.lr.ph.i
+
+B578:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !207
+  %.143.i = add nsw i64 %.287, -2
+  %.181.i = icmp slt i64 %.287, 3
+  %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
+  %.225207.i = icmp sgt i64 %..143.i, 0
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+
+common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+  store ptr null, ptr %retptr, align 8
+  ret void
+
+B94.if.lr.ph.i:                                   ; preds = %entry
+  %1 = lshr i64 %.330, 33
+  %.99.i = and i64 %1, 1073741824
+  %.272.i = add i64 %.99.i, %.234.i
+  %2 = tail call i64 @llvm.smax.i64(i64 %.272.i, i64 0)
+  %.100.i = sub i64 %.99.i, %.296.1
+  %3 = tail call i64 @llvm.smax.i64(i64 %.100.i, i64 0)
+  %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %3, i64 1073741824)
+  %4 = getelementptr double, ptr %.377, i64 %.330
+  %5 = getelementptr double, ptr %.377, i64 %.234.i
+  %.idx.i = mul i64 %.296.1, -24
+  %6 = getelementptr i8, ptr %.377, i64 %.idx.i
+  %7 = lshr i64 %.288, 3
+  %8 = shl i64 %arg.lane, 8
+  %9 = sub nuw nsw i64 -64, %8
+  %10 = mul i64 %7, %9
+  %11 = shl i64 %.360, 3
+  %12 = getelementptr i8, ptr %arg.ratios.4, i64 %10
+  %13 = getelementptr i8, ptr %12, i64 %11
+  %scevgep247 = getelementptr i8, ptr %13, i64 8
+  %14 = mul i64 %arg.lane, -256
+  %.neg = mul i64 %14, %7
+  %15 = getelementptr i8, ptr %arg.ratios.4, i64 %11
+  %16 = getelementptr i8, ptr %15, i64 8
+  %scevgep251 = getelementptr i8, ptr %16, i64 %.neg
+  %smin17 = tail call i64 @llvm.smin.i64(i64 %2, i64 1073741824)
+  %17 = add i64 %smin17, %.728
+  %18 = shl i64 %17, 3
+  %scevgep18 = getelementptr i8, ptr %.204, i64 %18
+  %19 = add i64 %.88.sroa.0.3.i, %.728
+  %20 = shl i64 %19, 3
+  %scevgep20 = getelementptr i8, ptr %.204, i64 %20
+  %21 = add nuw nsw i64 %.486.i, 7
+  br label %B94.if.i
+
+B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
+  %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B94.if.i ], [ %21, %B94.if.lr.ph.i ]
+  %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
+  %scevgep253 = getelementptr i8, ptr %scevgep251, i64 %lsr.iv53.i
+  %scevgep254 = getelementptr i8, ptr %scevgep253, i64 -8
+  %.554.i = load <8 x double>, ptr %scevgep254, align 8, !noalias !210
+  %.565.i = load <8 x double>, ptr %scevgep253, align 8, !noalias !210
+  %scevgep249 = getelementptr i8, ptr %scevgep247, i64 %lsr.iv53.i
+  %scevgep250 = getelementptr i8, ptr %scevgep249, i64 -8
+  %.575.i = load <8 x double>, ptr %scevgep250, align 8, !noalias !210
+  %.586.i = load <8 x double>, ptr %scevgep249, align 8, !noalias !210
+  %scevgep21 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i
+  %.596.i = load <8 x double>, ptr %scevgep21, align 8, !noalias !210
+  %scevgep19 = getelementptr i8, ptr %scevgep18, i64 %lsr.iv53.i
+  %.606.i = load <8 x double>, ptr %scevgep19, align 8, !noalias !210
+  %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
+  %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
+  %scevgep65.i = getelementptr i8, ptr %.377, i64 %lsr.iv53.i
+  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !210
+  %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
+  %.8.i.i = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
+  %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i
+  %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
+  %scevgep64.i = getelementptr i8, ptr %4, i64 %lsr.iv53.i
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !210
+  %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
+  %scevgep63.i = getelementptr i8, ptr %5, i64 %lsr.iv53.i
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !210
+  %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
+  %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
+  %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
+  %scevgep62.i = getelementptr i8, ptr %6, i64 %lsr.iv53.i
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !210
+  %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
+  %lsr.iv.next5 = add nsw i64 %lsr.iv4, -1
+  %.507.i = icmp sgt i64 %lsr.iv4, 8
+  br i1 %.507.i, label %B94.if.i, label %B94.if.lr.ph.i86
+
+B94.if.lr.ph.i86:                                 ; preds = %B94.if.i
+  %22 = getelementptr double, ptr %.502, i64 %.330
+  %23 = getelementptr double, ptr %.502, i64 %.234.i
+  %24 = getelementptr i8, ptr %.502, i64 %.idx.i
+  %25 = sub nuw nsw i64 -192, %8
+  %26 = mul i64 %7, %25
+  %27 = getelementptr i8, ptr %arg.ratios.4, i64 %26
+  %28 = getelementptr i8, ptr %27, i64 %11
+  %scevgep239 = getelementptr i8, ptr %28, i64 8
+  %29 = sub nuw nsw i64 -128, %8
+  %30 = mul i64 %7, %29
+  %31 = getelementptr i8, ptr %arg.ratios.4, i64 %30
+  %32 = getelementptr i8, ptr %31, i64 %11
+  %scevgep243 = getelementptr i8, ptr %32, i64 8
+  br label %B94.if.i88
+
+B94.if.i88:                                       ; preds = %B94.if.i88, %B94.if.lr.ph.i86
+  %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B94.if.i88 ], [ %21, %B94.if.lr.ph.i86 ]
+  %lsr.iv53.i89 = phi i64 [ %lsr.iv.next54.i118, %B94.if.i88 ], [ 0, %B94.if.lr.ph.i86 ]
+  %scevgep245 = getelementptr i8, ptr %scevgep243, i64 %lsr.iv53.i89
+  %scevgep246 = getelementptr i8, ptr %scevgep245, i64 -8
+  %.554.i92 = load <8 x double>, ptr %scevgep246, align 8, !noalias !213
+  %.565.i94 = load <8 x double>, ptr %scevgep245, align 8, !noalias !213
+  %scevgep241 = getelementptr i8, ptr %scevgep239, i64 %lsr.iv53.i89
+  %scevgep242 = getelementptr i8, ptr %scevgep241, i64 -8
+  %.575.i96 = load <8 x double>, ptr %scevgep242, align 8, !noalias !213
+  %.586.i98 = load <8 x double>, ptr %scevgep241, align 8, !noalias !213
+  %scevgep16 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i89
+  %.596.i100 = load <8 x double>, ptr %scevgep16, align 8, !noalias !213
+  %scevgep14 = getelementptr i8, ptr %scevgep18, i64 %lsr.iv53.i89
+  %.606.i102 = load <8 x double>, ptr %scevgep14, align 8, !noalias !213
+  %.6.i.i103 = fsub contract <8 x double> %.565.i94, %.554.i92
+  %.6.i46.i104 = fmul contract <8 x double> %.6.i.i103, %.606.i102
+  %scevgep65.i105 = getelementptr i8, ptr %.502, i64 %lsr.iv53.i89
+  store <8 x double> %.554.i92, ptr %scevgep65.i105, align 8, !noalias !213
+  %.669.i106 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i96, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i98)
+  %.8.i.i107 = fmul contract <8 x double> %.669.i106, splat (double 0x3FC5555555555555)
+  %.6.i47.i108 = fmul contract <8 x double> %.596.i100, %.8.i.i107
+  %.6.i48.i109 = fsub contract <8 x double> %.6.i46.i104, %.6.i47.i108
+  %scevgep64.i110 = getelementptr i8, ptr %22, i64 %lsr.iv53.i89
+  store <8 x double> %.6.i48.i109, ptr %scevgep64.i110, align 8, !noalias !213
+  %.8.i49.i111 = fmul contract <8 x double> %.575.i96, splat (double 5.000000e-01)
+  %scevgep63.i112 = getelementptr i8, ptr %23, i64 %lsr.iv53.i89
+  store <8 x double> %.8.i49.i111, ptr %scevgep63.i112, align 8, !noalias !213
+  %.6.i50.i113 = fsub contract <8 x double> %.586.i98, %.575.i96
+  %.6.i51.i114 = fmul contract <8 x double> %.6.i50.i113, %.606.i102
+  %.8.i52.i115 = fmul contract <8 x double> %.6.i51.i114, splat (double 0x3FC5555555555555)
+  %scevgep62.i116 = getelementptr i8, ptr %24, i64 %lsr.iv53.i89
+  store <8 x double> %.8.i52.i115, ptr %scevgep62.i116, align 8, !noalias !213
+  %lsr.iv.next54.i118 = add i64 %lsr.iv53.i89, 64
+  %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
+  %.507.i119 = icmp sgt i64 %lsr.iv2, 8
+  br i1 %.507.i119, label %B94.if.i88, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122: ; preds = %B94.if.i88, %entry
+  %.1509 = load double, ptr %.741, align 8
+  %.1511 = fsub contract double %.1509, %arg.shift
+  store i64 0, ptr %.1557, align 8
+  call fastcc void @inner_14(ptr nonnull %.1557, ptr %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, double %.1511)
+  %.1575 = load i64, ptr %.1557, align 8
+  %.13.i = tail call i64 @llvm.smin.i64(i64 %arg.stop, i64 %.1575)
+  store i64 %.13.i, ptr %.580, align 8
+  %33 = getelementptr double, ptr %.741, i64 %.287
+  %.1688 = getelementptr i8, ptr %33, i64 -8
+  %.1689 = load double, ptr %.1688, align 8
+  %.1691 = fsub contract double %.1689, %arg.shift
+  store i64 0, ptr %.1737, align 8
+  call fastcc void @inner_14(ptr nonnull %.1737, ptr %arg.grid_places.0.4, i64 %arg.grid_places.1, ptr %arg.grid_places.2.4, i64 %arg.grid_places.3, double %arg.grid_places.4, double %.1691)
+  %34 = icmp eq i8 %arg.ends, 0
+  %.1755 = load i64, ptr %.1737, align 8
+  %.13.i123 = tail call i64 @llvm.smin.i64(i64 %arg.stop, i64 %.1755)
+  %.1827 = getelementptr i8, ptr %.580, i64 8
+  store i64 %.13.i123, ptr %.1827, align 8
+  %.1857 = getelementptr i8, ptr %.580, i64 16
+  store i64 0, ptr %.1857, align 8
+  br i1 %34, label %common.ret.sink.split, label %B578
+
+B92.if.preheader.i:                               ; preds = %B578
+  %35 = add i64 %.13.i123, -1
+  br label %B92.if.i
+
+B146.i:                                           ; preds = %B92.if.i
+  %.291.i = fsub contract double %.281.i, %.135.i
+  %.293.i = fmul contract double %arg.grid_places.4, %.291.i
+  %.5.i.i = fptosi double %.293.i to i64
+  %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
+  %.354.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i
+  %.355.i = load i64, ptr %.354.i, align 8, !noalias !207
+  %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
+  %.395.i = icmp slt i64 %.13.i6.i, %.13.i123
+  br i1 %.395.i, label %B284.i, label %B386.i
+
+B284.i:                                           ; preds = %B146.i
+  %.412.i = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !207
+  %.417.i = fcmp contract ugt double %.413.i, %.281.i
+  br i1 %.417.i, label %B386.i, label %B324.i
+
+B324.i:                                           ; preds = %B284.i, %B346.i
+  %end.5.2.i = phi i64 [ %.423.i, %B346.i ], [ %.13.i6.i, %B284.i ]
+  %exitcond.not.i = icmp eq i64 %35, %end.5.2.i
+  br i1 %exitcond.not.i, label %B386.i, label %B346.i
+
+B346.i:                                           ; preds = %B324.i
+  %.423.i = add i64 %end.5.2.i, 1
+  %sunkaddr = shl i64 %.423.i, 3
+  %sunkaddr6 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr
+  %.451.i = load double, ptr %sunkaddr6, align 8, !noalias !207
+  %.455.i = fcmp contract ugt double %.451.i, %.281.i
+  br i1 %.455.i, label %B386.i, label %B324.i
+
+B386.i:                                           ; preds = %B346.i, %B324.i, %B92.if.i, %B284.i, %B146.i
+  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.13.i123, %B324.i ], [ %.423.i, %B346.i ]
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i123, i64 %end.4.1.i)
+  %36 = getelementptr i64, ptr %.647, i64 %.231203208.i
+  store i64 %.13.i.i, ptr %36, align 8, !noalias !207
+  %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+
+B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
+  %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
+  %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
+  %.238.i = add nuw nsw i64 %.231203208.i, 1
+  %sunkaddr259 = shl i64 %.231203208.i, 3
+  %sunkaddr260 = getelementptr inbounds i8, ptr %.741, i64 %sunkaddr259
+  %sunkaddr261 = getelementptr inbounds nuw i8, ptr %sunkaddr260, i64 8
+  %.279.i = load double, ptr %sunkaddr261, align 8, !noalias !207
+  %.281.i = fsub contract double %.279.i, %arg.shift
+  %.287.i = fcmp contract ult double %.281.i, %.135.i
+  br i1 %.287.i, label %B386.i, label %B146.i
+
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B578
+  %.586.inv.i = icmp sgt i64 %.287, 1
+  %.587.i = select i1 %.586.inv.i, i64 0, i64 %.330
+  %37 = getelementptr i64, ptr %.647, i64 %.143.i
+  %.601.i = getelementptr i64, ptr %37, i64 %.587.i
+  store i64 %.13.i123, ptr %.601.i, align 8, !noalias !207
+  br label %common.ret.sink.split
+}
 
 attributes #0 = { nofree norecurse nounwind }
 attributes #1 = { mustprogress nocallback nofree nounwind willreturn memory(argmem: write) }
 attributes #2 = { nofree noinline norecurse nounwind }
 attributes #3 = { mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none) }
-attributes #4 = { mustprogress nofree noinline norecurse nosync nounwind willreturn memory(argmem: readwrite) }
-attributes #5 = { nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none) }
-attributes #6 = { nofree noinline norecurse nosync nounwind memory(write, argmem: readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none) }
-attributes #7 = { nofree noinline norecurse nosync nounwind memory(argmem: readwrite) }
-attributes #8 = { nofree noinline norecurse nosync nounwind memory(argmem: write) }
-attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memory(none) }
+attributes #4 = { nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none) }
+attributes #5 = { mustprogress nofree noinline norecurse nosync nounwind willreturn memory(argmem: readwrite) }
+attributes #6 = { nofree noinline norecurse nosync nounwind memory(argmem: readwrite) }
+attributes #7 = { nofree noinline norecurse nosync nounwind memory(argmem: write) }
+attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memory(none) }
 
 !0 = !{!"branch_weights", i32 49, i32 1}
-!1 = !{!"branch_weights", i32 99, i32 1}
+!1 = !{!"branch_weights", i32 1, i32 99}
 !2 = !{!3}
-!3 = distinct !{!3, !4, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!4 = distinct !{!4, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
-!5 = !{!"branch_weights", i32 1, i32 99}
+!3 = distinct !{!3, !4, !"_ZN17bnserve_surrogate6kernel5modes10_synthesis14fill_harmonicsB3v17B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExdd5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!4 = distinct !{!4, !"_ZN17bnserve_surrogate6kernel5modes10_synthesis14fill_harmonicsB3v17B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExdd5ArrayIxLi1E1C7mutable7alignedE"}
+!5 = !{!"branch_weights", i32 99, i32 1}
 !6 = !{!7}
-!7 = distinct !{!7, !8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!8 = distinct !{!8, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v41B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!9 = !{!10}
-!10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v45B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!11 = distinct !{!11, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v45B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
-!12 = !{!13}
-!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!14 = distinct !{!14, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!7 = distinct !{!7, !8, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v45B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!8 = distinct !{!8, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v45B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!9 = !{!10, !12}
+!10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v47B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!11 = distinct !{!11, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v47B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!12 = distinct !{!12, !13, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v46B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!13 = distinct !{!13, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v46B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
+!14 = !{!12}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v181B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v181B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v418B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v418B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v130B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v177B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !39 = !{!40}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v306B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v306B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!45 = !{!"branch_weights", i32 146201250, i32 2001282398}
-!46 = !{!"branch_weights", i32 166258294, i32 1981225354}
-!47 = !{!"branch_weights", i32 1030503492, i32 1116980156}
-!48 = !{!"branch_weights", i32 277993707, i32 1869489941}
-!49 = !{!"branch_weights", i32 542333185, i32 1605150463}
-!50 = distinct !{!50, !51, !52}
-!51 = !{!"llvm.loop.estimated_trip_count", i32 4}
-!52 = !{!"llvm.loop.unroll.disable"}
-!53 = distinct !{!53, !51, !52}
-!54 = !{!"branch_weights", i32 319644862, i32 1827838786}
-!55 = distinct !{!55, !56}
-!56 = !{!"llvm.loop.estimated_trip_count", i32 6}
-!57 = distinct !{!57, !56}
-!58 = distinct !{!58, !51, !52}
-!59 = distinct !{!59, !51, !52}
-!60 = distinct !{!60, !56}
-!61 = distinct !{!61, !56}
-!62 = !{!63}
-!63 = distinct !{!63, !64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!64 = distinct !{!64, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v418B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v418B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!45 = !{!46}
+!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v310B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v310B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!48 = !{!"branch_weights", i32 146201250, i32 2001282398}
+!49 = !{!"branch_weights", i32 166258294, i32 1981225354}
+!50 = !{!"branch_weights", i32 1030503492, i32 1116980156}
+!51 = !{!"branch_weights", i32 277993707, i32 1869489941}
+!52 = !{!"branch_weights", i32 542333185, i32 1605150463}
+!53 = distinct !{!53, !54, !55}
+!54 = !{!"llvm.loop.estimated_trip_count", i32 4}
+!55 = !{!"llvm.loop.unroll.disable"}
+!56 = distinct !{!56, !54, !55}
+!57 = !{!"branch_weights", i32 319644862, i32 1827838786}
+!58 = distinct !{!58, !59}
+!59 = !{!"llvm.loop.estimated_trip_count", i32 6}
+!60 = distinct !{!60, !59}
+!61 = distinct !{!61, !54, !55}
+!62 = distinct !{!62, !54, !55}
+!63 = distinct !{!63, !59}
+!64 = distinct !{!64, !59}
 !65 = !{!66}
-!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!66 = distinct !{!66, !67, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!67 = distinct !{!67, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !68 = !{!69}
-!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!69 = distinct !{!69, !70, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v70B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!70 = distinct !{!70, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v70B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !71 = !{!72}
-!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!72 = distinct !{!72, !73, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v74B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!73 = distinct !{!73, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v74B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_2923Literal_5bint_5d_288_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !74 = !{!75}
-!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v168B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !77 = !{!78}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v176B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !80 = !{!81}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !83 = !{!84}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v156B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
-!89 = !{!90, !87}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!92 = !{!93, !87}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!95 = !{!96, !87}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!98 = !{!99, !87}
-!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
-!101 = !{!102, !87}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v163B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
-!104 = !{!105, !87}
-!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v164B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
-!107 = !{!108, !87}
-!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!110 = !{!111, !87}
-!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v165B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!113 = !{!114, !116}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v166B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
-!117 = !{!118}
-!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!119 = distinct !{!119, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
-!120 = !{!121}
-!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel8_writing9_streamedB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
-!123 = !{i32 1}
-!124 = distinct !{!124, !52}
-!125 = distinct !{!125, !52}
-!126 = distinct !{!126, !52}
-!127 = distinct !{!127, !52}
-!128 = !{!129}
-!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!130 = distinct !{!130, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v38B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
-!131 = !{!132, !134}
-!132 = distinct !{!132, !133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!133 = distinct !{!133, !"_ZN17bnserve_surrogate12_coordinates18transform_physicalB3v40B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
-!134 = distinct !{!134, !135, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!135 = distinct !{!135, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v39B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
-!136 = !{!134}
-!137 = !{!138}
-!138 = distinct !{!138, !139, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!139 = distinct !{!139, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!89 = !{!90}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!92 = !{!93}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!95 = !{!96}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!98 = !{!99}
+!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v185B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v185B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!101 = !{!102}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!104 = !{!105, !102}
+!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!107 = !{!108, !102}
+!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!110 = !{!111, !102}
+!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!113 = !{!114, !102}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!116 = !{!117, !102}
+!117 = distinct !{!117, !118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!118 = distinct !{!118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!119 = !{!120, !102}
+!120 = distinct !{!120, !121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!121 = distinct !{!121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!122 = !{!123, !102}
+!123 = distinct !{!123, !124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!124 = distinct !{!124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!125 = !{!126, !102}
+!126 = distinct !{!126, !127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!127 = distinct !{!127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!128 = !{!129, !131}
+!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!132 = !{!133}
+!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!135 = !{!136}
+!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v433B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v433B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!138 = !{i32 1}
+!139 = distinct !{!139, !55}
+!140 = distinct !{!140, !55}
+!141 = distinct !{!141, !55}
+!142 = distinct !{!142, !55}
+!143 = distinct !{!143, !55}
+!144 = distinct !{!144, !55}
+!145 = !{!146}
+!146 = distinct !{!146, !147, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v213B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!147 = distinct !{!147, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v213B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!148 = !{!149}
+!149 = distinct !{!149, !150, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v244B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!150 = distinct !{!150, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v244B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!151 = !{!152}
+!152 = distinct !{!152, !153, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!153 = distinct !{!153, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!154 = !{!155}
+!155 = distinct !{!155, !156, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!156 = distinct !{!156, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!157 = !{!"branch_weights", i32 101, i32 99}
+!158 = !{!159}
+!159 = distinct !{!159, !160, !"_ZN17bnserve_surrogate6kernel5modes5_sums5clearB4v283B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!160 = distinct !{!160, !"_ZN17bnserve_surrogate6kernel5modes5_sums5clearB4v283B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!161 = !{!162}
+!162 = distinct !{!162, !163, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v313B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!163 = distinct !{!163, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v313B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!164 = !{!165}
+!165 = distinct !{!165, !166, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!166 = distinct !{!166, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!167 = distinct !{!167, !55}
+!168 = !{!169}
+!169 = distinct !{!169, !170, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!170 = distinct !{!170, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!171 = distinct !{!171, !55}
+!172 = !{!173}
+!173 = distinct !{!173, !174, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v332B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
+!174 = distinct !{!174, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v332B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
+!175 = !{!176}
+!176 = distinct !{!176, !177, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v311B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!177 = distinct !{!177, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v311B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!178 = distinct !{!178, !55}
+!179 = !{!180, !165}
+!180 = distinct !{!180, !181, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!181 = distinct !{!181, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!182 = distinct !{!182, !55}
+!183 = !{!184}
+!184 = distinct !{!184, !185, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!185 = distinct !{!185, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!186 = !{!187}
+!187 = distinct !{!187, !188, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v306B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!188 = distinct !{!188, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v306B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!189 = !{!190}
+!190 = distinct !{!190, !191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!191 = distinct !{!191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v309B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!192 = !{!193}
+!193 = distinct !{!193, !194, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v310B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!194 = distinct !{!194, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v310B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!195 = !{}
+!196 = !{!197}
+!197 = distinct !{!197, !198, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v340B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x: %retptr"}
+!198 = distinct !{!198, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v340B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x"}
+!199 = distinct !{!199, !55}
+!200 = distinct !{!200, !55}
+!201 = !{!202}
+!202 = distinct !{!202, !203, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!203 = distinct !{!203, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!204 = !{!205}
+!205 = distinct !{!205, !206, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!206 = distinct !{!206, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!207 = !{!208}
+!208 = distinct !{!208, !209, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!209 = distinct !{!209, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!210 = !{!211}
+!211 = distinct !{!211, !212, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!212 = distinct !{!212, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!213 = !{!214}
+!214 = distinct !{!214, !215, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!215 = distinct !{!215, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_surrogate.kernel._layout import COORDINATES, Entry, padded
+from bnserve_surrogate.kernel._layout import Entry, padded
 from bnserve_surrogate.kernel._mode import (
     KernelModel,
     arrange_contents,
@@ -36,8 +36,8 @@ class RatioModel(NamedTuple):
     power
         p, the leading post-Newtonian power of v in the ratio.
     arrays
-        The regressor, with the sections of a carrier that it needs. Its two splines are the real and the imaginary part
-        of R, at the same nodes.
+        The regressor, which takes the carrier's coordinates, and the sections of a carrier that it needs. The two
+        splines are the real and the imaginary part of R, at the same nodes.
     """
 
     mode: tuple[int, int]
@@ -58,24 +58,18 @@ def build_ratio_model(
     mode: tuple[int, int],
     power: int,
     tensors: dict[str, NDArray[Any]],
-    coordinates: str,
     *,
-    least_lambda: float,
     estimates_mismatch: bool,
 ) -> RatioModel:
-    """Arrange the checked tensors of one mode, with the ``(2, 2)``'s coordinates, for the kernel."""
+    """Arrange the checked tensors of one mode (see :mod:`bnserve_surrogate._artifact`) for the kernel."""
     knots, outputs = np.log(tensors["nodes"]), tensors["basis"].shape[0]
     exponents = tensors["polynomial_exponents"].astype(np.int64)
     sections = {
-        Entry.COORDINATES_AT: np.concatenate(
-            [tensors["coordinate_offset"], tensors["coordinate_scale"], [least_lambda]]
-        ),
         Entry.COEFFICIENTS_AT: by_columns(tensors["polynomial_coefficients"]),
         Entry.SYNTHESIS_AT: by_columns(_synthesis(tensors, knots)),
         Entry.PHASE_KNOTS_AT: arrange_knots(knots),
     }
     entries = dict.fromkeys(Entry, 0) | {
-        Entry.COORDINATES: COORDINATES[coordinates],
         Entry.TERMS: len(exponents),
         Entry.DEGREE: exponents.max(initial=0),
         Entry.OUTPUTS: outputs,
