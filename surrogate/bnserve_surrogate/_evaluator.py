@@ -33,6 +33,7 @@ from bnserve_protocol import (
     check_options,
     chosen_modes,
     the_mode,
+    turn_to_reference,
 )
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
@@ -293,8 +294,7 @@ class Evaluator:
         return answer._replace(first=np.abs(h), second=phase, plus=answer.plus[:, 0], cross=answer.cross[:, 0])
 
     def _referenced(self, batch: ParameterBatch, options: EvaluationOptions) -> ParameterBatch:
-        """The same binaries with such ``reference_phase`` that each (2, 2) has its given one where its frequency is the
-        reference frequency, without the time shift: as LAL's, whose phiRef is half of it.
+        """The same binaries with a ``reference_phase`` that gives them the one they have at the reference frequency.
 
         Rows that are not evaluated are left as they are.
         """
@@ -310,7 +310,8 @@ class Evaluator:
                 f"At a reference_frequency of {options.reference_frequency:g} Hz a phase exceeds double precision; use "
                 "a higher one."
             )
-        values[found, _PHASE] -= there.second[found, 0]
+        # A period of 4 pi, so that the phases of all modes keep their digits.
+        values[found, _PHASE] += np.remainder(turn_to_reference(there.second[found, 0]), 4.0 * np.pi)
         return ParameterBatch(values)
 
     def _continue(

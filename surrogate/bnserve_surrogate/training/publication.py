@@ -14,7 +14,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import __version__
+from bnserve_protocol import EvaluationOptions, __version__
 from bnserve_store import Manifest, ModelStore
 from bnserve_surrogate._artifact import (
     CARRIER,
@@ -145,12 +145,15 @@ def with_results(
     binary = replace(model.typical_binary(), inclination=0.0)
     low, high = metadata.frequency_band
     frequencies = np.geomspace(low, 0.5 * high if 0.5 * high > low else high, 5)
-    answer = model.predict_amplitude_phase(frequencies, binary)
+    alone = {name: EvaluationOptions(modes=(MODES[name],)) for name in metadata.modes}
+    answer = model.predict_amplitude_phase(frequencies, binary, options=alone[CARRIER])
+    others = {name: model.predict_factored(frequencies, binary, options=alone[name]).h[0] for name in metadata.ratios}
     check = SelfCheck(
         parameters={name: getattr(binary, name) for name in binary.__slots__},
         frequencies=frequencies.tolist(),
         amplitude=answer.amplitude.tolist(),
         phase=answer.phase.tolist(),
+        amplitudes={name: np.abs(h).tolist() for name, h in others.items()},
     )
     return msgspec.structs.replace(metadata, accuracy=accuracy, provenance=origin, self_check=check)
 
