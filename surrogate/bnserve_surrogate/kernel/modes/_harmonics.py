@@ -6,8 +6,10 @@ from __future__ import annotations
 from math import factorial, sqrt
 
 import numpy as np
-from numpy.polynomial import polynomial
 from numpy.typing import NDArray
+
+_COSINE, _SINE = np.array([0.5, 0.5]), np.array([0.5, -0.5])
+"""The squares of cosine and sine of iota / 2, as polynomials in cos(iota)."""
 
 
 def harmonic(degree: int, order: int) -> NDArray[np.float64]:
@@ -35,13 +37,14 @@ def harmonic(degree: int, order: int) -> NDArray[np.float64]:
     ndarray, shape (5,)
     """
     total = np.zeros(5)
-    upper, lower = np.array([0.5, 0.5]), np.array([0.5, -0.5])  # cos^2 and sin^2 of iota / 2
     odd = order % 2
     for k in range(max(0, order - 2), min(degree + order, degree - 2) + 1):
         # (-1)^k cos^(2 l + m - 2 k - 2) sin^(2 k - m + 2) of iota / 2; odd powers leave sin(iota) / 2.
         cosines, sines = (2 * degree + order - 2 * k - 2 - odd) // 2, (2 * k - order + 2 - odd) // 2
-        term = polynomial.polymul(polynomial.polypow(upper, cosines), polynomial.polypow(lower, sines))
-        total[: len(term)] += _weight(degree, order, k) * term * (0.5 if odd else 1.0)
+        term = np.ones(1)
+        for factor in cosines * [_COSINE] + sines * [_SINE]:
+            term = np.convolve(term, factor)
+        total[: len(term)] += _weight(degree, order, k) * (0.5 if odd else 1.0) * term
     return 2.0 * sqrt((2 * degree + 1) / 5.0) * total
 
 
