@@ -5,10 +5,8 @@ Phases go on above the trained band, where the strain is zero: as straight lines
 
 from __future__ import annotations
 
-import ctypes
 import math
 import operator
-import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -38,6 +36,7 @@ from bnserve_protocol import (
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
 from bnserve_surrogate._mode_phases import ModePhases
+from bnserve_surrogate._one_row import FEW, OneRow
 from bnserve_surrogate.kernel import (
     EDGE,
     LEAST_MF,
@@ -62,8 +61,6 @@ _DTYPES = {
 }
 _TILE = 8
 """Rows that the kernel takes together; so many complex numbers fill whole cache lines."""
-_FEW = 4096
-"""Frequencies up to which one waveform is copied from where the kernel writes it."""
 _WORTH_A_THREAD = 20_000
 """Values below which a batch is not divided among threads."""
 _PIECES = 4
@@ -95,25 +92,6 @@ class _NotYet:
 _NOT_YET = _NotYet()
 
 
-class _OneRow(threading.local):
-    """Room at known addresses for one waveform, since finding out an array's address takes longer than a copy."""
-
-    def __init__(self, modes: int) -> None:
-        self.parameters = (ctypes.c_double * len(PARAMETER_NAMES))()
-        self.parameters_at = ctypes.addressof(self.parameters)
-        self.rest = (ctypes.c_double * (2 + 3 * modes))()
-        self.estimate = ctypes.addressof(self.rest)
-        self.status, self.plus, self.cross = self.estimate + 8, self.estimate + 16, self.estimate + 16 + 8 * modes
-        self.frequencies = np.empty(_FEW)
-        self.frequencies_at = address_of(self.frequencies)
-        wide = np.empty((2, _FEW), np.complex128)
-        self.results: dict[str, NDArray[Any]] = {
-            "complex128": wide,
-            "complex64": wide.view(np.complex64).reshape(4, _FEW)[:2],
-        }
-        self.results_at = address_of(wide)
-
-
 class Evaluator:
     """The modes of a model on prepared grids.
 
@@ -136,7 +114,7 @@ class Evaluator:
         self._ranges = ranges
         self._mass = mass
         self._grids = GridCache()
-        self._one_row = _OneRow(len(self.modes))
+        self._one_row = OneRow(len(self.modes))
         self._threads = threads
         self._pool = ThreadPoolExecutor(threads - 1, "bnserve-evaluation") if threads > 1 else None
 
@@ -169,7 +147,7 @@ class Evaluator:
             return None
         if room.parameters[_DISTANCE] < NEAR:
             return None
-        few = points <= _FEW
+        few = points <= FEW
         if few:
             room.frequencies[:points] = frequencies
             given, results, first = room.frequencies_at, room.results[name], room.results_at
