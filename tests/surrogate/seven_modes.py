@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 
+from bnserve_protocol import EvaluationOptions
 from bnserve_store import ModelStore
 from bnserve_surrogate import Model, ModeMetadata, RatioMetadata, SurrogateMetadata
 from bnserve_surrogate._artifact import MODES, read_modes
@@ -64,6 +65,11 @@ def seven_mode_model(metadata=None, tensors=None, **how):
     metadata = metadata or seven_mode_metadata()
     tensors = tensors or seven_mode_tensors()
     return Model(metadata, metadata.describe("seven", "1", "sha256:7"), read_modes(metadata, tensors), **how)
+
+
+def chosen(*modes, **options):
+    """Options that name some modes."""
+    return EvaluationOptions(modes=modes, **options)
 
 
 def _add_polynomial(tensors, name, rng, degree, parity, outputs):
