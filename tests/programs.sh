@@ -41,17 +41,23 @@ check() { # a name, and a command that succeeds
     fi
 }
 
-environment() { # a name, and what pip installs; sets $python
-    local venv=$cache/$1
+environment() { # a name, and what pip installs; sets $python. What is of this checkout is installed each time
+    local venv=$cache/$1 ours=() word
     shift
     python=$venv/bin/python
-    [ -e "$venv/complete" ] && return
-    say "Environment $venv: $*"
-    rm -rf "$venv"
-    "${PYTHON:-python3.11}" -m venv "$venv" # the lowest that we run on: old releases have wheels for it
-    "$venv/bin/pip" install --quiet "uv>=0.7"
-    "$venv/bin/uv" pip install --quiet --python "$python" "$@"
-    touch "$venv/complete"
+    if [ ! -e "$venv/complete" ]; then
+        say "Environment $venv: $*"
+        rm -rf "$venv"
+        "${PYTHON:-python3.11}" -m venv "$venv" # the lowest that we run on: old releases have wheels for it
+        "$venv/bin/pip" install --quiet "uv>=0.7"
+        "$venv/bin/uv" pip install --quiet --python "$python" "$@"
+        touch "$venv/complete"
+        return
+    fi
+    for word in "$@"; do
+        case "$word" in ./*) ours+=("$word") ;; esac
+    done
+    [ "${#ours[@]}" -eq 0 ] || "$venv/bin/uv" pip install --quiet --python "$python" --no-deps --reinstall "${ours[@]}"
 }
 
 serve() { # starts a server with $python; sets $address
