@@ -125,6 +125,34 @@ def test_what_is_integrated_over_is_reconstructed_by_bilby(data, arguments):
     assert np.cos(2.0 * (found["phase"] - SIGNAL["phase"])) > 0.9
 
 
+def calibrated(data, *names):
+    """The data with splines of calibration errors in some of the detectors."""
+    changed = copy.deepcopy(data)
+    for interferometer in changed:
+        if interferometer.name in names:
+            spline = bilby.gw.calibration.CubicSpline(f"recalib_{interferometer.name}_", 40.0, 1024.0, 5)
+            interferometer.calibration_model = spline
+    return changed
+
+
+@pytest.mark.parametrize("fiducial", [None, SIGNAL], ids=["full grid", "relative binning"])
+def test_calibration_errors_are_bilbys(data, arguments, fiducial):
+    """Sampled by the names of bilby's priors, which say how large they are."""
+    changed, prior = calibrated(data, "H1", "L1", "V1"), priors()
+    for name in ("H1", "L1", "V1"):
+        prior.update(bilby.gw.prior.CalibrationPriorDict.constant_uncertainty_spline(0.03, 0.02, 40.0, 1024.0, 5, name))
+    ours = ServiceLikelihood.from_bilby(changed, prior, waveform_arguments=arguments, fiducial_parameters=fiducial)
+    settings = ours.likelihood.analysis.settings.calibration
+    assert (settings.nodes, settings.amplitude_width, settings.phase_width) == (5, 0.03, 0.02)
+    theirs = bilby.gw.GravitationalWaveTransient(changed, generator(binary_neutron_star, **arguments))
+    bilby.core.utils.random.seed(4)
+    errors = [{name: value for name, value in prior.sample().items() if "recalib" in name} for _ in range(5)]
+    rows = [sample | found for sample, found in zip(samples(5), errors, strict=True)]
+    expected = [theirs.log_likelihood_ratio(row) for row in rows]
+    np.testing.assert_allclose(ours.log_likelihood_ratios(rows), expected, rtol=0.0, atol=0.05)
+    assert np.ptp([ours.log_likelihood_ratio(SIGNAL | found) for found in errors]) > 1.0
+
+
 # Parameters and priors
 
 
@@ -215,10 +243,8 @@ def test_what_cannot_be_is_refused_with_what_to_do(data, arguments, monkeypatch)
         ServiceLikelihood.from_bilby(data, bilby.gw.prior.BNSPriorDict(), waveform_arguments=arguments)
     with pytest.raises(InvalidRequest, match="No frequency of the data"):
         ServiceLikelihood.from_bilby(data, priors(), waveform_arguments=arguments | {"minimum_frequency": 2000.0})
-    changed = copy.deepcopy(data)
-    changed[0].calibration_model = bilby.gw.calibration.CubicSpline("recalib_H1_", 40.0, 1024.0, 5)
-    with pytest.raises(InvalidRequest, match="H1 has a calibration model"):
-        ServiceLikelihood.from_bilby(changed, priors(), waveform_arguments=arguments)
+    with pytest.raises(InvalidRequest, match="CubicSpline, Recalibrate with 1 sets of nodes: give every detector"):
+        ServiceLikelihood.from_bilby(calibrated(data, "H1"), priors(), waveform_arguments=arguments)
     monkeypatch.setattr(_chosen, "entry_points", lambda **_: [])
     _chosen.local_part.cache_clear()
     with pytest.raises(PackageMissing, match=r"pip install ./protocol ./model_store ./surrogate ./inference$"):

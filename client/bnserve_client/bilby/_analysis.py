@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_client._chosen import local_part
 from bnserve_client.bilby._arguments import stated
+from bnserve_client.bilby._calibration import read_calibration
 from bnserve_client.bilby._ranges import distance_prior, prior_ranges
 from bnserve_protocol import InvalidRequest, Likelihood, TimeMarginalisation, WaveformModel
 
@@ -52,6 +53,7 @@ def build_analysis(
         phase_marginalisation=marginalised.phase,
         time_marginalisation=_times(priors, trigger, approximant) if marginalised.time else None,
         distance_marginalisation=distance_prior(priors["luminosity_distance"]) if marginalised.distance else None,
+        calibration=read_calibration(interferometers, priors),
         error_bound=error_bound,
     )
     common = {"trigger_time": trigger, "f_min": low, "f_max": high, "alignment": "merger", "options": options}
@@ -102,11 +104,6 @@ def _band(interferometers: Any, arguments: Mapping[str, Any]) -> tuple[float, fl
 
 def _data(parts: Any, interferometer: Any, low: float, high: float) -> Any:
     """Strain and noise of one detector; where bilby leaves out a frequency, it has no weight."""
-    if type(interferometer.calibration_model).__name__ != "Recalibrate":
-        raise InvalidRequest(
-            f"{interferometer.name} has a calibration model, whose errors are not sampled here: use the source model "
-            "binary_neutron_star in bilby's own likelihood, or bnserve_inference.LikelihoodOptions(calibration=...)."
-        )
     asd = np.sqrt(np.asarray(interferometer.power_spectral_density_array, dtype=np.float64))
     return parts.DetectorData(
         detector=parts.Detector(

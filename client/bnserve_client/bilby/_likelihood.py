@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from bnserve_client._together import Together
 from bnserve_client.bilby._analysis import Marginalised, build_analysis
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
+from bnserve_client.bilby._calibration import calibration_columns
 from bnserve_client.bilby._source import OPTIONS, binaries, binary_neutron_star
 from bnserve_protocol import DEFAULT_ERROR_BOUND, Likelihood, WaveformModel
 
@@ -56,7 +57,8 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         Parameters
         ----------
         interferometers
-            bilby's, with strain and noise; their bands, notches and geometry are kept.
+            bilby's, with strain and noise; their bands, notches, geometry and calibration errors
+            (``bilby.gw.calibration.CubicSpline``, the same nodes in all of them) are kept.
         priors
             bilby's, in whatever it can convert: chirp mass and mass ratio, component masses, symmetric mass ratio,
             Lambda-tilde. As in bilby, what is integrated over is fixed in them.
@@ -151,7 +153,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         self._together = Together(self.log_likelihood_ratios, threads)
         return self._together
 
-    def _columns(self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]) -> dict[str, Floats]:
+    def _columns(self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]) -> dict[str, Any]:
         if isinstance(samples, Sequence):
             samples = {name: [sample[name] for sample in samples] for name in samples[0]}
         given = {name: np.asarray(samples[name], dtype=np.float64) for name in samples if _is_number(samples[name])}
@@ -164,7 +166,10 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         ours = columns | {name: theirs[their_name] for name, their_name in _SAME.items()}
         ours["coalescence_time"] = np.asarray(theirs["geocent_time"]) - settings.trigger_time - time
         ours["reference_phase"] = 2.0 * np.asarray(theirs["phase"]) + shift
-        return dict(zip(ours, np.broadcast_arrays(*ours.values()), strict=True))
+        whole: dict[str, Any] = dict(zip(ours, np.broadcast_arrays(*ours.values()), strict=True))
+        if settings.calibration is not None:
+            whole |= calibration_columns(settings.calibration, settings.detectors, theirs)
+        return whole
 
     def _shifts(self, columns: dict[str, Floats]) -> tuple[Floats, Floats]:
         zero_points, grid = self._choice.zero_points, self.waveform_generator.frequency_array
