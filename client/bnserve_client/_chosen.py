@@ -56,15 +56,43 @@ def local_part(name: Literal["models", "analyses"], purpose: str) -> Any:
 def read_arguments(
     given: Mapping[str, Any],
 ) -> tuple[str | tuple[str, ...] | None, str | None, str, str | None, float]:
-    """What :func:`chosen_model` takes, of those of the :data:`ARGUMENTS` that are given and not None; hashable."""
+    """What :func:`chosen_model` takes, of those of the :data:`ARGUMENTS` that are given and not None; hashable.
+
+    Address and name are those of the environment of the moment where they are not given.
+
+    Raises
+    ------
+    InvalidRequest
+        A timeout that is no number.
+    """
     url, model, version, digest, timeout = (given.get(name) for name in ARGUMENTS)
+    url, model = url or os.environ.get(URL_VARIABLE), model or os.environ.get(MODEL_VARIABLE)
     return (
         url if url is None or isinstance(url, str) else tuple(map(str, url)),  # several replicas
         None if model is None else str(model),
         "stable" if version is None else str(version),
         None if digest is None else str(digest),
-        300.0 if timeout is None else float(timeout),
+        300.0 if timeout is None else number("bnserve_timeout", timeout, "seconds that an outage may last, such as 300"),
     )
+
+
+def number(name: str, value: Any, of: str = "such as 50") -> float:
+    """A number that a user gave by this name, as one or as its text.
+
+    Parameters
+    ----------
+    of
+        What it is, as the end of a sentence.
+
+    Raises
+    ------
+    InvalidRequest
+        It is none.
+    """
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise InvalidRequest(f"'{name}' is a number, {of}; got {value!r:.80}.") from None
 
 
 def unknown_argument(name: str, known: Iterable[str]) -> InvalidRequest:

@@ -214,6 +214,30 @@ def test_the_address_may_stand_in_the_environment(ours, monkeypatch):
     np.testing.assert_array_equal(strain(binary_neutron_star, {})["plus"], expected["plus"])
 
 
+def test_an_address_in_the_environment_may_change(ours, monkeypatch):
+    """Within a process, as in a notebook: the next waveform is that of the next server."""
+    for address in (ours["bnserve_url"], ours["bnserve_url"].replace("127.0.0.1", "localhost")):
+        monkeypatch.setenv("BNSERVE_URL", address)
+        model = _source._source(_source.read_choice({}))._model
+        assert model is _chosen.chosen_model(address)
+
+
+@pytest.mark.parametrize(
+    "given", [{"bnserve_timeout": "soon"}, {"minimum_frequency": "low"}, {"pn_spin_order": "all"},
+              {"reference_frequency": [50.0, 60.0]}],
+)  # fmt: skip
+def test_what_is_no_number_is_refused_in_a_sentence(ours, given):
+    name, value = next(iter(given.items()))
+    with pytest.raises(InvalidRequest, match=f"'{name}' is a number, .*; got .*{value[0]}"):
+        strain(binary_neutron_star, {}, **ours | given)
+
+
+def test_a_number_may_be_a_text(ours):
+    """As a configuration has them."""
+    found = strain(binary_neutron_star, {}, **ours | {"minimum_frequency": "60", "bnserve_timeout": "20"})
+    np.testing.assert_array_equal(found["plus"] != 0.0, GRID >= 60.0)
+
+
 def test_there_may_be_several_addresses(ours):
     one = strain(binary_neutron_star, {}, **ours)
     several = strain(binary_neutron_star, {}, bnserve_url=[ours["bnserve_url"]] * 2, maximum_frequency=None)

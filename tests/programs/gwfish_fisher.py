@@ -22,6 +22,7 @@ logging.disable(logging.WARNING)
 from GWFish.modules import detection, fishermatrix, waveforms  # noqa: E402  (after the warnings)
 
 from bnserve_client import InvalidParameters, Model, OutOfDomain  # noqa: E402
+from bnserve_client._chosen import chosen_model  # noqa: E402
 from bnserve_client.gwfish import Waveform  # noqa: E402
 from bnserve_client.gwfish._neighbours import Neighbours, _kept  # noqa: E402
 
@@ -113,7 +114,7 @@ def compare_bits(network) -> None:
     _kept.cache_clear()
     errors(network, pd.DataFrame({name: [value] for name, value in BINARY.items()}), *CLASSES["bnserve, server"],
            list(BINARY))  # fmt: skip
-    together = _kept("default", 50.0)[0]
+    together = _kept(chosen_model(name="default"), 50.0)[0]
     print(f"A Fisher matrix of 13 parameters asks for {len(asked)} batches, of {asked} waveforms")
     if asked != [1, 12]:
         sys.exit("Waveforms were asked for one by one.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from bnserve_client._chosen import ARGUMENTS, chosen_model, read_arguments, unknown_argument
+from bnserve_client._chosen import ARGUMENTS, chosen_model, number, read_arguments, unknown_argument
 from bnserve_client._lal_meaning import refuse_other_modes
 from bnserve_client.bilby._zero_points import ZeroPoints
 from bnserve_protocol import WaveformModel
@@ -37,9 +37,15 @@ class Choice(NamedTuple):
 
 
 def stated(arguments: Mapping[str, Any], name: str, default: float) -> float:
-    """A number among ``waveform_arguments``; None, as programs leave it, is not stated."""
+    """A number among ``waveform_arguments``; None, as programs leave it, is not stated.
+
+    Raises
+    ------
+    InvalidRequest
+        It is no number.
+    """
     value = arguments.get(name)
-    return default if value is None else float(value)
+    return default if value is None else number(name, value)
 
 
 def read_choice(arguments: Mapping[str, Any]) -> Choice:
@@ -48,13 +54,13 @@ def read_choice(arguments: Mapping[str, Any]) -> Choice:
     Raises
     ------
     InvalidRequest
-        A name that is none, or other modes than the model's.
+        A name that is none, a value that is no number, or other modes than the model's.
     """
     unknown = arguments.keys() - _KNOWN
     if unknown:
         raise unknown_argument(min(unknown), _KNOWN)
     refuse_other_modes(arguments.get("mode_array"))
-    orders = tuple((name, int(arguments[name])) for name in _ORDERS if arguments.get(name) is not None)
+    orders = tuple((name, int(number(name, arguments[name], "such as -1"))) for name in _ORDERS if arguments.get(name) is not None)
     approximant = arguments.get("waveform_approximant")
     if approximant == OWN_ZERO_POINTS:
         approximant = None

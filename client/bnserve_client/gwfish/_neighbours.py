@@ -112,17 +112,18 @@ def neighbours(name: str, reference: float, frequencies: Floats) -> Neighbours:
     PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
         As :func:`~bnserve_client._chosen.chosen_model`.
     """
-    kept = _kept(name, reference)
+    model = chosen_model(name=name)
+    kept = _kept(model, reference)
     for known in kept:
         if np.array_equal(known.frequencies, frequencies):
             return known
-    new = Neighbours(chosen_model(name=name), reference, frequencies)
+    new = Neighbours(model, reference, frequencies)
     kept[:] = [new, *kept[: _GRIDS_KEPT - 1]]
     return new
 
 
 @functools.lru_cache(maxsize=8)
-def _kept(name: str, reference: float) -> list[Neighbours]:
+def _kept(model: WaveformModel, reference: float) -> list[Neighbours]:
     return []
 
 
