@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
-#   bash tests/programs.sh bilby                    one or several of: bilby bilby_pipe pycbc bajes gwfish beside
+#   bash tests/programs.sh bilby                    one or several of: bilby bilby_pipe pycbc bajes gwfish examples beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -79,6 +79,16 @@ stop() {
     trap - EXIT
 }
 
+page() { # a page, and what its reader has: its blocks in $python's environment; sets $folder, where they ran
+    local name=$1
+    shift
+    folder=$cache/page-$(basename "$name" .md)
+    rm -rf "$folder"
+    mkdir "$folder"
+    [ "$#" -eq 0 ] || cp "$@" "$folder"
+    check "$name" "$python" tests/programs/page.py "$name" "$address" "$folder"
+}
+
 # bilby's own example, with two lines changed, at its newest release and at the oldest that works.
 
 rooms=(./protocol ./model_store ./surrogate ./inference ./service "./client[bilby]")
@@ -152,9 +162,14 @@ pycbc() {
         ./service ./client
     serve
     export BNSERVE_URL=$address
-    check "pycbc 2.11.0" "$python" -m pytest -q -rP --noconftest -p no:cacheprovider tests/programs/pycbc_checks.py
+    check "pycbc 2.11.0" "$python" -m pytest -q -rP --noconftest -p no:cacheprovider -o filterwarnings=default \
+        tests/programs/pycbc_checks.py
     check "pycbc 2.11.0, times" "$python" -W ignore tests/programs/pycbc_times.py
     unset BNSERVE_URL
+    cp tests/programs/pycbc_inference.ini "$cache/inference.ini"
+    "$(dirname "$python")/pycbc_create_injections" --config-files tests/programs/pycbc_injection.ini --ninjections 1 \
+        --seed 1 --force --output-file "$cache/injection.hdf"
+    page docs/guides/pycbc.md "$cache/inference.ini" "$cache/injection.hdf"
     stop
 }
 
@@ -167,12 +182,12 @@ bajes() {
     "$python" -m pip install --quiet --no-deps --ignore-requires-python mlgw-bns==0.12.1
     check "mlgw_bns 0.12.1" "$python" -W ignore tests/programs/mlgw_bns_waveforms.py "$cache/mlgw_bns.npz"
     # It imports matplotlib without saying so, and scipy.misc.derivative, which scipy 1.12 has no more.
-    environment bajes-1.3.0 bajes==1.3.0 matplotlib "scipy<1.12" ./protocol ./model_store ./surrogate ./inference \
+    environment bajes-1.3.0 bajes==1.3.0 matplotlib "scipy<1.12" ultranest six ./protocol ./model_store ./surrogate ./inference \
         ./service ./client
     serve
     check "bajes 1.3.0" "$python" tests/programs/bajes_waveform.py "$address" "$cache/mlgw_bns.npz"
     # Its commands start others, so that the name is registered by a file that each of them finds.
-    local folder=$cache/bajes-inject
+    local folder=$cache/inject
     rm -rf "$folder"
     mkdir -p "$folder"
     echo "from bnserve_client.compat.mlgw_bns import *" >"$folder/mlgw_bns.py"
@@ -181,7 +196,18 @@ bajes() {
         --ifo H1 --asd "$folder/asd.txt" --wave tests/programs/bajes_injection.ini --srate 2048 --seglen 32 --f-min 30 \
         --f-max 1024 --zero-noise --fd-inject --ra 1.0 --dec 0.3 -o "$folder/out"
     check "its signal" awk '$2 * $2 > 1e-50 { n++ } END { print n " samples"; exit n < 10000 }' "$folder/out/H1_signal.txt"
+    cp tests/programs/bajes_sampling.ini "$folder/config.ini"
+    sed 's/^\(s[12]z\).*/\1 = 0.0/' tests/programs/bajes_injection.ini >"$folder/wave.ini" # it is sampled without spins
+    sed -i 's/ 4e-24/ 1.6e-23/' "$folder/asd.txt" # a ratio of 20, which few live points find
+    page docs/guides/mlgw_bns.md "$folder/config.ini" "$folder/asd.txt" "$folder/wave.ini"
+    check "its posterior" posterior_has_the_signal "$folder/out/run/posterior.dat"
     stop
+}
+
+posterior_has_the_signal() { # its chirp mass, the first column, is that of 2.8 solar masses and q = 1.2; few live points
+    awk 'NR > 1 { n++; s += $1; t += $1 * $1; if ($4 > best) best = $4 }
+         END { mean = s / n; width = sqrt(t / n - mean * mean); print n " samples: " mean " +- " width ", ln L " best
+               exit !(n > 100 && width < 3e-4 && (mean - 1.21272) ^ 2 < 3e-4 ^ 2 && best > 140) }' "$1"
 }
 
 # GWFish's Fisher matrices, from a checkout of its repository: what the index has by its name is empty.
@@ -198,6 +224,36 @@ gwfish() {
         ./protocol ./model_store ./surrogate ./inference ./service ./client
     serve
     check "gwfish" env PYTHONPATH="$GWFISH" "$python" tests/programs/gwfish_fisher.py "$address"
+    PYTHONPATH=$GWFISH page docs/guides/gwfish.md
+    stop
+}
+
+# The README's install in an environment that is made for it, its first command, and every example as its first lines say.
+
+examples() {
+    local venv=$cache/examples file extra word
+    rm -rf "$venv" "$cache/my-models" "$cache/runs"
+    "${PYTHON:-python3.11}" -m venv "$venv"
+    python=$venv/bin/python
+    check "pip install ." "$venv/bin/pip" install --quiet .
+    check "bnserve demo" "$venv/bin/bnserve" demo --output "$cache/demo.png"
+    serve
+    for file in examples/*.py examples/samplers/with_*.py; do
+        for word in $(sed -n "s/^ *pip install //p" "$file" | tr -d "'"); do
+            "$venv/bin/pip" install --quiet "$word"
+        done
+        extra=()
+        case "$file" in
+            examples/own_generator.py)
+                check "$file" env PYTHONPATH=examples "$venv/bin/bnserve" train examples/own_generator.toml \
+                    --store "$cache/my-models" --work "$cache/runs" --no-progress
+                continue
+                ;;
+            examples/samplers/*) extra=(--short) ;;
+        esac
+        check "$file" "$python" "$file" "$address" "${extra[@]}"
+    done
+    check "with_dynesty.py --batches" "$python" examples/samplers/with_dynesty.py "$address" --short --batches
     stop
 }
 
@@ -222,11 +278,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish examples beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | bilby_pipe | pycbc | bajes | gwfish | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, beside\n' "$program" >&2; exit 2 ;;
+        bilby | bilby_pipe | pycbc | bajes | gwfish | examples | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, examples, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 

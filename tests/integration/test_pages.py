@@ -1,80 +1,65 @@
 """What the pages tell to type works: page by page, in order, against a running server.
 
-Blocks of Python and the requests of curl are run as they stand, in one fresh interpreter for each page; only the
-address is that of the server. A block below ``<!-- not run: REASON -->`` is left out, and a page with
-``<!-- blocks not run: REASON -->`` altogether. Indented commands are parsed by
-``tests/architecture/test_documented_commands.py``.
+``tests/programs/page.py`` says what is run. A page with ``<!-- run by: tests/programs.sh PROGRAM -->`` is run there, in
+the environment of that program.
 """
 
 import re
-import subprocess
-import sys
-from urllib.parse import urlsplit
+import tomllib
 
 import pytest
 
 from tests.architecture.rooms import ROOT, room_environment, tracked_files
+from tests.programs import page
 
-RUN = [
-    "README.md", "docs/tutorial.md", "docs/guides/client.md", "docs/guides/http.md", "docs/guides/likelihoods.md",
-    "docs/guides/deployment.md", "docs/guides/roq.md", "docs/guides/mlgw_bns.md",
-]  # fmt: skip
-NOT_RUN = re.compile(r"<!-- not run: \S.*-->")
-PAGE_NOT_RUN = re.compile(r"<!-- blocks not run: \S[^>]*-->")
-SHELL = re.compile(r"(?P<indent> {4,})(?:curl|SHA256=)")
-HOSTS = {"127.0.0.1": "127.0.0.1", "one": "127.0.0.1", "two": "localhost", "three": "127.0.0.1"}
-"""What the server stands for."""
-WARNINGS = {"docs/tutorial.md": "default"}
-"""Of bilby and what it imports; on all other pages warnings are errors."""
-
-
-def script(page: str) -> str:
-    """A page as a program that has each block on the lines where the page has it."""
-    lines = page.splitlines()
-    program = [""] * len(lines)
-    number = 0
-    while number < len(lines):
-        is_run = not (number and NOT_RUN.fullmatch(lines[number - 1]))
-        if lines[number] == "```python":
-            end = lines.index("```", number)
-            if is_run:
-                program[number + 1 : end] = lines[number + 1 : end]
-        elif match := SHELL.match(lines[number]):
-            end = next((n for n in range(number, len(lines)) if not lines[n].startswith(match["indent"])), len(lines))
-            text = "\n".join(line.removeprefix(match["indent"]) for line in lines[number:end])
-            command = ["bash", "-euo", "pipefail", "-c", text.replace("curl ", "curl --silent --show-error --fail ")]
-            program[number] = f"__import__('subprocess').run({command!r}, check=True)"
-        else:
-            end = number
-        number = end + 1
-    return "\n".join(program)
+PAGES = {str(path): (ROOT / path).read_text(encoding="utf-8") for path in tracked_files() if path.suffix == ".md"}
+RUN_BY = re.compile(r"^<!-- run by: tests/programs\.sh (\w+) -->$", re.MULTILINE)
+RUN = [name for name, text in PAGES.items() if not RUN_BY.search(text) and any(b.is_run for b in page.blocks(text))]
+WARNINGS = {"docs/tutorial.md": "default", "docs/guides/samplers.md": "default"}
+"""Of samplers and what they import; on all other pages warnings are errors."""
 
 
 def test_a_script_has_the_blocks_where_the_page_has_them():
-    page = "# P\n\n```python\na = 1\n```\n\n<!-- not run: takes hours -->\n```python\nb\n```\n\n    curl x\n\n    pip\n"
-    lines = script(page).splitlines()
+    text = "# P\n\n```python\na = 1\n```\n\n<!-- not run: takes hours -->\n```python\nb\n```\n\n    curl x\n\n    pip install y\n"
+    lines = page.script(text).splitlines()
     assert (lines[3], lines[8]) == ("a = 1", "")
     assert "curl --silent" in lines[11]
     assert [number for number, line in enumerate(lines) if line] == [3, 11]
 
 
+def test_an_indented_block_below_another_is_found():
+    found = page.blocks("x:\n\n    bnserve serve\n\n```python\na\n```\n\n<!-- not run: why -->\n\n    curl x\n\n    h = 1\n")
+    assert [(block.language, block.text) for block in found] == [
+        ("shell", "bnserve serve"), ("python", "a"), ("shell", "curl x\n\nh = 1"),
+    ]  # fmt: skip
+    assert [block.is_run for block in found] == [False, True, False]
+
+
 @pytest.mark.parametrize("name", RUN)
-def test_the_blocks_of_a_page_run(name, bnserve_server, tmp_path):
-    port = urlsplit(bnserve_server.address).port
-    program = script((ROOT / name).read_text())
-    for address, here in HOSTS.items():
-        program = program.replace(f"//{address}:8000", f"//{here}:{port}")
-    file = tmp_path / "blocks_of_a_page.py"
-    file.write_text(program)
-    command = [sys.executable, "-W", WARNINGS.get(name, "error"), file]
-    environment = room_environment() | {"BNSERVE_URL": bnserve_server.address}
-    done = subprocess.run(
-        command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False, timeout=300
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
+def test_the_blocks_of_a_page_run(name, bnserve_server, tmp_path, monkeypatch):
+    for variable, value in room_environment().items():
+        monkeypatch.setenv(variable, value)
+    assert page.main(name, bnserve_server.address, tmp_path, ["-W", WARNINGS.get(name, "error")]) == 0
 
 
-def test_pages_whose_blocks_are_not_run_say_why():
-    pages = {str(path): (ROOT / path).read_text() for path in tracked_files() if path.suffix == ".md"}
-    with_blocks = {name for name, text in pages.items() if "```python" in text and not PAGE_NOT_RUN.search(text)}
-    assert with_blocks - set(RUN) == set()
+def test_a_page_of_another_program_is_run_where_it_says():
+    programs = (ROOT / "tests" / "programs.sh").read_text(encoding="utf-8")
+    for name, text in PAGES.items():
+        for program in RUN_BY.findall(text):
+            function = re.search(rf"^{program}\(\) \{{.*?^\}}", programs, re.MULTILINE | re.DOTALL)
+            assert function, f"{name}: no {program} in tests/programs.sh"
+            assert re.search(rf"\bpage {re.escape(name)}\b", function.group()), name
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_every_block_of_a_page_is_of_a_kind_that_is_looked_after(name):
+    """Run, or marked, or among the commands that are run elsewhere; or it is no code: output, a formula, a setting."""
+    known = {"python", "shell", "text", "toml", "hex"}
+    assert [block for block in page.blocks(PAGES[name]) if block.language not in known] == []
+
+
+def test_a_configuration_on_a_page_can_be_read():
+    for text in PAGES.values():
+        for block in page.blocks(text):
+            if block.language == "toml":
+                assert tomllib.loads(block.text)
