@@ -72,7 +72,9 @@ def read_arguments(
         None if model is None else str(model),
         "stable" if version is None else str(version),
         None if digest is None else str(digest),
-        300.0 if timeout is None else number("bnserve_timeout", timeout, "seconds that an outage may last, such as 300"),
+        300.0
+        if timeout is None
+        else number("bnserve_timeout", timeout, "seconds that an outage may last, such as 300"),
     )
 
 

@@ -20,7 +20,7 @@ WARNINGS = {"docs/tutorial.md": "default", "docs/guides/samplers.md": "default"}
 
 
 def test_a_script_has_the_blocks_where_the_page_has_them():
-    text = "# P\n\n```python\na = 1\n```\n\n<!-- not run: takes hours -->\n```python\nb\n```\n\n    curl x\n\n    pip install y\n"
+    text = "# P\n\n```python\na = 1\n```\n\n<!-- not run: takes hours -->\n```python\nb\n```\n\n    curl x\n"
     lines = page.script(text).splitlines()
     assert (lines[3], lines[8]) == ("a = 1", "")
     assert "curl --silent" in lines[11]
@@ -28,7 +28,9 @@ def test_a_script_has_the_blocks_where_the_page_has_them():
 
 
 def test_an_indented_block_below_another_is_found():
-    found = page.blocks("x:\n\n    bnserve serve\n\n```python\na\n```\n\n<!-- not run: why -->\n\n    curl x\n\n    h = 1\n")
+    found = page.blocks(
+        "x:\n\n    bnserve serve\n\n```python\na\n```\n\n<!-- not run: why -->\n\n    curl x\n\n    h = 1\n"
+    )
     assert [(block.language, block.text) for block in found] == [
         ("shell", "bnserve serve"), ("python", "a"), ("shell", "curl x\n\nh = 1"),
     ]  # fmt: skip

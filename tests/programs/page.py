@@ -7,7 +7,7 @@ folder has what the page's reader has, and the checkout's ``configs`` and ``exam
 ``tests/integration/test_pages.py`` runs most pages so, and ``tests/programs.sh`` those of other programs in their
 environments. This file imports nothing of ours, nor of others.
 
-A block below ``<!-- not run: REASON -->`` is left out, and so are commands that :data:`ELSEWHERE` says where to look for.
+A block below ``<!-- not run: REASON -->`` is left out, and so is what :data:`ELSEWHERE` says where to look for.
 """
 
 import os
@@ -48,7 +48,9 @@ HOSTS = {"127.0.0.1": "127.0.0.1", "one": "127.0.0.1", "two": "localhost", "thre
 """What the server stands for."""
 SHORT = {
     "bilby.run_sampler": "import bilby as _b; _run = _b.run_sampler; "
-    "_b.run_sampler = lambda *a, **k: _run(*a, **({'maxiter': 20} | k))",
+    "_b.run_sampler = lambda *a, **k: _run(*a, **({'nlive': 50, 'maxiter': 20} | k))",
+    "emcee.EnsembleSampler": "import emcee as _e; _walk = _e.EnsembleSampler.run_mcmc; "
+    "_e.EnsembleSampler.run_mcmc = lambda self, start, steps: _walk(self, start, 10)",
     "nautilus.Sampler": "import nautilus as _n; _more = _n.Sampler.run; "
     "_n.Sampler.run = lambda *a, **k: _more(*a, **(k | {'n_like_max': 3000, 'discard_exploration': False}))",
     "npool": "import multiprocessing as _m; _m.set_start_method('fork', force=True)",  # the page is no module
@@ -81,7 +83,9 @@ def blocks(page: str) -> list[Block]:
             end = lines.index("```", number + 1)
             found.append(Block(number + 1, line[3:] or "text", "\n".join(lines[number + 1 : end]), is_marked))
         elif line.startswith("    ") and (not before.strip() or is_marked):
-            end = next((n for n in range(number, len(lines)) if lines[n].strip() and lines[n][:4] != "    "), len(lines))
+            end = next(
+                (n for n in range(number, len(lines)) if lines[n].strip() and lines[n][:4] != "    "), len(lines)
+            )
             indent = len(line) - len(line.lstrip())
             text = "\n".join(inside[indent:] for inside in lines[number:end]).rstrip()
             language = "shell" if COMMAND.match(text) else "text" if OTHER.match(text) else "unknown"
@@ -101,7 +105,13 @@ def script(page: str) -> str:
             text = block.text.splitlines()
             program[block.line : block.line + len(text)] = text
         elif block.is_run:
-            command = ["bash", "-euo", "pipefail", "-c", block.text.replace("curl ", "curl --silent --show-error --fail ")]
+            command = [
+                "bash",
+                "-euo",
+                "pipefail",
+                "-c",
+                block.text.replace("curl ", "curl --silent --show-error --fail "),
+            ]
             program[block.line] = f"__import__('subprocess').run({command!r}, check=True)"
     return "\n".join(program)
 

@@ -60,7 +60,9 @@ def read_choice(arguments: Mapping[str, Any]) -> Choice:
     if unknown:
         raise unknown_argument(min(unknown), _KNOWN)
     refuse_other_modes(arguments.get("mode_array"))
-    orders = tuple((name, int(number(name, arguments[name], "such as -1"))) for name in _ORDERS if arguments.get(name) is not None)
+    orders = tuple(
+        (name, int(number(name, arguments[name], "such as -1"))) for name in _ORDERS if arguments.get(name) is not None
+    )
     approximant = arguments.get("waveform_approximant")
     if approximant == OWN_ZERO_POINTS:
         approximant = None
