@@ -113,7 +113,7 @@ def neighbours(name: str, reference: float, frequencies: Floats) -> Neighbours:
         As :func:`~bnserve_client._chosen.chosen_model`.
     """
     model = chosen_model(name=name)
-    kept = _kept(model, reference)
+    kept = _kept(model, reference)  # type: ignore[arg-type]  # one model equals itself
     for known in kept:
         if np.array_equal(known.frequencies, frequencies):
             return known
