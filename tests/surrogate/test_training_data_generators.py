@@ -360,3 +360,21 @@ def test_a_mode_starts_at_its_share_of_the_first_frequency() -> None:
         generator.modes(theta, {(4, 4): np.geomspace(generator.first_mf, 0.02, 8)})
     with pytest.raises(GeneratorFailure, match=r"no mode \(5, 5\)"):
         generator.modes(theta, {(5, 5): np.geomspace(generator.first_mf, 0.02, 8)})
+
+
+@pytest.mark.parametrize("theta", [[1.7, 0.2, -0.1, 400.0, 600.0], [3.0, -0.5, 0.5, 5.0, 5000.0]], ids=str)
+def test_a_signal_that_begins_lower_may_have_its_phase_zero_where_another_has(theta: list[float]) -> None:
+    """Of all modes, as one orbital phase; the merger is at zero in both."""
+    first = TEOBResumSPA().first_mf
+    usual, lower = TEOBResumSPA(), TEOBResumSPA(first_mf=0.5 * first, zero_mf=first)
+    assert lower.phase_start == usual.phase_start
+    assert "zero_mf" not in usual.settings
+    mf = dict.fromkeys(MODE_NUMBERS, np.geomspace(2.0 * first, 0.03, 20))
+    ours, theirs = (generator.modes(np.array(theta), mf) for generator in (lower, usual))
+    for mode in MODE_NUMBERS:
+        allowed = mode[1] * 2.5e-4 + 2.0 * np.pi * mf[mode] * 0.08  # mergers are at the same time to a microsecond
+        assert (np.abs(ours[mode][1] - theirs[mode][1]) < allowed).all()
+    elsewhere = TEOBResumSPA(first_mf=0.5 * first).modes(np.array(theta), mf)
+    assert abs(elsewhere[2, 2][1][0] - theirs[2, 2][1][0]) > 1e5
+    with pytest.raises(GeneratorUnknown, match="zero_mf lies between first_mf"):
+        TEOBResumSPA(zero_mf=0.5 * first)

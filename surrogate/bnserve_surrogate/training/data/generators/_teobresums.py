@@ -10,6 +10,7 @@ from types import ModuleType
 from typing import Any
 
 import numpy as np
+from scipy.interpolate import make_interp_spline
 
 from bnserve_protocol import require
 from bnserve_surrogate.training.data.generators._interface import AmplitudePhasePair, describe_theta
@@ -34,6 +35,8 @@ _LOWEST_MARGIN = 0.06 * mass_seconds()
 _APART = 1e-6
 """Equal stars with equal spins have an amplitude of (3, 3) and (4, 3) that is zero divided by zero, up to 1e12 instead
 of nothing: their other modes are those of a mass ratio so much larger."""
+_AROUND = 8
+"""Points of the dynamics on either side, of which the phase at a radius is interpolated."""
 _ROUNDING = 1e-9
 """Relative width by which a frequency that was converted to M f may miss the first one."""
 _FIRST_MF = 5.0 * 2.0 / 2.8 * mass_seconds()
@@ -69,11 +72,15 @@ class TEOBResumSPA:
     first_mf
         M f (dimensionless) of the lowest frequency that can be asked for: the lower, the longer it takes. A training
         sets it to the beginning of its band; by default 5 Hz at 2 solar masses.
+    zero_mf
+        Phases are zero where they are for this ``first_mf``, so that a signal may begin lower without its phase being
+        another; None: where the signal starts.
     """
 
     postadiabatic_dr: float = 0.2
     gravitomagnetic_tides: str = "PN"
     first_mf: float = _FIRST_MF
+    zero_mf: float | None = None
 
     def __post_init__(self) -> None:
         if self.gravitomagnetic_tides not in _GRAVITOMAGNETIC:
@@ -84,6 +91,10 @@ class TEOBResumSPA:
             raise GeneratorUnknown(f"postadiabatic_dr lies between 0 and 1; got {self.postadiabatic_dr!r}.")
         if not 0.0 < self.first_mf < 1.0:
             raise GeneratorUnknown(f"first_mf lies between 0 and 1; got {self.first_mf!r}.")
+        if self.zero_mf is not None and not self.first_mf <= self.zero_mf < 1.0:
+            raise GeneratorUnknown(
+                f"zero_mf lies between first_mf ({self.first_mf:g}) and 1, or is None; got {self.zero_mf!r}."
+            )
 
     def check_box(self, lower: FloatArray, upper: FloatArray) -> None:
         """Refuse a box of parameters, (5,) each in the order of theta, in which it has no waveforms.
@@ -120,11 +131,19 @@ class TEOBResumSPA:
             "radial_steps_below": _RADIAL_STEPS_BELOW,
             "first_mf": self.first_mf,
             "equal_stars_apart": _APART,
+            **({} if self.zero_mf is None else {"zero_mf": self.zero_mf}),
         }
 
     @property
     def phase_start(self) -> float:
-        """The M f at which the signal starts, and its phase from zero."""
+        """The M f at which TEOBResumS is told to start the signal whose phase starts from zero.
+
+        It takes the radius for that of Kepler's orbit: the signal itself starts some 3e-4 higher.
+        """
+        return start_frequency(self.zero_mf or self.first_mf, self.postadiabatic_dr)
+
+    @property
+    def _start(self) -> float:
         return start_frequency(self.first_mf, self.postadiabatic_dr)
 
     def __call__(self, theta: FloatArray, mf: FloatArray) -> AmplitudePhasePair:
@@ -172,15 +191,17 @@ class TEOBResumSPA:
             theta = np.array([max(theta[0], 1.0 + _APART), *theta[1:]])
         every = np.unique(np.concatenate(list(mf.values())))
         answer = _code().EOBRunPy(self._request(theta, every, [MODE_NUMBERS[mode] for mode in mf]))
-        frequencies, modes, time_domain = answer[0], answer[5], answer[6]
+        frequencies = answer[0]
+        modes, time_domain, dynamics = answer[5:8]
         if len(frequencies) != every.size or len(modes) < len(mf) or len(time_domain["t"]) == 0:
             raise GeneratorFailure(f"TEOBResumS returned no waveform for {describe_theta(theta)}.")
         merger_time = float(time_domain["t"][-1])
+        orbit = 0.0 if self.zero_mf is None else orbital_phase(dynamics, self.phase_start)
         found = {}
         for mode, own in mf.items():
             amplitude, phase = (np.asarray(part, dtype=np.float64) for part in modes[str(MODE_NUMBERS[mode])])
             place = np.searchsorted(every, own)
-            turned = phase[place] - 2.0 * np.pi * own * merger_time + np.pi
+            turned = phase[place] - 2.0 * np.pi * own * merger_time + np.pi + mode[1] * orbit
             found[mode] = (_PLUS_OVER_MODE * amplitude[place], turned)
         return found
 
@@ -208,7 +229,7 @@ class TEOBResumSPA:
             "distance": 1.0,
             "inclination": 0.0,
             "use_geometric_units": "yes",
-            "initial_frequency": self.phase_start,
+            "initial_frequency": self._start,
             "domain": 1,
             "interp_uniform_grid": "no",
             "interp_freqs": "yes",
@@ -222,6 +243,18 @@ class TEOBResumSPA:
             "postadiabatic_dynamics_dr": self.postadiabatic_dr,
             "use_tidal_gravitomagnetic": self.gravitomagnetic_tides,
         }
+
+
+def orbital_phase(dynamics: Mapping[str, Any], start_mf: float) -> float:
+    """Of TEOBResumS's time-domain dynamics (``r`` in M, ``phi``), in radians, at the radius where it starts from a M f.
+
+    Where the post-adiabatic inspiral is tabulated; a signal started there differs by 1e-4 rad.
+    """
+    radius, phase = (np.asarray(dynamics[name], dtype=np.float64) for name in ("r", "phi"))
+    start = (np.pi * start_mf) ** (-2.0 / 3.0)
+    place = int(np.argmax(radius < start))
+    around = slice(max(0, place - _AROUND), place + _AROUND)
+    return float(make_interp_spline(radius[around][::-1], phase[around][::-1], 5)(start))
 
 
 def start_frequency(first_mf: float, radial_step: float) -> float:
