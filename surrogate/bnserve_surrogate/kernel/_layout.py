@@ -125,7 +125,7 @@ class Plan(IntEnum):
     """How many different m."""
     NUMBERS = auto()
     """Address of float64: five coefficients of each mode's harmonic, see :mod:`..modes._harmonics`; then the end of the
-    band in M f, and the coordinate of it in its cell."""
+    band in M f, its coordinate in its cell, and v there."""
     LINEAR = auto()
     """Floats that the linear synthesis of eight rows takes, of all modes but the (2, 2)."""
     TOP_CELL = auto()

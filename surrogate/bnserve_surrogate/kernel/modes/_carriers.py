@@ -28,9 +28,9 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 CARRIER = 64
-"""Floats that a carrier has for itself, beside the ends of its cells: its series, then mass, its logarithm and the
-frozen amplitude; then integers: where band, line, freezing and frozen amplitude begin on the grid, and the last cells
-that were used."""
+"""Floats that a carrier has for itself, beside the ends of its cells: its series, then mass, its logarithm, the
+frozen amplitude, and v over f^(1/3); then integers: where band, line, freezing and frozen amplitude begin on the grid,
+and the last cells that were used."""
 _NUMBERS, _PLACES = 40, 48
 
 
@@ -55,7 +55,7 @@ def prepare_carrier(
     series, numbers, places, ends = carrier
     shift, band = np.log(mass), floats_in(weights, contents[Entry.BAND_AT], 3)
     (first, stop), freezes = edges_of_band(grid_places, shift, band)
-    numbers[0], numbers[1], numbers[2] = mass, shift, 0.0
+    numbers[0], numbers[1], numbers[2], numbers[3] = mass, shift, 0.0, (np.pi * mass) ** (1.0 / 3.0)
     places[0], places[1], places[2], places[3] = first, stop, freezes[0], freezes[1]
     places[4], places[5] = 0, 0
     if not dense or first > 0:

@@ -82,7 +82,8 @@ def plan_modes(kernel_modes: KernelModes, modes: tuple[Mode, ...]) -> ModePlan:
             linear += 4 * LANES * padded(int(ratio.arrays.contents[Entry.PHASE_NODES]))
         records.append([record[entry] for entry in PlanMode])
     cell, coordinate = _top(carrier)
-    numbers = np.concatenate([*(harmonic(*mode) for mode in in_order), [carrier.mf_band[1], coordinate]])
+    fastest = np.cbrt(np.pi * carrier.mf_band[1])
+    numbers = np.concatenate([*(harmonic(*mode) for mode in in_order), [carrier.mf_band[1], coordinate, fastest]])
     orders = len({order for _, order in modes})
     header = {Plan.MODES: len(modes), Plan.ORDERS: orders, Plan.LINEAR: linear, Plan.TOP_CELL: cell}
     header[Plan.SLOWEST] = max(2, *(order for _, order in modes))
@@ -116,7 +117,7 @@ def _top(carrier: KernelModel) -> tuple[int, float]:
 def _scratch_size(carrier: KernelModel, ratios: list[RatioModel], orders: int, linear: int) -> int:
     """What :mod:`..kernel._source` and :mod:`._row` take of it."""
     knots, cells = padded(int(carrier.contents[Entry.PHASE_NODES])), padded(int(carrier.contents[Entry.CELLS]))
-    row = 8 * knots + 4 * LANES * cells + 128 + 8 * (MODE_BLOCK + LANES) + 2 * LANES
+    row = 8 * knots + 4 * LANES * cells + 128 + 10 * (MODE_BLOCK + LANES) + 2 * LANES
     row += orders * (_CARRIER + max(knots, cells)) + linear // 2
     regressors = [regressor_scratch(arrays.contents) for arrays in (carrier, *(ratio.arrays for ratio in ratios))]
     return LANES * (10 + 4 * knots + LANES) + linear + max([row, *regressors])

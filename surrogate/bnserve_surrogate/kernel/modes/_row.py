@@ -48,7 +48,7 @@ from bnserve_surrogate.kernel.modes._carriers import (
 from bnserve_surrogate.kernel.modes._sums import (
     add_carrier,
     add_mode,
-    clear,
+    add_two_modes,
     fill_ratio,
     multiply_mode,
     turn,
@@ -68,12 +68,12 @@ lie on the grid, and the last cell that was used."""
 def _views(scratch: Floats, n_p: int, n_c: int, orders: int) -> Any:
     """A row's working memory, for n_p knots and n_c cells; :func:`..modes._plan.scratch_size` counts it.
 
-    Cubics, polynomials, room to fit them, room for a series, four buffers, four sums, a tail, the carriers, the modes.
+    Cubics, polynomials, room to fit them, room for a series, six buffers, four sums, a tail, the carriers, the modes.
     """
     cells = LANES * n_c
     fitted = 8 * n_p
     buffers = fitted + 4 * cells + 128
-    carriers = buffers + 8 * BUFFER + 2 * LANES
+    carriers = buffers + 10 * BUFFER + 2 * LANES
     return (
         (floats_in(scratch, 0, 4 * n_p), floats_in(scratch, 4 * n_p, 4 * n_p)),
         (floats_in(scratch, fitted, cells), floats_in(scratch, fitted + cells, cells)),
@@ -84,12 +84,14 @@ def _views(scratch: Floats, n_p: int, n_c: int, orders: int) -> Any:
             floats_in(scratch, buffers + BUFFER, BUFFER),
             floats_in(scratch, buffers + 2 * BUFFER, BUFFER),
             floats_in(scratch, buffers + 3 * BUFFER, BUFFER),
-        ),
-        (
             floats_in(scratch, buffers + 4 * BUFFER, BUFFER),
             floats_in(scratch, buffers + 5 * BUFFER, BUFFER),
+        ),
+        (
             floats_in(scratch, buffers + 6 * BUFFER, BUFFER),
             floats_in(scratch, buffers + 7 * BUFFER, BUFFER),
+            floats_in(scratch, buffers + 8 * BUFFER, BUFFER),
+            floats_in(scratch, buffers + 9 * BUFFER, BUFFER),
         ),
         floats_in(scratch, carriers - 2 * LANES, 2 * LANES),
         floats_in(scratch, carriers, orders * (CARRIER + max(n_p, n_c))),
@@ -140,7 +142,7 @@ def evaluate_modes(
     plan = integers_at(arguments[Argument.MODES], ANY)
     count, orders = plan[Plan.MODES], plan[Plan.ORDERS]
     numbers = floats_at(plan[Plan.NUMBERS] + 8 * COEFFICIENTS * count, 2)
-    grid, grid_places = prepared_grid(arguments)
+    _, grid_places = prepared_grid(arguments)
     n_p, n_c = padded(contents[Entry.PHASE_NODES]), padded(contents[Entry.CELLS])
     cubics, fitted, work, series, buffers, sums, tail, carriers, modes = _views(scratch, n_p, n_c, orders)
     fill_cubics(linear, contents, weights, n_p, n_p, cubics)
@@ -148,6 +150,7 @@ def evaluate_modes(
     band, gauge = floats_in(weights, contents[Entry.BAND_AT], 3), floats_in(linear, 4 * n_p, 4)
     stop = locate(*grid_places, np.log(band[1] * (1.0 + EDGE)) - np.log(mass))
     dense = points * orders >= DENSE
+    summed = arguments[Argument.OUTPUT] in (Output.POLARIZATIONS, Output.POLARIZATIONS_SINGLE)
     line = _prepare(
         lane, row, mass, dense, stop, plan, arguments, contents, weights, gauge, ratios, work, carriers, modes
     )
@@ -164,10 +167,17 @@ def evaluate_modes(
         top = top_of_band(band, plan[Plan.TOP_CELL], numbers[1], contents, weights, n_c, *fitted)
     for start in range(0, points, MODE_BLOCK):
         end = min(start + MODE_BLOCK, points)
-        _block(
-            i, lane, (start, min(max(stop, start), end), end), dense, top, plan, arguments, grid, linear, ratios,
-            contents, weights, (n_p, n_c), cubics, fitted, buffers, sums, tail, carriers, modes,
-        )  # fmt: skip
+        ends = (start, min(max(stop, start), end), end)
+        if summed:
+            _sum_block(
+                i, lane, ends, dense, top, arguments, linear, ratios, contents, weights, (n_p, n_c), cubics, fitted,
+                buffers, sums, tail, carriers, modes,
+            )  # fmt: skip
+        else:
+            _strain_block(
+                i, lane, ends, dense, top, arguments, linear, ratios, contents, weights, (n_p, n_c), cubics, fitted,
+                buffers, tail, carriers, modes,
+            )  # fmt: skip
 
 
 @njit(inline="always")
@@ -213,66 +223,117 @@ def _prepare(
     return line
 
 
+@njit(inline="always")
+def _carrier(
+    number: int, ends: tuple[int, int, int], dense: bool, top: tuple[float, float, float], arguments: Integers,
+    linear: Floats, contents: Integers, weights: Floats, sizes: tuple[int, int], cubics: Any, fitted: Any,
+    buffers: Any, carriers: Floats,
+) -> Any:  # fmt: skip
+    """Amplitude and phase of a carrier on a block, in the first two buffers; returns what is known of it."""
+    grid, _ = prepared_grid(arguments)
+    carrier = carrier_at(carriers, number, max(sizes[0], sizes[1]))
+    fill_carrier(
+        ends[0], ends[1], dense, grid, arguments[Argument.STRIDE], linear, contents, weights, sizes, cubics, fitted,
+        top, carrier, buffers[2], buffers[3], buffers[0], buffers[1],
+    )  # fmt: skip
+    return carrier
+
+
 @njit(**JIT_OPTIONS)
-def _block(
-    i: int, lane: int, ends: tuple[int, int, int], dense: bool, top: tuple[float, float, float], plan: Integers,
-    arguments: Integers, grid: Floats, linear: Floats, ratios: Floats, contents: Integers, weights: Floats,
-    sizes: tuple[int, int], cubics: Any, fitted: Any, buffers: Any, sums: Any, tail: Floats, carriers: Floats,
-    modes: Floats,
+def _sum_block(
+    i: int, lane: int, ends: tuple[int, int, int], dense: bool, top: tuple[float, float, float], arguments: Integers,
+    linear: Floats, ratios: Floats, contents: Integers, weights: Floats, sizes: tuple[int, int], cubics: Any,
+    fitted: Any, buffers: Any, sums: Any, tail: Floats, carriers: Floats, modes: Floats,
 ) -> None:  # fmt: skip
-    """All modes on one block of frequencies, which begins at the first of the ``ends``, is zero from the second on and
-    ends with the third."""
-    start, inside, stop = ends
-    count, output, stride = inside - start, arguments[Argument.OUTPUT], arguments[Argument.STRIDE]
-    summed = output in (Output.POLARIZATIONS, Output.POLARIZATIONS_SINGLE)
-    a, p, real, imaginary = buffers
+    """Both polarisations on one block of frequencies.
+
+    It begins at the first of the ``ends``, is zero from the second on and ends with the third.
+    """
+    plan, count = integers_at(arguments[Argument.MODES], ANY), ends[1] - ends[0]
+    grid, _ = prepared_grid(arguments)
+    cbrt_f = floats_in(grid, 2 * arguments[Argument.STRIDE] + ends[0], ANY)
+    amplitude, phase, first, second = buffers[0], buffers[1], (buffers[2], buffers[3]), (buffers[4], buffers[5])
+    number, k, own = 0, 0, (0.0, 0.0)
+    while k < plan[Plan.MODES]:
+        mode = plan_mode(plan, k)
+        order = mode[PlanMode.ORDER]
+        carrier = _carrier(
+            number, ends, dense, top, arguments, linear, contents, weights, sizes, cubics, fitted, buffers, carriers
+        )
+        turns, fresh, own, known = 0.5 * order, number == 0, (0.0, 0.0), carrier[1]
+        number += 1
+        if mode[PlanMode.POWER] == 0:
+            own, k = _factors(i, mode, plan, arguments), k + 1
+            mode = plan_mode(plan, k)
+            if k == plan[Plan.MODES] or mode[PlanMode.ORDER] != order:
+                add_carrier(count, fresh, turns, amplitude, phase, own, sums)
+                continue
+        velocity = _fill(mode, lane, ends, plan, arguments, ratios, modes, known, first)
+        factors, k, other = _factors(i, mode, plan, arguments), k + 1, plan_mode(plan, k + 1)
+        if k == plan[Plan.MODES] or other[PlanMode.ORDER] != order:
+            add_mode(count, fresh, turns, amplitude, phase, own, first, cbrt_f, velocity, factors, sums)
+            continue
+        faster = _fill(other, lane, ends, plan, arguments, ratios, modes, known, second)
+        others, k = _factors(i, other, plan, arguments), k + 1
+        powers = velocity[2], faster[2]
+        add_two_modes(
+            count, fresh, turns, amplitude, phase, first, second, cbrt_f, velocity, powers, factors, others, sums
+        )
+    _write_both(i, ends[0], ends[2], arguments, count, sums, tail)
+
+
+@njit(inline="always")
+def _factors(i: int, mode: Integers, plan: Integers, arguments: Integers) -> tuple[float, float]:
+    """What a mode counts in row i: in the plus polarisation, and, over i, in the other one."""
+    place = i * plan[Plan.MODES] + mode[PlanMode.PLACE]
     plus, cross = floats_at(arguments[Argument.PLUS], ANY), floats_at(arguments[Argument.CROSS], ANY)
-    cbrt_f = floats_in(grid, 2 * stride + start, ANY)
-    if summed:
-        clear(count, sums)
+    return plus[place], cross[2 * place + 1]
+
+
+@njit(**JIT_OPTIONS)
+def _strain_block(
+    i: int, lane: int, ends: tuple[int, int, int], dense: bool, top: tuple[float, float, float], arguments: Integers,
+    linear: Floats, ratios: Floats, contents: Integers, weights: Floats, sizes: tuple[int, int], cubics: Any,
+    fitted: Any, buffers: Any, tail: Floats, carriers: Floats, modes: Floats,
+) -> None:  # fmt: skip
+    """Each mode on one block of frequencies, as :func:`_sum_block`."""
+    plan, count = integers_at(arguments[Argument.MODES], ANY), ends[1] - ends[0]
+    grid, _ = prepared_grid(arguments)
+    cbrt_f = floats_in(grid, 2 * arguments[Argument.STRIDE] + ends[0], ANY)
+    real, imaginary, ratio = buffers[0], buffers[1], (buffers[2], buffers[3])
     number, order = -1, 0
     for k in range(plan[Plan.MODES]):
         mode = plan_mode(plan, k)
         if mode[PlanMode.ORDER] != order:
             order, number = mode[PlanMode.ORDER], number + 1
-            carrier = carrier_at(carriers, number, max(sizes[0], sizes[1]))
-            fill_carrier(
-                start, inside, dense, grid, stride, linear, contents, weights, sizes, cubics, fitted, top, carrier, a,
-                p, real, imaginary,
-            )  # fmt: skip
+            carrier = _carrier(
+                number, ends, dense, top, arguments, linear, contents, weights, sizes, cubics, fitted, buffers, carriers
+            )
             turn(count, 0.5 * order, real, imaginary)
         place = i * plan[Plan.MODES] + mode[PlanMode.PLACE]
-        factors = (plus[place], cross[2 * place + 1])
         if mode[PlanMode.POWER] == 0:
-            if summed:
-                add_carrier(count, real, imaginary, factors, sums)
-            else:
-                _write(place, start, stop, arguments, count, real, imaginary, tail)
-            continue
-        velocity = _fill(mode, lane, start, inside, plan, grid, stride, ratios, modes, carrier[1], a, p)
-        if summed:
-            add_mode(count, real, imaginary, (a, p), cbrt_f, velocity, factors, sums)
+            _write(place, ends[0], ends[2], arguments, count, real, imaginary, tail)
         else:
-            multiply_mode(count, real, imaginary, (a, p), cbrt_f, velocity)
-            _write(place, start, stop, arguments, count, a, p, tail)
-    if summed:
-        _write_both(i, start, stop, arguments, count, sums, tail)
+            velocity = _fill(mode, lane, ends, plan, arguments, ratios, modes, carrier[1], ratio)
+            multiply_mode(count, real, imaginary, ratio, cbrt_f, velocity)
+            _write(place, ends[0], ends[2], arguments, count, ratio[0], ratio[1], tail)
 
 
 @njit(inline="always")
 def _fill(
-    mode: Integers, lane: int, start: int, inside: int, plan: Integers, grid: Floats, stride: int, ratios: Floats,
-    modes: Floats, numbers: Floats, real: Floats, imaginary: Floats,
+    mode: Integers, lane: int, ends: tuple[int, int, int], plan: Integers, arguments: Integers, ratios: Floats,
+    modes: Floats, numbers: Floats, ratio: tuple[Floats, Floats],
 ) -> Any:  # fmt: skip
     """A mode's ratio on a block; returns how v follows from f^(1/3), its largest value, and its power."""
     cubics, places, _, knots, count, nodes = _mode_views(modes, mode)
-    ends = _mode_views(modes, plan_mode(plan, mode[PlanMode.ENDS_OF]))[2]
+    cells = _mode_views(modes, plan_mode(plan, mode[PlanMode.ENDS_OF]))[2]
     own = floats_in(ratios, mode[PlanMode.LINEAR_AT] + 4 * count * lane, 4 * count)
     edges = (own[0], own[2 * count], own[nodes - 1], own[2 * count + nodes - 1])
-    log_f = floats_in(grid, stride, ANY)
-    fill_ratio(log_f, start, inside, places, numbers[1], knots, ends, cubics, count, edges, real, imaginary)
-    highest = floats_at(plan[Plan.NUMBERS] + 8 * COEFFICIENTS * plan[Plan.MODES], 2)[0]
-    return (np.pi * numbers[0]) ** (1.0 / 3.0), (np.pi * highest) ** (1.0 / 3.0), mode[PlanMode.POWER]
+    grid, _ = prepared_grid(arguments)
+    log_f = floats_in(grid, arguments[Argument.STRIDE], ANY)
+    fill_ratio(log_f, ends[0], ends[1], places, numbers[1], knots, cells, cubics, count, edges, ratio[0], ratio[1])
+    highest = floats_at(plan[Plan.NUMBERS] + 8 * COEFFICIENTS * plan[Plan.MODES], 3)[2]
+    return numbers[3], highest, mode[PlanMode.POWER]
 
 
 @njit(**JIT_OPTIONS)

@@ -33,36 +33,6 @@ def turn(count: int, turns: float, amplitude: Floats, phase: Floats) -> None:
 
 
 @njit(**JIT_OPTIONS)
-def clear(count: int, sums: tuple[Floats, Floats, Floats, Floats]) -> None:
-    """Nothing yet, in the real and imaginary parts of both polarisations."""
-    for j in range(0, count, LANES):
-        store(sums[0], j, splat(0.0))
-        store(sums[1], j, splat(0.0))
-        store(sums[2], j, splat(0.0))
-        store(sums[3], j, splat(0.0))
-
-
-@njit(inline="always")
-def _add(j: int, real: Any, imaginary: Any, factors: tuple[float, float], sums: Any) -> None:
-    """Add h times plus and h times i cross."""
-    plus, cross = factors
-    store(sums[0], j, fma(real, plus, load(sums[0], j)))
-    store(sums[1], j, fma(imaginary, plus, load(sums[1], j)))
-    store(sums[2], j, fma(imaginary, 0.0 - cross, load(sums[2], j)))
-    store(sums[3], j, fma(real, cross, load(sums[3], j)))
-
-
-@njit(**JIT_OPTIONS)
-def add_carrier(
-    count: int, real: Floats, imaginary: Floats, factors: tuple[float, float],
-    sums: tuple[Floats, Floats, Floats, Floats],
-) -> None:  # fmt: skip
-    """The (2, 2), which is its carrier, into the sums."""
-    for j in range(0, count, LANES):
-        _add(j, load(real, j), load(imaginary, j), factors, sums)
-
-
-@njit(**JIT_OPTIONS)
 def fill_ratio(
     log_f: Floats, start: int, inside: int, places: Integers, shift: float, knots: Floats, ends: Integers,
     cubics: tuple[Floats, Floats], stride: int, edges: tuple[float, float, float, float], real: Floats,
@@ -94,17 +64,69 @@ def _velocity(cbrt_f: Floats, j: int, scale: float, highest: float, power: int) 
     return w
 
 
+@njit(inline="always")
+def _add(j: int, fresh: bool, carrier: Any, plus: Any, cross: Any, sums: Any) -> None:
+    """Carrier times ``plus``, and times i ``cross``, into the sums, or, if ``fresh``, in place of them."""
+    real, imaginary = carrier
+    first, second, third, fourth = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+    if not fresh:
+        first, second, third, fourth = load(sums[0], j), load(sums[1], j), load(sums[2], j), load(sums[3], j)
+    store(sums[0], j, fma(real, plus[0], fma(imaginary, splat(0.0) - plus[1], first)))
+    store(sums[1], j, fma(real, plus[1], fma(imaginary, plus[0], second)))
+    store(sums[2], j, fma(real, splat(0.0) - cross[1], fma(imaginary, splat(0.0) - cross[0], third)))
+    store(sums[3], j, fma(real, cross[0], fma(imaginary, splat(0.0) - cross[1], fourth)))
+
+
+@njit(inline="always")
+def _turned(j: int, turns: float, amplitude: Floats, phase: Floats) -> tuple[Any, Any]:
+    """A exp(i phi turns)."""
+    sine, cosine = sincos(load(phase, j) * turns)
+    a = load(amplitude, j)
+    return a * cosine, a * sine
+
+
+@njit(**JIT_OPTIONS)
+def add_carrier(
+    count: int, fresh: bool, turns: float, amplitude: Floats, phase: Floats, factors: tuple[float, float],
+    sums: tuple[Floats, Floats, Floats, Floats],
+) -> None:  # fmt: skip
+    """The (2, 2), which is its carrier, times both factors (plus, and cross over i) into the sums."""
+    zero, plus, cross = splat(0.0), splat(factors[0]), splat(factors[1])
+    for j in range(0, count, LANES):
+        _add(j, fresh, _turned(j, turns, amplitude, phase), (plus, zero), (cross, zero), sums)
+
+
 @njit(**JIT_OPTIONS)
 def add_mode(
-    count: int, real: Floats, imaginary: Floats, ratio: tuple[Floats, Floats], cbrt_f: Floats,
-    velocity: tuple[float, float, int], factors: tuple[float, float], sums: tuple[Floats, Floats, Floats, Floats],
+    count: int, fresh: bool, turns: float, amplitude: Floats, phase: Floats, own: tuple[float, float],
+    ratio: tuple[Floats, Floats], cbrt_f: Floats, velocity: tuple[float, float, int], factors: tuple[float, float],
+    sums: tuple[Floats, Floats, Floats, Floats],
 ) -> None:  # fmt: skip
-    """Carrier times v^p R, into the sums."""
+    """The carrier times its ``own`` factors and those of one mode, times v^p R, into the sums."""
     for j in range(0, count, LANES):
         w = _velocity(cbrt_f, j, velocity[0], velocity[1], velocity[2])
-        a, b = load(real, j) * w, load(imaginary, j) * w
-        c, d = load(ratio[0], j), load(ratio[1], j)
-        _add(j, fma(a, c, splat(0.0) - b * d), fma(a, d, b * c), factors, sums)
+        c, d = load(ratio[0], j) * w, load(ratio[1], j) * w
+        plus = (fma(c, factors[0], splat(own[0])), d * factors[0])
+        cross = (fma(c, factors[1], splat(own[1])), d * factors[1])
+        _add(j, fresh, _turned(j, turns, amplitude, phase), plus, cross, sums)
+
+
+@njit(**JIT_OPTIONS)
+def add_two_modes(
+    count: int, fresh: bool, turns: float, amplitude: Floats, phase: Floats,
+    ratio: tuple[Floats, Floats], other: tuple[Floats, Floats], cbrt_f: Floats, velocity: tuple[float, float, int],
+    powers: tuple[int, int], factors: tuple[float, float], others: tuple[float, float],
+    sums: tuple[Floats, Floats, Floats, Floats],
+) -> None:  # fmt: skip
+    """The carrier times the factors of two modes, times v^p R of each, into the sums."""
+    for j in range(0, count, LANES):
+        v = _velocity(cbrt_f, j, velocity[0], velocity[1], powers[0])
+        w = _velocity(cbrt_f, j, velocity[0], velocity[1], powers[1])
+        a, b = load(ratio[0], j) * v, load(ratio[1], j) * v
+        c, d = load(other[0], j) * w, load(other[1], j) * w
+        plus = (fma(c, others[0], a * factors[0]), fma(d, others[0], b * factors[0]))
+        cross = (fma(c, others[1], a * factors[1]), fma(d, others[1], b * factors[1]))
+        _add(j, fresh, _turned(j, turns, amplitude, phase), plus, cross, sums)
 
 
 @njit(**JIT_OPTIONS)
