@@ -1,13 +1,15 @@
-"""From a configuration to a served model with real waveforms: 200 of TEOBResumSPA from 20 Hz."""
+"""From a configuration to a served model with real waveforms, 200 of TEOBResumSPA from 20 Hz: one mode, and four."""
 
 import json
 
 import numpy as np
 import pytest
 
+from bnserve_protocol import MEGAPARSEC_SECONDS
 from bnserve_service.cli import main
 from bnserve_store import ModelStore
 from bnserve_surrogate import EvaluationOptions, Model, ParametersWithExtrinsic
+from bnserve_surrogate.training.data.generators import TEOBResumSPA, mass_seconds
 from tests.surrogate.training_runs import arguments, in_a_process, merged, written
 
 pytestmark = pytest.mark.slow
@@ -74,3 +76,48 @@ def test_fresh_waveforms_give_the_accuracy_it_claims(directory, model, capsys):
     assert saved["digest"] == ModelStore([directory / "store"]).manifest("small").digest
     claimed = model.description.accuracy["uniform"]["mismatch"]["median"]
     assert saved["uniform"]["mismatch"]["median"] < 5.0 * claimed
+
+
+MODES = {
+    "name": "modes",
+    "nodes": {"modes": 32},
+    "regressor": {"coordinates": "symmetric"},
+    "modes": {name: {"components": 4, "degree": 3.0} for name in ("33", "21", "44")},
+}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """Of the same box, with four modes."""
+    directory = tmp_path_factory.mktemp("modes")
+    process = in_a_process(arguments(directory, written(directory, base=merged(TEOBRESUMS, MODES)), "--no-report"))
+    output, error = process.communicate(timeout=600)
+    assert process.returncode == 0, error
+    assert "Published modes 0.1.0" in output
+    return Model.load("modes", store=directory / "store")
+
+
+def test_a_model_learns_the_modes_that_its_configuration_names(whole):
+    assert whole.description.modes == [(2, 2), (2, 1), (3, 3), (4, 4)]
+    measured = whole.description.accuracy["uniform"]
+    assert measured["mismatch"]["median"] < 1e-6
+    assert set(measured["modes"]) == {"33", "21", "44"}
+    assert all(errors["max"] < 1e-7 for errors in measured["modes"].values())
+    assert measured["merger_phase_error_radians"]["max"] < 0.1
+    assert whole.self_check()
+
+
+def test_its_modes_are_those_of_the_generator_at_one_time_and_phase(whole):
+    """None of them in the training set; nothing is fitted: the merger is at t = 0, and the phase its own."""
+    theta, mass = np.array([1.3, 0.05, -0.05, 400.0, 900.0]), mass_seconds(2.8)
+    first = 20.0 * 2.0 / 2.8 * mass
+    generator = TEOBResumSPA(first_mf=0.5 * first, zero_mf=first)
+    f = np.geomspace(30.0, 800.0, 60)
+    one = ParametersWithExtrinsic(1.3, 400.0, 900.0, 0.05, -0.05, 1.0, 0.0, total_mass=2.8)
+    ours = whole.predict_modes(f, one, options=EvaluationOptions(alignment="merger"))
+    theirs = generator.modes(theta, dict.fromkeys(ours.modes, f * mass))
+    unit = 1.3 / 2.3**2 * mass**2 / MEGAPARSEC_SECONDS
+    for mode, strain in zip(ours.modes, ours.h[0], strict=True):
+        amplitude, psi = theirs[mode]
+        expected = unit * amplitude * np.exp(-1j * psi)
+        np.testing.assert_allclose(strain, expected, atol=0.02 * np.abs(expected).max(), err_msg=str(mode))

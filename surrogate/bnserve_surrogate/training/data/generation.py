@@ -10,6 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+import msgspec
 import numpy as np
 
 from bnserve_protocol import BnserveError
@@ -93,6 +94,8 @@ def configured_generator(configuration: TrainingConfiguration) -> WaveformGenera
     options = dict(section.options)
     if section.name in GENERATORS and "first_mf" in inspect.signature(GENERATORS[section.name]).parameters:
         options.setdefault("first_mf", mf_band(configuration)[0])
+        if configuration.modes:  # the phase of the merger is what it would be without them
+            options.setdefault("zero_mf", mf_band(msgspec.structs.replace(configuration, modes={}))[0])
     generator = make_generator(section.name, **options)
     first = getattr(generator, "first_mf", 0.0)
     if first > mf_band(configuration)[0]:

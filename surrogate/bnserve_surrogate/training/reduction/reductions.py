@@ -4,20 +4,16 @@ Both are affine, ``[dA, dpsi] = mean + components @ basis``, and both take off a
 components, so that the regressor and the exported model do not care which one was used.
 """
 
-from dataclasses import replace
 from typing import NamedTuple, Self, TypeAlias
 
-import msgspec
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import CubicSpline
 from scipy.linalg import eigh
 from sklearn.base import BaseEstimator, TransformerMixin
 
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import WaveformGenerator
 from bnserve_surrogate.training.data.residuals import flatten_phase, merger_phase
-from bnserve_surrogate.training.data.sampling import mf_band
 from bnserve_surrogate.training.reduction.metric import MetricCoordinates, MismatchMetric
 from bnserve_surrogate.training.sections import TrainingConfiguration
 
@@ -213,6 +209,7 @@ def reduce_dataset(
 ) -> tuple[Reduction, FloatArray, float]:
     """The fitted reduction, the regressor's targets, and where the generator's phase starts from zero."""
     section = configuration.reduction
+    start_mf = float(getattr(generator, "phase_start", 0.0))
     if section.kind == "metric":
         reduction: Reduction = MetricReduction(metric, section.components)
         phase = dataset.psi_residual
@@ -224,27 +221,7 @@ def reduce_dataset(
     reduced = reduction.fit(dataset.log_amplitude_ratio, phase).transform(dataset.log_amplitude_ratio, phase)
     reference = metric.reference_frequency if section.kind == "metric" else 0.0
     reduced = reduced._replace(phase=reduced.phase + constant, phase_slope=reduced.phase_slope + slope)
-    start_mf, past = _phase_start(configuration, generator, dataset)
-    reduced = reduced._replace(phase=reduced.phase - past)
-    targets = regression_targets(reduced, dataset.theta, reference, 0.0 if configuration.modes else start_mf)
-    return reduction, targets, start_mf
-
-
-def _phase_start(
-    configuration: TrainingConfiguration, generator: WaveformGenerator, dataset: ResidualDataset
-) -> tuple[float, FloatArray | float]:
-    """The M f at which the model's phase starts from zero, and what is to be taken off the generator's for that, (N,).
-
-    With other modes the generator begins lower, where (4, 4) passes the lower end of the band; the model's phase still
-    starts where it does without them. Of what the residual adds, psi - f dpsi/df is taken off there: the baseline's
-    part is the kernel's to add.
-    """
-    if not (configuration.modes and hasattr(generator, "phase_start")):
-        return float(getattr(generator, "phase_start", 0.0)), 0.0
-    alone = msgspec.structs.replace(configuration, modes={})
-    start_mf = float(replace(generator, first_mf=mf_band(alone)[0]).phase_start)  # type: ignore[type-var]
-    residual = CubicSpline(np.log(dataset.mf_phase), dataset.psi_residual, axis=1)
-    return start_mf, residual(np.log(start_mf)) - residual(np.log(start_mf), 1)
+    return reduction, regression_targets(reduced, dataset.theta, reference, start_mf), start_mf
 
 
 def regression_targets(

@@ -37,6 +37,8 @@ _APART = 1e-6
 of nothing: their other modes are those of a mass ratio so much larger."""
 _AROUND = 8
 """Points of the dynamics on either side, of which the phase at a radius is interpolated."""
+_EQUAL = 3e-8
+"""Mass ratios nearer to 1 have a symmetric mass ratio that rounds to 1/4 or above, which ends the process."""
 _ROUNDING = 1e-9
 """Relative width by which a frequency that was converted to M f may miss the first one."""
 _FIRST_MF = 5.0 * 2.0 / 2.8 * mass_seconds()
@@ -218,7 +220,7 @@ class TEOBResumSPA:
     def _request(self, theta: FloatArray, mf: FloatArray, numbers: list[int]) -> dict[str, Any]:
         mass_ratio, chi_1, chi_2, lambda_1, lambda_2 = (float(value) for value in theta)
         return {
-            "q": mass_ratio,
+            "q": 1.0 if mass_ratio < 1.0 + _EQUAL else mass_ratio,
             "chi1": chi_1,
             "chi2": chi_2,
             "chi1z": chi_1,
