@@ -10,6 +10,7 @@ from bnserve_store import ModelStore
 from bnserve_surrogate import Model, ParameterBatch, SurrogateMetadata
 from bnserve_surrogate.training.data.noise import einstein_telescope_d
 from tests.surrogate.conftest import random_batch
+from tests.surrogate.one_mode import OneMode
 from tests.surrogate.plain_reference import PlainModel
 
 MOST = {"complex128": 1e-12, "complex64": 1e-10}
@@ -32,7 +33,7 @@ def evaluated(request):
         return request.getfixturevalue("model"), PlainModel(tensors, metadata.modes["22"])
     artifact = ModelStore.default().load(request.param)
     metadata = SurrogateMetadata.read(artifact.manifest.metadata)
-    return Model.from_artifact(artifact), PlainModel(artifact.tensors, metadata.modes["22"])
+    return OneMode(Model.from_artifact(artifact)), PlainModel(artifact.tensors, metadata.modes["22"])
 
 
 def binaries(mass, count=6):

@@ -22,13 +22,14 @@ from bnserve_surrogate._artifact import read_modes
 from bnserve_surrogate.baseline import taylorf2_amplitude
 from bnserve_surrogate.kernel._layout import DENSE, STREAMED
 from tests.surrogate.conftest import random_batch
+from tests.surrogate.one_mode import OneMode
 
 FLAG = EvaluationOptions(out_of_domain="flag")
 
 
 @pytest.fixture(scope="module")
 def shipped():
-    return Model.default()
+    return OneMode(Model.default())
 
 
 def typical(rows, seed=0):
@@ -91,7 +92,7 @@ def test_an_array_that_was_changed_in_place_is_a_different_grid(shipped):
 def test_threads_share_a_batch_without_changing_a_bit(shipped):
     f = np.linspace(5.0, 2048.0, 3000)
     batch = typical(75)
-    shared = Model.default(threads=3).predict_batch(f, batch)
+    shared = OneMode(Model.default(threads=3)).predict_batch(f, batch)
     np.testing.assert_array_equal(shared.plus, shipped.predict_batch(f, batch).plus)
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from bnserve_protocol import UniformGrid
 from bnserve_surrogate import EvaluationOptions, Model, ParametersWithExtrinsic
+from tests.surrogate.one_mode import OneMode
 from tests.surrogate.other_codes import strain_of_lal, strain_of_teobresums
 
 BINARIES = {
@@ -22,7 +23,7 @@ binaries = pytest.mark.parametrize("one", BINARIES.values(), ids=list(BINARIES))
 
 @pytest.fixture(scope="module")
 def model():
-    return Model.default()
+    return OneMode(Model.default())
 
 
 def left_after_a_line(frequencies, phase):
@@ -138,7 +139,7 @@ SPREAD = {
 @pytest.mark.parametrize("one", SPREAD.values(), ids=list(SPREAD))
 @pytest.mark.parametrize("name", ["default", "fast", "paper"])
 def test_the_time_until_merger_is_the_slope_of_the_phase_up_to_the_edges_of_the_band(name, one):
-    shipped = Model.load(name)
+    shipped = OneMode(Model.load(name))
     low, top = (edge * shipped.description.reference_mass for edge in shipped.description.training_band)
     for mass in (2.0, 2.7, 3.3, 4.0):
         binary = replace(one, total_mass=mass)

@@ -8,7 +8,7 @@ in microseconds what they stand for.
 import numpy as np
 import pytest
 
-from bnserve_surrogate import Model, ParameterBatch, ParametersWithExtrinsic
+from bnserve_surrogate import EvaluationOptions, Model, ParameterBatch, ParametersWithExtrinsic
 from tests.surrogate.calibration import COUNT, Ratio, polynomials, python_calls, settles_below
 
 ONE_WAVEFORM = 4.5
@@ -21,6 +21,8 @@ PER_POINT = 12.0
 ROWS = 64
 """So that everything stays in the caches of one core, whatever its neighbours do."""
 BINARY = ParametersWithExtrinsic.gw170817()
+ALONE = EvaluationOptions(modes=[(2, 2)])
+"""What the bounds were set for."""
 
 
 @pytest.fixture(scope="module")
@@ -32,18 +34,18 @@ def model():
 
 def one_waveform(model):
     grid = np.linspace(20.0, 2048.0, 277)
-    return Ratio(lambda: model.predict(grid, BINARY), python_calls(), calls=(20, 40))
+    return Ratio(lambda: model.predict(grid, BINARY, options=ALONE), python_calls(), calls=(20, 40))
 
 
 def batch(model):
     grid, binaries = np.linspace(20.0, 2048.0, 277), ParameterBatch.coerce([BINARY] * ROWS)
-    return Ratio(lambda: model.predict_batch(grid, binaries), polynomials(), calls=(3, 100))
+    return Ratio(lambda: model.predict_batch(grid, binaries, options=ALONE), polynomials(), calls=(3, 100))
 
 
 def dense_grid(model):
     """A grid of as many points as a unit has polynomials, less a few points: what is left grows with the points."""
     grid, few = np.linspace(20.0, 2048.0, COUNT), np.linspace(20.0, 2048.0, 16)
-    work, less = (lambda grid=grid: model.predict(grid, BINARY) for grid in (grid, few))
+    work, less = (lambda grid=grid: model.predict(grid, BINARY, options=ALONE) for grid in (grid, few))
     return Ratio(work, polynomials(), calls=(10, 40), less=less)
 
 
