@@ -32,9 +32,11 @@ def table(validations: dict[str, Validation]) -> str:
     header = f"{'':62}" + "".join(f"{name:>11}" for name in QUANTILES)
     lines = [header]
     for kind, validation in validations.items():
-        for label, values in _ROWS.items():
+        rows = {label: values(validation) for label, values in _ROWS.items()}
+        rows |= {f"error of ({name[0]}, {name[1]}), of (2, 2)": error for name, error in validation.modes.items()}
+        for label, values in rows.items():
             name = f"{kind}, {len(validation.mismatch)} waveforms: {label}"
-            lines.append(f"{name:62}" + "".join(f"{x:>11.3g}" for x in quantiles(values(validation)).values()))
+            lines.append(f"{name:62}" + "".join(f"{x:>11.3g}" for x in quantiles(values).values()))
         if validation.above_estimate is not None:
             lines.append(f"{kind}: above three times the model's own estimate: {validation.above_estimate:.2%}")
     return "\n".join(lines)
@@ -47,6 +49,11 @@ def as_json(validation: Validation) -> dict[str, Any]:
         "theta": validation.theta.tolist(),
         "mismatches": validation.mismatch.tolist(),
         "baseline_mismatches": validation.baseline_mismatch.tolist(),
+        **(
+            {"mode_errors": {name: error.tolist() for name, error in validation.modes.items()}}
+            if validation.modes
+            else {}
+        ),
     }
 
 
