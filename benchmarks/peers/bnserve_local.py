@@ -1,5 +1,7 @@
 """bnserve itself, in process: ``Model.predict`` and ``Model.predict_batch`` of a shipped model, h+ and hx, complex128.
 
+Arguments: the model's name, and ``all`` for all its modes; else the (2, 2) alone, as its peers have it.
+
 Install: it is what this checkout installs; the benchmarks run it with their own interpreter.
 
     pip install .
@@ -15,7 +17,7 @@ from typing import Any
 
 from worker import Peer, draw, serve
 
-from bnserve_surrogate import Model, ParameterBatch, ParametersWithExtrinsic
+from bnserve_surrogate import EvaluationOptions, Model, ParameterBatch, ParametersWithExtrinsic
 
 
 class Bnserve(Peer):
@@ -23,9 +25,10 @@ class Bnserve(Peer):
 
     packages = ("bnserve-surrogate",)
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, modes: str = "") -> None:
         self.name = f"bnserve {name}"
         self._model = Model.load(name)
+        self._options = EvaluationOptions() if modes == "all" else EvaluationOptions(modes=[(2, 2)])
         self.f_min = self._model.description.frequency_band[0]
         self._model.warm_up()
 
@@ -35,7 +38,7 @@ class Bnserve(Peer):
 
     def waveform(self, grid: Any, binary: Any) -> Any:
         """Plus and cross polarisations."""
-        return self._model.predict(grid, binary)
+        return self._model.predict(grid, binary, options=self._options)
 
     def binaries(self, rows: list[dict[str, float]]) -> ParameterBatch:
         """A struct of arrays."""
@@ -43,7 +46,7 @@ class Bnserve(Peer):
 
     def batch(self, grid: Any, binaries: Any) -> Any:
         """All rows in one call."""
-        return self._model.predict_batch(grid, binaries)
+        return self._model.predict_batch(grid, binaries, options=self._options)
 
     def threads(self, request: dict[str, Any]) -> dict[str, Any]:
         """Seconds that the threads on each of ``cpus`` take for ``calls`` batches, all begun at the same moment.
@@ -73,5 +76,5 @@ class Bnserve(Peer):
 
 
 if __name__ == "__main__":
-    peer = Bnserve(sys.argv[1])
+    peer = Bnserve(*sys.argv[1:])
     serve(peer, {"threads": peer.threads})

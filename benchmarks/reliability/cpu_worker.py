@@ -37,14 +37,15 @@ def binaries(model: Model, rows: int) -> ParameterBatch:
 
 
 def main() -> None:
-    """Answer ``{"do": "evaluate", "grid": ..., "rows": ..., "file": ...}`` by writing h there."""
+    """Answer ``{"do": "evaluate", "grid": ..., "rows": ..., "file": ...}`` by writing h of all modes there."""
     name = sys.argv[1]
     if name != "host":
         _loader.processor_at_hand = lambda: (name, "")
     model = Model.default()
     for line in sys.stdin:
         command: dict[str, Any] = json.loads(line)
-        h = model.predict_factored(GRIDS[command["grid"]], binaries(model, command["rows"])).h
+        modes = model.predict_modes(GRIDS[command["grid"]], binaries(model, command["rows"])).h
+        h = modes.reshape(-1, modes.shape[-1])
         np.save(command["file"], h)
         print(json.dumps({"shape": h.shape}), flush=True)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import urllib.request
 
-from benchmarks.speed.remote import grid_of
+from benchmarks.speed.remote import ALONE, grid_of
 from bnserve_protocol import ParameterBatch, grid_digest
 from bnserve_protocol.wire import MSGPACK, WANTED_DIGEST, GridDigest, WaveformRequest, encode_request
 from bnserve_service.bench.load import Target
@@ -25,5 +25,5 @@ def upload_grid(url: str, points: int) -> GridDigest:
 
 def encoded_body(grid: GridDigest, batch: ParameterBatch) -> bytes:
     """The bytes of one question over HTTP, as our client asks it."""
-    body = encode_request(WaveformRequest(batch=batch, grid=grid))
+    body = encode_request(WaveformRequest(batch=batch, grid=grid, options=ALONE))
     return Target(("127.0.0.1", 0)).request(PATH, body, _AS_OUR_CLIENT)

@@ -19,13 +19,14 @@ from bnserve_service.bench.timing import fit_cost
 PEERS = ROOT / "benchmarks" / "peers"
 SIZES = (10, 30, 100, 277, 1_000, 3_000, 10_000, 30_000, 100_000, 253_056)
 BATCHES = ((256, 277), (256, 1_000), (256, 10_000))
-OURS, PREDECESSOR, RIPPLE = "bnserve", "mlgw_bns", "ripple"
-_WHERE = {
+OURS, OUR_MODES, PREDECESSOR, RIPPLE = "bnserve", "bnserve, all modes", "mlgw_bns", "ripple"
+_WHERE: dict[str, tuple[str, ...]] = {
     OURS: ("", "bnserve_local.py", "default"),
+    OUR_MODES: ("", "bnserve_local.py", "default", "all"),
     PREDECESSOR: ("mlgw_bns-0.12.1", "mlgw_bns_0.py", "default"),
     RIPPLE: ("ripple", "ripple_taylorf2.py", "5"),
 }
-"""Environment, script, argument."""
+"""Environment, script, arguments."""
 
 Case: TypeAlias = tuple[str, int, int]
 """Who, rows, points."""
@@ -37,12 +38,12 @@ def local_workers(setup: Setup) -> Iterator[dict[str, Worker]]:
     """Start everybody who is installed; who is not is noted."""
     with ExitStack() as stack:
         workers = {}
-        for name, (environment, script, argument) in _WHERE.items():
+        for name, (environment, script, *arguments) in _WHERE.items():
             python = find_python(setup.peers, environment)
             if python is None:
                 setup.notes.append(f"{name} is not installed: see benchmarks/peers/{script}")
                 continue
-            worker = stack.enter_context(Worker([python, PEERS / script, argument], cpus=setup.cpus))
+            worker = stack.enter_context(Worker([python, PEERS / script, *arguments], cpus=setup.cpus))
             try:
                 worker.ask("about")
             except WorkerFailed as error:
@@ -59,7 +60,7 @@ def local_cases(workers: dict[str, Worker]) -> Cases:
         for points in SIZES if name in workers else ():
             calls = 5 if points <= 10_000 else 2
             cases[name, 1, points] = partial(_ask, workers[name], points=points, calls=calls)
-    for name in (OURS, RIPPLE):
+    for name in (OURS, OUR_MODES, RIPPLE):
         for rows, points in BATCHES if name in workers else ():
             cases[name, rows, points] = partial(_ask, workers[name], points=points, rows=rows, calls=1)
     return cases
@@ -89,6 +90,10 @@ def local_figures(seconds: dict[Any, float]) -> dict[str, dict[str, Any]]:
         if (PREDECESSOR, 1, points) in seconds:
             each[PREDECESSOR] = 1e6 * seconds[PREDECESSOR, 1, points]
         figures[f"batch_{points}"] = _beside(each)
+    of_all = {points: 1e6 * seconds[OUR_MODES, rows, points] / rows for rows, points in BATCHES}
+    ratios = {points: of_all[points] / figures[f"batch_{points}"]["value"] for points in of_all}
+    others = {f"{points:,} points": ratio for points, ratio in ratios.items() if points != 1_000}
+    figures["all_modes"] = {"value": ratios[1_000], "ours": of_all[1_000], "others": others, "peers": {}}
     return figures
 
 

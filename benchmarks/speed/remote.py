@@ -15,7 +15,7 @@ from benchmarks.servers import bare_server, bnserve_server
 from benchmarks.speed.local import PREDECESSOR, Cases
 from benchmarks.speed.setup import Setup
 from bnserve_client import Model, ParametersWithExtrinsic
-from bnserve_protocol import ParameterBatch
+from bnserve_protocol import EvaluationOptions, ParameterBatch
 from bnserve_protocol.wire import MSGPACK, WaveformRequest, encode_request
 from bnserve_service.bench.load import open_connection
 from bnserve_service.bench.timing import timed
@@ -23,6 +23,8 @@ from bnserve_service.bench.timing import timed
 SHAPES = ((1, 277), (256, 277), (64, 10_000), (1, 253_056))
 """Rows, points."""
 DTYPES = ("complex64", "complex128")
+ALONE = EvaluationOptions(modes=[(2, 2)])
+"""What is asked for, because it is all that the predecessor and the other servers have."""
 ENVELOPE = 400
 """Bytes of an answer beside its arrays, about."""
 
@@ -64,16 +66,16 @@ def _client_cases(model: Model) -> Cases:
         grid, batch = grid_of(points), batch_of(rows)
         for dtype in DTYPES:
             if rows == 1:
-                call = partial(model.predict, grid, ParametersWithExtrinsic(**draw(0)), dtype=dtype)
+                call = partial(model.predict, grid, ParametersWithExtrinsic(**draw(0)), options=ALONE, dtype=dtype)
             else:
-                call = partial(model.predict_batch, grid, batch, dtype=dtype)
+                call = partial(model.predict_batch, grid, batch, options=ALONE, dtype=dtype)
             cases["http", rows, points, dtype] = timed(call, 20 if rows * points < 1_000 else 1)
     return cases
 
 
 def request_body(rows: int, points: int) -> bytes:
     """What a client that has uploaded its grid sends, about: the parameters."""
-    return encode_request(WaveformRequest(batch=batch_of(rows), grid=grid_of(2)))
+    return encode_request(WaveformRequest(batch=batch_of(rows), grid=grid_of(2), options=ALONE))
 
 
 def http_client_connection(address: tuple[str, int]) -> http.client.HTTPConnection:

@@ -20,7 +20,9 @@ _MORE = 32
 """Rows besides the first, from which the cost of a row without that of a call follows; fewer on large grids."""
 _MOST_SAMPLES = 2**13
 """Of such a batch: larger answers take their memory from the system anew each time, which is no part of a waveform."""
-_FLAG = EvaluationOptions(out_of_domain="flag")
+_ALONE = EvaluationOptions(modes=[(2, 2)])
+"""The parts are those of the (2, 2), which every model has."""
+_FLAG = EvaluationOptions(out_of_domain="flag", modes=[(2, 2)])
 _CALLS = 50
 
 
@@ -46,13 +48,13 @@ def local_breakdown(model: WaveformModel, questions: Questions, points: int, epo
     more = max(2, min(_MORE, _MOST_SAMPLES // points))
     one, several = questions.batch(1), questions.batch(1 + more)
     calls: dict[str, Callable[[], object]] = {
-        "predict": partial(model.predict, grid, questions.binary(0)),
-        "predict, few points": partial(model.predict, few, questions.binary(0)),
+        "predict": partial(model.predict, grid, questions.binary(0), options=_ALONE),
+        "predict, few points": partial(model.predict, few, questions.binary(0), options=_ALONE),
     }
     for name, frequencies in (("few", few), ("all", grid)):
         for size, batch in (("one", one), ("several", several)):
-            calls[f"strain {name} {size}"] = partial(model.predict_factored, frequencies, batch)
-            calls[f"both {name} {size}"] = partial(model.predict_batch, frequencies, batch)
+            calls[f"strain {name} {size}"] = partial(model.predict_factored, frequencies, batch, options=_ALONE)
+            calls[f"both {name} {size}"] = partial(model.predict_batch, frequencies, batch, options=_ALONE)
     for size, batch in (("one", one), ("several", several)):
         calls[f"checks few {size}"] = partial(model.predict_factored, few, _flagged(batch), options=_FLAG)
     cases: dict[str, Callable[[], list[float]]] = {name: timed(call, _CALLS) for name, call in calls.items()}
@@ -92,5 +94,5 @@ def _new_grids(model: WaveformModel, questions: Questions, points: int, count: i
     for _ in range(count):
         grid = questions.grid(points) * (1.0 - 1e-6 * np.random.default_rng().random())
         grid[0] = questions.f_min
-        found += seconds_of(partial(model.predict, grid, binary), 1)
+        found += seconds_of(partial(model.predict, grid, binary, options=_ALONE), 1)
     return found

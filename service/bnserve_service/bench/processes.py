@@ -77,7 +77,7 @@ def server_memory() -> dict[str, Any] | None:
 def threads_against_one(model: WaveformModel, questions: Questions, threads: int, repetitions: int) -> dict[str, Any]:
     """How many times as many rows several threads compute as one thread: batches of 256 x 1,000, medians."""
     grid, batch = questions.grid(1_000), questions.batch(256)
-    work: Callable[[], object] = partial(model.predict_factored, grid, batch)
+    work: Callable[[], object] = partial(model.predict_batch, grid, batch)
     work()
     ratios = []
     for _ in range(repetitions):
