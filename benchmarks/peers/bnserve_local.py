@@ -28,7 +28,7 @@ class Bnserve(Peer):
     def __init__(self, name: str, modes: str = "") -> None:
         self.name = f"bnserve {name}"
         self._model = Model.load(name)
-        self._options = EvaluationOptions() if modes == "all" else EvaluationOptions(modes=[(2, 2)])
+        self._options = EvaluationOptions() if modes == "all" else EvaluationOptions(modes=((2, 2),))
         self.f_min = self._model.description.frequency_band[0]
         self._model.warm_up()
 

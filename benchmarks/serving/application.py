@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from bnserve_surrogate import EvaluationOptions, Model, ParameterBatch
 
-_ALONE = EvaluationOptions(modes=[(2, 2)])
+_ALONE = EvaluationOptions(modes=((2, 2),))
 PARAMETERS = 10
 GRIDS = (277, 10_000)
 """Points of the grids, uniform from 5 to 2048 Hz."""

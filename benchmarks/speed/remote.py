@@ -23,7 +23,7 @@ from bnserve_service.bench.timing import timed
 SHAPES = ((1, 277), (256, 277), (64, 10_000), (1, 253_056))
 """Rows, points."""
 DTYPES = ("complex64", "complex128")
-ALONE = EvaluationOptions(modes=[(2, 2)])
+ALONE = EvaluationOptions(modes=((2, 2),))
 """What is asked for, because it is all that the predecessor and the other servers have."""
 ENVELOPE = 400
 """Bytes of an answer beside its arrays, about."""

@@ -20,9 +20,9 @@ _MORE = 32
 """Rows besides the first, from which the cost of a row without that of a call follows; fewer on large grids."""
 _MOST_SAMPLES = 2**13
 """Of such a batch: larger answers take their memory from the system anew each time, which is no part of a waveform."""
-_ALONE = EvaluationOptions(modes=[(2, 2)])
+_ALONE = EvaluationOptions(modes=((2, 2),))
 """The parts are those of the (2, 2), which every model has."""
-_FLAG = EvaluationOptions(out_of_domain="flag", modes=[(2, 2)])
+_FLAG = EvaluationOptions(out_of_domain="flag", modes=((2, 2),))
 _CALLS = 50
 
 
