@@ -1,4 +1,4 @@
-"""The shipped default model: in this process, and behind a real server over TCP."""
+"""The default model of one mode: in this process, and behind a real server over TCP."""
 
 import sys
 from contextlib import closing, nullcontext
@@ -10,10 +10,13 @@ from bnserve_surrogate import Model as LocalModel
 from tests.contract.models import Blocking, Forked
 from tests.running_server import free_port, is_ready, running
 
+ONE_MODE = "1.0.0"
+"""It gives every kind of answer without being told which mode; models of several are in :mod:`tests.contract.test_modes`."""
+
 
 @pytest.fixture(scope="session")
 def local():
-    return LocalModel.default()
+    return LocalModel.load("default", ONE_MODE)
 
 
 @pytest.fixture(scope="session")
@@ -21,7 +24,7 @@ def address(tmp_path_factory):
     """A server in a process of its own."""
     port = free_port()
     where = f"http://127.0.0.1:{port}"
-    command = [sys.executable, "-m", "bnserve_service", "serve", "--port", str(port)]
+    command = [sys.executable, "-m", "bnserve_service", "serve", "--port", str(port), "--model", f"default@{ONE_MODE}"]
     log = tmp_path_factory.mktemp("contract") / "server.log"
     with running(command, log, lambda: is_ready(where)):
         yield where

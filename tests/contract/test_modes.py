@@ -14,6 +14,7 @@ from bnserve_protocol import (
     UniformGrid,
 )
 from bnserve_service import BackgroundServer, Settings
+from bnserve_surrogate import Model as LocalModel
 from tests.contract.models import Blocking
 from tests.contract.test_waveform_model import FLAG, ONE, binaries, bits, failure, with_values
 from tests.service.chirp import MemorySource, as_it_is
@@ -28,7 +29,7 @@ GRIDS = {
 SHORT = GRIDS["explicit"]
 CHOICES = {
     "all": None,
-    "all, named": MODES,
+    "all of a user's, named": MODES,
     "some, in another order": [(2, 1), (2, 2)],
     "one": [(3, 3)],
     "(2, 2) alone": [(2, 2)],
@@ -37,9 +38,9 @@ OF_SEVERAL = ("predict", "predict_batch", "predict_modes")
 OF_ONE = ("predict_factored", "predict_amplitude_phase")
 
 
-@pytest.fixture(scope="module")
-def local():
-    return ModesModel()
+@pytest.fixture(scope="module", params=["of a user", "the default one"])
+def local(request):
+    return ModesModel() if request.param == "of a user" else LocalModel.default()
 
 
 @pytest.fixture(scope="module")
@@ -50,11 +51,12 @@ def address(local):
 
 
 @pytest.fixture(scope="module", params=["remote", "remote in small chunks", "asynchronous"])
-def model(request, address):
+def model(request, address, local):
+    name = local.description.name
     ways = {
-        "remote": lambda: RemoteModel.connect(address, "modes"),
-        "remote in small chunks": lambda: RemoteModel.connect(address, "modes", chunk_samples=700),
-        "asynchronous": lambda: closing(Blocking(address, "modes")),
+        "remote": lambda: RemoteModel.connect(address, name),
+        "remote in small chunks": lambda: RemoteModel.connect(address, name, chunk_samples=700),
+        "asynchronous": lambda: closing(Blocking(address, name)),
     }
     with ways[request.param]() as reached:
         yield reached
@@ -81,9 +83,10 @@ def test_one_of_them_is_equal_in_bits(model, local, method):
 def test_modes_of_a_batch_belong_to_the_user(model, local, rows):
     there = model.predict_modes(SHORT, binaries(rows), dtype="complex64")
     assert type(there) is Modes
-    assert there.modes == MODES
-    assert there.h.shape == (rows, len(MODES), len(SHORT))
-    assert there.plus.shape == there.cross.shape == (rows, len(MODES))
+    modes = tuple(local.description.modes)
+    assert there.modes == modes
+    assert there.h.shape == (rows, len(modes), len(SHORT))
+    assert there.plus.shape == there.cross.shape == (rows, len(modes))
     assert bits(there) == bits(local.predict_modes(SHORT, binaries(rows), dtype="complex64"))
     assert all(array.flags.writeable for array in (*there, there.status, there.estimated_mismatch))
 
@@ -110,7 +113,7 @@ def test_a_mode_that_is_not_there_is_the_same_error(model, local, method, modes)
     there = failure(lambda: getattr(model, method)(SHORT, ONE, options=options))
     assert there == failure(lambda: getattr(local, method)(SHORT, ONE, options=options))
     assert there[0] is InvalidRequest
-    assert "it has (2, 2), (3, 3), (2, 1)." in there[2]
+    assert f"it has {', '.join(map(str, local.description.modes))}." in there[2]
 
 
 @pytest.mark.parametrize("method", OF_ONE)
@@ -122,8 +125,13 @@ def test_what_belongs_to_one_mode_is_the_same_error_for_several(model, local, me
     assert "modes=[(2, 2)]" in there[2]
 
 
-def test_a_chunk_holds_as_many_rows_of_modes_as_fit(address, local):
-    with RemoteModel.connect(address, "modes", chunk_samples=2 * 3 * len(SHORT)) as model:
+def test_a_chunk_holds_as_many_rows_of_modes_as_fit():
+    local = ModesModel()
+    source = MemorySource().add(local)
+    with (
+        BackgroundServer(Settings(port=0), source=source, factory=as_it_is) as server,
+        RemoteModel.connect(server.address, "modes", chunk_samples=2 * 3 * len(SHORT)) as model,
+    ):
         asked = []
         evaluate = local.predict_modes
         local.predict_modes = lambda grid, batch, **options: (
@@ -143,7 +151,7 @@ def test_more_modes_than_fit_a_request_come_in_smaller_ones(local):
         BackgroundServer(
             Settings(port=0, max_samples=1000, max_frequencies=900), source=source, factory=as_it_is
         ) as server,
-        RemoteModel.connect(server.address, "modes") as model,
+        RemoteModel.connect(server.address, local.description.name) as model,
     ):
         grid = UniformGrid(20.0, 120.0, 0.5)
         assert bits(model.predict_modes(grid, binaries(5))) == bits(local.predict_modes(grid, binaries(5)))
