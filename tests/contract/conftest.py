@@ -11,7 +11,7 @@ from tests.contract.models import Blocking, Forked
 from tests.running_server import free_port, is_ready, running
 
 ONE_MODE = "1.0.0"
-"""It gives every kind of answer without being told which mode; models of several are in :mod:`tests.contract.test_modes`."""
+"""It gives every kind of answer without being told which mode; of several: :mod:`tests.contract.test_modes`."""
 
 
 @pytest.fixture(scope="session")
