@@ -30,10 +30,11 @@ from bnserve_protocol import (
     time_until_merger,
 )
 from bnserve_store import Artifact, ModelStore
-from bnserve_surrogate._artifact import MODES, SurrogateMetadata, read_modes
+from bnserve_surrogate._artifact import MODES, SurrogateMetadata
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._pinning import version_with_digest
+from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.kernel import KernelModes, Output
 
 

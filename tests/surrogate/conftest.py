@@ -5,7 +5,7 @@ import pytest
 
 from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate import Model, ModeMetadata, SurrogateMetadata
-from bnserve_surrogate._artifact import read_modes
+from bnserve_surrogate._tensors import read_modes
 
 OUTPUTS = 7
 

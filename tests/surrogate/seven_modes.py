@@ -7,8 +7,9 @@ import numpy as np
 from bnserve_protocol import EvaluationOptions
 from bnserve_store import ModelStore
 from bnserve_surrogate import Model, ModeMetadata, RatioMetadata, SurrogateMetadata
-from bnserve_surrogate._artifact import MODES, read_modes
+from bnserve_surrogate._artifact import MODES
 from bnserve_surrogate._coordinates import ANTISYMMETRIC_AXES, CoordinateMap
+from bnserve_surrogate._tensors import read_modes
 
 POWERS = {"21": 1, "33": 1, "44": 2, "32": 2, "31": 1, "43": 3}
 LOWER, UPPER = np.array([1.0, -0.5, -0.5, 1.5, 1.5]), np.array([3.0, 0.5, 0.5, 5000.0, 5000.0])

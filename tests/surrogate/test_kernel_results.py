@@ -18,7 +18,7 @@ from bnserve_protocol import (
     RowStatus,
 )
 from bnserve_surrogate import Model, ModeMetadata
-from bnserve_surrogate._artifact import read_modes
+from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.baseline import taylorf2_amplitude
 from bnserve_surrogate.kernel._layout import DENSE, STREAMED
 from tests.surrogate.conftest import random_batch

@@ -13,7 +13,8 @@ from bnserve_protocol import (
     ParametersWithExtrinsic,
 )
 from bnserve_surrogate import SurrogateMetadata
-from bnserve_surrogate._artifact import MODES, read_modes
+from bnserve_surrogate._artifact import MODES
+from bnserve_surrogate._tensors import read_modes
 from tests.surrogate.plain_reference import PlainModel
 from tests.surrogate.seven_modes import POWERS, seven_mode_metadata, seven_mode_model, seven_mode_tensors
 

@@ -99,7 +99,7 @@ def build_kernel_model(
     estimates_mismatch: bool = False,
     limits: tuple[Floats, Floats] = NO_LIMITS,
 ) -> KernelModel:
-    """Arrange the checked tensors of one mode (see :mod:`bnserve_surrogate._artifact`) for the kernel."""
+    """Arrange the checked tensors of one mode (see :mod:`bnserve_surrogate._tensors`) for the kernel."""
     outputs = tensors["basis"].shape[0]
     exponents = np.asarray(tensors.get("polynomial_exponents", np.zeros((0, 5)))).astype(np.int64)
     knots = np.log(tensors["amplitude_nodes"]), np.log(tensors["phase_nodes"])

@@ -23,9 +23,9 @@ from bnserve_surrogate._artifact import (
     RatioMetadata,
     SelfCheck,
     SurrogateMetadata,
-    read_modes,
 )
 from bnserve_surrogate._model import Model
+from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.training.data.dataset import ResidualDataset
 from bnserve_surrogate.training.data.generators import WaveformGenerator
 from bnserve_surrogate.training.data.modes import LEADING_POWERS

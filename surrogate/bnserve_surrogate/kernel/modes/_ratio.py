@@ -61,7 +61,7 @@ def build_ratio_model(
     *,
     estimates_mismatch: bool,
 ) -> RatioModel:
-    """Arrange the checked tensors of one mode (see :mod:`bnserve_surrogate._artifact`) for the kernel."""
+    """Arrange the checked tensors of one mode (see :mod:`bnserve_surrogate._tensors`) for the kernel."""
     knots, outputs = np.log(tensors["nodes"]), tensors["basis"].shape[0]
     exponents = tensors["polynomial_exponents"].astype(np.int64)
     sections = {
