@@ -32,7 +32,7 @@ _KERNEL = (
     "layout", "math", "matrices", "memory", "places", "points", "regression", "row", "series", "simd", "source",
     "writing",
 )  # fmt: skip
-_MODES = ("carriers", "row", "sums", "synthesis")
+_MODES = ("blocks", "carriers", "room", "row", "sums", "synthesis")
 
 
 def sources() -> list[Path]:
@@ -113,7 +113,7 @@ def _detach(entry: Any, entry_point: str) -> str:
 
 _APART = (
     r"bnserve_surrogate6kernel(5modes)?\d+_"
-    r"(points|source|regression|matrices|row|series|places|writing|carriers|sums|synthesis)\d"
+    r"(points|source|regression|matrices|row|series|places|writing|blocks|carriers|sums|synthesis)\d"
 )
 
 

@@ -1,4 +1,4 @@
-; sources: 0bd05e359f95c9c0da5924cde1206332b372fccb8cdb4dcd15560e5156f10813
+; sources: 76b300a7cccf87989ee1edb4492929e893c4f0ad27eebb7444fc309148797bf8
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -914,7 +914,7 @@ entry:
   br i1 %.1734.not, label %B956, label %B876
 
 B876:                                             ; preds = %entry
-  br i1 %.21501450.not, label %B633975, label %B908.if.preheader
+  br i1 %.21501450.not, label %B607735, label %B908.if.preheader
 
 B908.if.preheader:                                ; preds = %B876
   %3 = add nuw i64 %.1561, 1
@@ -923,7 +923,7 @@ B908.if.preheader:                                ; preds = %B876
   br label %B908.if
 
 B956:                                             ; preds = %entry
-  br i1 %.21501450.not, label %B633975, label %B1146.if.preheader
+  br i1 %.21501450.not, label %B607735, label %B1146.if.preheader
 
 B1146.if.preheader:                               ; preds = %B908.if, %B956
   %6 = add i64 %.1561, 1
@@ -955,27 +955,27 @@ B1181:                                            ; preds = %B1146.if
   store ptr null, ptr %.2427, align 8
   %.2443 = call fastcc i32 @inner_9(ptr nonnull %.2427, ptr nonnull %excinfo.16, i64 %.215614461451, ptr %lsr.iv174, ptr nonnull %lsr.iv178, i64 %.1328, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr nonnull %.1422, double %.2388, double %.2421)
   %cond = icmp eq i32 %.2443, 0
-  br i1 %cond, label %B633603, label %B1181.endif.endif.if, !prof !0
+  br i1 %cond, label %B607363, label %B1181.endif.endif.if, !prof !0
 
-B633601:                                          ; preds = %B1146.if
+B607361:                                          ; preds = %B1146.if
   store ptr null, ptr %.2475, align 8
   call fastcc void @inner_7(ptr nonnull %.2475, i64 %.215614461451, ptr %arg.arguments.4)
-  br label %B633603
+  br label %B607363
 
-B633603:                                          ; preds = %B1181, %B633601
+B607363:                                          ; preds = %B1181, %B607361
   %lsr.iv.next = add i64 %lsr.iv, -1
   %scevgep169 = getelementptr i8, ptr %lsr.iv168, i64 16
   %scevgep175 = getelementptr i8, ptr %lsr.iv174, i64 80
   %scevgep179 = getelementptr i8, ptr %lsr.iv178, i64 %16
   %.2163 = add i64 %.215614461451, 1
   %.2150 = icmp sgt i64 %lsr.iv.next, 1
-  br i1 %.2150, label %B1146.if, label %B633975
+  br i1 %.2150, label %B1146.if, label %B607735
 
-common.ret:                                       ; preds = %B1181.endif.endif.if, %B633975
-  %common.ret.op = phi i32 [ 0, %B633975 ], [ %.2443, %B1181.endif.endif.if ]
+common.ret:                                       ; preds = %B1181.endif.endif.if, %B607735
+  %common.ret.op = phi i32 [ 0, %B607735 ], [ %.2443, %B1181.endif.endif.if ]
   ret i32 %common.ret.op
 
-B633975:                                          ; preds = %B633603, %B876, %B956
+B607735:                                          ; preds = %B607363, %B876, %B956
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -1004,19 +1004,19 @@ B908.if:                                          ; preds = %B908.if, %B908.if.p
   %.1903 = icmp sgt i64 %lsr.iv.next181, 1
   br i1 %.1903, label %B908.if, label %B1146.if.preheader
 
-B1146.if:                                         ; preds = %B633603, %B1146.if.preheader
-  %lsr.iv178 = phi ptr [ %.1059, %B1146.if.preheader ], [ %scevgep179, %B633603 ]
-  %lsr.iv174 = phi ptr [ %scevgep173, %B1146.if.preheader ], [ %scevgep175, %B633603 ]
-  %lsr.iv168 = phi ptr [ %scevgep, %B1146.if.preheader ], [ %scevgep169, %B633603 ]
-  %lsr.iv = phi i64 [ %6, %B1146.if.preheader ], [ %lsr.iv.next, %B633603 ]
-  %.215614461451 = phi i64 [ %arg.start, %B1146.if.preheader ], [ %.2163, %B633603 ]
+B1146.if:                                         ; preds = %B607363, %B1146.if.preheader
+  %lsr.iv178 = phi ptr [ %.1059, %B1146.if.preheader ], [ %scevgep179, %B607363 ]
+  %lsr.iv174 = phi ptr [ %scevgep173, %B1146.if.preheader ], [ %scevgep175, %B607363 ]
+  %lsr.iv168 = phi ptr [ %scevgep, %B1146.if.preheader ], [ %scevgep169, %B607363 ]
+  %lsr.iv = phi i64 [ %6, %B1146.if.preheader ], [ %lsr.iv.next, %B607363 ]
+  %.215614461451 = phi i64 [ %arg.start, %B1146.if.preheader ], [ %.2163, %B607363 ]
   %.2205 = icmp slt i64 %.215614461451, 0
   %.2206 = select i1 %.2205, i64 %arg.status.5.0, i64 0
   %scevgep176 = getelementptr i8, ptr %arg.status.4, i64 %.2206
   %scevgep177 = getelementptr i8, ptr %scevgep176, i64 %.215614461451
   %.2221 = load i8, ptr %scevgep177, align 1
   %.2223 = icmp eq i8 %.2221, 0
-  br i1 %.2223, label %B1181, label %B633601
+  br i1 %.2223, label %B1181, label %B607361
 
 B1181.endif.endif.if:                             ; preds = %B1181
   %.2444 = load ptr, ptr %excinfo.16, align 8
@@ -1447,7 +1447,7 @@ B900:                                             ; preds = %entry
   br label %B984
 
 B984:                                             ; preds = %B900, %entry
-  %prepared_grid_v502__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
+  %prepared_grid_v498__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
   %.528 = getelementptr i8, ptr %arg.arguments.4, i64 48
   %.529 = load i64, ptr %.528, align 8
   %.770 = getelementptr i8, ptr %arg.contents.4, i64 56
@@ -1522,7 +1522,7 @@ B984:                                             ; preds = %B900, %entry
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
   br i1 %.507321.not.i, label %B984.endif.endif.endif.en...endif.3.endif.endif, label %B94.if.lr.ph.i
 
-B1246:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1246:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.4496 = getelementptr i8, ptr %arg.arguments.4, i64 112
   %.4497 = load i64, ptr %.4496, align 8
   %.4498.not = icmp eq i64 %.4497, 4
@@ -1537,28 +1537,28 @@ B1258:                                            ; preds = %B1246
   %cond = icmp eq i32 %.4996, 0
   br i1 %cond, label %B1258.endif, label %B1258.if, !prof !0
 
-B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
-  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
+B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
+  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
   store double 0.000000e+00, ptr %.5198, align 8
   %.5212 = call fastcc i32 @inner_11(ptr nonnull %.5198, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
   %.5222 = load double, ptr %.5198, align 8
   %cond1 = icmp eq i32 %.5212, 0
   br i1 %cond1, label %B1390.endif, label %B1390.if, !prof !0
 
-B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
   %.5634 = load i64, ptr %.770, align 8
   %.135.i542 = load double, ptr %.402, align 8, !noalias !15
   %.143.i543 = add nsw i64 %.5634, -2
   %.181.i544 = icmp slt i64 %.5634, 3
   %..143.i545 = select i1 %.181.i544, i64 0, i64 %.143.i543
   %.225207.i546 = icmp sgt i64 %..143.i545, 0
-  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
+  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
 
-B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
   %7 = add nuw i64 %.126, 1023
   %.5849 = lshr i64 %7, 10
   %.5828.inv = icmp slt i64 %.126, 1
@@ -1572,7 +1572,7 @@ B1636:                                            ; preds = %_ZN17bnserve_surrog
   %.7965 = getelementptr inbounds i8, ptr %.454916, i64 %.7965.idx
   %.5870238.not246 = icmp eq i64 %.5849, 0
   %.5870238.not = select i1 %.5828.inv, i1 true, i1 %.5870238.not246
-  br i1 %.5870238.not, label %B635154, label %B1644.lr.ph
+  br i1 %.5870238.not, label %B608914, label %B1644.lr.ph
 
 B1644.lr.ph:                                      ; preds = %B1636
   %10 = tail call i64 @llvm.smax.i64(i64 %.5849, i64 1)
@@ -1638,12 +1638,12 @@ B1644.lr.ph:                                      ; preds = %B1636
   %sunkaddr102 = shl i64 %.156, 3
   br label %B1644
 
-B1644:                                            ; preds = %B635152, %B1644.lr.ph
-  %.5860.sroa.0.0245 = phi i64 [ 0, %B1644.lr.ph ], [ %.5860.sroa.0.0, %B635152 ]
-  %.5817.1244.in = phi i64 [ %10, %B1644.lr.ph ], [ %41, %B635152 ]
-  %.5814.1243 = phi i64 [ 1024, %B1644.lr.ph ], [ %.5814.1, %B635152 ]
-  %cells.3.sroa.0.0242 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.0.1, %B635152 ]
-  %cells.3.sroa.13.0241 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.8.1, %B635152 ]
+B1644:                                            ; preds = %B608912, %B1644.lr.ph
+  %.5860.sroa.0.0245 = phi i64 [ 0, %B1644.lr.ph ], [ %.5860.sroa.0.0, %B608912 ]
+  %.5817.1244.in = phi i64 [ %10, %B1644.lr.ph ], [ %41, %B608912 ]
+  %.5814.1243 = phi i64 [ 1024, %B1644.lr.ph ], [ %.5814.1, %B608912 ]
+  %cells.3.sroa.0.0242 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.0.1, %B608912 ]
+  %cells.3.sroa.13.0241 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.8.1, %B608912 ]
   %.5916 = add nsw i64 %.5860.sroa.0.0245, 1024
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.5916)
   %.13.i586 = tail call i64 @llvm.smax.i64(i64 %.5860.sroa.0.0245, i64 %.4017)
@@ -1662,14 +1662,14 @@ B1646:                                            ; preds = %B1644
   br i1 %.145103.not.i, label %B1666, label %B34.if.i
 
 B1666:                                            ; preds = %B144.i, %B1646, %B1644
-  br i1 %"$phi984.0.3.013", label %B634170, label %B1718
+  br i1 %"$phi984.0.3.013", label %B607930, label %B1718
 
 B1718:                                            ; preds = %B1666
   %29 = icmp slt i64 %.13.i588, %.13.i587
   br i1 %28, label %B1972, label %B1722
 
 B1722:                                            ; preds = %B1718
-  br i1 %29, label %B22.preheader.i, label %B634170
+  br i1 %29, label %B22.preheader.i, label %B607930
 
 B22.preheader.i:                                  ; preds = %B1722
   %30 = mul i64 %.5860.sroa.0.0245, -8
@@ -1708,7 +1708,7 @@ B112.i:                                           ; preds = %B62.i, %B22.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
   %.602.i = icmp slt i64 %.185.i, %.13.i587
-  br i1 %.602.i, label %B22.i, label %B634170
+  br i1 %.602.i, label %B22.i, label %B607930
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.228.i = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i
@@ -1860,15 +1860,15 @@ B412.if.i:                                        ; preds = %B412.if.i, %B412.if
   %.350.i = icmp sgt i64 %lsr.iv24, 6
   br i1 %.350.i, label %B412.if.i, label %B612.i
 
-B634170:                                          ; preds = %B926.i, %B612.i669, %B1972.endif, %B1722, %B1666
+B607930:                                          ; preds = %B926.i, %B612.i669, %B1972.endif, %B1722, %B1666
   %.6047..5991 = phi i64 [ %.13.i589, %B1666 ], [ %.13.i587, %B612.i669 ], [ %.13.i587, %B1722 ], [ %.13.i587, %B1972.endif ], [ %.13.i587, %B926.i ]
   %cells.5.sroa.13.1 = phi i64 [ %cells.3.sroa.13.0241, %B1666 ], [ %cell.3.2.i625, %B612.i669 ], [ %cells.3.sroa.13.0241, %B1722 ], [ %cells.3.sroa.13.0241, %B1972.endif ], [ %cell.3.2.i, %B926.i ]
   %cells.5.sroa.0.1 = phi i64 [ %cells.3.sroa.0.0242, %B1666 ], [ %cell.5.1.i272, %B612.i669 ], [ %cells.3.sroa.0.0242, %B1722 ], [ %cell.5.1.i272, %B1972.endif ], [ %cells.3.sroa.0.0242, %B926.i ]
   %.6991 = sub nsw i64 %.6047..5991, %.5860.sroa.0.0245
   %.6998 = icmp sgt i64 %.6991, 0
-  br i1 %.6998, label %B634831, label %B634832
+  br i1 %.6998, label %B608591, label %B608592
 
-B634831:                                          ; preds = %B634170
+B608591:                                          ; preds = %B607930
   %.7036 = sub nsw i64 %.13.i485, %.5860.sroa.0.0245
   %.13.i297 = tail call i64 @llvm.smax.i64(i64 %.7036, i64 0)
   %.13.i672 = tail call i64 @llvm.smin.i64(i64 %.6991, i64 %.13.i297)
@@ -1963,16 +1963,16 @@ B634831:                                          ; preds = %B634170
   %39 = add nuw nsw i64 %.1167.i, 5
   br label %B484.if.i
 
-B634832:                                          ; preds = %B484.if.i, %B634170
-  br i1 %"$phi984.0.3.013", label %B635074, label %B635152
+B608592:                                          ; preds = %B484.if.i, %B607930
+  br i1 %"$phi984.0.3.013", label %B608834, label %B608912
 
-B635074:                                          ; preds = %B634832
+B608834:                                          ; preds = %B608592
   %.137.i = icmp slt i64 %.13.i588, %.13.i587
-  br i1 %.137.i, label %B22.preheader.i736, label %B635152
+  br i1 %.137.i, label %B22.preheader.i736, label %B608912
 
-B635152:                                          ; preds = %B1344.i, %B635074, %B634832
-  %cells.4.sroa.8.1 = phi i64 [ %cells.5.sroa.13.1, %B634832 ], [ %cells.5.sroa.13.1, %B635074 ], [ %cell.3.2.i746, %B1344.i ]
-  %cells.4.sroa.0.1 = phi i64 [ %cells.5.sroa.0.1, %B634832 ], [ 0, %B635074 ], [ 0, %B1344.i ]
+B608912:                                          ; preds = %B1344.i, %B608834, %B608592
+  %cells.4.sroa.8.1 = phi i64 [ %cells.5.sroa.13.1, %B608592 ], [ %cells.5.sroa.13.1, %B608834 ], [ %cell.3.2.i746, %B1344.i ]
+  %cells.4.sroa.0.1 = phi i64 [ %cells.5.sroa.0.1, %B608592 ], [ 0, %B608834 ], [ 0, %B1344.i ]
   store ptr null, ptr %.8479, align 8
   call fastcc void @inner_13(ptr nonnull %.8479, i64 %arg.i, i64 %.5860.sroa.0.0245, i64 %.13.i587, i64 %.13.i, ptr %arg.arguments.4, ptr %.1740, ptr %.1803, double %arg.plus, double %arg.cross, ptr %.1897)
   %.5870 = icmp samesign ugt i64 %.5817.1244.in, 1
@@ -1981,13 +1981,13 @@ B635152:                                          ; preds = %B1344.i, %B635074, 
   %40 = tail call i64 @llvm.smax.i64(i64 %.5817.1244.in, i64 2)
   %41 = add nsw i64 %40, -1
   %.5860.sroa.0.0 = select i1 %.5870, i64 %.5814.1243, i64 0
-  br i1 %.5870, label %B1644, label %B635154
+  br i1 %.5870, label %B1644, label %B608914
 
-common.ret:                                       ; preds = %B1390.if, %B1258.if, %B635154
-  %common.ret.op = phi i32 [ 0, %B635154 ], [ 1, %B1390.if ], [ 1, %B1258.if ]
+common.ret:                                       ; preds = %B1390.if, %B1258.if, %B608914
+  %common.ret.op = phi i32 [ 0, %B608914 ], [ 1, %B1390.if ], [ 1, %B1258.if ]
   ret i32 %common.ret.op
 
-B635154:                                          ; preds = %B635152, %B1636
+B608914:                                          ; preds = %B608912, %B1636
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -2048,7 +2048,7 @@ B984.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B984
   %.463.inv.i440 = icmp slt i64 %.3448, 2
   %.507321.not325.i441 = icmp eq i64 %.486.i439, 0
   %.507321.not.i442 = or i1 %.463.inv.i440, %.507321.not325.i441
-  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
+  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
 
 B94.if.lr.ph.i443:                                ; preds = %B984.endif.endif.endif.en...endif.3.endif.endif
   %50 = lshr i64 %.888, 33
@@ -2118,9 +2118,9 @@ B94.if.i445:                                      ; preds = %B94.if.i445, %B94.i
   %lsr.iv.next54.i475 = add i64 %lsr.iv53.i446, 64
   %lsr.iv.next31 = add nsw i64 %lsr.iv30, -1
   %.507.i476 = icmp sgt i64 %lsr.iv30, 6
-  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
   %68 = inttoptr i64 %.529 to ptr
   %.3593 = getelementptr i8, ptr %arg.row.4, i64 56
   %.3594 = load double, ptr %.3593, align 8
@@ -2134,7 +2134,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4Crv
   %.3793.le = tail call contract double @llvm.log.f64(double %.3785)
   %.3798 = fsub contract double %.3793.le, %.3607.le
   store i64 0, ptr %.3844, align 8
-  call fastcc void @inner_14(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v502__vphi308_0.2.0, double %.3798)
+  call fastcc void @inner_14(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.3798)
   %.3862 = load i64, ptr %.3844, align 8
   %.3934 = getelementptr i8, ptr %.3653, i64 8
   %.3935 = load double, ptr %.3934, align 8
@@ -2142,16 +2142,16 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4Crv
   %.3948.le = tail call contract double @llvm.log.f64(double %.3940)
   %.3953 = fsub contract double %.3948.le, %.3607.le
   store i64 0, ptr %.3999, align 8
-  call fastcc void @inner_14(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v502__vphi308_0.2.0, double %.3953)
+  call fastcc void @inner_14(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.3953)
   %.4017 = load i64, ptr %.3999, align 8
   %.4074 = fsub contract double 0xC0126BB1BBB55515, %.3607.le
   store i64 0, ptr %.4120, align 8
-  call fastcc void @inner_14(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v502__vphi308_0.2.0, double %.4074)
+  call fastcc void @inner_14(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.4074)
   %.4138 = load i64, ptr %.4120, align 8
   %.13.i485 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4138)
   %.4233 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3607.le
   store i64 0, ptr %.4279, align 8
-  call fastcc void @inner_14(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v502__vphi308_0.2.0, double %.4233)
+  call fastcc void @inner_14(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.4233)
   %.4297 = load i64, ptr %.4279, align 8
   %.13.i486 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4297)
   %.4457 = load i64, ptr %.929, align 8
@@ -2160,7 +2160,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4Crv
   %or.cond = select i1 %.4458, i1 %.4464, i1 false
   br i1 %or.cond, label %B1246, label %B1246.thread
 
-B1246.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1246.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.453710 = getelementptr i8, ptr %arg.contents.4, i64 152
   %.453811 = load i64, ptr %.453710, align 8
   %.454912 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.453811
@@ -2178,7 +2178,7 @@ B1258.endif:                                      ; preds = %B1258
   %.181.i = icmp slt i64 %.5078, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B92.if.preheader.i:                               ; preds = %B1258.endif
   %69 = add i64 %.4017, -1
@@ -2189,7 +2189,7 @@ B92.if.preheader.i:                               ; preds = %B1258.endif
 
 B146.i:                                           ; preds = %B92.if.i
   %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %prepared_grid_v502__vphi308_0.2.0, %.291.i
+  %.293.i = fmul contract double %prepared_grid_v498__vphi308_0.2.0, %.291.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i
@@ -2223,7 +2223,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %73 = getelementptr i64, ptr %.1529, i64 %.231203208.i
   store i64 %.13.i.i490, ptr %73, align 8, !noalias !33
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -2235,7 +2235,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i488 = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i488, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
   %.586.inv.i = icmp sgt i64 %.5078, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.973
   %74 = getelementptr i64, ptr %.1529, i64 %.143.i
@@ -2256,7 +2256,7 @@ B1390.endif:                                      ; preds = %B1390
   %.181.i500 = icmp slt i64 %.5439, 3
   %..143.i501 = select i1 %.181.i500, i64 0, i64 %.143.i499
   %.225207.i502 = icmp sgt i64 %..143.i501, 0
-  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
 
 B92.if.preheader.i506:                            ; preds = %B1390.endif
   %75 = add i64 %.4017, -1
@@ -2267,7 +2267,7 @@ B92.if.preheader.i506:                            ; preds = %B1390.endif
 
 B146.i515:                                        ; preds = %B92.if.i507
   %.291.i516 = fsub contract double %.281.i513, %.135.i498
-  %.293.i517 = fmul contract double %prepared_grid_v502__vphi308_0.2.0, %.291.i516
+  %.293.i517 = fmul contract double %prepared_grid_v498__vphi308_0.2.0, %.291.i516
   %.5.i.i518 = fptosi double %.293.i517 to i64
   %.13.i5.i519 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i518)
   %.354.i520 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i519
@@ -2301,7 +2301,7 @@ B386.i524:                                        ; preds = %B346.i535, %B324.i5
   %79 = getelementptr i64, ptr %.1466, i64 %.231203208.i509
   store i64 %.13.i.i526, ptr %79, align 8, !noalias !36
   %exitcond216.not.i527 = icmp eq i64 %.238.i510, %..143.i501
-  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
+  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
 
 B92.if.i507:                                      ; preds = %B386.i524, %B92.if.preheader.i506
   %end.3.0210.i508 = phi i64 [ %end.4.1.i525, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
@@ -2315,7 +2315,7 @@ B92.if.i507:                                      ; preds = %B386.i524, %B92.if.
   %.287.i514 = fcmp contract ult double %.281.i513, %.135.i498
   br i1 %.287.i514, label %B386.i524, label %B146.i515
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
   %.586.inv.i503 = icmp sgt i64 %.5439, 1
   %.587.i504 = select i1 %.586.inv.i503, i64 0, i64 %.888
   %80 = getelementptr i64, ptr %.1466, i64 %.143.i499
@@ -2334,7 +2334,7 @@ B92.if.preheader.i550:                            ; preds = %B1448
 
 B146.i559:                                        ; preds = %B92.if.i551
   %.291.i560 = fsub contract double %.281.i557, %.135.i542
-  %.293.i561 = fmul contract double %prepared_grid_v502__vphi308_0.2.0, %.291.i560
+  %.293.i561 = fmul contract double %prepared_grid_v498__vphi308_0.2.0, %.291.i560
   %.5.i.i562 = fptosi double %.293.i561 to i64
   %.13.i5.i563 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i562)
   %.354.i564 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i563
@@ -2368,7 +2368,7 @@ B386.i568:                                        ; preds = %B346.i579, %B324.i5
   %85 = getelementptr i64, ptr %.1403, i64 %.231203208.i553
   store i64 %.13.i.i570, ptr %85, align 8, !noalias !15
   %exitcond216.not.i571 = icmp eq i64 %.238.i554, %..143.i545
-  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
+  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
 
 B92.if.i551:                                      ; preds = %B386.i568, %B92.if.preheader.i550
   %end.3.0210.i552 = phi i64 [ %end.4.1.i569, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
@@ -2382,7 +2382,7 @@ B92.if.i551:                                      ; preds = %B386.i568, %B92.if.
   %.287.i558 = fcmp contract ult double %.281.i557, %.135.i542
   br i1 %.287.i558, label %B386.i568, label %B146.i559
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
   %.586.inv.i547 = icmp sgt i64 %.5634, 1
   %.587.i548 = select i1 %.586.inv.i547, i64 0, i64 %.814
   %86 = getelementptr i64, ptr %.1403, i64 %.143.i543
@@ -2411,7 +2411,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -2422,9 +2422,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -2436,8 +2436,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i598 = fmul contract double %.1111, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep19 = getelementptr i8, ptr %scevgep, i64 %89
   %scevgep20 = getelementptr i8, ptr %scevgep19, i64 -8256
   store double %"$phi144.1.2.1.i", ptr %scevgep20, align 8, !noalias !39
@@ -2464,7 +2464,7 @@ B34.if.i:                                         ; preds = %B1646, %B144.i
 
 B1972.endif:                                      ; preds = %B612.i, %B1972
   %cell.5.1.i272 = phi i64 [ %cells.3.sroa.0.0242, %B1972 ], [ %cell.3.2.i282, %B612.i ]
-  br i1 %29, label %B22.preheader.i606, label %B634170
+  br i1 %29, label %B22.preheader.i606, label %B607930
 
 B22.preheader.i606:                               ; preds = %B1972.endif
   %90 = mul i64 %.5860.sroa.0.0245, -8
@@ -2503,7 +2503,7 @@ B112.i624:                                        ; preds = %B62.i616, %B22.i610
 
 B612.i669:                                        ; preds = %B412.if.i656, %B112.i624
   %.479.i670 = icmp slt i64 %.157.i627, %.13.i587
-  br i1 %.479.i670, label %B22.i610, label %B634170
+  br i1 %.479.i670, label %B22.i610, label %B607930
 
 B412.if.lr.ph.i634:                               ; preds = %B112.i624
   %.200.i635 = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i625
@@ -2547,10 +2547,10 @@ B412.if.i656:                                     ; preds = %B412.if.i656, %B412
   %.350.i668 = icmp sgt i64 %lsr.iv26, 6
   br i1 %.350.i668, label %B412.if.i656, label %B612.i669
 
-B484.if.i:                                        ; preds = %B484.if.i, %B634831
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %39, %B634831 ]
-  %lsr.iv1164 = phi ptr [ %scevgep1165, %B484.if.i ], [ %.7169, %B634831 ]
-  %lsr.iv1161 = phi ptr [ %scevgep1162, %B484.if.i ], [ %scevgep1160, %B634831 ]
+B484.if.i:                                        ; preds = %B484.if.i, %B608591
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %39, %B608591 ]
+  %lsr.iv1164 = phi ptr [ %scevgep1165, %B484.if.i ], [ %.7169, %B608591 ]
+  %lsr.iv1161 = phi ptr [ %scevgep1162, %B484.if.i ], [ %scevgep1160, %B608591 ]
   %scevgep1168 = getelementptr i8, ptr %lsr.iv1164, i64 %.idx
   %.1236.i = load <8 x double>, ptr %scevgep1168, align 8, !noalias !24
   %.1246.i = load <8 x double>, ptr %lsr.iv1164, align 8, !noalias !24
@@ -2594,9 +2594,9 @@ B484.if.i:                                        ; preds = %B484.if.i, %B634831
   %scevgep1165 = getelementptr i8, ptr %lsr.iv1164, i64 64
   %lsr.iv.next = add nsw i64 %lsr.iv, -1
   %.1189.i = icmp sgt i64 %lsr.iv, 6
-  br i1 %.1189.i, label %B484.if.i, label %B634832
+  br i1 %.1189.i, label %B484.if.i, label %B608592
 
-B22.preheader.i736:                               ; preds = %B635074
+B22.preheader.i736:                               ; preds = %B608834
   %94 = mul i64 %.5860.sroa.0.0245, -8
   %scevgep1174 = getelementptr i8, ptr %scevgep1160, i64 %94
   br label %B22.i737
@@ -2633,7 +2633,7 @@ B112.i745:                                        ; preds = %B62.i740, %B22.i737
 
 B1344.i:                                          ; preds = %B808.if.i, %B112.i745
   %.751.i = icmp slt i64 %.196.i, %.13.i587
-  br i1 %.751.i, label %B22.i737, label %B635152
+  br i1 %.751.i, label %B22.i737, label %B608912
 
 B808.if.lr.ph.i:                                  ; preds = %B112.i745
   %.261.i = shl nsw i64 %cell.3.2.i746, 3
@@ -5022,7 +5022,7 @@ B0.endif.endif.endif.endi...endif.2.endif.endif:  ; preds = %B34.if.i, %B0.endif
   call fastcc void @inner_12(ptr nonnull %.1386, ptr %.612, ptr %.735, ptr %.1335, i64 %low.4.1.i813, i64 %low.4.1.i4714, i64 %.237, double 1.000000e+00, ptr %arg.series.4, double %.1199, ptr %arg.work.4, ptr %.866)
   %13 = icmp slt i64 %.132, 1
   %.1508 = getelementptr inbounds double, ptr %arg.polynomials_a.4, i64 %.236
-  br i1 %13, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B64.if.i.preheader
+  br i1 %13, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B64.if.i.preheader
 
 B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif.endif
   %14 = shl i64 %.267, 3
@@ -5125,15 +5125,15 @@ B34.if.i84:                                       ; preds = %B34.if.i84, %B34.if
   %lsr.iv.next.i116 = add nuw i64 %lsr.iv.i86, 8
   %ov = icmp eq i64 %lsr.iv7, -1
   %lsr.iv.next8 = add i64 %lsr.iv7, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B34.if.i84
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B34.if.i84
 
-_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119: ; preds = %B34.if.i84, %B0.endif.endif.endif.endi...endif.2.endif.endif
+_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119: ; preds = %B34.if.i84, %B0.endif.endif.endif.endi...endif.2.endif.endif
   %.1167.i = and i64 %.132, 2305843009213693951
   %.1189570.not574.i = icmp eq i64 %.1167.i, 0
   %.1189570.not.i = or i1 %13, %.1189570.not574.i
   br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.5, label %B484.if.lr.ph.i
 
-B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
   %.1794.idx = mul i64 %.162, 192
   %.1725 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
   %.1661 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
@@ -5310,7 +5310,7 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %.1189.i = icmp sgt i64 %lsr.iv5, 7
   br i1 %.1189.i, label %B484.if.i, label %B64.if.i146.preheader
 
-B0.endif.endif.endif.endi...endif.5:              ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+B0.endif.endif.endif.endi...endif.5:              ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
   br i1 %13, label %B0.endif.endif.endif.endi...endif.5.endif.endif, label %B64.if.i146.preheader
 
 B64.if.i146.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.5
@@ -6136,7 +6136,7 @@ B1228:                                            ; preds = %B1204
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
 
 B134.if.lr.ph.i:                                  ; preds = %B1228
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
@@ -6172,9 +6172,9 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %.493.i = fmul contract double %.26.i, %power.2.0146.i
   %ov = icmp eq i64 %lsr.iv1, -1
   %lsr.iv.next = add nsw i64 %lsr.iv1, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
+_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
   %.1952.0 = phi double [ 0.000000e+00, %B1228 ], [ %.488.i, %B134.if.i ]
   %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1228 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B1228.endif, label %B1228.if, !prof !0
@@ -6223,11 +6223,11 @@ B852.if:                                          ; preds = %entry, %B1054
   %or.cond = icmp ult i64 %49, 7
   br i1 %or.cond, label %B970, label %B1054
 
-B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.6.0, ptr %excinfo, align 8
   br label %common.ret
 
-B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   %.1987 = fadd contract double %.1819, %.1952.0
   store double %.1987, ptr %sunkaddr27, align 8
   br label %B1300
@@ -6959,8 +6959,8 @@ B150.preheader:                                   ; preds = %entry
   %sunkaddr39 = getelementptr i8, ptr %arg.tail.4, i64 52
   br label %B150
 
-B150:                                             ; preds = %B635613, %B150.preheader
-  %j.2.0 = phi i64 [ %.1580, %B635613 ], [ 0, %B150.preheader ]
+B150:                                             ; preds = %B609373, %B150.preheader
+  %j.2.0 = phi i64 [ %.1580, %B609373 ], [ 0, %B150.preheader ]
   %.133 = sub nsw i64 %arg.stop, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.133, i64 8)
   %.173 = icmp slt i64 %j.2.0, %arg.streamed
@@ -7019,12 +7019,12 @@ B150:                                             ; preds = %B635613, %B150.preh
   %.882 = icmp slt i64 %count.2.1, 8
   %10 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.899 = fptrunc <16 x double> %10 to <16 x float>
-  br i1 %.882, label %B472, label %B635285
+  br i1 %.882, label %B472, label %B609045
 
 B472:                                             ; preds = %B150
   store <16 x float> %.899, ptr %arg.tail.4, align 4
   %.989841.not = icmp slt i64 %count.2.1, 1
-  br i1 %.989841.not, label %B635397, label %B532.if.lr.ph
+  br i1 %.989841.not, label %B609157, label %B532.if.lr.ph
 
 B532.if.lr.ph:                                    ; preds = %B472
   %.1058 = shl nsw i64 %j.2.0, 1
@@ -7039,37 +7039,37 @@ B532.if.lr.ph:                                    ; preds = %B472
   %scevgep310 = getelementptr i8, ptr %scevgep311, i64 4
   store float %.1056.1, ptr %scevgep310, align 4
   %exitcond.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond.not.1, label %B635397, label %B532.if.1
+  br i1 %exitcond.not.1, label %B609157, label %B532.if.1
 
-B635285:                                          ; preds = %B150
+B609045:                                          ; preds = %B150
   %sunkaddr5 = shl i64 %j.2.0, 3
   %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %sunkaddr5
-  br i1 %3, label %B635357, label %B635359
+  br i1 %3, label %B609117, label %B609119
 
-B635357:                                          ; preds = %B635285
+B609117:                                          ; preds = %B609045
   store <16 x float> %.899, ptr %sunkaddr6, align 64, !nontemporal !138
-  br label %B635397
+  br label %B609157
 
-B635359:                                          ; preds = %B635285
+B609119:                                          ; preds = %B609045
   store <16 x float> %.899, ptr %sunkaddr6, align 4
-  br label %B635397
+  br label %B609157
 
-B635397:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B635359, %B635357
-  br i1 %0, label %B635401, label %B635613
+B609157:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B609119, %B609117
+  br i1 %0, label %B609161, label %B609373
 
-B635401:                                          ; preds = %B635397
+B609161:                                          ; preds = %B609157
   %.8.i277 = fmul contract <8 x double> %.7.i, %.783
   %.8.i303 = fmul contract <8 x double> %.7.i302, %.756
   %13 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.1294 = fptrunc <16 x double> %13 to <16 x float>
-  br i1 %.882, label %B635413, label %B635557
+  br i1 %.882, label %B609173, label %B609317
 
-B635413:                                          ; preds = %B635401
+B609173:                                          ; preds = %B609161
   store <16 x float> %.1294, ptr %arg.tail.4, align 4
   %.1384847.not = icmp slt i64 %count.2.1, 1
-  br i1 %.1384847.not, label %B635613, label %B635453.if.lr.ph
+  br i1 %.1384847.not, label %B609373, label %B609213.if.lr.ph
 
-B635453.if.lr.ph:                                 ; preds = %B635413
+B609213.if.lr.ph:                                 ; preds = %B609173
   %.1453 = shl nsw i64 %j.2.0, 1
   %14 = shl i64 %j.2.0, 3
   %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %14
@@ -7082,27 +7082,27 @@ B635453.if.lr.ph:                                 ; preds = %B635413
   %scevgep319 = getelementptr i8, ptr %scevgep320, i64 4
   store float %.1451.1, ptr %scevgep319, align 4
   %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond1331.not.1, label %B635613, label %B635453.if.1
+  br i1 %exitcond1331.not.1, label %B609373, label %B609213.if.1
 
-B635557:                                          ; preds = %B635401
+B609317:                                          ; preds = %B609161
   %sunkaddr13 = shl i64 %j.2.0, 3
   %sunkaddr14 = getelementptr i8, ptr %arg.second.4, i64 %sunkaddr13
-  br i1 %4, label %B635559, label %B635597
+  br i1 %4, label %B609319, label %B609357
 
-B635559:                                          ; preds = %B635557
+B609319:                                          ; preds = %B609317
   store <16 x float> %.1294, ptr %sunkaddr14, align 64, !nontemporal !138
-  br label %B635613
+  br label %B609373
 
-B635597:                                          ; preds = %B635557
+B609357:                                          ; preds = %B609317
   store <16 x float> %.1294, ptr %sunkaddr14, align 4
-  br label %B635613
+  br label %B609373
 
-B635613:                                          ; preds = %B635559, %B635597, %B635453.if.6, %B635453.if.5, %B635453.if.4, %B635453.if.3, %B635453.if.2, %B635453.if.1, %B635453.if.lr.ph, %B635413, %B635397
+B609373:                                          ; preds = %B609319, %B609357, %B609213.if.6, %B609213.if.5, %B609213.if.4, %B609213.if.3, %B609213.if.2, %B609213.if.1, %B609213.if.lr.ph, %B609173, %B609157
   %.1580 = add nsw i64 %count.2.1, %j.2.0
   %.1586 = icmp slt i64 %.1580, %arg.stop
   br i1 %.1586, label %B150, label %common.ret
 
-common.ret:                                       ; preds = %B635613, %entry
+common.ret:                                       ; preds = %B609373, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -7118,7 +7118,7 @@ B532.if.1:                                        ; preds = %B532.if.lr.ph
   %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 12
   store float %.1056.1.1, ptr %scevgep310.1, align 4
   %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond.not.1.1, label %B635397, label %B532.if.2
+  br i1 %exitcond.not.1.1, label %B609157, label %B532.if.2
 
 B532.if.2:                                        ; preds = %B532.if.1
   %.1056.2 = load float, ptr %sunkaddr, align 4
@@ -7132,7 +7132,7 @@ B532.if.2:                                        ; preds = %B532.if.1
   %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 20
   store float %.1056.1.2, ptr %scevgep310.2, align 4
   %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond.not.1.2, label %B635397, label %B532.if.3
+  br i1 %exitcond.not.1.2, label %B609157, label %B532.if.3
 
 B532.if.3:                                        ; preds = %B532.if.2
   %.1056.3 = load float, ptr %sunkaddr20, align 4
@@ -7146,7 +7146,7 @@ B532.if.3:                                        ; preds = %B532.if.2
   %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 28
   store float %.1056.1.3, ptr %scevgep310.3, align 4
   %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond.not.1.3, label %B635397, label %B532.if.4
+  br i1 %exitcond.not.1.3, label %B609157, label %B532.if.4
 
 B532.if.4:                                        ; preds = %B532.if.3
   %.1056.4 = load float, ptr %sunkaddr22, align 4
@@ -7160,7 +7160,7 @@ B532.if.4:                                        ; preds = %B532.if.3
   %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 36
   store float %.1056.1.4, ptr %scevgep310.4, align 4
   %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond.not.1.4, label %B635397, label %B532.if.5
+  br i1 %exitcond.not.1.4, label %B609157, label %B532.if.5
 
 B532.if.5:                                        ; preds = %B532.if.4
   %.1056.5 = load float, ptr %sunkaddr24, align 4
@@ -7174,7 +7174,7 @@ B532.if.5:                                        ; preds = %B532.if.4
   %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 44
   store float %.1056.1.5, ptr %scevgep310.5, align 4
   %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond.not.1.5, label %B635397, label %B532.if.6
+  br i1 %exitcond.not.1.5, label %B609157, label %B532.if.6
 
 B532.if.6:                                        ; preds = %B532.if.5
   %.1056.6 = load float, ptr %sunkaddr26, align 4
@@ -7187,9 +7187,9 @@ B532.if.6:                                        ; preds = %B532.if.5
   %.1056.1.6 = load float, ptr %sunkaddr27, align 4
   %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 52
   store float %.1056.1.6, ptr %scevgep310.6, align 4
-  br label %B635397
+  br label %B609157
 
-B635453.if.1:                                     ; preds = %B635453.if.lr.ph
+B609213.if.1:                                     ; preds = %B609213.if.lr.ph
   %.1451.12 = load float, ptr %sunkaddr28, align 4
   %28 = add i64 %.1453, 2
   %.1468.1 = icmp slt i64 %28, 0
@@ -7201,9 +7201,9 @@ B635453.if.1:                                     ; preds = %B635453.if.lr.ph
   %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 12
   store float %.1451.1.1, ptr %scevgep319.1, align 4
   %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond1331.not.1.1, label %B635613, label %B635453.if.2
+  br i1 %exitcond1331.not.1.1, label %B609373, label %B609213.if.2
 
-B635453.if.2:                                     ; preds = %B635453.if.1
+B609213.if.2:                                     ; preds = %B609213.if.1
   %.1451.2 = load float, ptr %sunkaddr30, align 4
   %30 = add i64 %.1453, 4
   %.1468.2 = icmp slt i64 %30, 0
@@ -7215,9 +7215,9 @@ B635453.if.2:                                     ; preds = %B635453.if.1
   %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 20
   store float %.1451.1.2, ptr %scevgep319.2, align 4
   %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond1331.not.1.2, label %B635613, label %B635453.if.3
+  br i1 %exitcond1331.not.1.2, label %B609373, label %B609213.if.3
 
-B635453.if.3:                                     ; preds = %B635453.if.2
+B609213.if.3:                                     ; preds = %B609213.if.2
   %.1451.3 = load float, ptr %sunkaddr32, align 4
   %32 = add i64 %.1453, 6
   %.1468.3 = icmp slt i64 %32, 0
@@ -7229,9 +7229,9 @@ B635453.if.3:                                     ; preds = %B635453.if.2
   %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 28
   store float %.1451.1.3, ptr %scevgep319.3, align 4
   %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond1331.not.1.3, label %B635613, label %B635453.if.4
+  br i1 %exitcond1331.not.1.3, label %B609373, label %B609213.if.4
 
-B635453.if.4:                                     ; preds = %B635453.if.3
+B609213.if.4:                                     ; preds = %B609213.if.3
   %.1451.4 = load float, ptr %sunkaddr34, align 4
   %34 = add i64 %.1453, 8
   %.1468.4 = icmp slt i64 %34, 0
@@ -7243,9 +7243,9 @@ B635453.if.4:                                     ; preds = %B635453.if.3
   %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 36
   store float %.1451.1.4, ptr %scevgep319.4, align 4
   %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond1331.not.1.4, label %B635613, label %B635453.if.5
+  br i1 %exitcond1331.not.1.4, label %B609373, label %B609213.if.5
 
-B635453.if.5:                                     ; preds = %B635453.if.4
+B609213.if.5:                                     ; preds = %B609213.if.4
   %.1451.5 = load float, ptr %sunkaddr36, align 4
   %36 = add i64 %.1453, 10
   %.1468.5 = icmp slt i64 %36, 0
@@ -7257,9 +7257,9 @@ B635453.if.5:                                     ; preds = %B635453.if.4
   %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 44
   store float %.1451.1.5, ptr %scevgep319.5, align 4
   %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond1331.not.1.5, label %B635613, label %B635453.if.6
+  br i1 %exitcond1331.not.1.5, label %B609373, label %B609213.if.6
 
-B635453.if.6:                                     ; preds = %B635453.if.5
+B609213.if.6:                                     ; preds = %B609213.if.5
   %.1451.6 = load float, ptr %sunkaddr38, align 4
   %38 = add i64 %.1453, 12
   %.1468.6 = icmp slt i64 %38, 0
@@ -7270,7 +7270,7 @@ B635453.if.6:                                     ; preds = %B635453.if.5
   %.1451.1.6 = load float, ptr %sunkaddr39, align 4
   %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 52
   store float %.1451.1.6, ptr %scevgep319.6, align 4
-  br label %B635613
+  br label %B609373
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
@@ -7321,8 +7321,8 @@ B150.preheader:                                   ; preds = %entry
   %sunkaddr56 = getelementptr i8, ptr %arg.tail.4, i64 104
   br label %B150
 
-B150:                                             ; preds = %B636010, %B150.preheader
-  %j.2.0 = phi i64 [ %.1560, %B636010 ], [ 0, %B150.preheader ]
+B150:                                             ; preds = %B609770, %B150.preheader
+  %j.2.0 = phi i64 [ %.1560, %B609770 ], [ 0, %B150.preheader ]
   %.129 = sub nsw i64 %arg.stop, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.129, i64 8)
   %.169 = icmp slt i64 %j.2.0, %arg.streamed
@@ -7375,13 +7375,13 @@ B150:                                             ; preds = %B636010, %B150.preh
   %.8.i297 = fmul contract <8 x double> %.7.i296, %.6.i293
   %.8.i300 = fmul contract <8 x double> %.7.i296, %.6.i294
   %.874 = icmp slt i64 %count.2.1, 8
-  br i1 %.874, label %B472, label %B635682
+  br i1 %.874, label %B472, label %B609442
 
 B472:                                             ; preds = %B150
   %.889 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.889, ptr %arg.tail.4, align 4
   %.979841.not = icmp slt i64 %count.2.1, 1
-  br i1 %.979841.not, label %B635794, label %B532.if.lr.ph
+  br i1 %.979841.not, label %B609554, label %B532.if.lr.ph
 
 B532.if.lr.ph:                                    ; preds = %B472
   %.1048 = shl nsw i64 %j.2.0, 1
@@ -7396,37 +7396,37 @@ B532.if.lr.ph:                                    ; preds = %B472
   %scevgep310 = getelementptr i8, ptr %scevgep311, i64 8
   store double %.1046.1, ptr %scevgep310, align 8
   %exitcond.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond.not.1, label %B635794, label %B532.if.1
+  br i1 %exitcond.not.1, label %B609554, label %B532.if.1
 
-B635682:                                          ; preds = %B150
+B609442:                                          ; preds = %B150
   %.1121.idx = shl i64 %j.2.0, 4
   %.1122 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %.1121.idx
-  br i1 %3, label %B635754, label %B635756
+  br i1 %3, label %B609514, label %B609516
 
-B635754:                                          ; preds = %B635682
+B609514:                                          ; preds = %B609442
   store <16 x double> %.1122, ptr %sunkaddr6, align 64, !nontemporal !138
-  br label %B635794
+  br label %B609554
 
-B635756:                                          ; preds = %B635682
+B609516:                                          ; preds = %B609442
   store <16 x double> %.1122, ptr %sunkaddr6, align 4
-  br label %B635794
+  br label %B609554
 
-B635794:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B635756, %B635754
-  br i1 %0, label %B635798, label %B636010
+B609554:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B609516, %B609514
+  br i1 %0, label %B609558, label %B609770
 
-B635798:                                          ; preds = %B635794
+B609558:                                          ; preds = %B609554
   %.8.i277 = fmul contract <8 x double> %.7.i, %.6.i294
   %.8.i303 = fmul contract <8 x double> %.7.i302, %.6.i293
-  br i1 %.874, label %B635810, label %B635954
+  br i1 %.874, label %B609570, label %B609714
 
-B635810:                                          ; preds = %B635798
+B609570:                                          ; preds = %B609558
   %.1278 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.1278, ptr %arg.tail.4, align 4
   %.1368847.not = icmp slt i64 %count.2.1, 1
-  br i1 %.1368847.not, label %B636010, label %B635850.if.lr.ph
+  br i1 %.1368847.not, label %B609770, label %B609610.if.lr.ph
 
-B635850.if.lr.ph:                                 ; preds = %B635810
+B609610.if.lr.ph:                                 ; preds = %B609570
   %.1437 = shl nsw i64 %j.2.0, 1
   %12 = shl i64 %j.2.0, 4
   %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %12
@@ -7439,28 +7439,28 @@ B635850.if.lr.ph:                                 ; preds = %B635810
   %scevgep319 = getelementptr i8, ptr %scevgep320, i64 8
   store double %.1435.1, ptr %scevgep319, align 8
   %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond1331.not.1, label %B636010, label %B635850.if.1
+  br i1 %exitcond1331.not.1, label %B609770, label %B609610.if.1
 
-B635954:                                          ; preds = %B635798
+B609714:                                          ; preds = %B609558
   %.1510.idx = shl i64 %j.2.0, 4
   %.1511 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr32 = getelementptr i8, ptr %arg.second.4, i64 %.1510.idx
-  br i1 %4, label %B635956, label %B635994
+  br i1 %4, label %B609716, label %B609754
 
-B635956:                                          ; preds = %B635954
+B609716:                                          ; preds = %B609714
   store <16 x double> %.1511, ptr %sunkaddr32, align 64, !nontemporal !138
-  br label %B636010
+  br label %B609770
 
-B635994:                                          ; preds = %B635954
+B609754:                                          ; preds = %B609714
   store <16 x double> %.1511, ptr %sunkaddr32, align 4
-  br label %B636010
+  br label %B609770
 
-B636010:                                          ; preds = %B635956, %B635994, %B635850.if.6, %B635850.if.5, %B635850.if.4, %B635850.if.3, %B635850.if.2, %B635850.if.1, %B635850.if.lr.ph, %B635810, %B635794
+B609770:                                          ; preds = %B609716, %B609754, %B609610.if.6, %B609610.if.5, %B609610.if.4, %B609610.if.3, %B609610.if.2, %B609610.if.1, %B609610.if.lr.ph, %B609570, %B609554
   %.1560 = add nsw i64 %count.2.1, %j.2.0
   %.1566 = icmp slt i64 %.1560, %arg.stop
   br i1 %.1566, label %B150, label %common.ret
 
-common.ret:                                       ; preds = %B636010, %entry
+common.ret:                                       ; preds = %B609770, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -7476,7 +7476,7 @@ B532.if.1:                                        ; preds = %B532.if.lr.ph
   %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 24
   store double %.1046.1.1, ptr %scevgep310.1, align 8
   %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond.not.1.1, label %B635794, label %B532.if.2
+  br i1 %exitcond.not.1.1, label %B609554, label %B532.if.2
 
 B532.if.2:                                        ; preds = %B532.if.1
   %.1046.2 = load double, ptr %sunkaddr, align 8
@@ -7490,7 +7490,7 @@ B532.if.2:                                        ; preds = %B532.if.1
   %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 40
   store double %.1046.1.2, ptr %scevgep310.2, align 8
   %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond.not.1.2, label %B635794, label %B532.if.3
+  br i1 %exitcond.not.1.2, label %B609554, label %B532.if.3
 
 B532.if.3:                                        ; preds = %B532.if.2
   %.1046.3 = load double, ptr %sunkaddr37, align 8
@@ -7504,7 +7504,7 @@ B532.if.3:                                        ; preds = %B532.if.2
   %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 56
   store double %.1046.1.3, ptr %scevgep310.3, align 8
   %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond.not.1.3, label %B635794, label %B532.if.4
+  br i1 %exitcond.not.1.3, label %B609554, label %B532.if.4
 
 B532.if.4:                                        ; preds = %B532.if.3
   %.1046.4 = load double, ptr %sunkaddr39, align 8
@@ -7518,7 +7518,7 @@ B532.if.4:                                        ; preds = %B532.if.3
   %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 72
   store double %.1046.1.4, ptr %scevgep310.4, align 8
   %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond.not.1.4, label %B635794, label %B532.if.5
+  br i1 %exitcond.not.1.4, label %B609554, label %B532.if.5
 
 B532.if.5:                                        ; preds = %B532.if.4
   %.1046.5 = load double, ptr %sunkaddr41, align 8
@@ -7532,7 +7532,7 @@ B532.if.5:                                        ; preds = %B532.if.4
   %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 88
   store double %.1046.1.5, ptr %scevgep310.5, align 8
   %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond.not.1.5, label %B635794, label %B532.if.6
+  br i1 %exitcond.not.1.5, label %B609554, label %B532.if.6
 
 B532.if.6:                                        ; preds = %B532.if.5
   %.1046.6 = load double, ptr %sunkaddr43, align 8
@@ -7545,9 +7545,9 @@ B532.if.6:                                        ; preds = %B532.if.5
   %.1046.1.6 = load double, ptr %sunkaddr44, align 8
   %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 104
   store double %.1046.1.6, ptr %scevgep310.6, align 8
-  br label %B635794
+  br label %B609554
 
-B635850.if.1:                                     ; preds = %B635850.if.lr.ph
+B609610.if.1:                                     ; preds = %B609610.if.lr.ph
   %.1435.12 = load double, ptr %sunkaddr45, align 8
   %26 = add i64 %.1437, 2
   %.1452.1 = icmp slt i64 %26, 0
@@ -7559,9 +7559,9 @@ B635850.if.1:                                     ; preds = %B635850.if.lr.ph
   %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 24
   store double %.1435.1.1, ptr %scevgep319.1, align 8
   %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond1331.not.1.1, label %B636010, label %B635850.if.2
+  br i1 %exitcond1331.not.1.1, label %B609770, label %B609610.if.2
 
-B635850.if.2:                                     ; preds = %B635850.if.1
+B609610.if.2:                                     ; preds = %B609610.if.1
   %.1435.2 = load double, ptr %sunkaddr47, align 8
   %28 = add i64 %.1437, 4
   %.1452.2 = icmp slt i64 %28, 0
@@ -7573,9 +7573,9 @@ B635850.if.2:                                     ; preds = %B635850.if.1
   %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 40
   store double %.1435.1.2, ptr %scevgep319.2, align 8
   %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond1331.not.1.2, label %B636010, label %B635850.if.3
+  br i1 %exitcond1331.not.1.2, label %B609770, label %B609610.if.3
 
-B635850.if.3:                                     ; preds = %B635850.if.2
+B609610.if.3:                                     ; preds = %B609610.if.2
   %.1435.3 = load double, ptr %sunkaddr49, align 8
   %30 = add i64 %.1437, 6
   %.1452.3 = icmp slt i64 %30, 0
@@ -7587,9 +7587,9 @@ B635850.if.3:                                     ; preds = %B635850.if.2
   %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 56
   store double %.1435.1.3, ptr %scevgep319.3, align 8
   %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond1331.not.1.3, label %B636010, label %B635850.if.4
+  br i1 %exitcond1331.not.1.3, label %B609770, label %B609610.if.4
 
-B635850.if.4:                                     ; preds = %B635850.if.3
+B609610.if.4:                                     ; preds = %B609610.if.3
   %.1435.4 = load double, ptr %sunkaddr51, align 8
   %32 = add i64 %.1437, 8
   %.1452.4 = icmp slt i64 %32, 0
@@ -7601,9 +7601,9 @@ B635850.if.4:                                     ; preds = %B635850.if.3
   %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 72
   store double %.1435.1.4, ptr %scevgep319.4, align 8
   %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond1331.not.1.4, label %B636010, label %B635850.if.5
+  br i1 %exitcond1331.not.1.4, label %B609770, label %B609610.if.5
 
-B635850.if.5:                                     ; preds = %B635850.if.4
+B609610.if.5:                                     ; preds = %B609610.if.4
   %.1435.5 = load double, ptr %sunkaddr53, align 8
   %34 = add i64 %.1437, 10
   %.1452.5 = icmp slt i64 %34, 0
@@ -7615,9 +7615,9 @@ B635850.if.5:                                     ; preds = %B635850.if.4
   %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 88
   store double %.1435.1.5, ptr %scevgep319.5, align 8
   %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond1331.not.1.5, label %B636010, label %B635850.if.6
+  br i1 %exitcond1331.not.1.5, label %B609770, label %B609610.if.6
 
-B635850.if.6:                                     ; preds = %B635850.if.5
+B609610.if.6:                                     ; preds = %B609610.if.5
   %.1435.6 = load double, ptr %sunkaddr55, align 8
   %36 = add i64 %.1437, 12
   %.1452.6 = icmp slt i64 %36, 0
@@ -7628,7 +7628,7 @@ B635850.if.6:                                     ; preds = %B635850.if.5
   %.1435.1.6 = load double, ptr %sunkaddr56, align 8
   %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 104
   store double %.1435.1.6, ptr %scevgep319.6, align 8
-  br label %B636010
+  br label %B609770
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: write)
@@ -7969,20 +7969,20 @@ declare double @sqrt(double) local_unnamed_addr #8
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc noundef range(i32 0, 2) i32 @inner_6(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, i64 %arg.lane, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.ratios.4, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4) unnamed_addr #4 {
 entry:
-  %.4555 = alloca i64, align 8
-  store i64 0, ptr %.4555, align 8
-  %.4689 = alloca i8, align 1
-  store i8 0, ptr %.4689, align 1
+  %.4559 = alloca i64, align 8
+  store i64 0, ptr %.4559, align 8
+  %.4693 = alloca i8, align 1
+  store i8 0, ptr %.4693, align 1
   %excinfo.39 = alloca ptr, align 8
   store ptr null, ptr %excinfo.39, align 8
-  %.6117 = alloca ptr, align 8
-  store ptr null, ptr %.6117, align 8
-  %excinfo.46 = alloca ptr, align 8
-  store ptr null, ptr %excinfo.46, align 8
-  %.6750 = alloca ptr, align 8
-  store ptr null, ptr %.6750, align 8
-  %.6872 = alloca ptr, align 8
-  store ptr null, ptr %.6872, align 8
+  %.5574 = alloca ptr, align 8
+  store ptr null, ptr %.5574, align 8
+  %excinfo.43 = alloca ptr, align 8
+  store ptr null, ptr %excinfo.43, align 8
+  %.6513 = alloca ptr, align 8
+  store ptr null, ptr %.6513, align 8
+  %.6615 = alloca ptr, align 8
+  store ptr null, ptr %.6615, align 8
   %.136 = getelementptr i8, ptr %arg.arguments.4, i64 16
   %.137 = load i64, ptr %.136, align 8
   %.166 = getelementptr i8, ptr %arg.arguments.4, i64 88
@@ -7993,694 +7993,533 @@ entry:
   %.290 = load i64, ptr %.205, align 8
   %.319 = getelementptr i8, ptr %.205, i64 8
   %.320 = load i64, ptr %.319, align 8
-  %.353 = getelementptr i8, ptr %.205, i64 16
-  %.354 = load i64, ptr %.353, align 8
-  %.356 = mul nsw i64 %.290, 40
-  %.481 = getelementptr i8, ptr %arg.arguments.4, i64 32
-  %.482 = load i64, ptr %.481, align 8
-  %.511 = getelementptr i8, ptr %arg.arguments.4, i64 40
-  %.512 = load i64, ptr %.511, align 8
-  %.548 = getelementptr i8, ptr %arg.arguments.4, i64 24
-  %.549 = load i64, ptr %.548, align 8
-  %.551 = inttoptr i64 %.549 to ptr
-  %.616 = getelementptr inbounds double, ptr %.551, i64 %.482
-  %.674 = icmp sgt i64 %.512, 0
-  br i1 %.674, label %B1050, label %B1254
+  %.356 = getelementptr i8, ptr %.205, i64 16
+  %.357 = load i64, ptr %.356, align 8
+  %.360 = mul nsw i64 %.290, 40
+  %.485 = getelementptr i8, ptr %arg.arguments.4, i64 32
+  %.486 = load i64, ptr %.485, align 8
+  %.515 = getelementptr i8, ptr %arg.arguments.4, i64 40
+  %.516 = load i64, ptr %.515, align 8
+  %.552 = getelementptr i8, ptr %arg.arguments.4, i64 24
+  %.553 = load i64, ptr %.552, align 8
+  %.555 = inttoptr i64 %.553 to ptr
+  %.620 = getelementptr inbounds double, ptr %.555, i64 %.486
+  %.678 = icmp sgt i64 %.516, 0
+  br i1 %.678, label %B1050, label %B1336
 
 B1050:                                            ; preds = %entry
-  %0 = getelementptr double, ptr %.616, i64 %.137
-  %.685 = getelementptr i8, ptr %0, i64 -8
-  %.686 = load double, ptr %.685, align 8
-  %.695 = load double, ptr %.616, align 8
-  %.696 = fsub contract double %.686, %.695
-  %.698 = uitofp nneg i64 %.512 to double
-  %.702 = fdiv contract double %.698, %.696
-  br label %B1254
+  %0 = getelementptr double, ptr %.620, i64 %.137
+  %.689 = getelementptr i8, ptr %0, i64 -8
+  %.690 = load double, ptr %.689, align 8
+  %.699 = load double, ptr %.620, align 8
+  %.700 = fsub contract double %.690, %.699
+  %.702 = uitofp nneg i64 %.516 to double
+  %.706 = fdiv contract double %.702, %.700
+  br label %B1336
 
-B1254:                                            ; preds = %B1050, %entry
-  %prepared_grid_v125__vphi308_0.2.0 = phi double [ %.702, %B1050 ], [ 0.000000e+00, %entry ]
-  %.742 = getelementptr i8, ptr %arg.arguments.4, i64 48
-  %.743 = load i64, ptr %.742, align 8
-  %.981 = getelementptr i8, ptr %arg.contents.4, i64 64
-  %.982 = load i64, ptr %.981, align 8
-  %.983 = sub i64 0, %.982
-  %.991.1 = and i64 %.983, -8
-  %.1025 = sub i64 0, %.991.1
-  %.1055 = getelementptr i8, ptr %arg.contents.4, i64 144
-  %.1056 = load i64, ptr %.1055, align 8
-  %.1057 = sub i64 0, %.1056
-  %.1065.1 = and i64 %.1057, -8
-  %.1099 = sub i64 0, %.1065.1
-  %.1120 = shl nsw i64 %.1025, 3
-  %.1129 = shl i64 %.1025, 2
-  %.1202 = getelementptr double, ptr %arg.scratch.4, i64 %.1129
-  %.1279 = getelementptr double, ptr %arg.scratch.4, i64 %.1120
-  %.1341.idx = shl i64 %.1099, 6
-  %.1341 = getelementptr i8, ptr %.1279, i64 %.1341.idx
-  %.1421.idx = shl i64 %.1099, 7
-  %.1421 = getelementptr i8, ptr %.1279, i64 %.1421.idx
-  %.idx582 = shl i64 %.1099, 8
-  %1 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx582
-  %.1483 = getelementptr double, ptr %1, i64 %.1120
-  %.1622 = getelementptr i8, ptr %.1483, i64 1024
-  %.1684 = getelementptr i8, ptr %.1483, i64 5184
-  %.1747 = getelementptr i8, ptr %.1483, i64 9344
-  %.1810 = getelementptr i8, ptr %.1483, i64 13504
-  %.1873 = getelementptr i8, ptr %.1483, i64 17664
-  %.1936 = getelementptr i8, ptr %.1483, i64 21824
-  %.2047 = getelementptr i8, ptr %.1483, i64 25984
-  %.2110 = getelementptr i8, ptr %.1483, i64 30144
-  %.2173 = getelementptr i8, ptr %.1483, i64 34304
-  %.2236 = getelementptr i8, ptr %.1483, i64 38464
-  %.2332 = getelementptr i8, ptr %.1483, i64 42624
-  %.13.i = tail call i64 @llvm.smax.i64(i64 %.1099, i64 %.1025)
-  %.2412 = add nsw i64 %.13.i, 64
-  %.2413 = mul nsw i64 %.2412, %.320
-  %.2423 = getelementptr i8, ptr %.1483, i64 42752
-  %.2518 = getelementptr double, ptr %.2423, i64 %.2413
-  %.3744 = getelementptr i8, ptr %arg.contents.4, i64 120
-  %.3745 = load i64, ptr %.3744, align 8
-  %.3898 = getelementptr i8, ptr %arg.contents.4, i64 56
-  %.3899 = load i64, ptr %.3898, align 8
-  %2 = lshr i64 %.1025, 33
+B1336:                                            ; preds = %B1050, %entry
+  %prepared_grid_v121__vphi308_0.2.0 = phi double [ %.706, %B1050 ], [ 0.000000e+00, %entry ]
+  %.746 = getelementptr i8, ptr %arg.arguments.4, i64 48
+  %.747 = load i64, ptr %.746, align 8
+  %.985 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.986 = load i64, ptr %.985, align 8
+  %.987 = sub i64 0, %.986
+  %.995.1 = and i64 %.987, -8
+  %.1029 = sub i64 0, %.995.1
+  %.1059 = getelementptr i8, ptr %arg.contents.4, i64 144
+  %.1060 = load i64, ptr %.1059, align 8
+  %.1061 = sub i64 0, %.1060
+  %.1069.1 = and i64 %.1061, -8
+  %.1103 = sub i64 0, %.1069.1
+  %.1124 = shl nsw i64 %.1029, 3
+  %.1133 = shl i64 %.1029, 2
+  %.1206 = getelementptr double, ptr %arg.scratch.4, i64 %.1133
+  %.1283 = getelementptr double, ptr %arg.scratch.4, i64 %.1124
+  %.1345.idx = shl i64 %.1103, 6
+  %.1345 = getelementptr i8, ptr %.1283, i64 %.1345.idx
+  %.1425.idx = shl i64 %.1103, 7
+  %.1425 = getelementptr i8, ptr %.1283, i64 %.1425.idx
+  %.idx561 = shl i64 %.1103, 8
+  %1 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx561
+  %.1487 = getelementptr double, ptr %1, i64 %.1124
+  %.1626 = getelementptr i8, ptr %.1487, i64 1024
+  %.1688 = getelementptr i8, ptr %.1487, i64 5184
+  %.1751 = getelementptr i8, ptr %.1487, i64 9344
+  %.1814 = getelementptr i8, ptr %.1487, i64 13504
+  %.1877 = getelementptr i8, ptr %.1487, i64 17664
+  %.1940 = getelementptr i8, ptr %.1487, i64 21824
+  %.2051 = getelementptr i8, ptr %.1487, i64 25984
+  %.2114 = getelementptr i8, ptr %.1487, i64 30144
+  %.2177 = getelementptr i8, ptr %.1487, i64 34304
+  %.2240 = getelementptr i8, ptr %.1487, i64 38464
+  %.2336 = getelementptr i8, ptr %.1487, i64 42624
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %.1103, i64 %.1029)
+  %.2416 = add nsw i64 %.13.i, 64
+  %.2417 = mul nsw i64 %.2416, %.320
+  %.2427 = getelementptr i8, ptr %.1487, i64 42752
+  %.2522 = getelementptr double, ptr %.2427, i64 %.2417
+  %.3748 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.3749 = load i64, ptr %.3748, align 8
+  %.3902 = getelementptr i8, ptr %arg.contents.4, i64 56
+  %.3903 = load i64, ptr %.3902, align 8
+  %2 = lshr i64 %.1029, 33
   %.99.i = and i64 %2, 1073741824
-  %.100.i = sub i64 %.99.i, %.991.1
+  %.100.i = sub i64 %.99.i, %.995.1
   %3 = tail call i64 @llvm.smax.i64(i64 %.100.i, i64 0)
   %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %3, i64 1073741824)
-  %.234.i = shl i64 %.1025, 1
+  %.234.i = shl i64 %.1029, 1
   %.272.i = add i64 %.99.i, %.234.i
   %4 = tail call i64 @llvm.smax.i64(i64 %.272.i, i64 0)
-  %5 = add i64 %.3899, 6
+  %5 = add i64 %.3903, 6
   %.486.i = lshr i64 %5, 3
-  %.463.inv.i = icmp slt i64 %.3899, 2
+  %.463.inv.i = icmp slt i64 %.3903, 2
   %.507321.not325.i = icmp eq i64 %.486.i, 0
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
-  br i1 %.507321.not.i, label %B1254.endif.endif.endif.e...endif.5, label %B94.if.lr.ph.i
+  br i1 %.507321.not.i, label %B1336.endif.endif.endif.e...endif.5, label %B94.if.lr.ph.i
 
-B1332:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
-  %.4777 = fmul contract double %.4250, 2.000000e+00
-  %.4824 = load i64, ptr %.205, align 8
-  %.49042994.not = icmp slt i64 %.4824, 1
-  br i1 %.49042994.not, label %B1414, label %B1348.if.preheader
-
-B1348.if.preheader:                               ; preds = %B1332
-  %scevgep589 = getelementptr i8, ptr %.205, i64 48
-  %xtraiter = and i64 %.4824, 3
-  %6 = icmp ult i64 %.4824, 4
-  br i1 %6, label %B1348.if.epil.preheader, label %B1348.if.preheader.new
-
-B1348.if.preheader.new:                           ; preds = %B1348.if.preheader
-  %7 = add nsw i64 %.4824, -4
-  %8 = lshr i64 %7, 2
-  %9 = icmp eq i64 %8, 0
-  br i1 %9, label %B1348.if.epil.preheader10, label %B1348.if.preheader.new.new
-
-B1348.if.preheader.new.new:                       ; preds = %B1348.if.preheader.new
-  %10 = add nuw nsw i64 %8, 1
-  %11 = lshr i64 %10, 1
-  %12 = mul nsw i64 %11, -2
-  br label %B1348.if
-
-B1414.loopexit.unr-lcssa.unr-lcssa:               ; preds = %B1348.if
-  %13 = and i64 %7, 4
-  %lcmp.mod.not25.not = icmp eq i64 %13, 0
-  br i1 %lcmp.mod.not25.not, label %B1348.if.epil.preheader10, label %B1414.loopexit.unr-lcssa
-
-B1348.if.epil.preheader10:                        ; preds = %B1414.loopexit.unr-lcssa.unr-lcssa, %B1348.if.preheader.new
-  %lsr.iv590.epil.init16 = phi ptr [ %scevgep589, %B1348.if.preheader.new ], [ %scevgep591.3.1, %B1414.loopexit.unr-lcssa.unr-lcssa ]
-  %_highest_v115_highest.2.02997.epil.init17 = phi i64 [ 0, %B1348.if.preheader.new ], [ %.13.i258.3.1, %B1414.loopexit.unr-lcssa.unr-lcssa ]
-  %.5053.epil14 = load i64, ptr %lsr.iv590.epil.init16, align 8
-  %.13.i258.epil15 = tail call i64 @llvm.smax.i64(i64 %.5053.epil14, i64 %_highest_v115_highest.2.02997.epil.init17)
-  %scevgep591.epil = getelementptr i8, ptr %lsr.iv590.epil.init16, i64 72
-  %.5053.1.epil = load i64, ptr %scevgep591.epil, align 8
-  %.13.i258.1.epil = tail call i64 @llvm.smax.i64(i64 %.5053.1.epil, i64 %.13.i258.epil15)
-  %scevgep591.1.epil = getelementptr i8, ptr %lsr.iv590.epil.init16, i64 144
-  %.5053.2.epil = load i64, ptr %scevgep591.1.epil, align 8
-  %.13.i258.2.epil = tail call i64 @llvm.smax.i64(i64 %.5053.2.epil, i64 %.13.i258.1.epil)
-  %scevgep591.2.epil = getelementptr i8, ptr %lsr.iv590.epil.init16, i64 216
-  %.5053.3.epil = load i64, ptr %scevgep591.2.epil, align 8
-  %.13.i258.3.epil = tail call i64 @llvm.smax.i64(i64 %.5053.3.epil, i64 %.13.i258.2.epil)
-  %scevgep591.3.epil = getelementptr i8, ptr %lsr.iv590.epil.init16, i64 288
-  br label %B1414.loopexit.unr-lcssa
-
-B1414.loopexit.unr-lcssa:                         ; preds = %B1348.if.epil.preheader10, %B1414.loopexit.unr-lcssa.unr-lcssa
-  %.13.i258.3.lcssa = phi i64 [ %.13.i258.3.epil, %B1348.if.epil.preheader10 ], [ %.13.i258.3.1, %B1414.loopexit.unr-lcssa.unr-lcssa ]
-  %scevgep591.3.lcssa = phi ptr [ %scevgep591.3.epil, %B1348.if.epil.preheader10 ], [ %scevgep591.3.1, %B1414.loopexit.unr-lcssa.unr-lcssa ]
-  %lcmp.mod.not = icmp eq i64 %xtraiter, 0
-  br i1 %lcmp.mod.not, label %B1414.loopexit, label %B1348.if.epil.preheader
-
-B1348.if.epil.preheader:                          ; preds = %B1414.loopexit.unr-lcssa, %B1348.if.preheader
-  %lsr.iv590.epil.init = phi ptr [ %scevgep589, %B1348.if.preheader ], [ %scevgep591.3.lcssa, %B1414.loopexit.unr-lcssa ]
-  %_highest_v115_highest.2.02997.epil.init = phi i64 [ 0, %B1348.if.preheader ], [ %.13.i258.3.lcssa, %B1414.loopexit.unr-lcssa ]
-  %14 = mul nuw nsw i64 %xtraiter, 72
-  br label %B1348.if.epil
-
-B1348.if.epil:                                    ; preds = %B1348.if.epil, %B1348.if.epil.preheader
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B1348.if.epil ], [ 0, %B1348.if.epil.preheader ]
-  %_highest_v115_highest.2.02997.epil = phi i64 [ %.13.i258.epil, %B1348.if.epil ], [ %_highest_v115_highest.2.02997.epil.init, %B1348.if.epil.preheader ]
-  %scevgep26 = getelementptr i8, ptr %lsr.iv590.epil.init, i64 %lsr.iv
-  %.5053.epil = load i64, ptr %scevgep26, align 8
-  %.13.i258.epil = tail call i64 @llvm.smax.i64(i64 %.5053.epil, i64 %_highest_v115_highest.2.02997.epil)
-  %lsr.iv.next = add nuw nsw i64 %lsr.iv, 72
-  %epil.iter.cmp.not = icmp eq i64 %14, %lsr.iv.next
-  br i1 %epil.iter.cmp.not, label %B1414.loopexit, label %B1348.if.epil, !llvm.loop !143
-
-B1414.loopexit:                                   ; preds = %B1348.if.epil, %B1414.loopexit.unr-lcssa
-  %.13.i258.lcssa = phi i64 [ %.13.i258.3.lcssa, %B1414.loopexit.unr-lcssa ], [ %.13.i258.epil, %B1348.if.epil ]
-  %15 = uitofp nneg i64 %.13.i258.lcssa to double
-  br label %B1414
-
-B1414:                                            ; preds = %B1414.loopexit, %B1332
-  %_highest_v115_highest.2.0.lcssa = phi double [ 0.000000e+00, %B1332 ], [ %15, %B1414.loopexit ]
-  %.5106 = fdiv contract double %.4777, %_highest_v115_highest.2.0.lcssa
-  %.5116.le = tail call contract double @llvm.log.f64(double %.5106)
-  %.5167 = getelementptr inbounds nuw i8, ptr %.205, i64 48
-  %.5258 = load i64, ptr %.5167, align 8
-  %.5331 = add i64 %.4824, -1
-  %.53743005.not = icmp slt i64 %.5331, 1
-  br i1 %.53743005.not, label %B1540, label %B1494.if.preheader
-
-B1494.if.preheader:                               ; preds = %B1414
-  %scevgep = getelementptr i8, ptr %.205, i64 120
-  %16 = add i64 %.4824, -2
-  %xtraiter19 = and i64 %.5331, 3
-  %lcmp.mod20.not = icmp eq i64 %xtraiter19, 0
-  br i1 %lcmp.mod20.not, label %B1494.if.prol.loopexit, label %B1494.if.prol.preheader
-
-B1494.if.prol.preheader:                          ; preds = %B1494.if.preheader
-  %17 = mul nuw nsw i64 %xtraiter19, 72
-  br label %B1494.if.prol
-
-B1494.if.prol:                                    ; preds = %B1494.if.prol, %B1494.if.prol.preheader
-  %lsr.iv31 = phi i64 [ 0, %B1494.if.prol.preheader ], [ %lsr.iv.next32, %B1494.if.prol ]
-  %_lowest_v118_lowest.2.03008.prol = phi i64 [ %.5258, %B1494.if.prol.preheader ], [ %.13.i264.prol, %B1494.if.prol ]
-  %scevgep35 = getelementptr i8, ptr %scevgep, i64 %lsr.iv31
-  %.5523.prol = load i64, ptr %scevgep35, align 8
-  %.13.i264.prol = tail call i64 @llvm.smin.i64(i64 %.5523.prol, i64 %_lowest_v118_lowest.2.03008.prol)
-  %lsr.iv.next32 = add nuw nsw i64 %lsr.iv31, 72
-  %prol.iter.cmp.not = icmp eq i64 %17, %lsr.iv.next32
-  br i1 %prol.iter.cmp.not, label %B1494.if.prol.loopexit.loopexit, label %B1494.if.prol, !llvm.loop !144
-
-B1494.if.prol.loopexit.loopexit:                  ; preds = %B1494.if.prol
-  %18 = getelementptr i8, ptr %.205, i64 %17
-  %scevgep5 = getelementptr i8, ptr %18, i64 120
-  %19 = and i64 %.5331, 9223372036854775804
-  br label %B1494.if.prol.loopexit
-
-B1494.if.prol.loopexit:                           ; preds = %B1494.if.prol.loopexit.loopexit, %B1494.if.preheader
-  %.13.i264.lcssa.unr = phi i64 [ poison, %B1494.if.preheader ], [ %.13.i264.prol, %B1494.if.prol.loopexit.loopexit ]
-  %lsr.iv587.unr = phi i64 [ %.5331, %B1494.if.preheader ], [ %19, %B1494.if.prol.loopexit.loopexit ]
-  %lsr.iv585.unr = phi ptr [ %scevgep, %B1494.if.preheader ], [ %scevgep5, %B1494.if.prol.loopexit.loopexit ]
-  %_lowest_v118_lowest.2.03008.unr = phi i64 [ %.5258, %B1494.if.preheader ], [ %.13.i264.prol, %B1494.if.prol.loopexit.loopexit ]
-  %20 = icmp ult i64 %16, 3
-  br i1 %20, label %B1540, label %B1494.if
-
-B1540:                                            ; preds = %B1494.if, %B1494.if.prol.loopexit, %B1414
-  %_lowest_v118_lowest.2.0.lcssa = phi i64 [ %.5258, %B1414 ], [ %.13.i264.lcssa.unr, %B1494.if.prol.loopexit ], [ %.13.i264.3, %B1494.if ]
-  %.5572 = sitofp i64 %_lowest_v118_lowest.2.0.lcssa to double
-  %.5576 = fdiv contract double %.4777, %.5572
-  %.5586.le = tail call contract double @llvm.log.f64(double %.5576)
+B1414:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
+  %.idx = mul i64 %.290, 72
+  %6 = getelementptr i8, ptr %.205, i64 %.idx
+  %.4801 = getelementptr i8, ptr %6, i64 -24
+  %.4892 = load i64, ptr %.4801, align 8
+  %.4916 = getelementptr inbounds nuw i8, ptr %.205, i64 48
+  %.5007 = load i64, ptr %.4916, align 8
+  %.5012 = fmul contract double %.4254, 2.000000e+00
+  %.5013 = sitofp i64 %.4892 to double
+  %.5017 = fdiv contract double %.5012, %.5013
+  %.5025.le = tail call contract double @llvm.log.f64(double %.5017)
+  %.5034 = sitofp i64 %.5007 to double
+  %.5038 = fdiv contract double %.5012, %.5034
+  %.5046.le = tail call contract double @llvm.log.f64(double %.5038)
   %.133.i = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.134.i = load i64, ptr %.133.i, align 8, !noalias !145
+  %.134.i = load i64, ptr %.133.i, align 8, !noalias !143
   %.147.i = getelementptr inbounds double, ptr %arg.weights.4, i64 %.134.i
-  %.228.i = load i64, ptr %.1055, align 8, !noalias !145
-  %.254.i = load double, ptr %.616, align 8, !noalias !145
-  %.256.i = fadd contract double %.5116.le, %.254.i
+  %.228.i = load i64, ptr %.1059, align 8, !noalias !143
+  %.254.i = load double, ptr %.620, align 8, !noalias !143
+  %.256.i = fadd contract double %.5025.le, %.254.i
   %.257.i = fadd contract double %.256.i, -1.000000e-09
-  %21 = getelementptr double, ptr %.616, i64 %.137
-  %.265.i = getelementptr i8, ptr %21, i64 -8
-  %.266.i = load double, ptr %.265.i, align 8, !noalias !145
-  %.273.i = fadd contract double %.5586.le, %.266.i
+  %7 = getelementptr double, ptr %.620, i64 %.137
+  %.265.i = getelementptr i8, ptr %7, i64 -8
+  %.266.i = load double, ptr %.265.i, align 8, !noalias !143
+  %.273.i = fadd contract double %.5046.le, %.266.i
   %.274.i = fadd contract double %.273.i, 1.000000e-09
   %.293.i = add i64 %.228.i, -1
   %.295.i = icmp sgt i64 %.228.i, 1
   br i1 %.295.i, label %B296.i, label %B404.i
 
-B296.i:                                           ; preds = %B1540
-  %.313.i = load double, ptr %.147.i, align 8, !noalias !145
-  %.317.i = fcmp contract olt double %.313.i, %.257.i
-  br i1 %.317.i, label %B336.preheader.i, label %B404.i
+B1430:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
+  %8 = icmp eq i8 %.4728, 0
+  br i1 %8, label %B1804, label %B1496.thread
 
-B336.preheader.i:                                 ; preds = %B296.i
-  %22 = add nsw i64 %.228.i, -2
-  %23 = shl i64 %.134.i, 3
-  %24 = getelementptr i8, ptr %arg.weights.4, i64 %23
-  %scevgep11.i = getelementptr i8, ptr %24, i64 8
-  br label %B336.i
+B1496.thread:                                     ; preds = %B1430
+  %.5170 = getelementptr i8, ptr %.205, i64 32
+  %.5171 = load i64, ptr %.5170, align 8
+  %.5202 = add nsw i64 %.5171, 1
+  br label %B1576
 
-B336.i:                                           ; preds = %B364.i, %B336.preheader.i
-  %first.2.0.i = phi i64 [ %.323.i, %B364.i ], [ 0, %B336.preheader.i ]
-  %exitcond.not.i = icmp eq i64 %22, %first.2.0.i
-  br i1 %exitcond.not.i, label %B404.i, label %B364.i
+B1576:                                            ; preds = %B468.i, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B1496.thread
+  %last.3.017 = phi i64 [ %.5202, %B1496.thread ], [ %last.3.0.i, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.378.i250, %B468.i ]
+  %first.3.016 = phi i64 [ %.5171, %B1496.thread ], [ %first.3.1.i, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %first.3.1.i, %B468.i ]
+  store ptr null, ptr %.5574, align 8
+  %.5600 = call fastcc i32 @inner_10(ptr nonnull %.5574, ptr nonnull %excinfo.43, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.167, ptr %arg.scratch.4, ptr %.1206, i64 %.1029, ptr %.1487, ptr %.1425, ptr %.1283, ptr %.1345, i64 %first.3.016, i64 %last.3.017)
+  %cond = icmp eq i32 %.5600, 0
+  br i1 %cond, label %B1682, label %B1576.if, !prof !0
 
-B364.i:                                           ; preds = %B336.i
-  %.323.i = add nuw nsw i64 %first.2.0.i, 1
-  %25 = shl i64 %first.2.0.i, 3
-  %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %25
-  %.352.i = load double, ptr %scevgep12.i, align 8, !noalias !145
-  %.356.i = fcmp contract olt double %.352.i, %.257.i
-  br i1 %.356.i, label %B336.i, label %B404.i
+B1682:                                            ; preds = %B1576, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %9 = icmp eq i8 %.4728, 0
+  br i1 %9, label %B1804, label %B1684
 
-B404.i:                                           ; preds = %B364.i, %B336.i, %B296.i, %B1540
-  %first.3.1.i = phi i64 [ 0, %B296.i ], [ 0, %B1540 ], [ %.293.i, %B336.i ], [ %.323.i, %B364.i ]
-  %.378.i = add nsw i64 %first.3.1.i, 1
-  %.380.i = icmp sgt i64 %.228.i, %.378.i
-  br i1 %.380.i, label %B422.i, label %B1798
-
-B422.i:                                           ; preds = %B404.i
-  %26 = getelementptr double, ptr %.147.i, i64 %.228.i
-  %.400.i = getelementptr i8, ptr %26, i64 -16
-  %.401.i = load double, ptr %.400.i, align 8, !noalias !145
-  %.403.i = fcmp contract ogt double %.401.i, %.274.i
-  br i1 %.403.i, label %B468.preheader.i, label %B1798
-
-B468.preheader.i:                                 ; preds = %B422.i
-  %27 = shl i64 %.134.i, 3
-  %28 = getelementptr i8, ptr %arg.weights.4, i64 %27
-  %scevgep.i = getelementptr i8, ptr %28, i64 -24
-  br label %B468.i
-
-B468.i:                                           ; preds = %B496.i, %B468.preheader.i
-  %last.2.1.i = phi i64 [ %29, %B496.i ], [ %.228.i, %B468.preheader.i ]
-  %29 = add nsw i64 %last.2.1.i, -1
-  %.421.i = icmp sgt i64 %29, %.378.i
-  br i1 %.421.i, label %B496.i, label %B1799
-
-B496.i:                                           ; preds = %B468.i
-  %30 = shl i64 %last.2.1.i, 3
-  %scevgep9.i = getelementptr i8, ptr %scevgep.i, i64 %30
-  %.441.i = load double, ptr %scevgep9.i, align 8, !noalias !145
-  %.443.i = fcmp contract ogt double %.441.i, %.274.i
-  br i1 %.443.i, label %B468.i, label %B1798
-
-B1660:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
-  %31 = icmp eq i8 %.4724, 0
-  br i1 %31, label %B7650, label %B1798.thread
-
-B1798.thread:                                     ; preds = %B1660
-  %.5713 = getelementptr i8, ptr %.205, i64 32
-  %.5714 = load i64, ptr %.5713, align 8
-  %.5745 = add nsw i64 %.5714, 1
-  br label %B1799
-
-B1798:                                            ; preds = %B496.i, %B422.i, %B404.i
-  %last.3.0.i = phi i64 [ %.228.i, %B422.i ], [ %.228.i, %B404.i ], [ %29, %B496.i ]
-  %.5765 = icmp sgt i64 %last.3.0.i, %first.3.1.i
-  br i1 %.5765, label %B1799, label %B7552
-
-B1799:                                            ; preds = %B468.i, %B1798, %B1798.thread
-  %last.3.023 = phi i64 [ %.5745, %B1798.thread ], [ %last.3.0.i, %B1798 ], [ %.378.i, %B468.i ]
-  %first.3.022 = phi i64 [ %.5714, %B1798.thread ], [ %first.3.1.i, %B1798 ], [ %first.3.1.i, %B468.i ]
-  store ptr null, ptr %.6117, align 8
-  %.6143 = call fastcc i32 @inner_10(ptr nonnull %.6117, ptr nonnull %excinfo.46, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.167, ptr %arg.scratch.4, ptr %.1202, i64 %.1025, ptr %.1483, ptr %.1421, ptr %.1279, ptr %.1341, i64 %first.3.022, i64 %last.3.023)
-  %cond = icmp eq i32 %.6143, 0
-  br i1 %cond, label %B7552, label %B1799.if, !prof !0
-
-B7552:                                            ; preds = %B1799, %B1798
-  %32 = icmp eq i8 %.4724, 0
-  br i1 %32, label %B7650, label %B7554
-
-B7554:                                            ; preds = %B7552
-  %.6270 = getelementptr i8, ptr %.205, i64 32
-  %.6271 = load i64, ptr %.6270, align 8
-  %sunkaddr614 = inttoptr i64 %.354 to ptr
-  %sunkaddr615 = getelementptr i8, ptr %sunkaddr614, i64 %.356
-  %sunkaddr616 = getelementptr i8, ptr %sunkaddr615, i64 8
-  %.6306 = load double, ptr %sunkaddr616, align 8
+B1684:                                            ; preds = %B1682
+  %.5727 = getelementptr i8, ptr %.205, i64 32
+  %.5728 = load i64, ptr %.5727, align 8
+  %sunkaddr583 = inttoptr i64 %.357 to ptr
+  %sunkaddr584 = getelementptr i8, ptr %sunkaddr583, i64 %.360
+  %sunkaddr585 = getelementptr i8, ptr %sunkaddr584, i64 8
+  %.5763 = load double, ptr %sunkaddr585, align 8
   %.105.i = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.106.i = load i64, ptr %.105.i, align 8, !noalias !148
-  %33 = getelementptr double, ptr %arg.weights.4, i64 %.106.i
-  %.123.i = getelementptr double, ptr %33, i64 %.1099
-  %34 = lshr i64 %.6271, 33
-  %.190.i = and i64 %34, 1073741824
-  %35 = getelementptr double, ptr %.123.i, i64 %.6271
-  %.204.i = getelementptr double, ptr %35, i64 %.190.i
-  %.205.i = load double, ptr %.204.i, align 8, !noalias !148
-  %.384.i = fmul contract double %.6306, 0.000000e+00
-  %.368.i = shl nsw i64 %.6271, 3
+  %.106.i = load i64, ptr %.105.i, align 8, !noalias !146
+  %10 = getelementptr double, ptr %arg.weights.4, i64 %.106.i
+  %.123.i = getelementptr double, ptr %10, i64 %.1103
+  %11 = lshr i64 %.5728, 33
+  %.190.i = and i64 %11, 1073741824
+  %12 = getelementptr double, ptr %.123.i, i64 %.5728
+  %.204.i = getelementptr double, ptr %12, i64 %.190.i
+  %.205.i = load double, ptr %.204.i, align 8, !noalias !146
+  %.384.i = fmul contract double %.5763, 0.000000e+00
+  %.368.i = shl nsw i64 %.5728, 3
   %.369.i = or disjoint i64 %.368.i, 7
-  %.395.i = getelementptr inbounds double, ptr %.1279, i64 %.369.i
-  %.396.i = load double, ptr %.395.i, align 8, !noalias !148
+  %.395.i = getelementptr inbounds double, ptr %.1283, i64 %.369.i
+  %.396.i = load double, ptr %.395.i, align 8, !noalias !146
   %.397.i = fadd contract double %.384.i, %.396.i
-  %.384.1.i = fmul contract double %.6306, %.397.i
+  %.384.1.i = fmul contract double %.5763, %.397.i
   %.369.1.i = or disjoint i64 %.368.i, 6
-  %.395.1.i = getelementptr inbounds double, ptr %.1279, i64 %.369.1.i
-  %.396.1.i = load double, ptr %.395.1.i, align 8, !noalias !148
+  %.395.1.i = getelementptr inbounds double, ptr %.1283, i64 %.369.1.i
+  %.396.1.i = load double, ptr %.395.1.i, align 8, !noalias !146
   %.397.1.i = fadd contract double %.396.1.i, %.384.1.i
-  %.384.2.i = fmul contract double %.6306, %.397.1.i
+  %.384.2.i = fmul contract double %.5763, %.397.1.i
   %.369.2.i = or disjoint i64 %.368.i, 5
-  %.395.2.i = getelementptr inbounds double, ptr %.1279, i64 %.369.2.i
-  %.396.2.i = load double, ptr %.395.2.i, align 8, !noalias !148
+  %.395.2.i = getelementptr inbounds double, ptr %.1283, i64 %.369.2.i
+  %.396.2.i = load double, ptr %.395.2.i, align 8, !noalias !146
   %.397.2.i = fadd contract double %.396.2.i, %.384.2.i
-  %.384.3.i = fmul contract double %.6306, %.397.2.i
+  %.384.3.i = fmul contract double %.5763, %.397.2.i
   %.369.3.i = or disjoint i64 %.368.i, 4
-  %.395.3.i = getelementptr inbounds double, ptr %.1279, i64 %.369.3.i
-  %.396.3.i = load double, ptr %.395.3.i, align 8, !noalias !148
+  %.395.3.i = getelementptr inbounds double, ptr %.1283, i64 %.369.3.i
+  %.396.3.i = load double, ptr %.395.3.i, align 8, !noalias !146
   %.397.3.i = fadd contract double %.396.3.i, %.384.3.i
-  %.384.4.i = fmul contract double %.6306, %.397.3.i
+  %.384.4.i = fmul contract double %.5763, %.397.3.i
   %.369.4.i = or disjoint i64 %.368.i, 3
-  %.395.4.i = getelementptr inbounds double, ptr %.1279, i64 %.369.4.i
-  %.396.4.i = load double, ptr %.395.4.i, align 8, !noalias !148
+  %.395.4.i = getelementptr inbounds double, ptr %.1283, i64 %.369.4.i
+  %.396.4.i = load double, ptr %.395.4.i, align 8, !noalias !146
   %.397.4.i = fadd contract double %.396.4.i, %.384.4.i
-  %.384.5.i = fmul contract double %.6306, %.397.4.i
+  %.384.5.i = fmul contract double %.5763, %.397.4.i
   %.369.5.i = or disjoint i64 %.368.i, 2
-  %.395.5.i = getelementptr inbounds double, ptr %.1279, i64 %.369.5.i
-  %.396.5.i = load double, ptr %.395.5.i, align 8, !noalias !148
+  %.395.5.i = getelementptr inbounds double, ptr %.1283, i64 %.369.5.i
+  %.396.5.i = load double, ptr %.395.5.i, align 8, !noalias !146
   %.397.5.i = fadd contract double %.396.5.i, %.384.5.i
-  %.384.6.i = fmul contract double %.6306, %.397.5.i
+  %.384.6.i = fmul contract double %.5763, %.397.5.i
   %.369.6.i = or disjoint i64 %.368.i, 1
-  %.395.6.i = getelementptr inbounds double, ptr %.1279, i64 %.369.6.i
-  %.396.6.i = load double, ptr %.395.6.i, align 8, !noalias !148
+  %.395.6.i = getelementptr inbounds double, ptr %.1283, i64 %.369.6.i
+  %.396.6.i = load double, ptr %.395.6.i, align 8, !noalias !146
   %.397.6.i = fadd contract double %.396.6.i, %.384.6.i
-  %.384.7.i = fmul contract double %.6306, %.397.6.i
-  %.395.7.i = getelementptr inbounds double, ptr %.1279, i64 %.368.i
-  %.396.7.i = load double, ptr %.395.7.i, align 8, !noalias !148
+  %.384.7.i = fmul contract double %.5763, %.397.6.i
+  %.395.7.i = getelementptr inbounds double, ptr %.1283, i64 %.368.i
+  %.396.7.i = load double, ptr %.395.7.i, align 8, !noalias !146
   %.397.7.i = fadd contract double %.396.7.i, %.384.7.i
-  %.377.i = getelementptr inbounds double, ptr %.1341, i64 %.369.i
-  %.378.i38 = load double, ptr %.377.i, align 8, !noalias !148
-  %.379.i = fadd contract double %.384.i, %.378.i38
-  %.366.1.i = fmul contract double %.6306, %.379.i
-  %.377.1.i = getelementptr inbounds double, ptr %.1341, i64 %.369.1.i
-  %.378.1.i = load double, ptr %.377.1.i, align 8, !noalias !148
+  %.377.i = getelementptr inbounds double, ptr %.1345, i64 %.369.i
+  %.378.i = load double, ptr %.377.i, align 8, !noalias !146
+  %.379.i = fadd contract double %.384.i, %.378.i
+  %.366.1.i = fmul contract double %.5763, %.379.i
+  %.377.1.i = getelementptr inbounds double, ptr %.1345, i64 %.369.1.i
+  %.378.1.i = load double, ptr %.377.1.i, align 8, !noalias !146
   %.379.1.i = fadd contract double %.378.1.i, %.366.1.i
-  %.366.2.i = fmul contract double %.6306, %.379.1.i
-  %.377.2.i = getelementptr inbounds double, ptr %.1341, i64 %.369.2.i
-  %.378.2.i = load double, ptr %.377.2.i, align 8, !noalias !148
+  %.366.2.i = fmul contract double %.5763, %.379.1.i
+  %.377.2.i = getelementptr inbounds double, ptr %.1345, i64 %.369.2.i
+  %.378.2.i = load double, ptr %.377.2.i, align 8, !noalias !146
   %.379.2.i = fadd contract double %.378.2.i, %.366.2.i
-  %.366.3.i = fmul contract double %.6306, %.379.2.i
-  %.377.3.i = getelementptr inbounds double, ptr %.1341, i64 %.369.3.i
-  %.378.3.i = load double, ptr %.377.3.i, align 8, !noalias !148
+  %.366.3.i = fmul contract double %.5763, %.379.2.i
+  %.377.3.i = getelementptr inbounds double, ptr %.1345, i64 %.369.3.i
+  %.378.3.i = load double, ptr %.377.3.i, align 8, !noalias !146
   %.379.3.i = fadd contract double %.378.3.i, %.366.3.i
-  %.366.4.i = fmul contract double %.6306, %.379.3.i
-  %.377.4.i = getelementptr inbounds double, ptr %.1341, i64 %.369.4.i
-  %.378.4.i = load double, ptr %.377.4.i, align 8, !noalias !148
+  %.366.4.i = fmul contract double %.5763, %.379.3.i
+  %.377.4.i = getelementptr inbounds double, ptr %.1345, i64 %.369.4.i
+  %.378.4.i = load double, ptr %.377.4.i, align 8, !noalias !146
   %.379.4.i = fadd contract double %.378.4.i, %.366.4.i
-  %.366.5.i = fmul contract double %.6306, %.379.4.i
-  %.377.5.i = getelementptr inbounds double, ptr %.1341, i64 %.369.5.i
-  %.378.5.i = load double, ptr %.377.5.i, align 8, !noalias !148
+  %.366.5.i = fmul contract double %.5763, %.379.4.i
+  %.377.5.i = getelementptr inbounds double, ptr %.1345, i64 %.369.5.i
+  %.378.5.i = load double, ptr %.377.5.i, align 8, !noalias !146
   %.379.5.i = fadd contract double %.378.5.i, %.366.5.i
-  %.366.6.i = fmul contract double %.6306, %.379.5.i
-  %.377.6.i = getelementptr inbounds double, ptr %.1341, i64 %.369.6.i
-  %.378.6.i = load double, ptr %.377.6.i, align 8, !noalias !148
+  %.366.6.i = fmul contract double %.5763, %.379.5.i
+  %.377.6.i = getelementptr inbounds double, ptr %.1345, i64 %.369.6.i
+  %.378.6.i = load double, ptr %.377.6.i, align 8, !noalias !146
   %.379.6.i = fadd contract double %.378.6.i, %.366.6.i
-  %.366.7.i = fmul contract double %.6306, %.379.6.i
-  %.377.7.i = getelementptr inbounds double, ptr %.1341, i64 %.368.i
-  %.378.7.i = load double, ptr %.377.7.i, align 8, !noalias !148
+  %.366.7.i = fmul contract double %.5763, %.379.6.i
+  %.377.7.i = getelementptr inbounds double, ptr %.1345, i64 %.368.i
+  %.378.7.i = load double, ptr %.377.7.i, align 8, !noalias !146
   %.379.7.i = fadd contract double %.378.7.i, %.366.7.i
   %.361.i = fadd contract double %.384.i, 0.000000e+00
-  %.359.1.i = fmul contract double %.6306, %.361.i
+  %.359.1.i = fmul contract double %.5763, %.361.i
   %.361.1.i = fadd contract double %.359.1.i, %.379.i
-  %.359.2.i = fmul contract double %.6306, %.361.1.i
+  %.359.2.i = fmul contract double %.5763, %.361.1.i
   %.361.2.i = fadd contract double %.379.1.i, %.359.2.i
-  %.359.3.i = fmul contract double %.6306, %.361.2.i
+  %.359.3.i = fmul contract double %.5763, %.361.2.i
   %.361.3.i = fadd contract double %.379.2.i, %.359.3.i
-  %.359.4.i = fmul contract double %.6306, %.361.3.i
+  %.359.4.i = fmul contract double %.5763, %.361.3.i
   %.361.4.i = fadd contract double %.379.3.i, %.359.4.i
-  %.359.5.i = fmul contract double %.6306, %.361.4.i
+  %.359.5.i = fmul contract double %.5763, %.361.4.i
   %.361.5.i = fadd contract double %.379.4.i, %.359.5.i
-  %.359.6.i = fmul contract double %.6306, %.361.5.i
+  %.359.6.i = fmul contract double %.5763, %.361.5.i
   %.361.6.i = fadd contract double %.379.5.i, %.359.6.i
-  %.359.7.i = fmul contract double %.6306, %.361.6.i
+  %.359.7.i = fmul contract double %.5763, %.361.6.i
   %.361.7.i = fadd contract double %.379.6.i, %.359.7.i
-  %.421.i39 = fmul contract double %.205.i, %.361.7.i
-  %sunkaddr617 = shl i64 %.4284, 3
-  %sunkaddr618 = getelementptr i8, ptr %arg.weights.4, i64 %sunkaddr617
-  %sunkaddr619 = getelementptr i8, ptr %sunkaddr618, i64 8
-  %.451.i = load double, ptr %sunkaddr619, align 8, !noalias !148
-  %.457.i = fmul contract double %.451.i, %.421.i39
+  %.421.i = fmul contract double %.205.i, %.361.7.i
+  %sunkaddr586 = shl i64 %.4288, 3
+  %sunkaddr587 = getelementptr i8, ptr %arg.weights.4, i64 %sunkaddr586
+  %sunkaddr588 = getelementptr i8, ptr %sunkaddr587, i64 8
+  %.451.i = load double, ptr %sunkaddr588, align 8, !noalias !146
+  %.457.i = fmul contract double %.451.i, %.421.i
   %.459.i = fsub contract double %.379.7.i, %.457.i
-  br label %B7650
+  br label %B1804
 
-B7650:                                            ; preds = %B1660, %B7554, %B7552
-  %top.2.sroa.18.0 = phi double [ 0.000000e+00, %B7552 ], [ %.421.i39, %B7554 ], [ 0.000000e+00, %B1660 ]
-  %top.2.sroa.9.0 = phi double [ 0.000000e+00, %B7552 ], [ %.459.i, %B7554 ], [ 0.000000e+00, %B1660 ]
-  %top.2.sroa.0.0 = phi double [ 0.000000e+00, %B7552 ], [ %.397.7.i, %B7554 ], [ 0.000000e+00, %B1660 ]
-  %36 = add i64 %.137, 511
-  %.6566 = lshr i64 %36, 9
-  %.6545.inv = icmp slt i64 %.137, 1
-  %.65873023.not3047 = icmp eq i64 %.6566, 0
-  %.65873023.not = select i1 %.6545.inv, i1 true, i1 %.65873023.not3047
-  br i1 %.65873023.not, label %B8221, label %B7797.if.preheader
+B1804:                                            ; preds = %B1430, %B1684, %B1682
+  %top.2.sroa.16.0 = phi double [ 0.000000e+00, %B1682 ], [ %.421.i, %B1684 ], [ 0.000000e+00, %B1430 ]
+  %top.2.sroa.8.0 = phi double [ 0.000000e+00, %B1682 ], [ %.459.i, %B1684 ], [ 0.000000e+00, %B1430 ]
+  %top.2.sroa.0.0 = phi double [ 0.000000e+00, %B1682 ], [ %.397.7.i, %B1684 ], [ 0.000000e+00, %B1430 ]
+  %13 = add i64 %.137, 511
+  %.6348 = lshr i64 %13, 9
+  %.6327.inv = icmp slt i64 %.137, 1
+  %.63693094.not3110 = icmp eq i64 %.6348, 0
+  %.63693094.not = select i1 %.6327.inv, i1 true, i1 %.63693094.not3110
+  br i1 %.63693094.not, label %B7811, label %B1842.if.preheader
 
-B7797.if.preheader:                               ; preds = %B7650
-  %37 = add nuw nsw i64 %.6566, 4
-  %38 = icmp eq i64 %64, 2
-  br label %B7797.if
+B1842.if.preheader:                               ; preds = %B1804
+  %14 = add nuw nsw i64 %.6348, 4
+  %15 = icmp eq i64 %41, 2
+  br label %B1842.if
 
-B7895:                                            ; preds = %B7797.if
-  store ptr null, ptr %.6750, align 8
-  call fastcc void @inner_21(ptr nonnull %.6750, i64 %arg.i, i64 %arg.lane, i64 %.659330183024, i64 %.13.i267, i64 %.13.i265, i8 %.4695, double %top.2.sroa.0.0, double %top.2.sroa.9.0, double %top.2.sroa.18.0, ptr %arg.arguments.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.1025, i64 %.1099, ptr %arg.scratch.4, ptr %.1202, ptr %.1279, ptr %.1341, ptr %.1622, ptr %.1684, ptr %.1747, ptr %.1810, ptr %.1873, ptr %.1936, ptr %.2047, ptr %.2110, ptr %.2173, ptr %.2236, ptr %.2332, ptr %.2423, ptr %.2518)
-  br label %B8219
+B1881:                                            ; preds = %B1842.if
+  store ptr null, ptr %.6513, align 8
+  call fastcc void @inner_21(ptr nonnull %.6513, i64 %arg.i, i64 %arg.lane, i64 %.637530893095, i64 %.13.i254, i64 %.13.i252, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, i64 %.1029, i64 %.1103, i8 %.4699, ptr %arg.scratch.4, ptr %.1206, ptr %.1283, ptr %.1345, double %top.2.sroa.0.0, double %top.2.sroa.8.0, double %top.2.sroa.16.0, ptr %.1626, ptr %.1688, ptr %.1751, ptr %.1814, ptr %.1877, ptr %.1940, ptr %.2051, ptr %.2114, ptr %.2177, ptr %.2240, ptr %.2427, ptr %.2522, ptr %.2336)
+  br label %B7809
 
-B8141:                                            ; preds = %B7797.if
-  store ptr null, ptr %.6872, align 8
-  call fastcc void @inner_22(ptr nonnull %.6872, i64 %arg.i, i64 %arg.lane, i64 %.659330183024, i64 %.13.i267, i64 %.13.i265, i8 %.4695, double %top.2.sroa.0.0, double %top.2.sroa.9.0, double %top.2.sroa.18.0, ptr %arg.arguments.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.1025, i64 %.1099, ptr %arg.scratch.4, ptr %.1202, ptr %.1279, ptr %.1341, ptr %.1622, ptr %.1684, ptr %.1747, ptr %.1810, ptr %.2332, ptr %.2423, ptr %.2518)
-  br label %B8219
+B7731:                                            ; preds = %B1842.if
+  store ptr null, ptr %.6615, align 8
+  call fastcc void @inner_22(ptr nonnull %.6615, i64 %arg.i, i64 %arg.lane, i64 %.637530893095, i64 %.13.i254, i64 %.13.i252, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, i64 %.1029, i64 %.1103, i8 %.4699, ptr %arg.scratch.4, ptr %.1206, ptr %.1283, ptr %.1345, double %top.2.sroa.0.0, double %top.2.sroa.8.0, double %top.2.sroa.16.0, ptr %.1626, ptr %.1688, ptr %.1751, ptr %.1814, ptr %.2427, ptr %.2522, ptr %.2336)
+  br label %B7809
 
-B8219:                                            ; preds = %B8141, %B7895
-  %lsr.iv.next16 = add nsw i64 %lsr.iv15, -1
-  %.6587 = icmp sgt i64 %lsr.iv15, 5
-  br i1 %.6587, label %B7797.if, label %B8221
+B7809:                                            ; preds = %B7731, %B1881
+  %lsr.iv.next8 = add nsw i64 %lsr.iv7, -1
+  %.6369 = icmp sgt i64 %lsr.iv7, 5
+  br i1 %.6369, label %B1842.if, label %B7811
 
-common.ret:                                       ; preds = %B1799.if, %for.end.1.endif.endif.endif.endif.if, %B8221
-  %common.ret.op = phi i32 [ 0, %B8221 ], [ 1, %for.end.1.endif.endif.endif.endif.if ], [ 1, %B1799.if ]
+common.ret:                                       ; preds = %B1576.if, %for.end.1.endif.endif.endif.endif.if, %B7811
+  %common.ret.op = phi i32 [ 0, %B7811 ], [ 1, %for.end.1.endif.endif.endif.endif.if ], [ 1, %B1576.if ]
   ret i32 %common.ret.op
 
-B8221:                                            ; preds = %B8219, %B7650
+B7811:                                            ; preds = %B7809, %B1804
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B94.if.lr.ph.i:                                   ; preds = %B1254
-  %.3654 = getelementptr i8, ptr %arg.contents.4, i64 112
-  %.3655 = load i64, ptr %.3654, align 8
-  %39 = getelementptr double, ptr %arg.scratch.4, i64 %.1025
-  %40 = getelementptr double, ptr %arg.scratch.4, i64 %.234.i
-  %.idx.i = mul i64 %.991.1, -24
-  %41 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx.i
-  %42 = shl i64 %.983, 3
-  %43 = and i64 %42, -64
-  %44 = sub i64 8, %43
-  %scevgep604 = getelementptr i8, ptr %arg.linear.4, i64 %44
-  %smin37 = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
-  %45 = add i64 %.3655, %smin37
-  %46 = shl i64 %45, 3
-  %scevgep38 = getelementptr i8, ptr %arg.weights.4, i64 %46
-  %47 = add i64 %.3655, %.88.sroa.0.3.i
-  %48 = shl i64 %47, 3
-  %scevgep40 = getelementptr i8, ptr %arg.weights.4, i64 %48
-  %49 = add nuw nsw i64 %.486.i, 5
+B94.if.lr.ph.i:                                   ; preds = %B1336
+  %.3658 = getelementptr i8, ptr %arg.contents.4, i64 112
+  %.3659 = load i64, ptr %.3658, align 8
+  %16 = getelementptr double, ptr %arg.scratch.4, i64 %.1029
+  %17 = getelementptr double, ptr %arg.scratch.4, i64 %.234.i
+  %.idx.i = mul i64 %.995.1, -24
+  %18 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx.i
+  %19 = shl i64 %.987, 3
+  %20 = and i64 %19, -64
+  %21 = sub i64 8, %20
+  %scevgep573 = getelementptr i8, ptr %arg.linear.4, i64 %21
+  %smin26 = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
+  %22 = add i64 %.3659, %smin26
+  %23 = shl i64 %22, 3
+  %scevgep27 = getelementptr i8, ptr %arg.weights.4, i64 %23
+  %24 = add i64 %.3659, %.88.sroa.0.3.i
+  %25 = shl i64 %24, 3
+  %scevgep29 = getelementptr i8, ptr %arg.weights.4, i64 %25
+  %26 = add nuw nsw i64 %.486.i, 5
   br label %B94.if.i
 
 B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
-  %lsr.iv22 = phi i64 [ %lsr.iv.next23, %B94.if.i ], [ %49, %B94.if.lr.ph.i ]
+  %lsr.iv12 = phi i64 [ %lsr.iv.next13, %B94.if.i ], [ %26, %B94.if.lr.ph.i ]
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
-  %sunkaddr29 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
-  %.554.i = load <8 x double>, ptr %sunkaddr29, align 8, !noalias !151
-  %sunkaddr31 = getelementptr i8, ptr %sunkaddr29, i64 8
-  %.565.i = load <8 x double>, ptr %sunkaddr31, align 8, !noalias !151
-  %scevgep606 = getelementptr i8, ptr %scevgep604, i64 %lsr.iv53.i
-  %scevgep607 = getelementptr i8, ptr %scevgep606, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep607, align 8, !noalias !151
-  %.586.i = load <8 x double>, ptr %scevgep606, align 8, !noalias !151
-  %scevgep41 = getelementptr i8, ptr %scevgep40, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep41, align 8, !noalias !151
-  %scevgep39 = getelementptr i8, ptr %scevgep38, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep39, align 8, !noalias !151
+  %sunkaddr18 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
+  %.554.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !149
+  %sunkaddr20 = getelementptr i8, ptr %sunkaddr18, i64 8
+  %.565.i = load <8 x double>, ptr %sunkaddr20, align 8, !noalias !149
+  %scevgep575 = getelementptr i8, ptr %scevgep573, i64 %lsr.iv53.i
+  %scevgep576 = getelementptr i8, ptr %scevgep575, i64 -8
+  %.575.i = load <8 x double>, ptr %scevgep576, align 8, !noalias !149
+  %.586.i = load <8 x double>, ptr %scevgep575, align 8, !noalias !149
+  %scevgep30 = getelementptr i8, ptr %scevgep29, i64 %lsr.iv53.i
+  %.596.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !149
+  %scevgep28 = getelementptr i8, ptr %scevgep27, i64 %lsr.iv53.i
+  %.606.i = load <8 x double>, ptr %scevgep28, align 8, !noalias !149
   %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
   %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
   %scevgep65.i = getelementptr i8, ptr %arg.scratch.4, i64 %lsr.iv53.i
-  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !151
+  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !149
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
   %.8.i.i = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
   %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i
   %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
-  %scevgep64.i = getelementptr i8, ptr %39, i64 %lsr.iv53.i
-  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !151
+  %scevgep64.i = getelementptr i8, ptr %16, i64 %lsr.iv53.i
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !149
   %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
-  %scevgep63.i = getelementptr i8, ptr %40, i64 %lsr.iv53.i
-  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !151
+  %scevgep63.i = getelementptr i8, ptr %17, i64 %lsr.iv53.i
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !149
   %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
   %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
   %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
-  %scevgep62.i = getelementptr i8, ptr %41, i64 %lsr.iv53.i
-  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !151
+  %scevgep62.i = getelementptr i8, ptr %18, i64 %lsr.iv53.i
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !149
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
-  %lsr.iv.next23 = add nsw i64 %lsr.iv22, -1
-  %.507.i = icmp sgt i64 %lsr.iv22, 6
-  br i1 %.507.i, label %B94.if.i, label %B1254.endif.endif.endif.e...endif.5
+  %lsr.iv.next13 = add nsw i64 %lsr.iv12, -1
+  %.507.i = icmp sgt i64 %lsr.iv12, 6
+  br i1 %.507.i, label %B94.if.i, label %B1336.endif.endif.endif.e...endif.5
 
-B1254.endif.endif.endif.e...endif.5:              ; preds = %B94.if.i, %B1254
-  %.4106 = load i64, ptr %.981, align 8
-  %50 = add i64 %.4106, 6
-  %.486.i202 = lshr i64 %50, 3
-  %.463.inv.i203 = icmp slt i64 %.4106, 2
-  %.507321.not325.i204 = icmp eq i64 %.486.i202, 0
-  %.507321.not.i205 = or i1 %.463.inv.i203, %.507321.not325.i204
-  br i1 %.507321.not.i205, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit242, label %B94.if.lr.ph.i206
+B1336.endif.endif.endif.e...endif.5:              ; preds = %B94.if.i, %B1336
+  %.4110 = load i64, ptr %.985, align 8
+  %27 = add i64 %.4110, 6
+  %.486.i194 = lshr i64 %27, 3
+  %.463.inv.i195 = icmp slt i64 %.4110, 2
+  %.507321.not325.i196 = icmp eq i64 %.486.i194, 0
+  %.507321.not.i197 = or i1 %.463.inv.i195, %.507321.not325.i196
+  br i1 %.507321.not.i197, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234, label %B94.if.lr.ph.i198
 
-B94.if.lr.ph.i206:                                ; preds = %B1254.endif.endif.endif.e...endif.5
-  %51 = getelementptr double, ptr %.1202, i64 %.1025
-  %52 = getelementptr double, ptr %.1202, i64 %.234.i
-  %.idx.i207 = mul i64 %.991.1, -24
-  %53 = getelementptr i8, ptr %.1202, i64 %.idx.i207
-  %54 = lshr i64 %.983, 3
-  %.neg = mul i64 %54, -192
-  %55 = getelementptr i8, ptr %arg.linear.4, i64 %.neg
-  %scevgep594 = getelementptr i8, ptr %55, i64 8
-  %56 = shl i64 %54, 7
-  %57 = sub i64 8, %56
-  %scevgep598 = getelementptr i8, ptr %arg.linear.4, i64 %57
+B94.if.lr.ph.i198:                                ; preds = %B1336.endif.endif.endif.e...endif.5
+  %28 = getelementptr double, ptr %.1206, i64 %.1029
+  %29 = getelementptr double, ptr %.1206, i64 %.234.i
+  %.idx.i199 = mul i64 %.995.1, -24
+  %30 = getelementptr i8, ptr %.1206, i64 %.idx.i199
+  %31 = lshr i64 %.987, 3
+  %.neg = mul i64 %31, -192
+  %32 = getelementptr i8, ptr %arg.linear.4, i64 %.neg
+  %scevgep = getelementptr i8, ptr %32, i64 8
+  %33 = shl i64 %31, 7
+  %34 = sub i64 8, %33
+  %scevgep567 = getelementptr i8, ptr %arg.linear.4, i64 %34
   %smin = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
-  %58 = add i64 %smin, %.3745
-  %59 = shl i64 %58, 3
-  %scevgep31 = getelementptr i8, ptr %arg.weights.4, i64 %59
-  %60 = add i64 %.88.sroa.0.3.i, %.3745
-  %61 = shl i64 %60, 3
-  %scevgep33 = getelementptr i8, ptr %arg.weights.4, i64 %61
-  %62 = add nuw nsw i64 %.486.i202, 5
-  br label %B94.if.i208
+  %35 = add i64 %smin, %.3749
+  %36 = shl i64 %35, 3
+  %scevgep20 = getelementptr i8, ptr %arg.weights.4, i64 %36
+  %37 = add i64 %.88.sroa.0.3.i, %.3749
+  %38 = shl i64 %37, 3
+  %scevgep22 = getelementptr i8, ptr %arg.weights.4, i64 %38
+  %39 = add nuw nsw i64 %.486.i194, 5
+  br label %B94.if.i200
 
-B94.if.i208:                                      ; preds = %B94.if.i208, %B94.if.lr.ph.i206
-  %lsr.iv20 = phi i64 [ %lsr.iv.next21, %B94.if.i208 ], [ %62, %B94.if.lr.ph.i206 ]
-  %lsr.iv53.i209 = phi i64 [ %lsr.iv.next54.i238, %B94.if.i208 ], [ 0, %B94.if.lr.ph.i206 ]
-  %scevgep600 = getelementptr i8, ptr %scevgep598, i64 %lsr.iv53.i209
-  %scevgep601 = getelementptr i8, ptr %scevgep600, i64 -8
-  %.554.i212 = load <8 x double>, ptr %scevgep601, align 8, !noalias !154
-  %.565.i214 = load <8 x double>, ptr %scevgep600, align 8, !noalias !154
-  %scevgep596 = getelementptr i8, ptr %scevgep594, i64 %lsr.iv53.i209
-  %scevgep597 = getelementptr i8, ptr %scevgep596, i64 -8
-  %.575.i216 = load <8 x double>, ptr %scevgep597, align 8, !noalias !154
-  %.586.i218 = load <8 x double>, ptr %scevgep596, align 8, !noalias !154
-  %scevgep34 = getelementptr i8, ptr %scevgep33, i64 %lsr.iv53.i209
-  %.596.i220 = load <8 x double>, ptr %scevgep34, align 8, !noalias !154
-  %scevgep32 = getelementptr i8, ptr %scevgep31, i64 %lsr.iv53.i209
-  %.606.i222 = load <8 x double>, ptr %scevgep32, align 8, !noalias !154
-  %.6.i.i223 = fsub contract <8 x double> %.565.i214, %.554.i212
-  %.6.i46.i224 = fmul contract <8 x double> %.6.i.i223, %.606.i222
-  %scevgep65.i225 = getelementptr i8, ptr %.1202, i64 %lsr.iv53.i209
-  store <8 x double> %.554.i212, ptr %scevgep65.i225, align 8, !noalias !154
-  %.669.i226 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i216, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i218)
-  %.8.i.i227 = fmul contract <8 x double> %.669.i226, splat (double 0x3FC5555555555555)
-  %.6.i47.i228 = fmul contract <8 x double> %.596.i220, %.8.i.i227
-  %.6.i48.i229 = fsub contract <8 x double> %.6.i46.i224, %.6.i47.i228
-  %scevgep64.i230 = getelementptr i8, ptr %51, i64 %lsr.iv53.i209
-  store <8 x double> %.6.i48.i229, ptr %scevgep64.i230, align 8, !noalias !154
-  %.8.i49.i231 = fmul contract <8 x double> %.575.i216, splat (double 5.000000e-01)
-  %scevgep63.i232 = getelementptr i8, ptr %52, i64 %lsr.iv53.i209
-  store <8 x double> %.8.i49.i231, ptr %scevgep63.i232, align 8, !noalias !154
-  %.6.i50.i233 = fsub contract <8 x double> %.586.i218, %.575.i216
-  %.6.i51.i234 = fmul contract <8 x double> %.6.i50.i233, %.606.i222
-  %.8.i52.i235 = fmul contract <8 x double> %.6.i51.i234, splat (double 0x3FC5555555555555)
-  %scevgep62.i236 = getelementptr i8, ptr %53, i64 %lsr.iv53.i209
-  store <8 x double> %.8.i52.i235, ptr %scevgep62.i236, align 8, !noalias !154
-  %lsr.iv.next54.i238 = add i64 %lsr.iv53.i209, 64
-  %lsr.iv.next21 = add nsw i64 %lsr.iv20, -1
-  %.507.i239 = icmp sgt i64 %lsr.iv20, 6
-  br i1 %.507.i239, label %B94.if.i208, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit242
+B94.if.i200:                                      ; preds = %B94.if.i200, %B94.if.lr.ph.i198
+  %lsr.iv10 = phi i64 [ %lsr.iv.next11, %B94.if.i200 ], [ %39, %B94.if.lr.ph.i198 ]
+  %lsr.iv53.i201 = phi i64 [ %lsr.iv.next54.i230, %B94.if.i200 ], [ 0, %B94.if.lr.ph.i198 ]
+  %scevgep569 = getelementptr i8, ptr %scevgep567, i64 %lsr.iv53.i201
+  %scevgep570 = getelementptr i8, ptr %scevgep569, i64 -8
+  %.554.i204 = load <8 x double>, ptr %scevgep570, align 8, !noalias !152
+  %.565.i206 = load <8 x double>, ptr %scevgep569, align 8, !noalias !152
+  %scevgep565 = getelementptr i8, ptr %scevgep, i64 %lsr.iv53.i201
+  %scevgep566 = getelementptr i8, ptr %scevgep565, i64 -8
+  %.575.i208 = load <8 x double>, ptr %scevgep566, align 8, !noalias !152
+  %.586.i210 = load <8 x double>, ptr %scevgep565, align 8, !noalias !152
+  %scevgep23 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i201
+  %.596.i212 = load <8 x double>, ptr %scevgep23, align 8, !noalias !152
+  %scevgep21 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i201
+  %.606.i214 = load <8 x double>, ptr %scevgep21, align 8, !noalias !152
+  %.6.i.i215 = fsub contract <8 x double> %.565.i206, %.554.i204
+  %.6.i46.i216 = fmul contract <8 x double> %.6.i.i215, %.606.i214
+  %scevgep65.i217 = getelementptr i8, ptr %.1206, i64 %lsr.iv53.i201
+  store <8 x double> %.554.i204, ptr %scevgep65.i217, align 8, !noalias !152
+  %.669.i218 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i208, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i210)
+  %.8.i.i219 = fmul contract <8 x double> %.669.i218, splat (double 0x3FC5555555555555)
+  %.6.i47.i220 = fmul contract <8 x double> %.596.i212, %.8.i.i219
+  %.6.i48.i221 = fsub contract <8 x double> %.6.i46.i216, %.6.i47.i220
+  %scevgep64.i222 = getelementptr i8, ptr %28, i64 %lsr.iv53.i201
+  store <8 x double> %.6.i48.i221, ptr %scevgep64.i222, align 8, !noalias !152
+  %.8.i49.i223 = fmul contract <8 x double> %.575.i208, splat (double 5.000000e-01)
+  %scevgep63.i224 = getelementptr i8, ptr %29, i64 %lsr.iv53.i201
+  store <8 x double> %.8.i49.i223, ptr %scevgep63.i224, align 8, !noalias !152
+  %.6.i50.i225 = fsub contract <8 x double> %.586.i210, %.575.i208
+  %.6.i51.i226 = fmul contract <8 x double> %.6.i50.i225, %.606.i214
+  %.8.i52.i227 = fmul contract <8 x double> %.6.i51.i226, splat (double 0x3FC5555555555555)
+  %scevgep62.i228 = getelementptr i8, ptr %30, i64 %lsr.iv53.i201
+  store <8 x double> %.8.i52.i227, ptr %scevgep62.i228, align 8, !noalias !152
+  %lsr.iv.next54.i230 = add i64 %lsr.iv53.i201, 64
+  %lsr.iv.next11 = add nsw i64 %lsr.iv10, -1
+  %.507.i231 = icmp sgt i64 %lsr.iv10, 6
+  br i1 %.507.i231, label %B94.if.i200, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit242: ; preds = %B94.if.i208, %B1254.endif.endif.endif.e...endif.5
-  %63 = inttoptr i64 %.743 to ptr
-  %.4248 = getelementptr i8, ptr %arg.row.4, i64 56
-  %.4249 = load double, ptr %.4248, align 8
-  %.4250 = fmul contract double %.4249, 0x3ED4A8B4A9ED04E3
-  %.4283 = getelementptr i8, ptr %arg.contents.4, i64 128
-  %.4284 = load i64, ptr %.4283, align 8
-  %.4295 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4284
-  %.4480 = getelementptr i8, ptr %.4295, i64 8
-  %.4481 = load double, ptr %.4480, align 8
-  %.4483 = fmul contract double %.4481, 0x3FF000000044B830
-  %.4491.le = tail call contract double @llvm.log.f64(double %.4483)
-  %.4504.le = tail call contract double @llvm.log.f64(double %.4250)
-  %.4509 = fsub contract double %.4491.le, %.4504.le
-  store i64 0, ptr %.4555, align 8
-  call fastcc void @inner_14(ptr nonnull %.4555, ptr %.616, i64 %.137, ptr %63, i64 %.512, double %prepared_grid_v125__vphi308_0.2.0, double %.4509)
-  %.4573 = load i64, ptr %.4555, align 8
-  %.4359 = getelementptr inbounds double, ptr %arg.linear.4, i64 %.1129
-  %.4594 = mul nsw i64 %.320, %.137
-  %.4597 = icmp sgt i64 %.4594, 2047
-  %.4629 = getelementptr i8, ptr %arg.arguments.4, i64 112
-  %.4630 = load i64, ptr %.4629, align 8
-  %64 = and i64 %.4630, -2
-  store i8 0, ptr %.4689, align 1
-  %.4695 = zext i1 %.4597 to i8
-  %.4714 = call fastcc i32 @inner_23(ptr nonnull %.4689, ptr nonnull %excinfo.39, i64 %arg.lane, ptr %arg.row.4, double %.4250, i8 %.4695, i64 %.4573, ptr nonnull %.205, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.4359, ptr %arg.ratios.4, ptr %.1421, ptr %.2423, ptr %.2518)
-  %.4724 = load i8, ptr %.4689, align 1
-  %cond3 = icmp eq i32 %.4714, 0
-  br i1 %cond3, label %for.end.1.endif.endif.endif.endif.endif, label %for.end.1.endif.endif.endif.endif.if, !prof !0
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234: ; preds = %B94.if.i200, %B1336.endif.endif.endif.e...endif.5
+  %40 = inttoptr i64 %.747 to ptr
+  %.4252 = getelementptr i8, ptr %arg.row.4, i64 56
+  %.4253 = load double, ptr %.4252, align 8
+  %.4254 = fmul contract double %.4253, 0x3ED4A8B4A9ED04E3
+  %.4287 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.4288 = load i64, ptr %.4287, align 8
+  %.4299 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4288
+  %.4484 = getelementptr i8, ptr %.4299, i64 8
+  %.4485 = load double, ptr %.4484, align 8
+  %.4487 = fmul contract double %.4485, 0x3FF000000044B830
+  %.4495.le = tail call contract double @llvm.log.f64(double %.4487)
+  %.4508.le = tail call contract double @llvm.log.f64(double %.4254)
+  %.4513 = fsub contract double %.4495.le, %.4508.le
+  store i64 0, ptr %.4559, align 8
+  call fastcc void @inner_14(ptr nonnull %.4559, ptr %.620, i64 %.137, ptr %40, i64 %.516, double %prepared_grid_v121__vphi308_0.2.0, double %.4513)
+  %.4577 = load i64, ptr %.4559, align 8
+  %.4363 = getelementptr inbounds double, ptr %arg.linear.4, i64 %.1133
+  %.4598 = mul nsw i64 %.320, %.137
+  %.4601 = icmp sgt i64 %.4598, 2047
+  %.4633 = getelementptr i8, ptr %arg.arguments.4, i64 112
+  %.4634 = load i64, ptr %.4633, align 8
+  %41 = and i64 %.4634, -2
+  store i8 0, ptr %.4693, align 1
+  %.4699 = zext i1 %.4601 to i8
+  %.4718 = call fastcc i32 @inner_23(ptr nonnull %.4693, ptr nonnull %excinfo.39, i64 %arg.lane, ptr %arg.row.4, double %.4254, i8 %.4699, i64 %.4577, ptr nonnull %.205, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.4363, ptr %arg.ratios.4, ptr %.1425, ptr %.2427, ptr %.2522)
+  %.4728 = load i8, ptr %.4693, align 1
+  %cond1 = icmp eq i32 %.4718, 0
+  br i1 %cond1, label %for.end.1.endif.endif.endif.endif.endif, label %for.end.1.endif.endif.endif.endif.if, !prof !0
 
-for.end.1.endif.endif.endif.endif.if:             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit242
-  %.4715 = load ptr, ptr %excinfo.39, align 8
-  store ptr %.4715, ptr %excinfo, align 8
+for.end.1.endif.endif.endif.endif.if:             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234
+  %.4719 = load ptr, ptr %excinfo.39, align 8
+  store ptr %.4719, ptr %excinfo, align 8
   br label %common.ret
 
-for.end.1.endif.endif.endif.endif.endif:          ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit242
-  br i1 %.4597, label %B1332, label %B1660
+for.end.1.endif.endif.endif.endif.endif:          ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234
+  br i1 %.4601, label %B1414, label %B1430
 
-B1348.if:                                         ; preds = %B1348.if, %B1348.if.preheader.new.new
-  %lsr.iv18 = phi i64 [ %lsr.iv.next19, %B1348.if ], [ %12, %B1348.if.preheader.new.new ]
-  %lsr.iv590 = phi ptr [ %scevgep591.3.1, %B1348.if ], [ %scevgep589, %B1348.if.preheader.new.new ]
-  %_highest_v115_highest.2.02997 = phi i64 [ %.13.i258.3.1, %B1348.if ], [ 0, %B1348.if.preheader.new.new ]
-  %.5053 = load i64, ptr %lsr.iv590, align 8
-  %.13.i258 = tail call i64 @llvm.smax.i64(i64 %.5053, i64 %_highest_v115_highest.2.02997)
-  %scevgep591 = getelementptr i8, ptr %lsr.iv590, i64 72
-  %.5053.1 = load i64, ptr %scevgep591, align 8
-  %.13.i258.1 = tail call i64 @llvm.smax.i64(i64 %.5053.1, i64 %.13.i258)
-  %scevgep591.1 = getelementptr i8, ptr %lsr.iv590, i64 144
-  %.5053.2 = load i64, ptr %scevgep591.1, align 8
-  %.13.i258.2 = tail call i64 @llvm.smax.i64(i64 %.5053.2, i64 %.13.i258.1)
-  %scevgep591.2 = getelementptr i8, ptr %lsr.iv590, i64 216
-  %.5053.3 = load i64, ptr %scevgep591.2, align 8
-  %.13.i258.3 = tail call i64 @llvm.smax.i64(i64 %.5053.3, i64 %.13.i258.2)
-  %scevgep591.3 = getelementptr i8, ptr %lsr.iv590, i64 288
-  %.5053.122 = load i64, ptr %scevgep591.3, align 8
-  %.13.i258.123 = tail call i64 @llvm.smax.i64(i64 %.5053.122, i64 %.13.i258.3)
-  %scevgep591.124 = getelementptr i8, ptr %lsr.iv590, i64 360
-  %.5053.1.1 = load i64, ptr %scevgep591.124, align 8
-  %.13.i258.1.1 = tail call i64 @llvm.smax.i64(i64 %.5053.1.1, i64 %.13.i258.123)
-  %scevgep591.1.1 = getelementptr i8, ptr %lsr.iv590, i64 432
-  %.5053.2.1 = load i64, ptr %scevgep591.1.1, align 8
-  %.13.i258.2.1 = tail call i64 @llvm.smax.i64(i64 %.5053.2.1, i64 %.13.i258.1.1)
-  %scevgep591.2.1 = getelementptr i8, ptr %lsr.iv590, i64 504
-  %.5053.3.1 = load i64, ptr %scevgep591.2.1, align 8
-  %.13.i258.3.1 = tail call i64 @llvm.smax.i64(i64 %.5053.3.1, i64 %.13.i258.2.1)
-  %scevgep591.3.1 = getelementptr i8, ptr %lsr.iv590, i64 576
-  %lsr.iv.next19 = add i64 %lsr.iv18, 2
-  %niter.ncmp.1 = icmp eq i64 %lsr.iv.next19, 0
-  br i1 %niter.ncmp.1, label %B1414.loopexit.unr-lcssa.unr-lcssa, label %B1348.if
+B296.i:                                           ; preds = %B1414
+  %.313.i = load double, ptr %.147.i, align 8, !noalias !143
+  %.317.i = fcmp contract olt double %.313.i, %.257.i
+  br i1 %.317.i, label %B336.preheader.i, label %B404.i
 
-B1494.if:                                         ; preds = %B1494.if.prol.loopexit, %B1494.if
-  %lsr.iv587 = phi i64 [ %lsr.iv.next588.3, %B1494.if ], [ %lsr.iv587.unr, %B1494.if.prol.loopexit ]
-  %lsr.iv585 = phi ptr [ %scevgep586.3, %B1494.if ], [ %lsr.iv585.unr, %B1494.if.prol.loopexit ]
-  %_lowest_v118_lowest.2.03008 = phi i64 [ %.13.i264.3, %B1494.if ], [ %_lowest_v118_lowest.2.03008.unr, %B1494.if.prol.loopexit ]
-  %.5523 = load i64, ptr %lsr.iv585, align 8
-  %.13.i264 = tail call i64 @llvm.smin.i64(i64 %.5523, i64 %_lowest_v118_lowest.2.03008)
-  %scevgep586 = getelementptr i8, ptr %lsr.iv585, i64 72
-  %.5523.1 = load i64, ptr %scevgep586, align 8
-  %.13.i264.1 = tail call i64 @llvm.smin.i64(i64 %.5523.1, i64 %.13.i264)
-  %scevgep586.1 = getelementptr i8, ptr %lsr.iv585, i64 144
-  %.5523.2 = load i64, ptr %scevgep586.1, align 8
-  %.13.i264.2 = tail call i64 @llvm.smin.i64(i64 %.5523.2, i64 %.13.i264.1)
-  %scevgep586.2 = getelementptr i8, ptr %lsr.iv585, i64 216
-  %.5523.3 = load i64, ptr %scevgep586.2, align 8
-  %.13.i264.3 = tail call i64 @llvm.smin.i64(i64 %.5523.3, i64 %.13.i264.2)
-  %scevgep586.3 = getelementptr i8, ptr %lsr.iv585, i64 288
-  %lsr.iv.next588.3 = add i64 %lsr.iv587, -4
-  %exitcond3046.not.3 = icmp eq i64 %lsr.iv.next588.3, 0
-  br i1 %exitcond3046.not.3, label %B1540, label %B1494.if
+B336.preheader.i:                                 ; preds = %B296.i
+  %42 = add nsw i64 %.228.i, -2
+  %43 = shl i64 %.134.i, 3
+  %44 = getelementptr i8, ptr %arg.weights.4, i64 %43
+  %scevgep11.i = getelementptr i8, ptr %44, i64 8
+  br label %B336.i
 
-B1799.if:                                         ; preds = %B1799
-  %.6144 = load ptr, ptr %excinfo.46, align 8
-  store ptr %.6144, ptr %excinfo, align 8
+B336.i:                                           ; preds = %B364.i, %B336.preheader.i
+  %first.2.0.i = phi i64 [ %.323.i, %B364.i ], [ 0, %B336.preheader.i ]
+  %exitcond.not.i = icmp eq i64 %42, %first.2.0.i
+  br i1 %exitcond.not.i, label %B404.i, label %B364.i
+
+B364.i:                                           ; preds = %B336.i
+  %.323.i = add nuw nsw i64 %first.2.0.i, 1
+  %45 = shl i64 %first.2.0.i, 3
+  %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %45
+  %.352.i = load double, ptr %scevgep12.i, align 8, !noalias !143
+  %.356.i = fcmp contract olt double %.352.i, %.257.i
+  br i1 %.356.i, label %B336.i, label %B404.i
+
+B404.i:                                           ; preds = %B364.i, %B336.i, %B296.i, %B1414
+  %first.3.1.i = phi i64 [ 0, %B296.i ], [ 0, %B1414 ], [ %.293.i, %B336.i ], [ %.323.i, %B364.i ]
+  %.378.i250 = add nsw i64 %first.3.1.i, 1
+  %.380.i = icmp sgt i64 %.228.i, %.378.i250
+  br i1 %.380.i, label %B422.i, label %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B422.i:                                           ; preds = %B404.i
+  %46 = getelementptr double, ptr %.147.i, i64 %.228.i
+  %.400.i = getelementptr i8, ptr %46, i64 -16
+  %.401.i = load double, ptr %.400.i, align 8, !noalias !143
+  %.403.i = fcmp contract ogt double %.401.i, %.274.i
+  br i1 %.403.i, label %B468.preheader.i, label %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+B468.preheader.i:                                 ; preds = %B422.i
+  %47 = shl i64 %.134.i, 3
+  %48 = getelementptr i8, ptr %arg.weights.4, i64 %47
+  %scevgep.i = getelementptr i8, ptr %48, i64 -24
+  br label %B468.i
+
+B468.i:                                           ; preds = %B496.i, %B468.preheader.i
+  %last.2.1.i = phi i64 [ %49, %B496.i ], [ %.228.i, %B468.preheader.i ]
+  %49 = add nsw i64 %last.2.1.i, -1
+  %.421.i251 = icmp sgt i64 %49, %.378.i250
+  br i1 %.421.i251, label %B496.i, label %B1576
+
+B496.i:                                           ; preds = %B468.i
+  %50 = shl i64 %last.2.1.i, 3
+  %scevgep9.i = getelementptr i8, ptr %scevgep.i, i64 %50
+  %.441.i = load double, ptr %scevgep9.i, align 8, !noalias !143
+  %.443.i = fcmp contract ogt double %.441.i, %.274.i
+  br i1 %.443.i, label %B468.i, label %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+
+_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B422.i, %B404.i
+  %last.3.0.i = phi i64 [ %.228.i, %B422.i ], [ %.228.i, %B404.i ], [ %49, %B496.i ]
+  %.5222 = icmp sgt i64 %last.3.0.i, %first.3.1.i
+  br i1 %.5222, label %B1576, label %B1682
+
+B1576.if:                                         ; preds = %B1576
+  %.5601 = load ptr, ptr %excinfo.43, align 8
+  store ptr %.5601, ptr %excinfo, align 8
   br label %common.ret
 
-B7797.if:                                         ; preds = %B8219, %B7797.if.preheader
-  %lsr.iv15 = phi i64 [ %lsr.iv.next16, %B8219 ], [ %37, %B7797.if.preheader ]
-  %.659330183024 = phi i64 [ %65, %B8219 ], [ 0, %B7797.if.preheader ]
-  %65 = add nuw i64 %.659330183024, 512
-  %.13.i265 = tail call i64 @llvm.smin.i64(i64 %.137, i64 %65)
-  %.13.i266 = tail call i64 @llvm.smax.i64(i64 %.659330183024, i64 %.4573)
-  %.13.i267 = tail call i64 @llvm.smin.i64(i64 %.13.i265, i64 %.13.i266)
-  br i1 %38, label %B7895, label %B8141
+B1842.if:                                         ; preds = %B7809, %B1842.if.preheader
+  %lsr.iv7 = phi i64 [ %lsr.iv.next8, %B7809 ], [ %14, %B1842.if.preheader ]
+  %.637530893095 = phi i64 [ %51, %B7809 ], [ 0, %B1842.if.preheader ]
+  %51 = add nuw i64 %.637530893095, 512
+  %.13.i252 = tail call i64 @llvm.smin.i64(i64 %.137, i64 %51)
+  %.13.i253 = tail call i64 @llvm.smax.i64(i64 %.637530893095, i64 %.4577)
+  %.13.i254 = tail call i64 @llvm.smin.i64(i64 %.13.i252, i64 %.13.i253)
+  br i1 %15, label %B1881, label %B7731
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -8701,8 +8540,8 @@ entry:
   %.230 = load i64, ptr %.229, align 8
   %.231.not = icmp eq i64 %.230, 0
   %.502 = icmp slt i64 %.110, 1
-  %or.cond = select i1 %.231.not, i1 true, i1 %.502, !prof !157
-  br i1 %or.cond, label %B218, label %.568.endif.preheader, !prof !157
+  %or.cond = select i1 %.231.not, i1 true, i1 %.502, !prof !155
+  br i1 %or.cond, label %B218, label %.568.endif.preheader, !prof !155
 
 B218:                                             ; preds = %.568.endif.preheader, %entry
   %.648 = getelementptr i8, ptr %arg.arguments.4, i64 72
@@ -8922,105 +8761,105 @@ B646.if:                                          ; preds = %B646.if, %B646.if.l
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc void @inner_21(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, i64 %arg.lane, i64 %arg.ends.0, i64 %arg.ends.1, i64 %arg.ends.2, i8 range(i8 0, 2) %arg.dense, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.ratios.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 range(i64 8, 1) %arg.sizes.0, i64 range(i64 8, 1) %arg.sizes.1, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, ptr readonly captures(none) %arg.fitted.0.4, ptr readonly captures(none) %arg.fitted.1.4, ptr captures(none) %arg.buffers.0.4, ptr captures(none) %arg.buffers.1.4, ptr captures(none) %arg.buffers.2.4, ptr captures(none) %arg.buffers.3.4, ptr captures(none) %arg.buffers.4.4, ptr captures(none) %arg.buffers.5.4, ptr captures(none) %arg.sums.0.4, ptr captures(none) %arg.sums.1.4, ptr captures(none) %arg.sums.2.4, ptr captures(none) %arg.sums.3.4, ptr captures(none) %arg.tail.4, ptr captures(none) %arg.carriers.4, ptr captures(none) %arg.modes.4) unnamed_addr #4 {
+define internal fastcc void @inner_21(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, i64 %arg.lane, i64 %arg.ends.0, i64 %arg.ends.1, i64 %arg.ends.2, ptr readonly captures(none) %arg.state.0.4, ptr readonly captures(none) %arg.state.1.4, ptr readonly captures(none) %arg.state.2.4, ptr readonly captures(none) %arg.state.3.4, i64 range(i64 40, 9) %arg.state.3.5.0, ptr readonly captures(none) %arg.state.4.4, i64 range(i64 8, 1) %arg.state.5.0, i64 range(i64 8, 1) %arg.state.5.1, i8 range(i8 0, 2) %arg.state.6, ptr readonly captures(none) %arg.state.7.0.4, ptr readonly captures(none) %arg.state.7.1.4, ptr readonly captures(none) %arg.state.8.0.4, ptr readonly captures(none) %arg.state.8.1.4, double %arg.state.9.0, double %arg.state.9.1, double %arg.state.9.2, ptr captures(none) %arg.state.10.0.4, ptr captures(none) %arg.state.10.1.4, ptr captures(none) %arg.state.10.2.4, ptr captures(none) %arg.state.10.3.4, ptr captures(none) %arg.state.10.4.4, ptr captures(none) %arg.state.10.5.4, ptr captures(none) %arg.state.11.0.4, ptr captures(none) %arg.state.11.1.4, ptr captures(none) %arg.state.11.2.4, ptr captures(none) %arg.state.11.3.4, ptr captures(none) %arg.state.12.4, ptr captures(none) %arg.state.13.4, ptr captures(none) %arg.state.14.4) unnamed_addr #4 {
 entry:
-  %.2798 = alloca ptr, align 8
-  store ptr null, ptr %.2798, align 8
-  %.11588 = alloca ptr, align 8
-  store ptr null, ptr %.11588, align 8
-  %.397 = getelementptr i8, ptr %arg.arguments.4, i64 168
-  %.398 = load i64, ptr %.397, align 8
-  %.399 = inttoptr i64 %.398 to ptr
-  %.453 = sub nsw i64 %arg.ends.1, %arg.ends.0
-  %.538 = getelementptr i8, ptr %arg.arguments.4, i64 32
-  %.605 = getelementptr i8, ptr %arg.arguments.4, i64 24
-  %.606 = load i64, ptr %.605, align 8
-  %.608 = inttoptr i64 %.606 to ptr
-  %.1033 = load i64, ptr %.538, align 8
-  %.idx = shl i64 %.1033, 4
-  %0 = getelementptr i8, ptr %.608, i64 %.idx
-  %.1050 = getelementptr double, ptr %0, i64 %arg.ends.0
-  %.14638770 = load i64, ptr %.399, align 8
-  %.14658771 = icmp sgt i64 %.14638770, 0
-  br i1 %.14658771, label %B798.preheader.lr.ph, label %B76155
+  %.3127 = alloca ptr, align 8
+  store ptr null, ptr %.3127, align 8
+  %.12445 = alloca ptr, align 8
+  store ptr null, ptr %.12445, align 8
+  %.524 = getelementptr i8, ptr %arg.state.0.4, i64 168
+  %.525 = load i64, ptr %.524, align 8
+  %.526 = inttoptr i64 %.525 to ptr
+  %.580 = sub nsw i64 %arg.ends.1, %arg.ends.0
+  %.665 = getelementptr i8, ptr %arg.state.0.4, i64 32
+  %.732 = getelementptr i8, ptr %arg.state.0.4, i64 24
+  %.733 = load i64, ptr %.732, align 8
+  %.735 = inttoptr i64 %.733 to ptr
+  %.1160 = load i64, ptr %.665, align 8
+  %.idx = shl i64 %.1160, 4
+  %0 = getelementptr i8, ptr %.735, i64 %.idx
+  %.1177 = getelementptr double, ptr %0, i64 %arg.ends.0
+  %.161611871 = load i64, ptr %.526, align 8
+  %.161811872 = icmp sgt i64 %.161611871, 0
+  br i1 %.161811872, label %B820.preheader.lr.ph, label %B72875
 
-B798:                                             ; preds = %B798.backedge, %B798.preheader.lr.ph
-  %k.6.1 = phi i64 [ 0, %B798.preheader.lr.ph ], [ %k.6.1.be, %B798.backedge ]
-  %number.2.1 = phi i64 [ 0, %B798.preheader.lr.ph ], [ %.3068, %B798.backedge ]
-  %.idx6035 = mul i64 %k.6.1, 72
-  %1 = getelementptr i8, ptr %.399, i64 %.idx6035
-  %.1493 = getelementptr i8, ptr %1, i64 48
-  %.1591 = load i64, ptr %.1493, align 8
-  %.1844 = load i64, ptr %.538, align 8
-  %.1911 = load i64, ptr %.605, align 8
-  %.1913 = inttoptr i64 %.1911 to ptr
-  %.2368 = mul nsw i64 %number.2.1, %.2367
-  %.2379 = getelementptr double, ptr %arg.carriers.4, i64 %.2368
-  %.2442 = getelementptr i8, ptr %.2379, i64 320
-  %.2505 = getelementptr i8, ptr %.2379, i64 384
-  %.2571 = getelementptr i8, ptr %.2379, i64 512
-  store ptr null, ptr %.2798, align 8
-  call fastcc void @inner_25(ptr nonnull %.2798, i64 %arg.ends.0, i64 %arg.ends.1, i8 %arg.dense, ptr %.1913, i64 %.1844, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.contents.4, ptr %arg.weights.4, i64 %arg.sizes.0, i64 %arg.sizes.1, ptr %arg.cubics.0.4, ptr %arg.cubics.1.4, ptr %arg.fitted.0.4, ptr %arg.fitted.1.4, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr %.2379, ptr %.2442, ptr %.2505, ptr %.2571, ptr %arg.buffers.2.4, ptr %arg.buffers.3.4, ptr %arg.buffers.0.4, ptr %arg.buffers.1.4)
-  %.2974 = sitofp i64 %.1591 to double
-  %.2975 = fmul contract double %.2974, 5.000000e-01
-  %.3068 = add nuw nsw i64 %number.2.1, 1
-  %.3102 = getelementptr i8, ptr %1, i64 64
-  %.3103 = load i64, ptr %.3102, align 8
-  %.3104 = icmp eq i64 %.3103, 0
-  br i1 %.3104, label %B1114, label %B18293
+B820:                                             ; preds = %B820.backedge, %B820.preheader.lr.ph
+  %k.6.1 = phi i64 [ 0, %B820.preheader.lr.ph ], [ %k.6.1.be, %B820.backedge ]
+  %number.2.1 = phi i64 [ 0, %B820.preheader.lr.ph ], [ %.3381, %B820.backedge ]
+  %.idx9136 = mul i64 %k.6.1, 72
+  %1 = getelementptr i8, ptr %.526, i64 %.idx9136
+  %.1646 = getelementptr i8, ptr %1, i64 48
+  %.1744 = load i64, ptr %.1646, align 8
+  %.2014 = load i64, ptr %.665, align 8
+  %.2081 = load i64, ptr %.732, align 8
+  %.2083 = inttoptr i64 %.2081 to ptr
+  %.2613 = mul nsw i64 %number.2.1, %.2612
+  %.2624 = getelementptr double, ptr %arg.state.12.4, i64 %.2613
+  %.2687 = getelementptr i8, ptr %.2624, i64 320
+  %.2750 = getelementptr i8, ptr %.2624, i64 384
+  %.2816 = getelementptr i8, ptr %.2624, i64 512
+  store ptr null, ptr %.3127, align 8
+  call fastcc void @inner_25(ptr nonnull %.3127, i64 %arg.ends.0, i64 %arg.ends.1, i8 %arg.state.6, ptr %.2083, i64 %.2014, ptr %arg.state.3.4, i64 %arg.state.3.5.0, ptr %arg.state.1.4, ptr %arg.state.2.4, i64 %arg.state.5.0, i64 %arg.state.5.1, ptr %arg.state.7.0.4, ptr %arg.state.7.1.4, ptr %arg.state.8.0.4, ptr %arg.state.8.1.4, double %arg.state.9.0, double %arg.state.9.1, double %arg.state.9.2, ptr %.2624, ptr %.2687, ptr %.2750, ptr %.2816, ptr %arg.state.10.2.4, ptr %arg.state.10.3.4, ptr %arg.state.10.0.4, ptr %arg.state.10.1.4)
+  %.3287 = sitofp i64 %.1744 to double
+  %.3288 = fmul contract double %.3287, 5.000000e-01
+  %.3381 = add nuw nsw i64 %number.2.1, 1
+  %.3415 = getelementptr i8, ptr %1, i64 64
+  %.3416 = load i64, ptr %.3415, align 8
+  %.3417 = icmp eq i64 %.3416, 0
+  br i1 %.3417, label %B1132, label %B17473
 
-B1114:                                            ; preds = %B798
-  %.3164 = load i64, ptr %.399, align 8
-  %.3168 = mul nsw i64 %.3164, %arg.i
-  %.3196 = getelementptr i8, ptr %1, i64 56
-  %.3197 = load i64, ptr %.3196, align 8
-  %.3201 = add nsw i64 %.3197, %.3168
-  %.3231 = load i64, ptr %sunkaddr83, align 8
-  %.3232 = inttoptr i64 %.3231 to ptr
-  %.3309 = load i64, ptr %sunkaddr85, align 8
-  %.3313 = inttoptr i64 %.3309 to ptr
-  %2 = lshr i64 %.3201, 33
-  %.3380 = and i64 %2, 1073741824
-  %3 = getelementptr double, ptr %.3232, i64 %.3201
-  %.3394 = getelementptr double, ptr %3, i64 %.3380
-  %.3395 = load double, ptr %.3394, align 8
-  %.idx6036 = shl i64 %.3201, 4
-  %4 = getelementptr i8, ptr %.3313, i64 %.idx6036
+B1132:                                            ; preds = %B820
+  %.3477 = load i64, ptr %.526, align 8
+  %.3481 = mul nsw i64 %.3477, %arg.i
+  %.3509 = getelementptr i8, ptr %1, i64 56
+  %.3510 = load i64, ptr %.3509, align 8
+  %.3514 = add nsw i64 %.3510, %.3481
+  %.3544 = load i64, ptr %sunkaddr83, align 8
+  %.3545 = inttoptr i64 %.3544 to ptr
+  %.3622 = load i64, ptr %sunkaddr85, align 8
+  %.3626 = inttoptr i64 %.3622 to ptr
+  %2 = lshr i64 %.3514, 33
+  %.3693 = and i64 %2, 1073741824
+  %3 = getelementptr double, ptr %.3545, i64 %.3514
+  %.3707 = getelementptr double, ptr %3, i64 %.3693
+  %.3708 = load double, ptr %.3707, align 8
+  %.idx9137 = shl i64 %.3514, 4
+  %4 = getelementptr i8, ptr %.3626, i64 %.idx9137
   %5 = getelementptr i8, ptr %4, i64 8
-  %.3428 = getelementptr double, ptr %5, i64 %.3380
-  %.3429 = load double, ptr %.3428, align 8
-  %.3446 = add nsw i64 %k.6.1, 1
-  %.3582 = icmp eq i64 %.3446, %.3164
-  br i1 %.3582, label %B1339, label %B1338
+  %.3741 = getelementptr double, ptr %5, i64 %.3693
+  %.3742 = load double, ptr %.3741, align 8
+  %.3759 = add nsw i64 %k.6.1, 1
+  %.3895 = icmp eq i64 %.3759, %.3477
+  br i1 %.3895, label %B1353, label %B1352
 
-B1338:                                            ; preds = %B1114
-  %.idx6037 = mul i64 %.3446, 72
-  %6 = getelementptr i8, ptr %.399, i64 %.idx6037
-  %.3482 = getelementptr i8, ptr %6, i64 48
-  %.3632 = load i64, ptr %.3482, align 8
-  %.3639.not = icmp eq i64 %.3632, %.1591
-  br i1 %.3639.not, label %B18293, label %B1339
+B1352:                                            ; preds = %B1132
+  %.idx9138 = mul i64 %.3759, 72
+  %6 = getelementptr i8, ptr %.526, i64 %.idx9138
+  %.3795 = getelementptr i8, ptr %6, i64 48
+  %.3945 = load i64, ptr %.3795, align 8
+  %.3952.not = icmp eq i64 %.3945, %.1744
+  br i1 %.3952.not, label %B17473, label %B1353
 
-B1339:                                            ; preds = %B1338, %B1114
-  %.115.i = insertelement <8 x double> poison, double %.3395, i64 0
+B1353:                                            ; preds = %B1352, %B1132
+  %.115.i = insertelement <8 x double> poison, double %.3708, i64 0
   %.116.i = shufflevector <8 x double> %.115.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.120.i = insertelement <8 x double> poison, double %.3429, i64 0
+  %.120.i = insertelement <8 x double> poison, double %.3742, i64 0
   %.121.i = shufflevector <8 x double> %.120.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.212254.not.i, label %B75752, label %B164.lr.ph.i
+  br i1 %.212254.not.i, label %B72472, label %B164.lr.ph.i
 
-B164.lr.ph.i:                                     ; preds = %B1339
-  %.6.i.i = insertelement <8 x double> poison, double %.2975, i64 0
+B164.lr.ph.i:                                     ; preds = %B1353
+  %.6.i.i = insertelement <8 x double> poison, double %.3288, i64 0
   %.7.i.i = shufflevector <8 x double> %.6.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.6.i280.i = fsub contract <8 x double> zeroinitializer, %.121.i
   %7 = icmp eq i64 %number.2.1, 0
   br label %B164.i
 
-B164.i:                                           ; preds = %B76815.i, %B164.lr.ph.i
-  %lsr.iv.i = phi i64 [ %.269.i, %B164.lr.ph.i ], [ %lsr.iv.next.i, %B76815.i ]
-  %.202.sroa.0.0260.i = phi i64 [ 0, %B164.lr.ph.i ], [ %.202.sroa.0.0.i, %B76815.i ]
-  %.218708258.i = phi i64 [ 8, %B164.lr.ph.i ], [ %.218708.i, %B76815.i ]
-  %.268.i = getelementptr inbounds double, ptr %arg.buffers.1.4, i64 %.202.sroa.0.0260.i
-  %.270.i = load <8 x double>, ptr %.268.i, align 8, !noalias !158
+B164.i:                                           ; preds = %B73535.i, %B164.lr.ph.i
+  %lsr.iv.i = phi i64 [ %.269.i, %B164.lr.ph.i ], [ %lsr.iv.next.i, %B73535.i ]
+  %.202.sroa.0.0260.i = phi i64 [ 0, %B164.lr.ph.i ], [ %.202.sroa.0.0.i, %B73535.i ]
+  %.218708258.i = phi i64 [ 8, %B164.lr.ph.i ], [ %.218708.i, %B73535.i ]
+  %.268.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.202.sroa.0.0260.i
+  %.270.i = load <8 x double>, ptr %.268.i, align 8, !noalias !156
   %.8.i.i = fmul contract <8 x double> %.7.i.i, %.270.i
   %.302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i262.i = fadd contract <8 x double> %.302.i, splat (double 0xC338000000000000)
@@ -9060,125 +8899,125 @@ B164.i:                                           ; preds = %B76815.i, %B164.lr.
   %11 = xor <8 x i64> %.8.i273.i, %.458.i
   %.6.i277.i = xor <8 x i64> %11, %.6.i268.i
   %12 = bitcast <8 x i64> %.6.i277.i to <8 x double>
-  %.799.i = getelementptr inbounds double, ptr %arg.buffers.0.4, i64 %.202.sroa.0.0260.i
-  %.801.i = load <8 x double>, ptr %.799.i, align 8, !noalias !158
+  %.799.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.202.sroa.0.0260.i
+  %.801.i = load <8 x double>, ptr %.799.i, align 8, !noalias !156
   %.6.i278.i = fmul contract <8 x double> %.801.i, %12
   %.6.i279.i = fmul contract <8 x double> %.801.i, %10
-  br i1 %7, label %B76815.i, label %B248.i
+  br i1 %7, label %B73535.i, label %B248.i
 
 B248.i:                                           ; preds = %B164.i
-  %.1010.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.202.sroa.0.0260.i
-  %.1012.i = load <8 x double>, ptr %.1010.i, align 8, !noalias !158
-  %.1028.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.202.sroa.0.0260.i
-  %.1030.i = load <8 x double>, ptr %.1028.i, align 8, !noalias !158
-  %.1046.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.202.sroa.0.0260.i
-  %.1048.i = load <8 x double>, ptr %.1046.i, align 8, !noalias !158
-  %.1064.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.202.sroa.0.0260.i
-  %.1066.i = load <8 x double>, ptr %.1064.i, align 8, !noalias !158
-  br label %B76815.i
+  %.1010.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.202.sroa.0.0260.i
+  %.1012.i = load <8 x double>, ptr %.1010.i, align 8, !noalias !156
+  %.1028.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.202.sroa.0.0260.i
+  %.1030.i = load <8 x double>, ptr %.1028.i, align 8, !noalias !156
+  %.1046.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.202.sroa.0.0260.i
+  %.1048.i = load <8 x double>, ptr %.1046.i, align 8, !noalias !156
+  %.1064.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.202.sroa.0.0260.i
+  %.1066.i = load <8 x double>, ptr %.1064.i, align 8, !noalias !156
+  br label %B73535.i
 
-B76815.i:                                         ; preds = %B248.i, %B164.i
-  %_add_v370_first.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1012.i, %B248.i ]
-  %_add_v370_second.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1030.i, %B248.i ]
-  %_add_v370_third.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1048.i, %B248.i ]
-  %_add_v370_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1066.i, %B248.i ]
-  %.1140.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v370_first.2.1.i)
+B73535.i:                                         ; preds = %B248.i, %B164.i
+  %_add_v366_first.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1012.i, %B248.i ]
+  %_add_v366_second.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1030.i, %B248.i ]
+  %_add_v366_third.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1048.i, %B248.i ]
+  %_add_v366_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1066.i, %B248.i ]
+  %.1140.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v366_first.2.1.i)
   %.1144.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> %.116.i, <8 x double> %.1140.i)
-  %.1152.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1144.i, ptr %.1152.i, align 8, !noalias !158
-  %.1173.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.116.i, <8 x double> %_add_v370_second.2.1.i)
+  %.1152.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.202.sroa.0.0260.i
+  store <8 x double> %.1144.i, ptr %.1152.i, align 8, !noalias !156
+  %.1173.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.116.i, <8 x double> %_add_v366_second.2.1.i)
   %.1177.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> zeroinitializer, <8 x double> %.1173.i)
-  %.1185.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1177.i, ptr %.1185.i, align 8, !noalias !158
-  %.1254.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.6.i280.i, <8 x double> %_add_v370_third.2.1.i)
+  %.1185.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.202.sroa.0.0260.i
+  store <8 x double> %.1177.i, ptr %.1185.i, align 8, !noalias !156
+  %.1254.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.6.i280.i, <8 x double> %_add_v366_third.2.1.i)
   %.1258.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> zeroinitializer, <8 x double> %.1254.i)
-  %.1266.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1258.i, ptr %.1266.i, align 8, !noalias !158
-  %.1331.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v370_fourth.2.1.i)
+  %.1266.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.202.sroa.0.0260.i
+  store <8 x double> %.1258.i, ptr %.1266.i, align 8, !noalias !156
+  %.1331.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v366_fourth.2.1.i)
   %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> %.121.i, <8 x double> %.1331.i)
-  %.1347.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1337.i, ptr %.1347.i, align 8, !noalias !158
+  %.1347.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.202.sroa.0.0260.i
+  store <8 x double> %.1337.i, ptr %.1347.i, align 8, !noalias !156
   %.212.i = icmp samesign ugt i64 %lsr.iv.i, 1
   %.225.i = add i64 %.218708258.i, 8
   %.218708.i = select i1 %.212.i, i64 %.225.i, i64 %.218708258.i
   %.202.sroa.0.0.i = select i1 %.212.i, i64 %.218708258.i, i64 0
   %lsr.iv.next.i = add nsw i64 %lsr.iv.i, -1
   %B164.termcond.i = icmp sgt i64 %lsr.iv.i, 1
-  br i1 %B164.termcond.i, label %B164.i, label %B75752
+  br i1 %B164.termcond.i, label %B164.i, label %B72472
 
-B18293:                                           ; preds = %B798, %B1338
-  %mode.2.sroa.52.3 = phi ptr [ %.3482, %B1338 ], [ %.1493, %B798 ]
-  %k.7.3 = phi i64 [ %.3446, %B1338 ], [ %k.6.1, %B798 ]
-  %own.3.sroa.14.3 = phi double [ %.3429, %B1338 ], [ 0.000000e+00, %B798 ]
-  %own.3.sroa.0.3 = phi double [ %.3395, %B1338 ], [ 0.000000e+00, %B798 ]
-  %.3859 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 24
-  %.3860 = load i64, ptr %.3859, align 8
-  %.3861 = inttoptr i64 %.3860 to ptr
-  %.3937 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 40
-  %.3938 = load i64, ptr %.3937, align 8
-  %.3939 = inttoptr i64 %.3938 to ptr
-  %.4021 = getelementptr i8, ptr %.3861, i64 64
-  %.4022 = load i64, ptr %.4021, align 8
-  %.4023 = sub i64 0, %.4022
-  %.4031.1 = and i64 %.4023, -8
-  %.4065 = sub i64 0, %.4031.1
-  %.4094 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 48
-  %.4095 = load i64, ptr %.4094, align 8
-  %.4099 = ashr i64 %.4095, 1
-  %.4112 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.4099
-  %.4164 = shl nsw i64 %.4065, 2
-  %.4237 = getelementptr inbounds double, ptr %.4112, i64 %.4164
-  %.4315.idx = shl i64 %.4065, 6
-  %.4315 = getelementptr i8, ptr %.4112, i64 %.4315.idx
-  %.4462 = getelementptr i8, ptr %.3861, i64 120
-  %.4463 = load i64, ptr %.4462, align 8
-  %.4476 = getelementptr inbounds double, ptr %.3939, i64 %.4463
-  %.4834 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 56
-  %.4835 = load i64, ptr %.4834, align 8
-  %.idx6038 = mul i64 %.4835, 72
-  %13 = getelementptr i8, ptr %.399, i64 %.idx6038
-  %.4958 = getelementptr i8, ptr %13, i64 72
-  %.4959 = load i64, ptr %.4958, align 8
-  %.4960 = inttoptr i64 %.4959 to ptr
-  %.5120 = getelementptr i8, ptr %.4960, i64 64
-  %.5121 = load i64, ptr %.5120, align 8
-  %.5193 = getelementptr i8, ptr %13, i64 96
-  %.5194 = load i64, ptr %.5193, align 8
-  %.5198 = ashr i64 %.5194, 1
-  %.5211 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.5198
-  %.neg = mul i64 %.5121, -64
+B17473:                                           ; preds = %B820, %B1352
+  %mode.2.sroa.52.3 = phi ptr [ %.3795, %B1352 ], [ %.1646, %B820 ]
+  %k.7.3 = phi i64 [ %.3759, %B1352 ], [ %k.6.1, %B820 ]
+  %own.3.sroa.14.3 = phi double [ %.3742, %B1352 ], [ 0.000000e+00, %B820 ]
+  %own.3.sroa.0.3 = phi double [ %.3708, %B1352 ], [ 0.000000e+00, %B820 ]
+  %.4336 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 24
+  %.4337 = load i64, ptr %.4336, align 8
+  %.4338 = inttoptr i64 %.4337 to ptr
+  %.4414 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 40
+  %.4415 = load i64, ptr %.4414, align 8
+  %.4416 = inttoptr i64 %.4415 to ptr
+  %.4498 = getelementptr i8, ptr %.4338, i64 64
+  %.4499 = load i64, ptr %.4498, align 8
+  %.4500 = sub i64 0, %.4499
+  %.4508.1 = and i64 %.4500, -8
+  %.4542 = sub i64 0, %.4508.1
+  %.4571 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 48
+  %.4572 = load i64, ptr %.4571, align 8
+  %.4576 = ashr i64 %.4572, 1
+  %.4589 = getelementptr inbounds double, ptr %arg.state.13.4, i64 %.4576
+  %.4641 = shl nsw i64 %.4542, 2
+  %.4714 = getelementptr inbounds double, ptr %.4589, i64 %.4641
+  %.4792.idx = shl i64 %.4542, 6
+  %.4792 = getelementptr i8, ptr %.4589, i64 %.4792.idx
+  %.4939 = getelementptr i8, ptr %.4338, i64 120
+  %.4940 = load i64, ptr %.4939, align 8
+  %.4953 = getelementptr inbounds double, ptr %.4416, i64 %.4940
+  %.5316 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 56
+  %.5317 = load i64, ptr %.5316, align 8
+  %.idx9139 = mul i64 %.5317, 72
+  %13 = getelementptr i8, ptr %.526, i64 %.idx9139
+  %.5440 = getelementptr i8, ptr %13, i64 72
+  %.5441 = load i64, ptr %.5440, align 8
+  %.5442 = inttoptr i64 %.5441 to ptr
+  %.5602 = getelementptr i8, ptr %.5442, i64 64
+  %.5603 = load i64, ptr %.5602, align 8
+  %.5675 = getelementptr i8, ptr %13, i64 96
+  %.5676 = load i64, ptr %.5675, align 8
+  %.5680 = ashr i64 %.5676, 1
+  %.5693 = getelementptr inbounds double, ptr %arg.state.13.4, i64 %.5680
+  %.neg = mul i64 %.5603, -64
   %14 = and i64 %.neg, -512
-  %.5414.idx = sub i64 0, %14
-  %.5414 = getelementptr i8, ptr %.5211, i64 %.5414.idx
-  %.5481 = getelementptr i8, ptr %.5414, i64 64
-  %.5826 = mul nsw i64 %.4164, %arg.lane
-  %15 = getelementptr double, ptr %arg.ratios.4, i64 %.4095
-  %.5842 = getelementptr double, ptr %15, i64 %.5826
-  %.5923 = shl nsw i64 %.4065, 1
-  %.5966.inv = icmp sgt i64 %.4022, 0
-  %.5967 = select i1 %.5966.inv, i64 0, i64 %.4164
-  %16 = getelementptr double, ptr %.5842, i64 %.4022
+  %.5896.idx = sub i64 0, %14
+  %.5896 = getelementptr i8, ptr %.5693, i64 %.5896.idx
+  %.5963 = getelementptr i8, ptr %.5896, i64 64
+  %.6313 = mul nsw i64 %.4641, %arg.lane
+  %15 = getelementptr double, ptr %arg.state.4.4, i64 %.4572
+  %.6329 = getelementptr double, ptr %15, i64 %.6313
+  %.6410 = shl nsw i64 %.4542, 1
+  %.6453.inv = icmp sgt i64 %.4499, 0
+  %.6454 = select i1 %.6453.inv, i64 0, i64 %.4641
+  %16 = getelementptr double, ptr %.6329, i64 %.4499
   %17 = getelementptr i8, ptr %16, i64 -8
-  %.5981 = getelementptr double, ptr %17, i64 %.5967
-  %.5982 = load double, ptr %.5981, align 8
-  %.5985 = add nsw i64 %.5923, %.4022
-  %.5999.inv = icmp sgt i64 %.5985, 0
-  %.6000 = select i1 %.5999.inv, i64 0, i64 %.4164
-  %18 = getelementptr double, ptr %.5842, i64 %.5985
+  %.6468 = getelementptr double, ptr %17, i64 %.6454
+  %.6469 = load double, ptr %.6468, align 8
+  %.6472 = add nsw i64 %.6410, %.4499
+  %.6486.inv = icmp sgt i64 %.6472, 0
+  %.6487 = select i1 %.6486.inv, i64 0, i64 %.4641
+  %18 = getelementptr double, ptr %.6329, i64 %.6472
   %19 = getelementptr i8, ptr %18, i64 -8
-  %.6014 = getelementptr double, ptr %19, i64 %.6000
-  %.6015 = load double, ptr %.6014, align 8
-  %.6171 = load i64, ptr %.605, align 8
-  %.6173 = inttoptr i64 %.6171 to ptr
-  %.6598 = load i64, ptr %.538, align 8
-  %.6616 = getelementptr double, ptr %.6173, i64 %.6598
-  %.6705 = getelementptr i8, ptr %.2379, i64 328
-  %.6706 = load double, ptr %.6705, align 8
-  %.173.i = load i64, ptr %.4315, align 8, !noalias !161
+  %.6501 = getelementptr double, ptr %19, i64 %.6487
+  %.6502 = load double, ptr %.6501, align 8
+  %.6665 = load i64, ptr %.732, align 8
+  %.6667 = inttoptr i64 %.6665 to ptr
+  %.7183 = load i64, ptr %.665, align 8
+  %.7199 = getelementptr double, ptr %.6667, i64 %.7183
+  %.7288 = getelementptr i8, ptr %.2624, i64 328
+  %.7289 = load double, ptr %.7288, align 8
+  %.173.i = load i64, ptr %.4792, align 8, !noalias !159
   %.13.i.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.173.i)
   %.13.i1.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i.i)
-  %.262.i = getelementptr i8, ptr %.4315, i64 8
-  %.263.i = load i64, ptr %.262.i, align 8, !noalias !161
+  %.262.i = getelementptr i8, ptr %.4792, i64 8
+  %.263.i = load i64, ptr %.262.i, align 8, !noalias !159
   %.13.i2.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.263.i)
   %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i2.i)
   %.330.i = sub nsw i64 %.13.i1.i, %arg.ends.0
@@ -9189,33 +9028,33 @@ B18293:                                           ; preds = %B798, %B1338
   %.410442.not.i = or i1 %.368.inv.i, %.410442.not453.i
   br i1 %.410442.not.i, label %B348.i, label %B198.if.lr.ph.i
 
-B37549:                                           ; preds = %B37471.endif.endif.endif
-  %.idx6040 = mul i64 %.7375, 72
-  %sunkaddr3972 = getelementptr i8, ptr %.399, i64 %.idx6040
+B35909:                                           ; preds = %B35831.endif.endif.endif
+  %.idx9141 = mul i64 %.7958, 72
+  %sunkaddr3972 = getelementptr i8, ptr %.526, i64 %.idx9141
   %sunkaddr3973 = getelementptr i8, ptr %sunkaddr3972, i64 48
-  %.7543 = load i64, ptr %sunkaddr3973, align 8
-  %.7545.not = icmp eq i64 %.7543, %.1591
-  br i1 %.7545.not, label %B75830, label %B37551
+  %.8126 = load i64, ptr %sunkaddr3973, align 8
+  %.8128.not = icmp eq i64 %.8126, %.1744
+  br i1 %.8128.not, label %B72550, label %B35911
 
-B37551:                                           ; preds = %B37471.endif.endif.endif, %B37549
-  %.341.i = insertelement <8 x double> poison, double %.6966, i64 0
+B35911:                                           ; preds = %B35831.endif.endif.endif, %B35909
+  %.341.i = insertelement <8 x double> poison, double %.7549, i64 0
   %.342.i = shufflevector <8 x double> %.341.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.594.i = insertelement <8 x double> poison, double %own.3.sroa.0.3, i64 0
   %.595.i = shufflevector <8 x double> %.594.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.596.i = insertelement <8 x double> poison, double %.7324, i64 0
+  %.596.i = insertelement <8 x double> poison, double %.7907, i64 0
   %.597.i = shufflevector <8 x double> %.596.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.633.i = insertelement <8 x double> poison, double %own.3.sroa.14.3, i64 0
   %.634.i = shufflevector <8 x double> %.633.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.635.i = insertelement <8 x double> poison, double %.7358, i64 0
+  %.635.i = insertelement <8 x double> poison, double %.7941, i64 0
   %.636.i = shufflevector <8 x double> %.635.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.290534.not.i, label %B75752, label %B50.lr.ph.i
+  br i1 %.290534.not.i, label %B72472, label %B50.lr.ph.i
 
-B50.lr.ph.i:                                      ; preds = %B37551
-  %.387.i = add i64 %.7034, -1
+B50.lr.ph.i:                                      ; preds = %B35911
+  %.387.i = add i64 %.7617, -1
   %..387.i = tail call i64 @llvm.smax.i64(i64 %.387.i, i64 0)
-  %.6.i.i2743 = insertelement <8 x double> poison, double %.6999, i64 0
+  %.6.i.i2743 = insertelement <8 x double> poison, double %.7582, i64 0
   %.7.i.i2744 = shufflevector <8 x double> %.6.i.i2743, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i399.i = insertelement <8 x double> poison, double %.2975, i64 0
+  %.6.i399.i = insertelement <8 x double> poison, double %.3288, i64 0
   %.7.i400.i = shufflevector <8 x double> %.6.i399.i, <8 x double> poison, <8 x i32> zeroinitializer
   %xtraiter.i = and i64 %..387.i, 3
   %21 = lshr i64 %..387.i, 2
@@ -9226,48 +9065,48 @@ B50.lr.ph.i:                                      ; preds = %B37551
   %26 = icmp eq i64 %xtraiter.i, 0
   br label %B50.i
 
-B50.i:                                            ; preds = %B77281.i, %B50.lr.ph.i
-  %.242.sroa.0.0387.i = phi i64 [ 0, %B50.lr.ph.i ], [ %.242.sroa.0.0.i, %B77281.i ]
-  %.251937386.i = phi i64 [ %math, %B50.lr.ph.i ], [ %.251937.i, %B77281.i ]
-  %.258968385.i = phi i64 [ 8, %B50.lr.ph.i ], [ %.258968.i, %B77281.i ]
-  %.311.i = getelementptr inbounds double, ptr %.1050, i64 %.242.sroa.0.0387.i
-  %.313.i = load <8 x double>, ptr %.311.i, align 8, !noalias !164
+B50.i:                                            ; preds = %B74001.i, %B50.lr.ph.i
+  %.242.sroa.0.0387.i = phi i64 [ 0, %B50.lr.ph.i ], [ %.242.sroa.0.0.i, %B74001.i ]
+  %.251937386.i = phi i64 [ %math, %B50.lr.ph.i ], [ %.251937.i, %B74001.i ]
+  %.258968385.i = phi i64 [ 8, %B50.lr.ph.i ], [ %.258968.i, %B74001.i ]
+  %.311.i = getelementptr inbounds double, ptr %.1177, i64 %.242.sroa.0.0387.i
+  %.313.i = load <8 x double>, ptr %.311.i, align 8, !noalias !162
   %.8.i.i2745 = fmul contract <8 x double> %.7.i.i2744, %.313.i
   %.343.i2746 = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i2745, <8 x double> %.342.i)
-  br i1 %23, label %B77114.i, label %B512.if.preheader.i
+  br i1 %23, label %B73834.i, label %B512.if.preheader.i
 
 B512.if.preheader.i:                              ; preds = %B50.i
   br i1 %25, label %B512.if.epil.i.preheader, label %B512.if.i
 
-B77114.loopexit.unr-lcssa.i:                      ; preds = %B512.if.i
-  br i1 %26, label %B77114.i, label %B512.if.epil.i.preheader
+B73834.loopexit.unr-lcssa.i:                      ; preds = %B512.if.i
+  br i1 %26, label %B73834.i, label %B512.if.epil.i.preheader
 
-B512.if.epil.i.preheader:                         ; preds = %B77114.loopexit.unr-lcssa.i, %B512.if.preheader.i
-  %_velocity_v375_w.2.1934.epil.i.ph = phi <8 x double> [ %.343.i2746, %B512.if.preheader.i ], [ %.6.i391.3.i, %B77114.loopexit.unr-lcssa.i ]
+B512.if.epil.i.preheader:                         ; preds = %B73834.loopexit.unr-lcssa.i, %B512.if.preheader.i
+  %_velocity_v371_w.2.1934.epil.i.ph = phi <8 x double> [ %.343.i2746, %B512.if.preheader.i ], [ %.6.i391.3.i, %B73834.loopexit.unr-lcssa.i ]
   br label %B512.if.epil.i
 
 B512.if.epil.i:                                   ; preds = %B512.if.epil.i.preheader, %B512.if.epil.i
   %lsr.iv426.i = phi i64 [ %lsr.iv.next427.i, %B512.if.epil.i ], [ %xtraiter.i, %B512.if.epil.i.preheader ]
-  %_velocity_v375_w.2.1934.epil.i = phi <8 x double> [ %.6.i391.epil.i, %B512.if.epil.i ], [ %_velocity_v375_w.2.1934.epil.i.ph, %B512.if.epil.i.preheader ]
-  %.6.i391.epil.i = fmul contract <8 x double> %.343.i2746, %_velocity_v375_w.2.1934.epil.i
+  %_velocity_v371_w.2.1934.epil.i = phi <8 x double> [ %.6.i391.epil.i, %B512.if.epil.i ], [ %_velocity_v371_w.2.1934.epil.i.ph, %B512.if.epil.i.preheader ]
+  %.6.i391.epil.i = fmul contract <8 x double> %.343.i2746, %_velocity_v371_w.2.1934.epil.i
   %lsr.iv.next427.i = add nsw i64 %lsr.iv426.i, -1
   %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next427.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B77114.i, label %B512.if.epil.i, !llvm.loop !167
+  br i1 %epil.iter.cmp.not.i, label %B73834.i, label %B512.if.epil.i, !llvm.loop !165
 
-B77114.i:                                         ; preds = %B512.if.epil.i, %B77114.loopexit.unr-lcssa.i, %B50.i
-  %_velocity_v375_w.2.1.lcssa.i = phi <8 x double> [ %.343.i2746, %B50.i ], [ %.6.i391.3.i, %B77114.loopexit.unr-lcssa.i ], [ %.6.i391.epil.i, %B512.if.epil.i ]
-  %.518.i = getelementptr inbounds double, ptr %arg.buffers.2.4, i64 %.242.sroa.0.0387.i
-  %.520.i = load <8 x double>, ptr %.518.i, align 8, !noalias !164
-  %.6.i389.i = fmul contract <8 x double> %_velocity_v375_w.2.1.lcssa.i, %.520.i
-  %.560.i = getelementptr inbounds double, ptr %arg.buffers.3.4, i64 %.242.sroa.0.0387.i
-  %.562.i = load <8 x double>, ptr %.560.i, align 8, !noalias !164
-  %.6.i392.i = fmul contract <8 x double> %_velocity_v375_w.2.1.lcssa.i, %.562.i
+B73834.i:                                         ; preds = %B512.if.epil.i, %B73834.loopexit.unr-lcssa.i, %B50.i
+  %_velocity_v371_w.2.1.lcssa.i = phi <8 x double> [ %.343.i2746, %B50.i ], [ %.6.i391.3.i, %B73834.loopexit.unr-lcssa.i ], [ %.6.i391.epil.i, %B512.if.epil.i ]
+  %.518.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.242.sroa.0.0387.i
+  %.520.i = load <8 x double>, ptr %.518.i, align 8, !noalias !162
+  %.6.i389.i = fmul contract <8 x double> %_velocity_v371_w.2.1.lcssa.i, %.520.i
+  %.560.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.242.sroa.0.0387.i
+  %.562.i = load <8 x double>, ptr %.560.i, align 8, !noalias !162
+  %.6.i392.i = fmul contract <8 x double> %_velocity_v371_w.2.1.lcssa.i, %.562.i
   %.598.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i389.i, <8 x double> %.597.i, <8 x double> %.595.i)
   %.8.i395.i = fmul contract <8 x double> %.597.i, %.6.i392.i
   %.637.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i389.i, <8 x double> %.636.i, <8 x double> %.634.i)
   %.8.i398.i = fmul contract <8 x double> %.636.i, %.6.i392.i
-  %.687.i = getelementptr inbounds double, ptr %arg.buffers.1.4, i64 %.242.sroa.0.0387.i
-  %.689.i = load <8 x double>, ptr %.687.i, align 8, !noalias !164
+  %.687.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.242.sroa.0.0387.i
+  %.689.i = load <8 x double>, ptr %.687.i, align 8, !noalias !162
   %.8.i401.i = fmul contract <8 x double> %.7.i400.i, %.689.i
   %.721.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i401.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i402.i = fadd contract <8 x double> %.721.i, splat (double 0xC338000000000000)
@@ -9307,144 +9146,144 @@ B77114.i:                                         ; preds = %B512.if.epil.i, %B7
   %30 = xor <8 x i64> %.8.i413.i, %.877.i
   %.6.i417.i = xor <8 x i64> %30, %.6.i408.i
   %31 = bitcast <8 x i64> %.6.i417.i to <8 x double>
-  %.1218.i = getelementptr inbounds double, ptr %arg.buffers.0.4, i64 %.242.sroa.0.0387.i
-  %.1220.i = load <8 x double>, ptr %.1218.i, align 8, !noalias !164
+  %.1218.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.242.sroa.0.0387.i
+  %.1220.i = load <8 x double>, ptr %.1218.i, align 8, !noalias !162
   %.6.i418.i = fmul contract <8 x double> %.1220.i, %31
   %.6.i419.i = fmul contract <8 x double> %.1220.i, %29
-  br i1 %24, label %B77281.i, label %B77128.i
+  br i1 %24, label %B74001.i, label %B73848.i
 
-B77128.i:                                         ; preds = %B77114.i
-  %.1420.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.242.sroa.0.0387.i
-  %.1422.i = load <8 x double>, ptr %.1420.i, align 8, !noalias !164
-  %.1438.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.242.sroa.0.0387.i
-  %.1440.i = load <8 x double>, ptr %.1438.i, align 8, !noalias !164
-  %.1456.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.242.sroa.0.0387.i
-  %.1458.i = load <8 x double>, ptr %.1456.i, align 8, !noalias !164
-  %.1474.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.242.sroa.0.0387.i
-  %.1476.i = load <8 x double>, ptr %.1474.i, align 8, !noalias !164
-  br label %B77281.i
+B73848.i:                                         ; preds = %B73834.i
+  %.1420.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.242.sroa.0.0387.i
+  %.1422.i = load <8 x double>, ptr %.1420.i, align 8, !noalias !162
+  %.1438.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.242.sroa.0.0387.i
+  %.1440.i = load <8 x double>, ptr %.1438.i, align 8, !noalias !162
+  %.1456.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.242.sroa.0.0387.i
+  %.1458.i = load <8 x double>, ptr %.1456.i, align 8, !noalias !162
+  %.1474.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.242.sroa.0.0387.i
+  %.1476.i = load <8 x double>, ptr %.1474.i, align 8, !noalias !162
+  br label %B74001.i
 
-B77281.i:                                         ; preds = %B77128.i, %B77114.i
-  %_add_v378_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77114.i ], [ %.1422.i, %B77128.i ]
-  %_add_v378_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77114.i ], [ %.1440.i, %B77128.i ]
-  %_add_v378_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77114.i ], [ %.1458.i, %B77128.i ]
-  %_add_v378_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77114.i ], [ %.1476.i, %B77128.i ]
+B74001.i:                                         ; preds = %B73848.i, %B73834.i
+  %_add_v374_first.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1422.i, %B73848.i ]
+  %_add_v374_second.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1440.i, %B73848.i ]
+  %_add_v374_third.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1458.i, %B73848.i ]
+  %_add_v374_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1476.i, %B73848.i ]
   %.6.i390.i = fsub contract <8 x double> zeroinitializer, %.8.i395.i
-  %.1550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i390.i, <8 x double> %_add_v378_first.2.1.i)
+  %.1550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i390.i, <8 x double> %_add_v374_first.2.1.i)
   %.1554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.598.i, <8 x double> %.1550.i)
-  %.1562.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1554.i, ptr %.1562.i, align 8, !noalias !164
-  %.1583.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.598.i, <8 x double> %_add_v378_second.2.1.i)
+  %.1562.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.242.sroa.0.0387.i
+  store <8 x double> %.1554.i, ptr %.1562.i, align 8, !noalias !162
+  %.1583.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.598.i, <8 x double> %_add_v374_second.2.1.i)
   %.1587.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.8.i395.i, <8 x double> %.1583.i)
-  %.1595.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1587.i, ptr %.1595.i, align 8, !noalias !164
+  %.1595.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.242.sroa.0.0387.i
+  store <8 x double> %.1587.i, ptr %.1595.i, align 8, !noalias !162
   %.6.i420.i = fsub contract <8 x double> zeroinitializer, %.8.i398.i
   %.6.i421.i = fsub contract <8 x double> zeroinitializer, %.637.i
-  %.1664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i421.i, <8 x double> %_add_v378_third.2.1.i)
+  %.1664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i421.i, <8 x double> %_add_v374_third.2.1.i)
   %.1668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.6.i420.i, <8 x double> %.1664.i)
-  %.1676.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1668.i, ptr %.1676.i, align 8, !noalias !164
-  %.1741.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i420.i, <8 x double> %_add_v378_fourth.2.1.i)
+  %.1676.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.242.sroa.0.0387.i
+  store <8 x double> %.1668.i, ptr %.1676.i, align 8, !noalias !162
+  %.1741.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i420.i, <8 x double> %_add_v374_fourth.2.1.i)
   %.1747.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.637.i, <8 x double> %.1741.i)
-  %.1757.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1747.i, ptr %.1757.i, align 8, !noalias !164
+  %.1757.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.242.sroa.0.0387.i
+  store <8 x double> %.1747.i, ptr %.1757.i, align 8, !noalias !162
   %.252.i = icmp sgt i64 %.251937386.i, 0
   %.265.i = add i64 %.258968385.i, 8
   %.258968.i = select i1 %.252.i, i64 %.265.i, i64 %.258968385.i
   %.261.i = sext i1 %.252.i to i64
   %.251937.i = add nsw i64 %.251937386.i, %.261.i
   %.242.sroa.0.0.i = select i1 %.252.i, i64 %.258968385.i, i64 0
-  br i1 %.252.i, label %B50.i, label %B75752
+  br i1 %.252.i, label %B50.i, label %B72472
 
 B512.if.i:                                        ; preds = %B512.if.preheader.i, %B512.if.i
   %lsr.iv80 = phi i64 [ %lsr.iv.next81, %B512.if.i ], [ %22, %B512.if.preheader.i ]
-  %_velocity_v375_w.2.1934.i = phi <8 x double> [ %.6.i391.3.i, %B512.if.i ], [ %.343.i2746, %B512.if.preheader.i ]
-  %.6.i391.i = fmul contract <8 x double> %.343.i2746, %_velocity_v375_w.2.1934.i
+  %_velocity_v371_w.2.1934.i = phi <8 x double> [ %.6.i391.3.i, %B512.if.i ], [ %.343.i2746, %B512.if.preheader.i ]
+  %.6.i391.i = fmul contract <8 x double> %.343.i2746, %_velocity_v371_w.2.1934.i
   %.6.i391.1.i = fmul contract <8 x double> %.343.i2746, %.6.i391.i
   %.6.i391.2.i = fmul contract <8 x double> %.343.i2746, %.6.i391.1.i
   %.6.i391.3.i = fmul contract <8 x double> %.343.i2746, %.6.i391.2.i
   %lsr.iv.next81 = add nsw i64 %lsr.iv80, 4
   %niter.ncmp.3.i = icmp eq i64 %lsr.iv.next81, 0
-  br i1 %niter.ncmp.3.i, label %B77114.loopexit.unr-lcssa.i, label %B512.if.i
+  br i1 %niter.ncmp.3.i, label %B73834.loopexit.unr-lcssa.i, label %B512.if.i
 
-B75752:                                           ; preds = %B77281.i, %B76815.i, %B37551, %B1339
-  %k.5.1 = phi i64 [ %.3446, %B76815.i ], [ %.3446, %B1339 ], [ %.7375, %B37551 ], [ %.7375, %B77281.i ]
-  %.1463 = load i64, ptr %.399, align 8
-  %.1465 = icmp slt i64 %k.5.1, %.1463
-  br i1 %.1465, label %B798.backedge, label %B76155
+B72472:                                           ; preds = %B74001.i, %B73535.i, %B35911, %B1353
+  %k.5.1 = phi i64 [ %.3759, %B73535.i ], [ %.3759, %B1353 ], [ %.7958, %B35911 ], [ %.7958, %B74001.i ]
+  %.1616 = load i64, ptr %.526, align 8
+  %.1618 = icmp slt i64 %k.5.1, %.1616
+  br i1 %.1618, label %B820.backedge, label %B72875
 
-B798.backedge:                                    ; preds = %B75752, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
-  %k.6.1.be = phi i64 [ %.11300, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit ], [ %k.5.1, %B75752 ]
-  br label %B798
+B820.backedge:                                    ; preds = %B72472, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
+  %k.6.1.be = phi i64 [ %.12153, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit ], [ %k.5.1, %B72472 ]
+  br label %B820
 
-B75830:                                           ; preds = %B37549
+B72550:                                           ; preds = %B35909
   %sunkaddr92 = getelementptr i8, ptr %sunkaddr3972, i64 72
-  %.7783 = load i64, ptr %sunkaddr92, align 8
-  %.7784 = inttoptr i64 %.7783 to ptr
+  %.8530 = load i64, ptr %sunkaddr92, align 8
+  %.8531 = inttoptr i64 %.8530 to ptr
   %sunkaddr96 = getelementptr i8, ptr %sunkaddr3972, i64 88
-  %.7861 = load i64, ptr %sunkaddr96, align 8
-  %.7862 = inttoptr i64 %.7861 to ptr
-  %.7944 = getelementptr i8, ptr %.7784, i64 64
-  %.7945 = load i64, ptr %.7944, align 8
-  %.7946 = sub i64 0, %.7945
-  %.7954.1 = and i64 %.7946, -8
-  %.7988 = sub i64 0, %.7954.1
+  %.8608 = load i64, ptr %sunkaddr96, align 8
+  %.8609 = inttoptr i64 %.8608 to ptr
+  %.8691 = getelementptr i8, ptr %.8531, i64 64
+  %.8692 = load i64, ptr %.8691, align 8
+  %.8693 = sub i64 0, %.8692
+  %.8701.1 = and i64 %.8693, -8
+  %.8735 = sub i64 0, %.8701.1
   %sunkaddr101 = getelementptr i8, ptr %sunkaddr3972, i64 96
-  %.8018 = load i64, ptr %sunkaddr101, align 8
-  %.8022 = ashr i64 %.8018, 1
-  %.8035 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.8022
-  %.8087 = shl nsw i64 %.7988, 2
-  %.8160 = getelementptr inbounds double, ptr %.8035, i64 %.8087
-  %.8238.idx = shl i64 %.7988, 6
-  %.8238 = getelementptr i8, ptr %.8035, i64 %.8238.idx
-  %.8385 = getelementptr i8, ptr %.7784, i64 120
-  %.8386 = load i64, ptr %.8385, align 8
-  %.8399 = getelementptr inbounds double, ptr %.7862, i64 %.8386
+  %.8765 = load i64, ptr %sunkaddr101, align 8
+  %.8769 = ashr i64 %.8765, 1
+  %.8782 = getelementptr inbounds double, ptr %arg.state.13.4, i64 %.8769
+  %.8834 = shl nsw i64 %.8735, 2
+  %.8907 = getelementptr inbounds double, ptr %.8782, i64 %.8834
+  %.8985.idx = shl i64 %.8735, 6
+  %.8985 = getelementptr i8, ptr %.8782, i64 %.8985.idx
+  %.9132 = getelementptr i8, ptr %.8531, i64 120
+  %.9133 = load i64, ptr %.9132, align 8
+  %.9146 = getelementptr inbounds double, ptr %.8609, i64 %.9133
   %sunkaddr104 = getelementptr i8, ptr %sunkaddr3972, i64 104
-  %.8758 = load i64, ptr %sunkaddr104, align 8
-  %.idx6041 = mul i64 %.8758, 72
-  %32 = getelementptr i8, ptr %.399, i64 %.idx6041
-  %.8881 = getelementptr i8, ptr %32, i64 72
-  %.8882 = load i64, ptr %.8881, align 8
-  %.8883 = inttoptr i64 %.8882 to ptr
-  %.9043 = getelementptr i8, ptr %.8883, i64 64
-  %.9044 = load i64, ptr %.9043, align 8
-  %.9116 = getelementptr i8, ptr %32, i64 96
-  %.9117 = load i64, ptr %.9116, align 8
-  %.9121 = ashr i64 %.9117, 1
-  %.9134 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.9121
-  %.neg3824 = mul i64 %.9044, -64
+  %.9510 = load i64, ptr %sunkaddr104, align 8
+  %.idx9142 = mul i64 %.9510, 72
+  %32 = getelementptr i8, ptr %.526, i64 %.idx9142
+  %.9633 = getelementptr i8, ptr %32, i64 72
+  %.9634 = load i64, ptr %.9633, align 8
+  %.9635 = inttoptr i64 %.9634 to ptr
+  %.9795 = getelementptr i8, ptr %.9635, i64 64
+  %.9796 = load i64, ptr %.9795, align 8
+  %.9868 = getelementptr i8, ptr %32, i64 96
+  %.9869 = load i64, ptr %.9868, align 8
+  %.9873 = ashr i64 %.9869, 1
+  %.9886 = getelementptr inbounds double, ptr %arg.state.13.4, i64 %.9873
+  %.neg3824 = mul i64 %.9796, -64
   %33 = and i64 %.neg3824, -512
-  %.9337.idx = sub i64 0, %33
-  %.9337 = getelementptr i8, ptr %.9134, i64 %.9337.idx
-  %.9404 = getelementptr i8, ptr %.9337, i64 64
-  %.9749 = mul nsw i64 %.8087, %arg.lane
-  %34 = getelementptr double, ptr %arg.ratios.4, i64 %.8018
-  %.9765 = getelementptr double, ptr %34, i64 %.9749
-  %.9846 = shl nsw i64 %.7988, 1
-  %.9889.inv = icmp sgt i64 %.7945, 0
-  %.9890 = select i1 %.9889.inv, i64 0, i64 %.8087
-  %35 = getelementptr double, ptr %.9765, i64 %.7945
+  %.10089.idx = sub i64 0, %33
+  %.10089 = getelementptr i8, ptr %.9886, i64 %.10089.idx
+  %.10156 = getelementptr i8, ptr %.10089, i64 64
+  %.10506 = mul nsw i64 %.8834, %arg.lane
+  %34 = getelementptr double, ptr %arg.state.4.4, i64 %.8765
+  %.10522 = getelementptr double, ptr %34, i64 %.10506
+  %.10603 = shl nsw i64 %.8735, 1
+  %.10646.inv = icmp sgt i64 %.8692, 0
+  %.10647 = select i1 %.10646.inv, i64 0, i64 %.8834
+  %35 = getelementptr double, ptr %.10522, i64 %.8692
   %36 = getelementptr i8, ptr %35, i64 -8
-  %.9904 = getelementptr double, ptr %36, i64 %.9890
-  %.9905 = load double, ptr %.9904, align 8
-  %.9908 = add nsw i64 %.9846, %.7945
-  %.9922.inv = icmp sgt i64 %.9908, 0
-  %.9923 = select i1 %.9922.inv, i64 0, i64 %.8087
-  %37 = getelementptr double, ptr %.9765, i64 %.9908
+  %.10661 = getelementptr double, ptr %36, i64 %.10647
+  %.10662 = load double, ptr %.10661, align 8
+  %.10665 = add nsw i64 %.10603, %.8692
+  %.10679.inv = icmp sgt i64 %.10665, 0
+  %.10680 = select i1 %.10679.inv, i64 0, i64 %.8834
+  %37 = getelementptr double, ptr %.10522, i64 %.10665
   %38 = getelementptr i8, ptr %37, i64 -8
-  %.9937 = getelementptr double, ptr %38, i64 %.9923
-  %.9938 = load double, ptr %.9937, align 8
-  %.10094 = load i64, ptr %.605, align 8
-  %.10096 = inttoptr i64 %.10094 to ptr
-  %.10526 = load i64, ptr %.538, align 8
-  %.10544 = getelementptr double, ptr %.10096, i64 %.10526
-  %.10634 = load double, ptr %.6705, align 8
-  %.173.i3055 = load i64, ptr %.8238, align 8, !noalias !168
+  %.10694 = getelementptr double, ptr %38, i64 %.10680
+  %.10695 = load double, ptr %.10694, align 8
+  %.10858 = load i64, ptr %.732, align 8
+  %.10860 = inttoptr i64 %.10858 to ptr
+  %.11381 = load i64, ptr %.665, align 8
+  %.11397 = getelementptr double, ptr %.10860, i64 %.11381
+  %.11487 = load double, ptr %.7288, align 8
+  %.173.i3055 = load i64, ptr %.8985, align 8, !noalias !166
   %.13.i.i3056 = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.173.i3055)
   %.13.i1.i3057 = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i.i3056)
-  %.262.i3058 = getelementptr i8, ptr %.8238, i64 8
-  %.263.i3059 = load i64, ptr %.262.i3058, align 8, !noalias !168
+  %.262.i3058 = getelementptr i8, ptr %.8985, i64 8
+  %.263.i3059 = load i64, ptr %.262.i3058, align 8, !noalias !166
   %.13.i2.i3060 = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.263.i3059)
   %.13.i3.i3061 = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i2.i3060)
   %.330.i3062 = sub nsw i64 %.13.i1.i3057, %arg.ends.0
@@ -9455,36 +9294,36 @@ B75830:                                           ; preds = %B37549
   %.410442.not.i3066 = or i1 %.368.inv.i3064, %.410442.not453.i3065
   br i1 %.410442.not.i3066, label %B348.i3105, label %B198.if.lr.ph.i3067
 
-B76155:                                           ; preds = %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, %B75752, %entry
-  store ptr null, ptr %.11588, align 8
-  call fastcc void @inner_26(ptr nonnull %.11588, i64 %arg.i, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.arguments.4, i64 %.453, ptr %arg.sums.0.4, ptr %arg.sums.1.4, ptr %arg.sums.2.4, ptr %arg.sums.3.4, ptr %arg.tail.4)
+B72875:                                           ; preds = %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, %B72472, %entry
+  store ptr null, ptr %.12445, align 8
+  call fastcc void @inner_26(ptr nonnull %.12445, i64 %arg.i, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.580, ptr %arg.state.11.0.4, ptr %arg.state.11.1.4, ptr %arg.state.11.2.4, ptr %arg.state.11.3.4, ptr %arg.state.14.4)
   store ptr null, ptr %retptr, align 8
   ret void
 
-B798.preheader.lr.ph:                             ; preds = %entry
-  %.13.i = tail call i64 @llvm.smax.i64(i64 %arg.sizes.1, i64 %arg.sizes.0)
-  %.2367 = add nsw i64 %.13.i, 64
-  %40 = add i64 %.453, 7
+B820.preheader.lr.ph:                             ; preds = %entry
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %arg.state.5.1, i64 %arg.state.5.0)
+  %.2612 = add nsw i64 %.13.i, 64
+  %40 = add i64 %.580, 7
   %.269.i = lshr i64 %40, 3
-  %.246.inv.i = icmp slt i64 %.453, 1
+  %.246.inv.i = icmp slt i64 %.580, 1
   %41 = tail call { i64, i1 } @llvm.usub.with.overflow.i64(i64 %.269.i, i64 1)
   %math = extractvalue { i64, i1 } %41, 0
   %ov = extractvalue { i64, i1 } %41, 1
   %.290534.not.i = select i1 %.246.inv.i, i1 true, i1 %ov
   %.212254.not261.i = icmp eq i64 %.269.i, 0
   %.212254.not.i = or i1 %.246.inv.i, %.212254.not261.i
-  %scevgep3904 = getelementptr i8, ptr %arg.modes.4, i64 72
+  %scevgep3904 = getelementptr i8, ptr %arg.state.13.4, i64 72
   %42 = mul i64 %arg.ends.0, -8
-  %scevgep3909 = getelementptr i8, ptr %arg.buffers.3.4, i64 %42
-  %scevgep3911 = getelementptr i8, ptr %arg.buffers.2.4, i64 %42
-  %scevgep3946 = getelementptr i8, ptr %arg.buffers.5.4, i64 %42
-  %scevgep3948 = getelementptr i8, ptr %arg.buffers.4.4, i64 %42
-  %sunkaddr83 = getelementptr i8, ptr %arg.arguments.4, i64 136
-  %sunkaddr85 = getelementptr i8, ptr %arg.arguments.4, i64 144
-  %sunkaddr142 = getelementptr i8, ptr %.399, i64 16
-  %sunkaddr143 = getelementptr i8, ptr %arg.arguments.4, i64 136
-  %sunkaddr144 = getelementptr i8, ptr %arg.arguments.4, i64 144
-  br label %B798
+  %scevgep3909 = getelementptr i8, ptr %arg.state.10.3.4, i64 %42
+  %scevgep3911 = getelementptr i8, ptr %arg.state.10.2.4, i64 %42
+  %scevgep3946 = getelementptr i8, ptr %arg.state.10.5.4, i64 %42
+  %scevgep3948 = getelementptr i8, ptr %arg.state.10.4.4, i64 %42
+  %sunkaddr83 = getelementptr i8, ptr %arg.state.0.4, i64 136
+  %sunkaddr85 = getelementptr i8, ptr %arg.state.0.4, i64 144
+  %sunkaddr142 = getelementptr i8, ptr %.526, i64 16
+  %sunkaddr143 = getelementptr i8, ptr %arg.state.0.4, i64 136
+  %sunkaddr144 = getelementptr i8, ptr %arg.state.0.4, i64 144
+  br label %B820
 
 B348.loopexit.unr-lcssa.i:                        ; preds = %B198.if.i
   %lcmp.mod.not.i = icmp eq i64 %xtraiter.i2925, 0
@@ -9493,38 +9332,38 @@ B348.loopexit.unr-lcssa.i:                        ; preds = %B198.if.i
 B198.if.epil.preheader.i:                         ; preds = %B198.if.lr.ph.i, %B348.loopexit.unr-lcssa.i
   %.416441443.epil.init.i = phi i64 [ 0, %B198.if.lr.ph.i ], [ %.423.3.i, %B348.loopexit.unr-lcssa.i ]
   %43 = shl i64 %.416441443.epil.init.i, 3
-  %scevgep51.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %43
-  %scevgep55.i = getelementptr i8, ptr %arg.buffers.2.4, i64 %43
+  %scevgep51.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %43
+  %scevgep55.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %43
   %44 = shl nuw nsw i64 %xtraiter.i2925, 6
   br label %B198.if.epil.i
 
 B198.if.epil.i:                                   ; preds = %B198.if.epil.i, %B198.if.epil.preheader.i
   %lsr.iv52.i = phi i64 [ %lsr.iv.next53.i, %B198.if.epil.i ], [ 0, %B198.if.epil.preheader.i ]
   %scevgep56.i = getelementptr i8, ptr %scevgep55.i, i64 %lsr.iv52.i
-  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !161
+  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !159
   %scevgep54.i = getelementptr i8, ptr %scevgep51.i, i64 %lsr.iv52.i
-  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !161
+  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !159
   %lsr.iv.next53.i = add nuw nsw i64 %lsr.iv52.i, 64
   %epil.iter.cmp.not.i2927 = icmp eq i64 %44, %lsr.iv.next53.i
-  br i1 %epil.iter.cmp.not.i2927, label %B348.i, label %B198.if.epil.i, !llvm.loop !171
+  br i1 %epil.iter.cmp.not.i2927, label %B348.i, label %B198.if.epil.i, !llvm.loop !169
 
-B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B18293
+B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B17473
   %.487.i = sub nsw i64 %.13.i3.i, %arg.ends.0
-  %sunkaddr109 = getelementptr i8, ptr %.4315, i64 16
-  %.653.i = load i64, ptr %sunkaddr109, align 8, !noalias !161
+  %sunkaddr109 = getelementptr i8, ptr %.4792, i64 16
+  %.653.i = load i64, ptr %sunkaddr109, align 8, !noalias !159
   %.126.i.i = icmp slt i64 %.13.i.i, %.13.i3.i
   br i1 %.126.i.i, label %B22.preheader.i.i, label %B348.endif.endif.endif.i
 
-B198.if.lr.ph.i:                                  ; preds = %B18293
-  %45 = getelementptr double, ptr %.5842, i64 %.5923
-  %.5936 = icmp slt i64 %.4065, 0
-  %.5937 = select i1 %.5936, i64 %.4164, i64 0
-  %.5951 = getelementptr double, ptr %45, i64 %.5937
-  %.5952 = load double, ptr %.5951, align 8
-  %.5921 = load double, ptr %.5842, align 8
-  %.450.i = insertelement <8 x double> poison, double %.5921, i64 0
+B198.if.lr.ph.i:                                  ; preds = %B17473
+  %45 = getelementptr double, ptr %.6329, i64 %.6410
+  %.6423 = icmp slt i64 %.4542, 0
+  %.6424 = select i1 %.6423, i64 %.4641, i64 0
+  %.6438 = getelementptr double, ptr %45, i64 %.6424
+  %.6439 = load double, ptr %.6438, align 8
+  %.6408 = load double, ptr %.6329, align 8
+  %.450.i = insertelement <8 x double> poison, double %.6408, i64 0
   %.451.i = shufflevector <8 x double> %.450.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.464.i = insertelement <8 x double> poison, double %.5952, i64 0
+  %.464.i = insertelement <8 x double> poison, double %.6439, i64 0
   %.465.i = shufflevector <8 x double> %.464.i, <8 x double> poison, <8 x i32> zeroinitializer
   %46 = add nsw i64 %.389.i2924, -1
   %xtraiter.i2925 = and i64 %.389.i2924, 3
@@ -9540,33 +9379,33 @@ B198.if.i:                                        ; preds = %B198.if.i, %B198.if
   %lsr.iv14 = phi i64 [ %lsr.iv.next15, %B198.if.i ], [ %49, %B198.if.lr.ph.new.i ]
   %.416441443.i = phi i64 [ %.423.3.i, %B198.if.i ], [ 0, %B198.if.lr.ph.new.i ]
   %sunkaddr110 = shl i64 %.416441443.i, 3
-  %sunkaddr111 = getelementptr i8, ptr %arg.buffers.2.4, i64 %sunkaddr110
-  store <8 x double> %.451.i, ptr %sunkaddr111, align 8, !noalias !161
-  %sunkaddr113 = getelementptr i8, ptr %arg.buffers.3.4, i64 %sunkaddr110
-  store <8 x double> %.465.i, ptr %sunkaddr113, align 8, !noalias !161
+  %sunkaddr111 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr110
+  store <8 x double> %.451.i, ptr %sunkaddr111, align 8, !noalias !159
+  %sunkaddr113 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr110
+  store <8 x double> %.465.i, ptr %sunkaddr113, align 8, !noalias !159
   %sunkaddr116 = getelementptr i8, ptr %sunkaddr111, i64 64
-  store <8 x double> %.451.i, ptr %sunkaddr116, align 8, !noalias !161
+  store <8 x double> %.451.i, ptr %sunkaddr116, align 8, !noalias !159
   %sunkaddr119 = getelementptr i8, ptr %sunkaddr113, i64 64
-  store <8 x double> %.465.i, ptr %sunkaddr119, align 8, !noalias !161
+  store <8 x double> %.465.i, ptr %sunkaddr119, align 8, !noalias !159
   %sunkaddr122 = getelementptr i8, ptr %sunkaddr111, i64 128
-  store <8 x double> %.451.i, ptr %sunkaddr122, align 8, !noalias !161
+  store <8 x double> %.451.i, ptr %sunkaddr122, align 8, !noalias !159
   %sunkaddr128 = getelementptr i8, ptr %sunkaddr113, i64 128
-  store <8 x double> %.465.i, ptr %sunkaddr128, align 8, !noalias !161
+  store <8 x double> %.465.i, ptr %sunkaddr128, align 8, !noalias !159
   %.423.3.i = add i64 %.416441443.i, 32
   %sunkaddr131 = shl i64 %.423.3.i, 3
-  %sunkaddr132 = getelementptr i8, ptr %arg.buffers.2.4, i64 %sunkaddr131
+  %sunkaddr132 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr131
   %sunkaddr133 = getelementptr i8, ptr %sunkaddr132, i64 -64
-  store <8 x double> %.451.i, ptr %sunkaddr133, align 8, !noalias !161
-  %sunkaddr135 = getelementptr i8, ptr %arg.buffers.3.4, i64 %sunkaddr131
+  store <8 x double> %.451.i, ptr %sunkaddr133, align 8, !noalias !159
+  %sunkaddr135 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr131
   %sunkaddr136 = getelementptr i8, ptr %sunkaddr135, i64 -64
-  store <8 x double> %.465.i, ptr %sunkaddr136, align 8, !noalias !161
+  store <8 x double> %.465.i, ptr %sunkaddr136, align 8, !noalias !159
   %lsr.iv.next15 = add i64 %lsr.iv14, 4
   %niter.ncmp.3.not.i = icmp eq i64 %lsr.iv.next15, 0
   br i1 %niter.ncmp.3.not.i, label %B348.loopexit.unr-lcssa.i, label %B198.if.i
 
 B22.preheader.i.i:                                ; preds = %B348.i
-  %.277.i.i = mul i64 %.4031.1, -3
-  %50 = shl i64 %.5198, 3
+  %.277.i.i = mul i64 %.4508.1, -3
+  %50 = shl i64 %.5680, 3
   %51 = sub i64 %50, %14
   %scevgep3905 = getelementptr i8, ptr %scevgep3904, i64 %51
   br label %B22.i.i
@@ -9574,8 +9413,8 @@ B22.preheader.i.i:                                ; preds = %B348.i
 B22.i.i:                                          ; preds = %B926.i.i, %B22.preheader.i.i
   %cell.2.0.i.i = phi i64 [ %cell.3.2.i.i, %B926.i.i ], [ %.653.i, %B22.preheader.i.i ]
   %start.2.0.i.i = phi i64 [ %.13.i.i.i, %B926.i.i ], [ %.13.i1.i, %B22.preheader.i.i ]
-  %.149.i.i = getelementptr inbounds i64, ptr %.5481, i64 %cell.2.0.i.i
-  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !172
+  %.149.i.i = getelementptr inbounds i64, ptr %.5963, i64 %cell.2.0.i.i
+  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !170
   %.154.not.i.i = icmp sgt i64 %.150.i.i, %start.2.0.i.i
   br i1 %.154.not.i.i, label %B112.i.i, label %B62.i.i
 
@@ -9584,14 +9423,14 @@ B62.i.i:                                          ; preds = %B22.i.i, %B62.i.i
   %.157.i.i = add i64 %cell.4.1.i.i, 1
   %52 = shl i64 %cell.4.1.i.i, 3
   %scevgep3906 = getelementptr i8, ptr %scevgep3905, i64 %52
-  %.170.i.i = load i64, ptr %scevgep3906, align 8, !noalias !172
+  %.170.i.i = load i64, ptr %scevgep3906, align 8, !noalias !170
   %.172.not.i.i = icmp sgt i64 %.170.i.i, %start.2.0.i.i
   br i1 %.172.not.i.i, label %B112.i.i, label %B62.i.i
 
 B112.i.i:                                         ; preds = %B62.i.i, %B22.i.i
   %cell.3.2.i.i = phi i64 [ %cell.2.0.i.i, %B22.i.i ], [ %.157.i.i, %B62.i.i ]
-  %.184.i.i = getelementptr inbounds i64, ptr %.5481, i64 %cell.3.2.i.i
-  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !172
+  %.184.i.i = getelementptr inbounds i64, ptr %.5963, i64 %cell.3.2.i.i
+  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !170
   %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i3.i, i64 %.185.i.i)
   %.395.i.i = sub i64 %.13.i.i.i, %start.2.0.i.i
   %53 = add i64 %.395.i.i, 7
@@ -9606,28 +9445,28 @@ B926.i.i:                                         ; preds = %B570.if.i.i, %B112.
   br i1 %.602.i.i, label %B22.i.i, label %B348.endif.endif.endif.i
 
 B570.if.lr.ph.i.i:                                ; preds = %B112.i.i
-  %.228.i.i = getelementptr inbounds double, ptr %.4476, i64 %cell.3.2.i.i
-  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !172
-  %.231.i.i = fsub contract double %.6706, %.229.i.i
+  %.228.i.i = getelementptr inbounds double, ptr %.4953, i64 %cell.3.2.i.i
+  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !170
+  %.231.i.i = fsub contract double %.7289, %.229.i.i
   %.279.i.i = add nsw i64 %cell.3.2.i.i, %.277.i.i
-  %.347.i.i = getelementptr inbounds double, ptr %.4237, i64 %.279.i.i
-  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !172
-  %.266.i.i = add nsw i64 %cell.3.2.i.i, %.5923
-  %.334.i.i = getelementptr inbounds double, ptr %.4237, i64 %.266.i.i
-  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !172
-  %.247.i.i = sub i64 %cell.3.2.i.i, %.4031.1
-  %.315.i.i = getelementptr inbounds double, ptr %.4237, i64 %.247.i.i
-  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !172
-  %.303.i.i = getelementptr inbounds double, ptr %.4237, i64 %cell.3.2.i.i
-  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !172
-  %.287.i.i = getelementptr inbounds double, ptr %.4112, i64 %.279.i.i
-  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !172
-  %.274.i.i = getelementptr inbounds double, ptr %.4112, i64 %.266.i.i
-  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !172
-  %.255.i.i = getelementptr inbounds double, ptr %.4112, i64 %.247.i.i
-  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !172
-  %.243.i.i = getelementptr inbounds double, ptr %.4112, i64 %cell.3.2.i.i
-  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !172
+  %.347.i.i = getelementptr inbounds double, ptr %.4714, i64 %.279.i.i
+  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !170
+  %.266.i.i = add nsw i64 %cell.3.2.i.i, %.6410
+  %.334.i.i = getelementptr inbounds double, ptr %.4714, i64 %.266.i.i
+  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !170
+  %.247.i.i = sub i64 %cell.3.2.i.i, %.4508.1
+  %.315.i.i = getelementptr inbounds double, ptr %.4714, i64 %.247.i.i
+  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !170
+  %.303.i.i = getelementptr inbounds double, ptr %.4714, i64 %cell.3.2.i.i
+  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !170
+  %.287.i.i = getelementptr inbounds double, ptr %.4589, i64 %.279.i.i
+  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !170
+  %.274.i.i = getelementptr inbounds double, ptr %.4589, i64 %.266.i.i
+  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !170
+  %.255.i.i = getelementptr inbounds double, ptr %.4589, i64 %.247.i.i
+  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !170
+  %.243.i.i = getelementptr inbounds double, ptr %.4589, i64 %cell.3.2.i.i
+  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !170
   %.514.i.i = insertelement <8 x double> poison, double %.288.i.i, i64 0
   %.515.i.i = shufflevector <8 x double> %.514.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i.i = insertelement <8 x double> poison, double %.275.i.i, i64 0
@@ -9653,19 +9492,19 @@ B570.if.lr.ph.i.i:                                ; preds = %B112.i.i
 B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.if.lr.ph.i.i
   %lsr.iv31 = phi i64 [ %lsr.iv.next32, %B570.if.i.i ], [ %55, %B570.if.lr.ph.i.i ]
   %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B570.if.i.i ], [ %54, %B570.if.lr.ph.i.i ]
-  %scevgep13.i.i = getelementptr i8, ptr %.6616, i64 %lsr.iv8.i.i
-  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !172
+  %scevgep13.i.i = getelementptr i8, ptr %.7199, i64 %lsr.iv8.i.i
+  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !170
   %.8.i.i.i = fadd contract <8 x double> %.7.i.i.i, %.485.i.i
   %.519.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.515.i.i, <8 x double> %.518.i.i)
   %.523.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.519.i.i, <8 x double> %.522.i.i)
   %.527.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.523.i.i, <8 x double> %.526.i.i)
   %scevgep3912 = getelementptr i8, ptr %scevgep3911, i64 %lsr.iv8.i.i
-  store <8 x double> %.527.i.i, ptr %scevgep3912, align 8, !noalias !172
+  store <8 x double> %.527.i.i, ptr %scevgep3912, align 8, !noalias !170
   %.546.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.542.i.i, <8 x double> %.545.i.i)
   %.550.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.546.i.i, <8 x double> %.549.i.i)
   %.554.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.550.i.i, <8 x double> %.553.i.i)
   %scevgep3910 = getelementptr i8, ptr %scevgep3909, i64 %lsr.iv8.i.i
-  store <8 x double> %.554.i.i, ptr %scevgep3910, align 8, !noalias !172
+  store <8 x double> %.554.i.i, ptr %scevgep3910, align 8, !noalias !170
   %lsr.iv.next9.i.i = add i64 %lsr.iv8.i.i, 64
   %lsr.iv.next32 = add nsw i64 %lsr.iv31, -1
   %.438.i.i = icmp sgt i64 %lsr.iv31, 8
@@ -9673,19 +9512,19 @@ B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.
 
 B348.endif.endif.endif.i:                         ; preds = %B926.i.i, %B348.i
   %cell.5.1.i.i = phi i64 [ %.653.i, %B348.i ], [ %cell.3.2.i.i, %B926.i.i ]
-  store i64 %cell.5.1.i.i, ptr %sunkaddr109, align 8, !noalias !161
+  store i64 %cell.5.1.i.i, ptr %sunkaddr109, align 8, !noalias !159
   %.835.i = sub i64 %arg.ends.1, %.13.i3.i
   %56 = add i64 %.835.i, 7
   %.857.i = lshr i64 %56, 3
   %.836.inv.i = icmp slt i64 %.835.i, 1
   %.878448.not454.i = icmp eq i64 %.857.i, 0
   %.878448.not.i = or i1 %.836.inv.i, %.878448.not454.i
-  br i1 %.878448.not.i, label %B37471.endif.endif.endif, label %B590.if.lr.ph.i
+  br i1 %.878448.not.i, label %B35831.endif.endif.endif, label %B590.if.lr.ph.i
 
 B590.if.lr.ph.i:                                  ; preds = %B348.endif.endif.endif.i
-  %.918.i = insertelement <8 x double> poison, double %.5982, i64 0
+  %.918.i = insertelement <8 x double> poison, double %.6469, i64 0
   %.919.i = shufflevector <8 x double> %.918.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.932.i = insertelement <8 x double> poison, double %.6015, i64 0
+  %.932.i = insertelement <8 x double> poison, double %.6502, i64 0
   %.933.i = shufflevector <8 x double> %.932.i, <8 x double> poison, <8 x i32> zeroinitializer
   %57 = add nsw i64 %.857.i, -1
   %xtraiter28.i = and i64 %.857.i, 3
@@ -9701,14 +9540,14 @@ B590.if.prol.i:                                   ; preds = %B590.if.prol.i, %B5
   %.884447449.prol.i = phi i64 [ %.487.i, %B590.if.prol.i.preheader ], [ %.891.prol.i, %B590.if.prol.i ]
   %.891.prol.i = add i64 %.884447449.prol.i, 8
   %59 = shl i64 %.884447449.prol.i, 3
-  %scevgep46.i = getelementptr i8, ptr %arg.buffers.2.4, i64 %59
-  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !161
-  %scevgep45.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %59
-  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !161
+  %scevgep46.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %59
+  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !159
+  %scevgep45.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %59
+  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !159
   %60 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv33, i64 1)
   %math139 = extractvalue { i64, i1 } %60, 0
   %ov140 = extractvalue { i64, i1 } %60, 1
-  br i1 %ov140, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !175
+  br i1 %ov140, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !173
 
 B590.if.prol.loopexit.loopexit.i:                 ; preds = %B590.if.prol.i
   %61 = and i64 %.857.i, 2305843009213693948
@@ -9718,7 +9557,7 @@ B590.if.prol.loopexit.i:                          ; preds = %B590.if.prol.loopex
   %.877446450.unr.i = phi i64 [ %.857.i, %B590.if.lr.ph.i ], [ %61, %B590.if.prol.loopexit.loopexit.i ]
   %.884447449.unr.i = phi i64 [ %.487.i, %B590.if.lr.ph.i ], [ %.891.prol.i, %B590.if.prol.loopexit.loopexit.i ]
   %62 = icmp ult i64 %57, 3
-  br i1 %62, label %B37471.endif.endif.endif, label %B590.if.preheader.i
+  br i1 %62, label %B35831.endif.endif.endif, label %B590.if.preheader.i
 
 B590.if.preheader.i:                              ; preds = %B590.if.prol.loopexit.i
   %63 = shl i64 %.884447449.unr.i, 3
@@ -9729,60 +9568,60 @@ B590.if.preheader.i:                              ; preds = %B590.if.prol.loopex
 B590.if.i:                                        ; preds = %B590.if.i, %B590.if.preheader.i
   %lsr.iv35 = phi i64 [ %lsr.iv.next36, %B590.if.i ], [ %65, %B590.if.preheader.i ]
   %lsr.iv30.i = phi i64 [ %lsr.iv.next31.i, %B590.if.i ], [ %64, %B590.if.preheader.i ]
-  %scevgep41.i = getelementptr i8, ptr %arg.buffers.2.4, i64 %lsr.iv30.i
+  %scevgep41.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %lsr.iv30.i
   %scevgep42.i = getelementptr i8, ptr %scevgep41.i, i64 -192
-  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !161
-  %scevgep34.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %lsr.iv30.i
+  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !159
+  %scevgep34.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %lsr.iv30.i
   %scevgep35.i = getelementptr i8, ptr %scevgep34.i, i64 -192
-  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !161
+  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !159
   %scevgep44 = getelementptr i8, ptr %scevgep41.i, i64 -128
-  store <8 x double> %.919.i, ptr %scevgep44, align 8, !noalias !161
+  store <8 x double> %.919.i, ptr %scevgep44, align 8, !noalias !159
   %scevgep37.i = getelementptr i8, ptr %scevgep34.i, i64 -128
-  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !161
+  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !159
   %scevgep42 = getelementptr i8, ptr %scevgep41.i, i64 -64
-  store <8 x double> %.919.i, ptr %scevgep42, align 8, !noalias !161
+  store <8 x double> %.919.i, ptr %scevgep42, align 8, !noalias !159
   %scevgep39 = getelementptr i8, ptr %scevgep34.i, i64 -64
-  store <8 x double> %.933.i, ptr %scevgep39, align 8, !noalias !161
-  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !161
-  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !161
+  store <8 x double> %.933.i, ptr %scevgep39, align 8, !noalias !159
+  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !159
+  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !159
   %lsr.iv.next31.i = add i64 %lsr.iv30.i, 256
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -4
   %.878.3.i = icmp sgt i64 %lsr.iv35, 28
-  br i1 %.878.3.i, label %B590.if.i, label %B37471.endif.endif.endif
+  br i1 %.878.3.i, label %B590.if.i, label %B35831.endif.endif.endif
 
-B37471.endif.endif.endif:                         ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
-  %.6851 = load i64, ptr %sunkaddr142, align 8
-  %.6882 = load i64, ptr %.399, align 8
-  %.6888 = mul nsw i64 %.6882, 40
-  %.6889 = add nsw i64 %.6888, %.6851
-  %.6890 = inttoptr i64 %.6889 to ptr
-  %.6965 = getelementptr i8, ptr %.6890, i64 16
-  %.6966 = load double, ptr %.6965, align 8
-  %.6998 = getelementptr i8, ptr %.2379, i64 344
-  %.6999 = load double, ptr %.6998, align 8
-  %.7033 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 16
-  %.7034 = load i64, ptr %.7033, align 8
-  %.7097 = mul nsw i64 %.6882, %arg.i
-  %.7125 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 8
-  %.7126 = load i64, ptr %.7125, align 8
-  %.7130 = add nsw i64 %.7126, %.7097
-  %.7160 = load i64, ptr %sunkaddr143, align 8
-  %.7161 = inttoptr i64 %.7160 to ptr
-  %.7238 = load i64, ptr %sunkaddr144, align 8
-  %.7242 = inttoptr i64 %.7238 to ptr
-  %66 = lshr i64 %.7130, 33
-  %.7309 = and i64 %66, 1073741824
-  %67 = getelementptr double, ptr %.7161, i64 %.7130
-  %.7323 = getelementptr double, ptr %67, i64 %.7309
-  %.7324 = load double, ptr %.7323, align 8
-  %.idx6039 = shl i64 %.7130, 4
-  %68 = getelementptr i8, ptr %.7242, i64 %.idx6039
+B35831.endif.endif.endif:                         ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
+  %.7434 = load i64, ptr %sunkaddr142, align 8
+  %.7465 = load i64, ptr %.526, align 8
+  %.7471 = mul nsw i64 %.7465, 40
+  %.7472 = add nsw i64 %.7471, %.7434
+  %.7473 = inttoptr i64 %.7472 to ptr
+  %.7548 = getelementptr i8, ptr %.7473, i64 16
+  %.7549 = load double, ptr %.7548, align 8
+  %.7581 = getelementptr i8, ptr %.2624, i64 344
+  %.7582 = load double, ptr %.7581, align 8
+  %.7616 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 16
+  %.7617 = load i64, ptr %.7616, align 8
+  %.7680 = mul nsw i64 %.7465, %arg.i
+  %.7708 = getelementptr i8, ptr %mode.2.sroa.52.3, i64 8
+  %.7709 = load i64, ptr %.7708, align 8
+  %.7713 = add nsw i64 %.7709, %.7680
+  %.7743 = load i64, ptr %sunkaddr143, align 8
+  %.7744 = inttoptr i64 %.7743 to ptr
+  %.7821 = load i64, ptr %sunkaddr144, align 8
+  %.7825 = inttoptr i64 %.7821 to ptr
+  %66 = lshr i64 %.7713, 33
+  %.7892 = and i64 %66, 1073741824
+  %67 = getelementptr double, ptr %.7744, i64 %.7713
+  %.7906 = getelementptr double, ptr %67, i64 %.7892
+  %.7907 = load double, ptr %.7906, align 8
+  %.idx9140 = shl i64 %.7713, 4
+  %68 = getelementptr i8, ptr %.7825, i64 %.idx9140
   %69 = getelementptr i8, ptr %68, i64 8
-  %.7357 = getelementptr double, ptr %69, i64 %.7309
-  %.7358 = load double, ptr %.7357, align 8
-  %.7375 = add nsw i64 %k.7.3, 1
-  %.7512 = icmp eq i64 %.7375, %.6882
-  br i1 %.7512, label %B37551, label %B37549
+  %.7940 = getelementptr double, ptr %69, i64 %.7892
+  %.7941 = load double, ptr %.7940, align 8
+  %.7958 = add nsw i64 %k.7.3, 1
+  %.8095 = icmp eq i64 %.7958, %.7465
+  br i1 %.8095, label %B35911, label %B35909
 
 B348.loopexit.unr-lcssa.i3093:                    ; preds = %B198.if.i3075
   %lcmp.mod.not.i3094 = icmp eq i64 %xtraiter.i3072, 0
@@ -9791,38 +9630,38 @@ B348.loopexit.unr-lcssa.i3093:                    ; preds = %B198.if.i3075
 B198.if.epil.preheader.i3095:                     ; preds = %B198.if.lr.ph.i3067, %B348.loopexit.unr-lcssa.i3093
   %.416441443.epil.init.i3096 = phi i64 [ 0, %B198.if.lr.ph.i3067 ], [ %.423.3.i3085, %B348.loopexit.unr-lcssa.i3093 ]
   %70 = shl i64 %.416441443.epil.init.i3096, 3
-  %scevgep51.i3097 = getelementptr i8, ptr %arg.buffers.5.4, i64 %70
-  %scevgep55.i3098 = getelementptr i8, ptr %arg.buffers.4.4, i64 %70
+  %scevgep51.i3097 = getelementptr i8, ptr %arg.state.10.5.4, i64 %70
+  %scevgep55.i3098 = getelementptr i8, ptr %arg.state.10.4.4, i64 %70
   %71 = shl nuw nsw i64 %xtraiter.i3072, 6
   br label %B198.if.epil.i3099
 
 B198.if.epil.i3099:                               ; preds = %B198.if.epil.i3099, %B198.if.epil.preheader.i3095
   %lsr.iv52.i3100 = phi i64 [ %lsr.iv.next53.i3103, %B198.if.epil.i3099 ], [ 0, %B198.if.epil.preheader.i3095 ]
   %scevgep56.i3101 = getelementptr i8, ptr %scevgep55.i3098, i64 %lsr.iv52.i3100
-  store <8 x double> %.451.i3069, ptr %scevgep56.i3101, align 8, !noalias !168
+  store <8 x double> %.451.i3069, ptr %scevgep56.i3101, align 8, !noalias !166
   %scevgep54.i3102 = getelementptr i8, ptr %scevgep51.i3097, i64 %lsr.iv52.i3100
-  store <8 x double> %.465.i3071, ptr %scevgep54.i3102, align 8, !noalias !168
+  store <8 x double> %.465.i3071, ptr %scevgep54.i3102, align 8, !noalias !166
   %lsr.iv.next53.i3103 = add nuw nsw i64 %lsr.iv52.i3100, 64
   %epil.iter.cmp.not.i3104 = icmp eq i64 %71, %lsr.iv.next53.i3103
-  br i1 %epil.iter.cmp.not.i3104, label %B348.i3105, label %B198.if.epil.i3099, !llvm.loop !171
+  br i1 %epil.iter.cmp.not.i3104, label %B348.i3105, label %B198.if.epil.i3099, !llvm.loop !169
 
-B348.i3105:                                       ; preds = %B198.if.epil.i3099, %B348.loopexit.unr-lcssa.i3093, %B75830
+B348.i3105:                                       ; preds = %B198.if.epil.i3099, %B348.loopexit.unr-lcssa.i3093, %B72550
   %.487.i3106 = sub nsw i64 %.13.i3.i3061, %arg.ends.0
-  %sunkaddr146 = getelementptr i8, ptr %.8238, i64 16
-  %.653.i3108 = load i64, ptr %sunkaddr146, align 8, !noalias !168
+  %sunkaddr146 = getelementptr i8, ptr %.8985, i64 16
+  %.653.i3108 = load i64, ptr %sunkaddr146, align 8, !noalias !166
   %.126.i.i3109 = icmp slt i64 %.13.i.i3056, %.13.i3.i3061
   br i1 %.126.i.i3109, label %B22.preheader.i.i3151, label %B348.endif.endif.endif.i3110
 
-B198.if.lr.ph.i3067:                              ; preds = %B75830
-  %72 = getelementptr double, ptr %.9765, i64 %.9846
-  %.9859 = icmp slt i64 %.7988, 0
-  %.9860 = select i1 %.9859, i64 %.8087, i64 0
-  %.9874 = getelementptr double, ptr %72, i64 %.9860
-  %.9875 = load double, ptr %.9874, align 8
-  %.9844 = load double, ptr %.9765, align 8
-  %.450.i3068 = insertelement <8 x double> poison, double %.9844, i64 0
+B198.if.lr.ph.i3067:                              ; preds = %B72550
+  %72 = getelementptr double, ptr %.10522, i64 %.10603
+  %.10616 = icmp slt i64 %.8735, 0
+  %.10617 = select i1 %.10616, i64 %.8834, i64 0
+  %.10631 = getelementptr double, ptr %72, i64 %.10617
+  %.10632 = load double, ptr %.10631, align 8
+  %.10601 = load double, ptr %.10522, align 8
+  %.450.i3068 = insertelement <8 x double> poison, double %.10601, i64 0
   %.451.i3069 = shufflevector <8 x double> %.450.i3068, <8 x double> poison, <8 x i32> zeroinitializer
-  %.464.i3070 = insertelement <8 x double> poison, double %.9875, i64 0
+  %.464.i3070 = insertelement <8 x double> poison, double %.10632, i64 0
   %.465.i3071 = shufflevector <8 x double> %.464.i3070, <8 x double> poison, <8 x i32> zeroinitializer
   %73 = add nsw i64 %.389.i3063, -1
   %xtraiter.i3072 = and i64 %.389.i3063, 3
@@ -9838,33 +9677,33 @@ B198.if.i3075:                                    ; preds = %B198.if.i3075, %B19
   %lsr.iv = phi i64 [ %lsr.iv.next, %B198.if.i3075 ], [ %76, %B198.if.lr.ph.new.i3073 ]
   %.416441443.i3077 = phi i64 [ %.423.3.i3085, %B198.if.i3075 ], [ 0, %B198.if.lr.ph.new.i3073 ]
   %sunkaddr147 = shl i64 %.416441443.i3077, 3
-  %sunkaddr148 = getelementptr i8, ptr %arg.buffers.4.4, i64 %sunkaddr147
-  store <8 x double> %.451.i3069, ptr %sunkaddr148, align 8, !noalias !168
-  %sunkaddr150 = getelementptr i8, ptr %arg.buffers.5.4, i64 %sunkaddr147
-  store <8 x double> %.465.i3071, ptr %sunkaddr150, align 8, !noalias !168
+  %sunkaddr148 = getelementptr i8, ptr %arg.state.10.4.4, i64 %sunkaddr147
+  store <8 x double> %.451.i3069, ptr %sunkaddr148, align 8, !noalias !166
+  %sunkaddr150 = getelementptr i8, ptr %arg.state.10.5.4, i64 %sunkaddr147
+  store <8 x double> %.465.i3071, ptr %sunkaddr150, align 8, !noalias !166
   %sunkaddr153 = getelementptr i8, ptr %sunkaddr148, i64 64
-  store <8 x double> %.451.i3069, ptr %sunkaddr153, align 8, !noalias !168
+  store <8 x double> %.451.i3069, ptr %sunkaddr153, align 8, !noalias !166
   %sunkaddr156 = getelementptr i8, ptr %sunkaddr150, i64 64
-  store <8 x double> %.465.i3071, ptr %sunkaddr156, align 8, !noalias !168
+  store <8 x double> %.465.i3071, ptr %sunkaddr156, align 8, !noalias !166
   %sunkaddr160 = getelementptr i8, ptr %sunkaddr148, i64 128
-  store <8 x double> %.451.i3069, ptr %sunkaddr160, align 8, !noalias !168
+  store <8 x double> %.451.i3069, ptr %sunkaddr160, align 8, !noalias !166
   %sunkaddr163 = getelementptr i8, ptr %sunkaddr150, i64 128
-  store <8 x double> %.465.i3071, ptr %sunkaddr163, align 8, !noalias !168
+  store <8 x double> %.465.i3071, ptr %sunkaddr163, align 8, !noalias !166
   %.423.3.i3085 = add i64 %.416441443.i3077, 32
   %sunkaddr165 = shl i64 %.423.3.i3085, 3
-  %sunkaddr166 = getelementptr i8, ptr %arg.buffers.4.4, i64 %sunkaddr165
+  %sunkaddr166 = getelementptr i8, ptr %arg.state.10.4.4, i64 %sunkaddr165
   %sunkaddr167 = getelementptr i8, ptr %sunkaddr166, i64 -64
-  store <8 x double> %.451.i3069, ptr %sunkaddr167, align 8, !noalias !168
-  %sunkaddr169 = getelementptr i8, ptr %arg.buffers.5.4, i64 %sunkaddr165
+  store <8 x double> %.451.i3069, ptr %sunkaddr167, align 8, !noalias !166
+  %sunkaddr169 = getelementptr i8, ptr %arg.state.10.5.4, i64 %sunkaddr165
   %sunkaddr170 = getelementptr i8, ptr %sunkaddr169, i64 -64
-  store <8 x double> %.465.i3071, ptr %sunkaddr170, align 8, !noalias !168
+  store <8 x double> %.465.i3071, ptr %sunkaddr170, align 8, !noalias !166
   %lsr.iv.next = add i64 %lsr.iv, 4
   %niter.ncmp.3.not.i3092 = icmp eq i64 %lsr.iv.next, 0
   br i1 %niter.ncmp.3.not.i3092, label %B348.loopexit.unr-lcssa.i3093, label %B198.if.i3075
 
 B22.preheader.i.i3151:                            ; preds = %B348.i3105
-  %.277.i.i3155 = mul i64 %.7954.1, -3
-  %77 = shl i64 %.9121, 3
+  %.277.i.i3155 = mul i64 %.8701.1, -3
+  %77 = shl i64 %.9873, 3
   %78 = sub i64 %77, %33
   %scevgep3942 = getelementptr i8, ptr %scevgep3904, i64 %78
   br label %B22.i.i3158
@@ -9872,8 +9711,8 @@ B22.preheader.i.i3151:                            ; preds = %B348.i3105
 B22.i.i3158:                                      ; preds = %B926.i.i3239, %B22.preheader.i.i3151
   %cell.2.0.i.i3159 = phi i64 [ %cell.3.2.i.i3172, %B926.i.i3239 ], [ %.653.i3108, %B22.preheader.i.i3151 ]
   %start.2.0.i.i3160 = phi i64 [ %.13.i.i.i3175, %B926.i.i3239 ], [ %.13.i1.i3057, %B22.preheader.i.i3151 ]
-  %.149.i.i3161 = getelementptr inbounds i64, ptr %.9404, i64 %cell.2.0.i.i3159
-  %.150.i.i3162 = load i64, ptr %.149.i.i3161, align 8, !noalias !176
+  %.149.i.i3161 = getelementptr inbounds i64, ptr %.10156, i64 %cell.2.0.i.i3159
+  %.150.i.i3162 = load i64, ptr %.149.i.i3161, align 8, !noalias !174
   %.154.not.i.i3163 = icmp sgt i64 %.150.i.i3162, %start.2.0.i.i3160
   br i1 %.154.not.i.i3163, label %B112.i.i3171, label %B62.i.i3164
 
@@ -9882,14 +9721,14 @@ B62.i.i3164:                                      ; preds = %B22.i.i3158, %B62.i
   %.157.i.i3166 = add i64 %cell.4.1.i.i3165, 1
   %79 = shl i64 %cell.4.1.i.i3165, 3
   %scevgep3943 = getelementptr i8, ptr %scevgep3942, i64 %79
-  %.170.i.i3169 = load i64, ptr %scevgep3943, align 8, !noalias !176
+  %.170.i.i3169 = load i64, ptr %scevgep3943, align 8, !noalias !174
   %.172.not.i.i3170 = icmp sgt i64 %.170.i.i3169, %start.2.0.i.i3160
   br i1 %.172.not.i.i3170, label %B112.i.i3171, label %B62.i.i3164
 
 B112.i.i3171:                                     ; preds = %B62.i.i3164, %B22.i.i3158
   %cell.3.2.i.i3172 = phi i64 [ %cell.2.0.i.i3159, %B22.i.i3158 ], [ %.157.i.i3166, %B62.i.i3164 ]
-  %.184.i.i3173 = getelementptr inbounds i64, ptr %.9404, i64 %cell.3.2.i.i3172
-  %.185.i.i3174 = load i64, ptr %.184.i.i3173, align 8, !noalias !176
+  %.184.i.i3173 = getelementptr inbounds i64, ptr %.10156, i64 %cell.3.2.i.i3172
+  %.185.i.i3174 = load i64, ptr %.184.i.i3173, align 8, !noalias !174
   %.13.i.i.i3175 = tail call i64 @llvm.smin.i64(i64 %.13.i3.i3061, i64 %.185.i.i3174)
   %.395.i.i3176 = sub i64 %.13.i.i.i3175, %start.2.0.i.i3160
   %80 = add i64 %.395.i.i3176, 7
@@ -9904,28 +9743,28 @@ B926.i.i3239:                                     ; preds = %B570.if.i.i3222, %B
   br i1 %.602.i.i3240, label %B22.i.i3158, label %B348.endif.endif.endif.i3110
 
 B570.if.lr.ph.i.i3181:                            ; preds = %B112.i.i3171
-  %.228.i.i3182 = getelementptr inbounds double, ptr %.8399, i64 %cell.3.2.i.i3172
-  %.229.i.i3183 = load double, ptr %.228.i.i3182, align 8, !noalias !176
-  %.231.i.i3184 = fsub contract double %.10634, %.229.i.i3183
+  %.228.i.i3182 = getelementptr inbounds double, ptr %.9146, i64 %cell.3.2.i.i3172
+  %.229.i.i3183 = load double, ptr %.228.i.i3182, align 8, !noalias !174
+  %.231.i.i3184 = fsub contract double %.11487, %.229.i.i3183
   %.279.i.i3185 = add nsw i64 %cell.3.2.i.i3172, %.277.i.i3155
-  %.347.i.i3186 = getelementptr inbounds double, ptr %.8160, i64 %.279.i.i3185
-  %.348.i.i3187 = load double, ptr %.347.i.i3186, align 8, !noalias !176
-  %.266.i.i3188 = add nsw i64 %cell.3.2.i.i3172, %.9846
-  %.334.i.i3189 = getelementptr inbounds double, ptr %.8160, i64 %.266.i.i3188
-  %.335.i.i3190 = load double, ptr %.334.i.i3189, align 8, !noalias !176
-  %.247.i.i3191 = sub i64 %cell.3.2.i.i3172, %.7954.1
-  %.315.i.i3192 = getelementptr inbounds double, ptr %.8160, i64 %.247.i.i3191
-  %.316.i.i3193 = load double, ptr %.315.i.i3192, align 8, !noalias !176
-  %.303.i.i3194 = getelementptr inbounds double, ptr %.8160, i64 %cell.3.2.i.i3172
-  %.304.i.i3195 = load double, ptr %.303.i.i3194, align 8, !noalias !176
-  %.287.i.i3196 = getelementptr inbounds double, ptr %.8035, i64 %.279.i.i3185
-  %.288.i.i3197 = load double, ptr %.287.i.i3196, align 8, !noalias !176
-  %.274.i.i3198 = getelementptr inbounds double, ptr %.8035, i64 %.266.i.i3188
-  %.275.i.i3199 = load double, ptr %.274.i.i3198, align 8, !noalias !176
-  %.255.i.i3200 = getelementptr inbounds double, ptr %.8035, i64 %.247.i.i3191
-  %.256.i.i3201 = load double, ptr %.255.i.i3200, align 8, !noalias !176
-  %.243.i.i3202 = getelementptr inbounds double, ptr %.8035, i64 %cell.3.2.i.i3172
-  %.244.i.i3203 = load double, ptr %.243.i.i3202, align 8, !noalias !176
+  %.347.i.i3186 = getelementptr inbounds double, ptr %.8907, i64 %.279.i.i3185
+  %.348.i.i3187 = load double, ptr %.347.i.i3186, align 8, !noalias !174
+  %.266.i.i3188 = add nsw i64 %cell.3.2.i.i3172, %.10603
+  %.334.i.i3189 = getelementptr inbounds double, ptr %.8907, i64 %.266.i.i3188
+  %.335.i.i3190 = load double, ptr %.334.i.i3189, align 8, !noalias !174
+  %.247.i.i3191 = sub i64 %cell.3.2.i.i3172, %.8701.1
+  %.315.i.i3192 = getelementptr inbounds double, ptr %.8907, i64 %.247.i.i3191
+  %.316.i.i3193 = load double, ptr %.315.i.i3192, align 8, !noalias !174
+  %.303.i.i3194 = getelementptr inbounds double, ptr %.8907, i64 %cell.3.2.i.i3172
+  %.304.i.i3195 = load double, ptr %.303.i.i3194, align 8, !noalias !174
+  %.287.i.i3196 = getelementptr inbounds double, ptr %.8782, i64 %.279.i.i3185
+  %.288.i.i3197 = load double, ptr %.287.i.i3196, align 8, !noalias !174
+  %.274.i.i3198 = getelementptr inbounds double, ptr %.8782, i64 %.266.i.i3188
+  %.275.i.i3199 = load double, ptr %.274.i.i3198, align 8, !noalias !174
+  %.255.i.i3200 = getelementptr inbounds double, ptr %.8782, i64 %.247.i.i3191
+  %.256.i.i3201 = load double, ptr %.255.i.i3200, align 8, !noalias !174
+  %.243.i.i3202 = getelementptr inbounds double, ptr %.8782, i64 %cell.3.2.i.i3172
+  %.244.i.i3203 = load double, ptr %.243.i.i3202, align 8, !noalias !174
   %.514.i.i3204 = insertelement <8 x double> poison, double %.288.i.i3197, i64 0
   %.515.i.i3205 = shufflevector <8 x double> %.514.i.i3204, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i.i3206 = insertelement <8 x double> poison, double %.275.i.i3199, i64 0
@@ -9951,19 +9790,19 @@ B570.if.lr.ph.i.i3181:                            ; preds = %B112.i.i3171
 B570.if.i.i3222:                                  ; preds = %B570.if.i.i3222, %B570.if.lr.ph.i.i3181
   %lsr.iv62 = phi i64 [ %lsr.iv.next63, %B570.if.i.i3222 ], [ %82, %B570.if.lr.ph.i.i3181 ]
   %lsr.iv8.i.i3224 = phi i64 [ %lsr.iv.next9.i.i3236, %B570.if.i.i3222 ], [ %81, %B570.if.lr.ph.i.i3181 ]
-  %scevgep13.i.i3225 = getelementptr i8, ptr %.10544, i64 %lsr.iv8.i.i3224
-  %.485.i.i3226 = load <8 x double>, ptr %scevgep13.i.i3225, align 8, !noalias !176
+  %scevgep13.i.i3225 = getelementptr i8, ptr %.11397, i64 %lsr.iv8.i.i3224
+  %.485.i.i3226 = load <8 x double>, ptr %scevgep13.i.i3225, align 8, !noalias !174
   %.8.i.i.i3227 = fadd contract <8 x double> %.7.i.i.i3221, %.485.i.i3226
   %.519.i.i3228 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.515.i.i3205, <8 x double> %.518.i.i3207)
   %.523.i.i3229 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.519.i.i3228, <8 x double> %.522.i.i3209)
   %.527.i.i3230 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.523.i.i3229, <8 x double> %.526.i.i3211)
   %scevgep3949 = getelementptr i8, ptr %scevgep3948, i64 %lsr.iv8.i.i3224
-  store <8 x double> %.527.i.i3230, ptr %scevgep3949, align 8, !noalias !176
+  store <8 x double> %.527.i.i3230, ptr %scevgep3949, align 8, !noalias !174
   %.546.i.i3232 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.542.i.i3213, <8 x double> %.545.i.i3215)
   %.550.i.i3233 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.546.i.i3232, <8 x double> %.549.i.i3217)
   %.554.i.i3234 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.550.i.i3233, <8 x double> %.553.i.i3219)
   %scevgep3947 = getelementptr i8, ptr %scevgep3946, i64 %lsr.iv8.i.i3224
-  store <8 x double> %.554.i.i3234, ptr %scevgep3947, align 8, !noalias !176
+  store <8 x double> %.554.i.i3234, ptr %scevgep3947, align 8, !noalias !174
   %lsr.iv.next9.i.i3236 = add i64 %lsr.iv8.i.i3224, 64
   %lsr.iv.next63 = add nsw i64 %lsr.iv62, -1
   %.438.i.i3238 = icmp sgt i64 %lsr.iv62, 8
@@ -9971,19 +9810,19 @@ B570.if.i.i3222:                                  ; preds = %B570.if.i.i3222, %B
 
 B348.endif.endif.endif.i3110:                     ; preds = %B926.i.i3239, %B348.i3105
   %cell.5.1.i.i3111 = phi i64 [ %.653.i3108, %B348.i3105 ], [ %cell.3.2.i.i3172, %B926.i.i3239 ]
-  store i64 %cell.5.1.i.i3111, ptr %sunkaddr146, align 8, !noalias !168
+  store i64 %cell.5.1.i.i3111, ptr %sunkaddr146, align 8, !noalias !166
   %.835.i3112 = sub i64 %arg.ends.1, %.13.i3.i3061
   %83 = add i64 %.835.i3112, 7
   %.857.i3113 = lshr i64 %83, 3
   %.836.inv.i3114 = icmp slt i64 %.835.i3112, 1
   %.878448.not454.i3115 = icmp eq i64 %.857.i3113, 0
   %.878448.not.i3116 = or i1 %.836.inv.i3114, %.878448.not454.i3115
-  br i1 %.878448.not.i3116, label %B76153.endif.endif.endif, label %B590.if.lr.ph.i3117
+  br i1 %.878448.not.i3116, label %B72873.endif.endif.endif, label %B590.if.lr.ph.i3117
 
 B590.if.lr.ph.i3117:                              ; preds = %B348.endif.endif.endif.i3110
-  %.918.i3118 = insertelement <8 x double> poison, double %.9905, i64 0
+  %.918.i3118 = insertelement <8 x double> poison, double %.10662, i64 0
   %.919.i3119 = shufflevector <8 x double> %.918.i3118, <8 x double> poison, <8 x i32> zeroinitializer
-  %.932.i3120 = insertelement <8 x double> poison, double %.9938, i64 0
+  %.932.i3120 = insertelement <8 x double> poison, double %.10695, i64 0
   %.933.i3121 = shufflevector <8 x double> %.932.i3120, <8 x double> poison, <8 x i32> zeroinitializer
   %84 = add nsw i64 %.857.i3113, -1
   %xtraiter28.i3122 = and i64 %.857.i3113, 3
@@ -9999,14 +9838,14 @@ B590.if.prol.i3124:                               ; preds = %B590.if.prol.i3124,
   %.884447449.prol.i3125 = phi i64 [ %.487.i3106, %B590.if.prol.i3124.preheader ], [ %.891.prol.i3127, %B590.if.prol.i3124 ]
   %.891.prol.i3127 = add i64 %.884447449.prol.i3125, 8
   %86 = shl i64 %.884447449.prol.i3125, 3
-  %scevgep46.i3128 = getelementptr i8, ptr %arg.buffers.4.4, i64 %86
-  store <8 x double> %.919.i3119, ptr %scevgep46.i3128, align 8, !noalias !168
-  %scevgep45.i3129 = getelementptr i8, ptr %arg.buffers.5.4, i64 %86
-  store <8 x double> %.933.i3121, ptr %scevgep45.i3129, align 8, !noalias !168
+  %scevgep46.i3128 = getelementptr i8, ptr %arg.state.10.4.4, i64 %86
+  store <8 x double> %.919.i3119, ptr %scevgep46.i3128, align 8, !noalias !166
+  %scevgep45.i3129 = getelementptr i8, ptr %arg.state.10.5.4, i64 %86
+  store <8 x double> %.933.i3121, ptr %scevgep45.i3129, align 8, !noalias !166
   %87 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv64, i64 1)
   %math173 = extractvalue { i64, i1 } %87, 0
   %ov174 = extractvalue { i64, i1 } %87, 1
-  br i1 %ov174, label %B590.if.prol.loopexit.loopexit.i3132, label %B590.if.prol.i3124, !llvm.loop !175
+  br i1 %ov174, label %B590.if.prol.loopexit.loopexit.i3132, label %B590.if.prol.i3124, !llvm.loop !173
 
 B590.if.prol.loopexit.loopexit.i3132:             ; preds = %B590.if.prol.i3124
   %88 = and i64 %.857.i3113, 2305843009213693948
@@ -10016,7 +9855,7 @@ B590.if.prol.loopexit.i3133:                      ; preds = %B590.if.prol.loopex
   %.877446450.unr.i3134 = phi i64 [ %.857.i3113, %B590.if.lr.ph.i3117 ], [ %88, %B590.if.prol.loopexit.loopexit.i3132 ]
   %.884447449.unr.i3135 = phi i64 [ %.487.i3106, %B590.if.lr.ph.i3117 ], [ %.891.prol.i3127, %B590.if.prol.loopexit.loopexit.i3132 ]
   %89 = icmp ult i64 %84, 3
-  br i1 %89, label %B76153.endif.endif.endif, label %B590.if.preheader.i3136
+  br i1 %89, label %B72873.endif.endif.endif, label %B590.if.preheader.i3136
 
 B590.if.preheader.i3136:                          ; preds = %B590.if.prol.loopexit.i3133
   %90 = shl i64 %.884447449.unr.i3135, 3
@@ -10027,69 +9866,69 @@ B590.if.preheader.i3136:                          ; preds = %B590.if.prol.loopex
 B590.if.i3137:                                    ; preds = %B590.if.i3137, %B590.if.preheader.i3136
   %lsr.iv66 = phi i64 [ %lsr.iv.next67, %B590.if.i3137 ], [ %92, %B590.if.preheader.i3136 ]
   %lsr.iv30.i3138 = phi i64 [ %lsr.iv.next31.i3149, %B590.if.i3137 ], [ %91, %B590.if.preheader.i3136 ]
-  %scevgep41.i3140 = getelementptr i8, ptr %arg.buffers.4.4, i64 %lsr.iv30.i3138
+  %scevgep41.i3140 = getelementptr i8, ptr %arg.state.10.4.4, i64 %lsr.iv30.i3138
   %scevgep42.i3141 = getelementptr i8, ptr %scevgep41.i3140, i64 -192
-  store <8 x double> %.919.i3119, ptr %scevgep42.i3141, align 8, !noalias !168
-  %scevgep34.i3142 = getelementptr i8, ptr %arg.buffers.5.4, i64 %lsr.iv30.i3138
+  store <8 x double> %.919.i3119, ptr %scevgep42.i3141, align 8, !noalias !166
+  %scevgep34.i3142 = getelementptr i8, ptr %arg.state.10.5.4, i64 %lsr.iv30.i3138
   %scevgep35.i3143 = getelementptr i8, ptr %scevgep34.i3142, i64 -192
-  store <8 x double> %.933.i3121, ptr %scevgep35.i3143, align 8, !noalias !168
+  store <8 x double> %.933.i3121, ptr %scevgep35.i3143, align 8, !noalias !166
   %scevgep75 = getelementptr i8, ptr %scevgep41.i3140, i64 -128
-  store <8 x double> %.919.i3119, ptr %scevgep75, align 8, !noalias !168
+  store <8 x double> %.919.i3119, ptr %scevgep75, align 8, !noalias !166
   %scevgep37.i3145 = getelementptr i8, ptr %scevgep34.i3142, i64 -128
-  store <8 x double> %.933.i3121, ptr %scevgep37.i3145, align 8, !noalias !168
+  store <8 x double> %.933.i3121, ptr %scevgep37.i3145, align 8, !noalias !166
   %scevgep73 = getelementptr i8, ptr %scevgep41.i3140, i64 -64
-  store <8 x double> %.919.i3119, ptr %scevgep73, align 8, !noalias !168
+  store <8 x double> %.919.i3119, ptr %scevgep73, align 8, !noalias !166
   %scevgep71 = getelementptr i8, ptr %scevgep34.i3142, i64 -64
-  store <8 x double> %.933.i3121, ptr %scevgep71, align 8, !noalias !168
-  store <8 x double> %.919.i3119, ptr %scevgep41.i3140, align 8, !noalias !168
-  store <8 x double> %.933.i3121, ptr %scevgep34.i3142, align 8, !noalias !168
+  store <8 x double> %.933.i3121, ptr %scevgep71, align 8, !noalias !166
+  store <8 x double> %.919.i3119, ptr %scevgep41.i3140, align 8, !noalias !166
+  store <8 x double> %.933.i3121, ptr %scevgep34.i3142, align 8, !noalias !166
   %lsr.iv.next31.i3149 = add i64 %lsr.iv30.i3138, 256
   %lsr.iv.next67 = add nsw i64 %lsr.iv66, -4
   %.878.3.i3150 = icmp sgt i64 %lsr.iv66, 28
-  br i1 %.878.3.i3150, label %B590.if.i3137, label %B76153.endif.endif.endif
+  br i1 %.878.3.i3150, label %B590.if.i3137, label %B72873.endif.endif.endif
 
-B76153.endif.endif.endif:                         ; preds = %B590.if.i3137, %B590.if.prol.loopexit.i3133, %B348.endif.endif.endif.i3110
-  %.11018 = load i64, ptr %.399, align 8
-  %.11022 = mul nsw i64 %.11018, %arg.i
+B72873.endif.endif.endif:                         ; preds = %B590.if.i3137, %B590.if.prol.loopexit.i3133, %B348.endif.endif.endif.i3110
+  %.11871 = load i64, ptr %.526, align 8
+  %.11875 = mul nsw i64 %.11871, %arg.i
   %sunkaddr177 = getelementptr i8, ptr %sunkaddr3972, i64 56
-  %.11051 = load i64, ptr %sunkaddr177, align 8
-  %.11055 = add nsw i64 %.11051, %.11022
-  %.11085 = load i64, ptr %sunkaddr143, align 8
-  %.11086 = inttoptr i64 %.11085 to ptr
-  %.11163 = load i64, ptr %sunkaddr144, align 8
-  %.11167 = inttoptr i64 %.11163 to ptr
-  %93 = lshr i64 %.11055, 33
-  %.11234 = and i64 %93, 1073741824
-  %94 = getelementptr double, ptr %.11086, i64 %.11055
-  %.11248 = getelementptr double, ptr %94, i64 %.11234
-  %.11249 = load double, ptr %.11248, align 8
-  %.idx6042 = shl i64 %.11055, 4
-  %95 = getelementptr i8, ptr %.11167, i64 %.idx6042
+  %.11904 = load i64, ptr %sunkaddr177, align 8
+  %.11908 = add nsw i64 %.11904, %.11875
+  %.11938 = load i64, ptr %sunkaddr143, align 8
+  %.11939 = inttoptr i64 %.11938 to ptr
+  %.12016 = load i64, ptr %sunkaddr144, align 8
+  %.12020 = inttoptr i64 %.12016 to ptr
+  %93 = lshr i64 %.11908, 33
+  %.12087 = and i64 %93, 1073741824
+  %94 = getelementptr double, ptr %.11939, i64 %.11908
+  %.12101 = getelementptr double, ptr %94, i64 %.12087
+  %.12102 = load double, ptr %.12101, align 8
+  %.idx9143 = shl i64 %.11908, 4
+  %95 = getelementptr i8, ptr %.12020, i64 %.idx9143
   %96 = getelementptr i8, ptr %95, i64 8
-  %.11282 = getelementptr double, ptr %96, i64 %.11234
-  %.11283 = load double, ptr %.11282, align 8
-  %.379.i = insertelement <8 x double> poison, double %.6966, i64 0
+  %.12135 = getelementptr double, ptr %96, i64 %.12087
+  %.12136 = load double, ptr %.12135, align 8
+  %.379.i = insertelement <8 x double> poison, double %.7549, i64 0
   %.380.i = shufflevector <8 x double> %.379.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.960.i = insertelement <8 x double> poison, double %.11249, i64 0
+  %.960.i = insertelement <8 x double> poison, double %.12102, i64 0
   %.961.i = shufflevector <8 x double> %.960.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1026.i = insertelement <8 x double> poison, double %.11283, i64 0
+  %.1026.i = insertelement <8 x double> poison, double %.12136, i64 0
   %.1027.i = shufflevector <8 x double> %.1026.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.290534.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, label %B52.lr.ph.i
+  br i1 %.290534.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, label %B52.lr.ph.i
 
-B52.lr.ph.i:                                      ; preds = %B76153.endif.endif.endif
+B52.lr.ph.i:                                      ; preds = %B72873.endif.endif.endif
   %sunkaddr182 = getelementptr i8, ptr %sunkaddr3972, i64 64
-  %.10962 = load i64, ptr %sunkaddr182, align 8
-  %.641.i = add i64 %.10962, -1
-  %.425.i = add i64 %.7034, -1
+  %.11815 = load i64, ptr %sunkaddr182, align 8
+  %.641.i = add i64 %.11815, -1
+  %.425.i = add i64 %.7617, -1
   %..641.i = tail call i64 @llvm.smax.i64(i64 %.641.i, i64 0)
   %..425.i = tail call i64 @llvm.smax.i64(i64 %.425.i, i64 0)
-  %.6.i.i3257 = insertelement <8 x double> poison, double %.6999, i64 0
+  %.6.i.i3257 = insertelement <8 x double> poison, double %.7582, i64 0
   %.7.i.i3258 = shufflevector <8 x double> %.6.i.i3257, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i552.i = insertelement <8 x double> poison, double %.7324, i64 0
+  %.6.i552.i = insertelement <8 x double> poison, double %.7907, i64 0
   %.7.i553.i = shufflevector <8 x double> %.6.i552.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i558.i = insertelement <8 x double> poison, double %.7358, i64 0
+  %.6.i558.i = insertelement <8 x double> poison, double %.7941, i64 0
   %.7.i559.i = shufflevector <8 x double> %.6.i558.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i564.i = insertelement <8 x double> poison, double %.2975, i64 0
+  %.6.i564.i = insertelement <8 x double> poison, double %.3288, i64 0
   %.7.i565.i = shufflevector <8 x double> %.6.i564.i, <8 x double> poison, <8 x i32> zeroinitializer
   %xtraiter.i3259 = and i64 %..425.i, 3
   %xtraiter590.i = and i64 %..641.i, 3
@@ -10106,70 +9945,70 @@ B52.lr.ph.i:                                      ; preds = %B76153.endif.endif.
   %107 = icmp eq i64 %xtraiter590.i, 0
   br label %B52.i
 
-B52.i:                                            ; preds = %B77866.i, %B52.lr.ph.i
-  %.280.sroa.0.0540.i = phi i64 [ 0, %B52.lr.ph.i ], [ %.280.sroa.0.0.i, %B77866.i ]
-  %.2891215539.i = phi i64 [ %math, %B52.lr.ph.i ], [ %.2891215.i, %B77866.i ]
-  %.2961252538.i = phi i64 [ 8, %B52.lr.ph.i ], [ %.2961252.i, %B77866.i ]
-  %.349.i = getelementptr inbounds double, ptr %.1050, i64 %.280.sroa.0.0540.i
-  %.351.i = load <8 x double>, ptr %.349.i, align 8, !noalias !179
+B52.i:                                            ; preds = %B74586.i, %B52.lr.ph.i
+  %.280.sroa.0.0540.i = phi i64 [ 0, %B52.lr.ph.i ], [ %.280.sroa.0.0.i, %B74586.i ]
+  %.2891215539.i = phi i64 [ %math, %B52.lr.ph.i ], [ %.2891215.i, %B74586.i ]
+  %.2961252538.i = phi i64 [ 8, %B52.lr.ph.i ], [ %.2961252.i, %B74586.i ]
+  %.349.i = getelementptr inbounds double, ptr %.1177, i64 %.280.sroa.0.0540.i
+  %.351.i = load <8 x double>, ptr %.349.i, align 8, !noalias !177
   %.8.i.i3261 = fmul contract <8 x double> %.7.i.i3258, %.351.i
   %.381.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i3261, <8 x double> %.380.i)
-  br i1 %101, label %B77574.i, label %B734.if.preheader.i
+  br i1 %101, label %B74294.i, label %B734.if.preheader.i
 
 B734.if.preheader.i:                              ; preds = %B52.i
   br i1 %104, label %B734.if.epil.i.preheader, label %B734.if.i
 
-B77574.loopexit.unr-lcssa.i:                      ; preds = %B734.if.i
-  br i1 %105, label %B77574.i, label %B734.if.epil.i.preheader
+B74294.loopexit.unr-lcssa.i:                      ; preds = %B734.if.i
+  br i1 %105, label %B74294.i, label %B734.if.epil.i.preheader
 
-B734.if.epil.i.preheader:                         ; preds = %B77574.loopexit.unr-lcssa.i, %B734.if.preheader.i
-  %_velocity_v380_w.2.11203.epil.i.ph = phi <8 x double> [ %.381.i, %B734.if.preheader.i ], [ %.6.i547.3.i, %B77574.loopexit.unr-lcssa.i ]
+B734.if.epil.i.preheader:                         ; preds = %B74294.loopexit.unr-lcssa.i, %B734.if.preheader.i
+  %_velocity_v376_w.2.11203.epil.i.ph = phi <8 x double> [ %.381.i, %B734.if.preheader.i ], [ %.6.i547.3.i, %B74294.loopexit.unr-lcssa.i ]
   br label %B734.if.epil.i
 
 B734.if.epil.i:                                   ; preds = %B734.if.epil.i.preheader, %B734.if.epil.i
   %lsr.iv599.i = phi i64 [ %lsr.iv.next600.i, %B734.if.epil.i ], [ %xtraiter.i3259, %B734.if.epil.i.preheader ]
-  %_velocity_v380_w.2.11203.epil.i = phi <8 x double> [ %.6.i547.epil.i, %B734.if.epil.i ], [ %_velocity_v380_w.2.11203.epil.i.ph, %B734.if.epil.i.preheader ]
-  %.6.i547.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v380_w.2.11203.epil.i
+  %_velocity_v376_w.2.11203.epil.i = phi <8 x double> [ %.6.i547.epil.i, %B734.if.epil.i ], [ %_velocity_v376_w.2.11203.epil.i.ph, %B734.if.epil.i.preheader ]
+  %.6.i547.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v376_w.2.11203.epil.i
   %lsr.iv.next600.i = add nsw i64 %lsr.iv599.i, -1
   %epil.iter.cmp.not.i3265 = icmp eq i64 %lsr.iv.next600.i, 0
-  br i1 %epil.iter.cmp.not.i3265, label %B77574.i, label %B734.if.epil.i, !llvm.loop !182
+  br i1 %epil.iter.cmp.not.i3265, label %B74294.i, label %B734.if.epil.i, !llvm.loop !180
 
-B77574.i:                                         ; preds = %B734.if.epil.i, %B77574.loopexit.unr-lcssa.i, %B52.i
-  %_velocity_v380_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B52.i ], [ %.6.i547.3.i, %B77574.loopexit.unr-lcssa.i ], [ %.6.i547.epil.i, %B734.if.epil.i ]
-  br i1 %102, label %B77699.i, label %B77588.if.preheader.i
+B74294.i:                                         ; preds = %B734.if.epil.i, %B74294.loopexit.unr-lcssa.i, %B52.i
+  %_velocity_v376_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B52.i ], [ %.6.i547.3.i, %B74294.loopexit.unr-lcssa.i ], [ %.6.i547.epil.i, %B734.if.epil.i ]
+  br i1 %102, label %B74419.i, label %B74308.if.preheader.i
 
-B77588.if.preheader.i:                            ; preds = %B77574.i
-  br i1 %106, label %B77588.if.epil.i.preheader, label %B77588.if.i
+B74308.if.preheader.i:                            ; preds = %B74294.i
+  br i1 %106, label %B74308.if.epil.i.preheader, label %B74308.if.i
 
-B77699.loopexit.unr-lcssa.i:                      ; preds = %B77588.if.i
-  br i1 %107, label %B77699.i, label %B77588.if.epil.i.preheader
+B74419.loopexit.unr-lcssa.i:                      ; preds = %B74308.if.i
+  br i1 %107, label %B74419.i, label %B74308.if.epil.i.preheader
 
-B77588.if.epil.i.preheader:                       ; preds = %B77699.loopexit.unr-lcssa.i, %B77588.if.preheader.i
-  %_velocity_v381_w.2.11211.epil.i.ph = phi <8 x double> [ %.381.i, %B77588.if.preheader.i ], [ %.6.i548.3.i, %B77699.loopexit.unr-lcssa.i ]
-  br label %B77588.if.epil.i
+B74308.if.epil.i.preheader:                       ; preds = %B74419.loopexit.unr-lcssa.i, %B74308.if.preheader.i
+  %_velocity_v377_w.2.11211.epil.i.ph = phi <8 x double> [ %.381.i, %B74308.if.preheader.i ], [ %.6.i548.3.i, %B74419.loopexit.unr-lcssa.i ]
+  br label %B74308.if.epil.i
 
-B77588.if.epil.i:                                 ; preds = %B77588.if.epil.i.preheader, %B77588.if.epil.i
-  %lsr.iv603.i = phi i64 [ %lsr.iv.next604.i, %B77588.if.epil.i ], [ %xtraiter590.i, %B77588.if.epil.i.preheader ]
-  %_velocity_v381_w.2.11211.epil.i = phi <8 x double> [ %.6.i548.epil.i, %B77588.if.epil.i ], [ %_velocity_v381_w.2.11211.epil.i.ph, %B77588.if.epil.i.preheader ]
-  %.6.i548.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v381_w.2.11211.epil.i
+B74308.if.epil.i:                                 ; preds = %B74308.if.epil.i.preheader, %B74308.if.epil.i
+  %lsr.iv603.i = phi i64 [ %lsr.iv.next604.i, %B74308.if.epil.i ], [ %xtraiter590.i, %B74308.if.epil.i.preheader ]
+  %_velocity_v377_w.2.11211.epil.i = phi <8 x double> [ %.6.i548.epil.i, %B74308.if.epil.i ], [ %_velocity_v377_w.2.11211.epil.i.ph, %B74308.if.epil.i.preheader ]
+  %.6.i548.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11211.epil.i
   %lsr.iv.next604.i = add nsw i64 %lsr.iv603.i, -1
   %epil.iter591.cmp.not.i = icmp eq i64 %lsr.iv.next604.i, 0
-  br i1 %epil.iter591.cmp.not.i, label %B77699.i, label %B77588.if.epil.i, !llvm.loop !183
+  br i1 %epil.iter591.cmp.not.i, label %B74419.i, label %B74308.if.epil.i, !llvm.loop !181
 
-B77699.i:                                         ; preds = %B77588.if.epil.i, %B77699.loopexit.unr-lcssa.i, %B77574.i
-  %_velocity_v381_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B77574.i ], [ %.6.i548.3.i, %B77699.loopexit.unr-lcssa.i ], [ %.6.i548.epil.i, %B77588.if.epil.i ]
-  %.772.i = getelementptr inbounds double, ptr %arg.buffers.2.4, i64 %.280.sroa.0.0540.i
-  %.774.i = load <8 x double>, ptr %.772.i, align 8, !noalias !179
-  %.6.i545.i = fmul contract <8 x double> %_velocity_v380_w.2.1.lcssa.i, %.774.i
-  %.815.i = getelementptr inbounds double, ptr %arg.buffers.3.4, i64 %.280.sroa.0.0540.i
-  %.817.i3266 = load <8 x double>, ptr %.815.i, align 8, !noalias !179
-  %.6.i549.i = fmul contract <8 x double> %_velocity_v380_w.2.1.lcssa.i, %.817.i3266
-  %.860.i = getelementptr inbounds double, ptr %arg.buffers.4.4, i64 %.280.sroa.0.0540.i
-  %.862.i3267 = load <8 x double>, ptr %.860.i, align 8, !noalias !179
-  %.6.i550.i = fmul contract <8 x double> %_velocity_v381_w.2.1.lcssa.i, %.862.i3267
-  %.902.i = getelementptr inbounds double, ptr %arg.buffers.5.4, i64 %.280.sroa.0.0540.i
-  %.904.i = load <8 x double>, ptr %.902.i, align 8, !noalias !179
-  %.6.i551.i = fmul contract <8 x double> %_velocity_v381_w.2.1.lcssa.i, %.904.i
+B74419.i:                                         ; preds = %B74308.if.epil.i, %B74419.loopexit.unr-lcssa.i, %B74294.i
+  %_velocity_v377_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B74294.i ], [ %.6.i548.3.i, %B74419.loopexit.unr-lcssa.i ], [ %.6.i548.epil.i, %B74308.if.epil.i ]
+  %.772.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.280.sroa.0.0540.i
+  %.774.i = load <8 x double>, ptr %.772.i, align 8, !noalias !177
+  %.6.i545.i = fmul contract <8 x double> %_velocity_v376_w.2.1.lcssa.i, %.774.i
+  %.815.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.280.sroa.0.0540.i
+  %.817.i3266 = load <8 x double>, ptr %.815.i, align 8, !noalias !177
+  %.6.i549.i = fmul contract <8 x double> %_velocity_v376_w.2.1.lcssa.i, %.817.i3266
+  %.860.i = getelementptr inbounds double, ptr %arg.state.10.4.4, i64 %.280.sroa.0.0540.i
+  %.862.i3267 = load <8 x double>, ptr %.860.i, align 8, !noalias !177
+  %.6.i550.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.862.i3267
+  %.902.i = getelementptr inbounds double, ptr %arg.state.10.5.4, i64 %.280.sroa.0.0540.i
+  %.904.i = load <8 x double>, ptr %.902.i, align 8, !noalias !177
+  %.6.i551.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.904.i
   %.8.i554.i = fmul contract <8 x double> %.7.i553.i, %.6.i545.i
   %.962.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i550.i, <8 x double> %.961.i, <8 x double> %.8.i554.i)
   %.8.i557.i = fmul contract <8 x double> %.7.i553.i, %.6.i549.i
@@ -10178,8 +10017,8 @@ B77699.i:                                         ; preds = %B77588.if.epil.i, %
   %.1028.i3268 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i550.i, <8 x double> %.1027.i, <8 x double> %.8.i560.i)
   %.8.i563.i = fmul contract <8 x double> %.7.i559.i, %.6.i549.i
   %.1059.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i551.i, <8 x double> %.1027.i, <8 x double> %.8.i563.i)
-  %.1083.i = getelementptr inbounds double, ptr %arg.buffers.1.4, i64 %.280.sroa.0.0540.i
-  %.1085.i = load <8 x double>, ptr %.1083.i, align 8, !noalias !179
+  %.1083.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.280.sroa.0.0540.i
+  %.1085.i = load <8 x double>, ptr %.1083.i, align 8, !noalias !177
   %.8.i566.i = fmul contract <8 x double> %.7.i565.i, %.1085.i
   %.1117.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i566.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i567.i = fadd contract <8 x double> %.1117.i, splat (double 0xC338000000000000)
@@ -10219,211 +10058,211 @@ B77699.i:                                         ; preds = %B77588.if.epil.i, %
   %111 = xor <8 x i64> %.8.i578.i, %.1273.i
   %.6.i582.i = xor <8 x i64> %111, %.6.i573.i
   %112 = bitcast <8 x i64> %.6.i582.i to <8 x double>
-  %.1614.i = getelementptr inbounds double, ptr %arg.buffers.0.4, i64 %.280.sroa.0.0540.i
-  %.1616.i = load <8 x double>, ptr %.1614.i, align 8, !noalias !179
+  %.1614.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.280.sroa.0.0540.i
+  %.1616.i = load <8 x double>, ptr %.1614.i, align 8, !noalias !177
   %.6.i583.i = fmul contract <8 x double> %.1616.i, %112
   %.6.i584.i = fmul contract <8 x double> %.1616.i, %110
-  br i1 %103, label %B77866.i, label %B77713.i
+  br i1 %103, label %B74586.i, label %B74433.i
 
-B77713.i:                                         ; preds = %B77699.i
-  %.1816.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.280.sroa.0.0540.i
-  %.1818.i = load <8 x double>, ptr %.1816.i, align 8, !noalias !179
-  %.1834.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.280.sroa.0.0540.i
-  %.1836.i = load <8 x double>, ptr %.1834.i, align 8, !noalias !179
-  %.1852.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.280.sroa.0.0540.i
-  %.1854.i = load <8 x double>, ptr %.1852.i, align 8, !noalias !179
-  %.1870.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.280.sroa.0.0540.i
-  %.1872.i = load <8 x double>, ptr %.1870.i, align 8, !noalias !179
-  br label %B77866.i
+B74433.i:                                         ; preds = %B74419.i
+  %.1816.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.280.sroa.0.0540.i
+  %.1818.i = load <8 x double>, ptr %.1816.i, align 8, !noalias !177
+  %.1834.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.280.sroa.0.0540.i
+  %.1836.i = load <8 x double>, ptr %.1834.i, align 8, !noalias !177
+  %.1852.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.280.sroa.0.0540.i
+  %.1854.i = load <8 x double>, ptr %.1852.i, align 8, !noalias !177
+  %.1870.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.280.sroa.0.0540.i
+  %.1872.i = load <8 x double>, ptr %.1870.i, align 8, !noalias !177
+  br label %B74586.i
 
-B77866.i:                                         ; preds = %B77713.i, %B77699.i
-  %_add_v384_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77699.i ], [ %.1818.i, %B77713.i ]
-  %_add_v384_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77699.i ], [ %.1836.i, %B77713.i ]
-  %_add_v384_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77699.i ], [ %.1854.i, %B77713.i ]
-  %_add_v384_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77699.i ], [ %.1872.i, %B77713.i ]
+B74586.i:                                         ; preds = %B74433.i, %B74419.i
+  %_add_v380_first.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1818.i, %B74433.i ]
+  %_add_v380_second.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1836.i, %B74433.i ]
+  %_add_v380_third.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1854.i, %B74433.i ]
+  %_add_v380_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1872.i, %B74433.i ]
   %.6.i546.i = fsub contract <8 x double> zeroinitializer, %.993.i
-  %.1946.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i546.i, <8 x double> %_add_v384_first.2.1.i)
+  %.1946.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i546.i, <8 x double> %_add_v380_first.2.1.i)
   %.1950.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.962.i, <8 x double> %.1946.i)
-  %.1958.i = getelementptr inbounds double, ptr %arg.sums.0.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.1950.i, ptr %.1958.i, align 8, !noalias !179
-  %.1979.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.962.i, <8 x double> %_add_v384_second.2.1.i)
+  %.1958.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.280.sroa.0.0540.i
+  store <8 x double> %.1950.i, ptr %.1958.i, align 8, !noalias !177
+  %.1979.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.962.i, <8 x double> %_add_v380_second.2.1.i)
   %.1983.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.993.i, <8 x double> %.1979.i)
-  %.1991.i = getelementptr inbounds double, ptr %arg.sums.1.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.1983.i, ptr %.1991.i, align 8, !noalias !179
+  %.1991.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.280.sroa.0.0540.i
+  store <8 x double> %.1983.i, ptr %.1991.i, align 8, !noalias !177
   %.6.i585.i = fsub contract <8 x double> zeroinitializer, %.1059.i
   %.6.i586.i = fsub contract <8 x double> zeroinitializer, %.1028.i3268
-  %.2060.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i586.i, <8 x double> %_add_v384_third.2.1.i)
+  %.2060.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i586.i, <8 x double> %_add_v380_third.2.1.i)
   %.2064.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.6.i585.i, <8 x double> %.2060.i)
-  %.2072.i = getelementptr inbounds double, ptr %arg.sums.2.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.2064.i, ptr %.2072.i, align 8, !noalias !179
-  %.2137.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i585.i, <8 x double> %_add_v384_fourth.2.1.i)
+  %.2072.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.280.sroa.0.0540.i
+  store <8 x double> %.2064.i, ptr %.2072.i, align 8, !noalias !177
+  %.2137.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i585.i, <8 x double> %_add_v380_fourth.2.1.i)
   %.2143.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.1028.i3268, <8 x double> %.2137.i)
-  %.2153.i = getelementptr inbounds double, ptr %arg.sums.3.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.2143.i, ptr %.2153.i, align 8, !noalias !179
+  %.2153.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.280.sroa.0.0540.i
+  store <8 x double> %.2143.i, ptr %.2153.i, align 8, !noalias !177
   %.290.i = icmp sgt i64 %.2891215539.i, 0
   %.303.i = add i64 %.2961252538.i, 8
   %.2961252.i = select i1 %.290.i, i64 %.303.i, i64 %.2961252538.i
   %.299.i = sext i1 %.290.i to i64
   %.2891215.i = add nsw i64 %.2891215539.i, %.299.i
   %.280.sroa.0.0.i = select i1 %.290.i, i64 %.2961252538.i, i64 0
-  br i1 %.290.i, label %B52.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
+  br i1 %.290.i, label %B52.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
 
 B734.if.i:                                        ; preds = %B734.if.preheader.i, %B734.if.i
   %lsr.iv76 = phi i64 [ %lsr.iv.next77, %B734.if.i ], [ %98, %B734.if.preheader.i ]
-  %_velocity_v380_w.2.11203.i = phi <8 x double> [ %.6.i547.3.i, %B734.if.i ], [ %.381.i, %B734.if.preheader.i ]
-  %.6.i547.i = fmul contract <8 x double> %.381.i, %_velocity_v380_w.2.11203.i
+  %_velocity_v376_w.2.11203.i = phi <8 x double> [ %.6.i547.3.i, %B734.if.i ], [ %.381.i, %B734.if.preheader.i ]
+  %.6.i547.i = fmul contract <8 x double> %.381.i, %_velocity_v376_w.2.11203.i
   %.6.i547.1.i = fmul contract <8 x double> %.381.i, %.6.i547.i
   %.6.i547.2.i = fmul contract <8 x double> %.381.i, %.6.i547.1.i
   %.6.i547.3.i = fmul contract <8 x double> %.381.i, %.6.i547.2.i
   %lsr.iv.next77 = add nsw i64 %lsr.iv76, 4
   %niter.ncmp.3.i3264 = icmp eq i64 %lsr.iv.next77, 0
-  br i1 %niter.ncmp.3.i3264, label %B77574.loopexit.unr-lcssa.i, label %B734.if.i
+  br i1 %niter.ncmp.3.i3264, label %B74294.loopexit.unr-lcssa.i, label %B734.if.i
 
-B77588.if.i:                                      ; preds = %B77588.if.preheader.i, %B77588.if.i
-  %lsr.iv78 = phi i64 [ %lsr.iv.next79, %B77588.if.i ], [ %100, %B77588.if.preheader.i ]
-  %_velocity_v381_w.2.11211.i = phi <8 x double> [ %.6.i548.3.i, %B77588.if.i ], [ %.381.i, %B77588.if.preheader.i ]
-  %.6.i548.i = fmul contract <8 x double> %.381.i, %_velocity_v381_w.2.11211.i
+B74308.if.i:                                      ; preds = %B74308.if.preheader.i, %B74308.if.i
+  %lsr.iv78 = phi i64 [ %lsr.iv.next79, %B74308.if.i ], [ %100, %B74308.if.preheader.i ]
+  %_velocity_v377_w.2.11211.i = phi <8 x double> [ %.6.i548.3.i, %B74308.if.i ], [ %.381.i, %B74308.if.preheader.i ]
+  %.6.i548.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11211.i
   %.6.i548.1.i = fmul contract <8 x double> %.381.i, %.6.i548.i
   %.6.i548.2.i = fmul contract <8 x double> %.381.i, %.6.i548.1.i
   %.6.i548.3.i = fmul contract <8 x double> %.381.i, %.6.i548.2.i
   %lsr.iv.next79 = add nsw i64 %lsr.iv78, 4
   %niter596.ncmp.3.i = icmp eq i64 %lsr.iv.next79, 0
-  br i1 %niter596.ncmp.3.i, label %B77699.loopexit.unr-lcssa.i, label %B77588.if.i
+  br i1 %niter596.ncmp.3.i, label %B74419.loopexit.unr-lcssa.i, label %B74308.if.i
 
-_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit: ; preds = %B77866.i, %B76153.endif.endif.endif
-  %.11300 = add nsw i64 %k.7.3, 2
-  %.11432 = load i64, ptr %.399, align 8
-  %.11433 = icmp slt i64 %.11300, %.11432
-  br i1 %.11433, label %B798.backedge, label %B76155
+_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit: ; preds = %B74586.i, %B72873.endif.endif.endif
+  %.12153 = add nsw i64 %k.7.3, 2
+  %.12285 = load i64, ptr %.526, align 8
+  %.12286 = icmp slt i64 %.12153, %.12285
+  br i1 %.12286, label %B820.backedge, label %B72875
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
-define internal fastcc void @inner_22(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, i64 %arg.lane, i64 %arg.ends.0, i64 %arg.ends.1, i64 %arg.ends.2, i8 range(i8 0, 2) %arg.dense, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.ratios.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 range(i64 8, 1) %arg.sizes.0, i64 range(i64 8, 1) %arg.sizes.1, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, ptr readonly captures(none) %arg.fitted.0.4, ptr readonly captures(none) %arg.fitted.1.4, ptr captures(none) %arg.buffers.0.4, ptr captures(none) %arg.buffers.1.4, ptr captures(none) %arg.buffers.2.4, ptr captures(none) %arg.buffers.3.4, ptr captures(none) %arg.tail.4, ptr captures(none) %arg.carriers.4, ptr captures(none) %arg.modes.4) unnamed_addr #4 {
+define internal fastcc void @inner_22(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.i, i64 %arg.lane, i64 %arg.ends.0, i64 %arg.ends.1, i64 %arg.ends.2, ptr readonly captures(none) %arg.state.0.4, ptr readonly captures(none) %arg.state.1.4, ptr readonly captures(none) %arg.state.2.4, ptr readonly captures(none) %arg.state.3.4, i64 range(i64 40, 9) %arg.state.3.5.0, ptr readonly captures(none) %arg.state.4.4, i64 range(i64 8, 1) %arg.state.5.0, i64 range(i64 8, 1) %arg.state.5.1, i8 range(i8 0, 2) %arg.state.6, ptr readonly captures(none) %arg.state.7.0.4, ptr readonly captures(none) %arg.state.7.1.4, ptr readonly captures(none) %arg.state.8.0.4, ptr readonly captures(none) %arg.state.8.1.4, double %arg.state.9.0, double %arg.state.9.1, double %arg.state.9.2, ptr captures(none) %arg.state.10.0.4, ptr captures(none) %arg.state.10.1.4, ptr captures(none) %arg.state.10.2.4, ptr captures(none) %arg.state.10.3.4, ptr captures(none) %arg.state.12.4, ptr captures(none) %arg.state.13.4, ptr captures(none) %arg.state.14.4) unnamed_addr #4 {
 entry:
-  %.2721 = alloca ptr, align 8
-  store ptr null, ptr %.2721, align 8
-  %.3088 = alloca ptr, align 8
-  store ptr null, ptr %.3088, align 8
-  %.6496 = alloca ptr, align 8
-  store ptr null, ptr %.6496, align 8
-  %.339 = getelementptr i8, ptr %arg.arguments.4, i64 168
-  %.340 = load i64, ptr %.339, align 8
-  %.341 = inttoptr i64 %.340 to ptr
-  %.395 = sub i64 %arg.ends.1, %arg.ends.0
-  %.480 = getelementptr i8, ptr %arg.arguments.4, i64 32
-  %.547 = getelementptr i8, ptr %arg.arguments.4, i64 24
-  %.548 = load i64, ptr %.547, align 8
-  %.550 = inttoptr i64 %.548 to ptr
-  %.990 = load i64, ptr %.480, align 8
-  %.idx = shl i64 %.990, 4
-  %0 = getelementptr i8, ptr %.550, i64 %.idx
-  %.1007 = getelementptr double, ptr %0, i64 %arg.ends.0
-  %.1174 = load i64, ptr %.341, align 8
-  %.12544410.not = icmp slt i64 %.1174, 1
-  br i1 %.12544410.not, label %B316389, label %B608.if.lr.ph
+  %.3082 = alloca ptr, align 8
+  store ptr null, ptr %.3082, align 8
+  %.3433 = alloca ptr, align 8
+  store ptr null, ptr %.3433, align 8
+  %.7111 = alloca ptr, align 8
+  store ptr null, ptr %.7111, align 8
+  %.498 = getelementptr i8, ptr %arg.state.0.4, i64 168
+  %.499 = load i64, ptr %.498, align 8
+  %.500 = inttoptr i64 %.499 to ptr
+  %.554 = sub i64 %arg.ends.1, %arg.ends.0
+  %.639 = getelementptr i8, ptr %arg.state.0.4, i64 32
+  %.706 = getelementptr i8, ptr %arg.state.0.4, i64 24
+  %.707 = load i64, ptr %.706, align 8
+  %.709 = inttoptr i64 %.707 to ptr
+  %.1149 = load i64, ptr %.639, align 8
+  %.idx = shl i64 %.1149, 4
+  %0 = getelementptr i8, ptr %.709, i64 %.idx
+  %.1166 = getelementptr double, ptr %0, i64 %arg.ends.0
+  %.1359 = load i64, ptr %.500, align 8
+  %.14396681.not = icmp slt i64 %.1359, 1
+  br i1 %.14396681.not, label %B303269, label %B630.if.lr.ph
 
-B802:                                             ; preds = %B608.if
-  %.1515 = add nsw i64 %number.2.04416, 1
-  %.1773 = load i64, ptr %.480, align 8
-  %.1840 = load i64, ptr %.547, align 8
-  %.1842 = inttoptr i64 %.1840 to ptr
-  %.2291 = mul nsw i64 %.1515, %.2290
-  %.2302 = getelementptr double, ptr %arg.carriers.4, i64 %.2291
-  %.2365 = getelementptr i8, ptr %.2302, i64 320
-  %.2428 = getelementptr i8, ptr %.2302, i64 384
-  %.2494 = getelementptr i8, ptr %.2302, i64 512
-  store ptr null, ptr %.2721, align 8
-  call fastcc void @inner_25(ptr nonnull %.2721, i64 %arg.ends.0, i64 %arg.ends.1, i8 %arg.dense, ptr %.1842, i64 %.1773, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.contents.4, ptr %arg.weights.4, i64 %arg.sizes.0, i64 %arg.sizes.1, ptr %arg.cubics.0.4, ptr %arg.cubics.1.4, ptr %arg.fitted.0.4, ptr %arg.fitted.1.4, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr %.2302, ptr %.2365, ptr %.2428, ptr %.2494, ptr %arg.buffers.2.4, ptr %arg.buffers.3.4, ptr %arg.buffers.0.4, ptr %arg.buffers.1.4)
-  br i1 %.117323.not.i, label %B157699, label %B48.if.preheader.i
+B824:                                             ; preds = %B630.if
+  %.1700 = add nsw i64 %number.2.06687, 1
+  %.1975 = load i64, ptr %.639, align 8
+  %.2042 = load i64, ptr %.706, align 8
+  %.2044 = inttoptr i64 %.2042 to ptr
+  %.2568 = mul nsw i64 %.1700, %.2567
+  %.2579 = getelementptr double, ptr %arg.state.12.4, i64 %.2568
+  %.2642 = getelementptr i8, ptr %.2579, i64 320
+  %.2705 = getelementptr i8, ptr %.2579, i64 384
+  %.2771 = getelementptr i8, ptr %.2579, i64 512
+  store ptr null, ptr %.3082, align 8
+  call fastcc void @inner_25(ptr nonnull %.3082, i64 %arg.ends.0, i64 %arg.ends.1, i8 %arg.state.6, ptr %.2044, i64 %.1975, ptr %arg.state.3.4, i64 %arg.state.3.5.0, ptr %arg.state.1.4, ptr %arg.state.2.4, i64 %arg.state.5.0, i64 %arg.state.5.1, ptr %arg.state.7.0.4, ptr %arg.state.7.1.4, ptr %arg.state.8.0.4, ptr %arg.state.8.1.4, double %arg.state.9.0, double %arg.state.9.1, double %arg.state.9.2, ptr %.2579, ptr %.2642, ptr %.2705, ptr %.2771, ptr %arg.state.10.2.4, ptr %arg.state.10.3.4, ptr %arg.state.10.0.4, ptr %arg.state.10.1.4)
+  br i1 %.117323.not.i, label %B151139, label %B48.if.preheader.i
 
-B157699:                                          ; preds = %B48.if.i, %B802, %B608.if
-  %number.3.1 = phi i64 [ %number.2.04416, %B608.if ], [ %.1515, %B802 ], [ %.1515, %B48.if.i ]
-  %order.3.1 = phi i64 [ %order.2.04417, %B608.if ], [ %.1460, %B802 ], [ %.1460, %B48.if.i ]
-  %carrier.1.sroa.121.1 = phi ptr [ %carrier.2.sroa.110.04413, %B608.if ], [ %.2365, %B802 ], [ %.2365, %B48.if.i ]
-  %.3003 = load i64, ptr %.341, align 8
-  %.3005 = mul nsw i64 %.3003, %arg.i
+B151139:                                          ; preds = %B48.if.i, %B824, %B630.if
+  %number.3.1 = phi i64 [ %number.2.06687, %B630.if ], [ %.1700, %B824 ], [ %.1700, %B48.if.i ]
+  %order.3.1 = phi i64 [ %order.2.06688, %B630.if ], [ %.1645, %B824 ], [ %.1645, %B48.if.i ]
+  %carrier.1.sroa.121.1 = phi ptr [ %carrier.2.sroa.110.06684, %B630.if ], [ %.2642, %B824 ], [ %.2642, %B48.if.i ]
+  %.3348 = load i64, ptr %.500, align 8
+  %.3350 = mul nsw i64 %.3348, %arg.i
   %sunkaddr41 = getelementptr i8, ptr %12, i64 56
-  %.3035 = load i64, ptr %sunkaddr41, align 8
-  %.3036 = add nsw i64 %.3005, %.3035
+  %.3380 = load i64, ptr %sunkaddr41, align 8
+  %.3381 = add nsw i64 %.3350, %.3380
   %sunkaddr45 = getelementptr i8, ptr %12, i64 64
-  %.3069 = load i64, ptr %sunkaddr45, align 8
-  %.3070 = icmp eq i64 %.3069, 0
-  br i1 %.3070, label %B157701, label %B315980
+  %.3414 = load i64, ptr %sunkaddr45, align 8
+  %.3415 = icmp eq i64 %.3414, 0
+  br i1 %.3415, label %B151141, label %B302860
 
-B157701:                                          ; preds = %B157699
-  store ptr null, ptr %.3088, align 8
-  call fastcc void @inner_27(ptr nonnull %.3088, i64 %.3036, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.arguments.4, i64 %.395, ptr %arg.buffers.0.4, ptr %arg.buffers.1.4, ptr %arg.tail.4)
-  br label %B316387
+B151141:                                          ; preds = %B151139
+  store ptr null, ptr %.3433, align 8
+  call fastcc void @inner_27(ptr nonnull %.3433, i64 %.3381, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.554, ptr %arg.state.10.0.4, ptr %arg.state.10.1.4, ptr %arg.state.14.4)
+  br label %B303267
 
-B315980:                                          ; preds = %B157699
+B302860:                                          ; preds = %B151139
   %sunkaddr50 = getelementptr i8, ptr %12, i64 72
-  %.3252 = load i64, ptr %sunkaddr50, align 8
-  %.3253 = inttoptr i64 %.3252 to ptr
+  %.3761 = load i64, ptr %sunkaddr50, align 8
+  %.3762 = inttoptr i64 %.3761 to ptr
   %sunkaddr54 = getelementptr i8, ptr %12, i64 88
-  %.3330 = load i64, ptr %sunkaddr54, align 8
-  %.3331 = inttoptr i64 %.3330 to ptr
-  %.3413 = getelementptr i8, ptr %.3253, i64 64
-  %.3414 = load i64, ptr %.3413, align 8
-  %.3415 = sub i64 0, %.3414
-  %.3423.1 = and i64 %.3415, -8
-  %.3457 = sub i64 0, %.3423.1
+  %.3839 = load i64, ptr %sunkaddr54, align 8
+  %.3840 = inttoptr i64 %.3839 to ptr
+  %.3922 = getelementptr i8, ptr %.3762, i64 64
+  %.3923 = load i64, ptr %.3922, align 8
+  %.3924 = sub i64 0, %.3923
+  %.3932.1 = and i64 %.3924, -8
+  %.3966 = sub i64 0, %.3932.1
   %sunkaddr59 = getelementptr i8, ptr %12, i64 96
-  %.3487 = load i64, ptr %sunkaddr59, align 8
-  %.3491 = ashr i64 %.3487, 1
-  %.3504 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.3491
-  %.3556 = shl nsw i64 %.3457, 2
-  %.3629 = getelementptr inbounds double, ptr %.3504, i64 %.3556
-  %.3707.idx = shl i64 %.3457, 6
-  %.3707 = getelementptr i8, ptr %.3504, i64 %.3707.idx
-  %.3854 = getelementptr i8, ptr %.3253, i64 120
-  %.3855 = load i64, ptr %.3854, align 8
-  %.3868 = getelementptr inbounds double, ptr %.3331, i64 %.3855
+  %.3996 = load i64, ptr %sunkaddr59, align 8
+  %.4000 = ashr i64 %.3996, 1
+  %.4013 = getelementptr inbounds double, ptr %arg.state.13.4, i64 %.4000
+  %.4065 = shl nsw i64 %.3966, 2
+  %.4138 = getelementptr inbounds double, ptr %.4013, i64 %.4065
+  %.4216.idx = shl i64 %.3966, 6
+  %.4216 = getelementptr i8, ptr %.4013, i64 %.4216.idx
+  %.4363 = getelementptr i8, ptr %.3762, i64 120
+  %.4364 = load i64, ptr %.4363, align 8
+  %.4377 = getelementptr inbounds double, ptr %.3840, i64 %.4364
   %sunkaddr62 = getelementptr i8, ptr %12, i64 104
-  %.4227 = load i64, ptr %sunkaddr62, align 8
-  %.idx3849 = mul i64 %.4227, 72
-  %1 = getelementptr i8, ptr %.341, i64 %.idx3849
-  %.4350 = getelementptr i8, ptr %1, i64 72
-  %.4351 = load i64, ptr %.4350, align 8
-  %.4352 = inttoptr i64 %.4351 to ptr
-  %.4512 = getelementptr i8, ptr %.4352, i64 64
-  %.4513 = load i64, ptr %.4512, align 8
-  %.4585 = getelementptr i8, ptr %1, i64 96
-  %.4586 = load i64, ptr %.4585, align 8
-  %.4590 = ashr i64 %.4586, 1
-  %.4603 = getelementptr inbounds double, ptr %arg.modes.4, i64 %.4590
-  %.neg = mul i64 %.4513, -64
+  %.4741 = load i64, ptr %sunkaddr62, align 8
+  %.idx6120 = mul i64 %.4741, 72
+  %1 = getelementptr i8, ptr %.500, i64 %.idx6120
+  %.4864 = getelementptr i8, ptr %1, i64 72
+  %.4865 = load i64, ptr %.4864, align 8
+  %.4866 = inttoptr i64 %.4865 to ptr
+  %.5026 = getelementptr i8, ptr %.4866, i64 64
+  %.5027 = load i64, ptr %.5026, align 8
+  %.5099 = getelementptr i8, ptr %1, i64 96
+  %.5100 = load i64, ptr %.5099, align 8
+  %.5104 = ashr i64 %.5100, 1
+  %.5117 = getelementptr inbounds double, ptr %arg.state.13.4, i64 %.5104
+  %.neg = mul i64 %.5027, -64
   %2 = and i64 %.neg, -512
-  %.4806.idx = sub i64 0, %2
-  %.4806 = getelementptr i8, ptr %.4603, i64 %.4806.idx
-  %.4873 = getelementptr i8, ptr %.4806, i64 64
-  %.5218 = mul nsw i64 %.3556, %arg.lane
-  %3 = getelementptr double, ptr %arg.ratios.4, i64 %.3487
-  %.5234 = getelementptr double, ptr %3, i64 %.5218
-  %.5315 = shl nsw i64 %.3457, 1
-  %.5358.inv = icmp sgt i64 %.3414, 0
-  %.5359 = select i1 %.5358.inv, i64 0, i64 %.3556
-  %4 = getelementptr double, ptr %.5234, i64 %.3414
+  %.5320.idx = sub i64 0, %2
+  %.5320 = getelementptr i8, ptr %.5117, i64 %.5320.idx
+  %.5387 = getelementptr i8, ptr %.5320, i64 64
+  %.5737 = mul nsw i64 %.4065, %arg.lane
+  %3 = getelementptr double, ptr %arg.state.4.4, i64 %.3996
+  %.5753 = getelementptr double, ptr %3, i64 %.5737
+  %.5834 = shl nsw i64 %.3966, 1
+  %.5877.inv = icmp sgt i64 %.3923, 0
+  %.5878 = select i1 %.5877.inv, i64 0, i64 %.4065
+  %4 = getelementptr double, ptr %.5753, i64 %.3923
   %5 = getelementptr i8, ptr %4, i64 -8
-  %.5373 = getelementptr double, ptr %5, i64 %.5359
-  %.5374 = load double, ptr %.5373, align 8
-  %.5377 = add nsw i64 %.5315, %.3414
-  %.5391.inv = icmp sgt i64 %.5377, 0
-  %.5392 = select i1 %.5391.inv, i64 0, i64 %.3556
-  %6 = getelementptr double, ptr %.5234, i64 %.5377
+  %.5892 = getelementptr double, ptr %5, i64 %.5878
+  %.5893 = load double, ptr %.5892, align 8
+  %.5896 = add nsw i64 %.5834, %.3923
+  %.5910.inv = icmp sgt i64 %.5896, 0
+  %.5911 = select i1 %.5910.inv, i64 0, i64 %.4065
+  %6 = getelementptr double, ptr %.5753, i64 %.5896
   %7 = getelementptr i8, ptr %6, i64 -8
-  %.5406 = getelementptr double, ptr %7, i64 %.5392
-  %.5407 = load double, ptr %.5406, align 8
-  %.5563 = load i64, ptr %.547, align 8
-  %.5565 = inttoptr i64 %.5563 to ptr
-  %.5990 = load i64, ptr %.480, align 8
-  %.6008 = getelementptr double, ptr %.5565, i64 %.5990
-  %.6097 = getelementptr i8, ptr %carrier.1.sroa.121.1, i64 8
-  %.6098 = load double, ptr %.6097, align 8
-  %.173.i = load i64, ptr %.3707, align 8, !noalias !184
+  %.5925 = getelementptr double, ptr %7, i64 %.5911
+  %.5926 = load double, ptr %.5925, align 8
+  %.6089 = load i64, ptr %.706, align 8
+  %.6091 = inttoptr i64 %.6089 to ptr
+  %.6607 = load i64, ptr %.639, align 8
+  %.6623 = getelementptr double, ptr %.6091, i64 %.6607
+  %.6712 = getelementptr i8, ptr %carrier.1.sroa.121.1, i64 8
+  %.6713 = load double, ptr %.6712, align 8
+  %.173.i = load i64, ptr %.4216, align 8, !noalias !182
   %.13.i.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.173.i)
   %.13.i1.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i.i)
-  %.262.i = getelementptr i8, ptr %.3707, i64 8
-  %.263.i = load i64, ptr %.262.i, align 8, !noalias !184
+  %.262.i = getelementptr i8, ptr %.4216, i64 8
+  %.263.i = load i64, ptr %.262.i, align 8, !noalias !182
   %.13.i2.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.263.i)
   %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i2.i)
   %.330.i687 = sub nsw i64 %.13.i1.i, %arg.ends.0
@@ -10434,56 +10273,56 @@ B315980:                                          ; preds = %B157699
   %.410442.not.i = or i1 %.368.inv.i, %.410442.not453.i
   br i1 %.410442.not.i, label %B348.i, label %B198.if.lr.ph.i
 
-B316387:                                          ; preds = %B157701, %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v454B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
-  %exitcond.not = icmp eq i64 %.1267, %.1174
-  br i1 %exitcond.not, label %B316389, label %B608.if
+B303267:                                          ; preds = %B151141, %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
+  %exitcond.not = icmp eq i64 %.1452, %.1359
+  br i1 %exitcond.not, label %B303269, label %B630.if
 
-B316389:                                          ; preds = %B316387, %entry
+B303269:                                          ; preds = %B303267, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
-B608.if.lr.ph:                                    ; preds = %entry
-  %.13.i = tail call i64 @llvm.smax.i64(i64 %arg.sizes.1, i64 %arg.sizes.0)
-  %.2290 = add nsw i64 %.13.i, 64
-  %9 = add i64 %.395, 7
+B630.if.lr.ph:                                    ; preds = %entry
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %arg.state.5.1, i64 %arg.state.5.0)
+  %.2567 = add nsw i64 %.13.i, 64
+  %9 = add i64 %.554, 7
   %.96.i = lshr i64 %9, 3
-  %.73.inv.i = icmp slt i64 %.395, 1
+  %.73.inv.i = icmp slt i64 %.554, 1
   %.117323.not517.i = icmp eq i64 %.96.i, 0
   %.117323.not.i = or i1 %.73.inv.i, %.117323.not517.i
   %.163279.not.i = select i1 %.73.inv.i, i1 true, i1 %.117323.not517.i
-  %scevgep1022 = getelementptr i8, ptr %arg.modes.4, i64 72
+  %scevgep1022 = getelementptr i8, ptr %arg.state.13.4, i64 72
   %10 = mul i64 %arg.ends.0, -8
-  %scevgep1027 = getelementptr i8, ptr %arg.buffers.3.4, i64 %10
-  %scevgep1029 = getelementptr i8, ptr %arg.buffers.2.4, i64 %10
+  %scevgep1027 = getelementptr i8, ptr %arg.state.10.3.4, i64 %10
+  %scevgep1029 = getelementptr i8, ptr %arg.state.10.2.4, i64 %10
   %11 = add nuw nsw i64 %.96.i, 6
-  %sunkaddr94 = getelementptr i8, ptr %.341, i64 16
-  br label %B608.if
+  %sunkaddr94 = getelementptr i8, ptr %.500, i64 16
+  br label %B630.if
 
-B608.if:                                          ; preds = %B608.if.lr.ph, %B316387
-  %.1198.0 = phi i64 [ 0, %B608.if.lr.ph ], [ %.1267, %B316387 ]
-  %order.2.04417 = phi i64 [ 0, %B608.if.lr.ph ], [ %order.3.1, %B316387 ]
-  %number.2.04416 = phi i64 [ -1, %B608.if.lr.ph ], [ %number.3.1, %B316387 ]
-  %carrier.2.sroa.110.04413 = phi ptr [ null, %B608.if.lr.ph ], [ %carrier.1.sroa.121.1, %B316387 ]
-  %.1267 = add nuw nsw i64 %.1198.0, 1
-  %.idx3848 = mul i64 %.1198.0, 72
-  %12 = getelementptr i8, ptr %.341, i64 %.idx3848
-  %.1362 = getelementptr i8, ptr %12, i64 48
-  %.1460 = load i64, ptr %.1362, align 8
-  %.1462.not = icmp eq i64 %.1460, %order.2.04417
-  br i1 %.1462.not, label %B157699, label %B802
+B630.if:                                          ; preds = %B630.if.lr.ph, %B303267
+  %.1383.0 = phi i64 [ 0, %B630.if.lr.ph ], [ %.1452, %B303267 ]
+  %order.2.06688 = phi i64 [ 0, %B630.if.lr.ph ], [ %order.3.1, %B303267 ]
+  %number.2.06687 = phi i64 [ -1, %B630.if.lr.ph ], [ %number.3.1, %B303267 ]
+  %carrier.2.sroa.110.06684 = phi ptr [ null, %B630.if.lr.ph ], [ %carrier.1.sroa.121.1, %B303267 ]
+  %.1452 = add nuw nsw i64 %.1383.0, 1
+  %.idx6119 = mul i64 %.1383.0, 72
+  %12 = getelementptr i8, ptr %.500, i64 %.idx6119
+  %.1547 = getelementptr i8, ptr %12, i64 48
+  %.1645 = load i64, ptr %.1547, align 8
+  %.1647.not = icmp eq i64 %.1645, %order.2.06688
+  br i1 %.1647.not, label %B151139, label %B824
 
-B48.if.preheader.i:                               ; preds = %B802
-  %.2936 = sitofp i64 %.1460 to double
-  %.2937 = fmul contract double %.2936, 5.000000e-01
-  %.6.i.i = insertelement <8 x double> poison, double %.2937, i64 0
+B48.if.preheader.i:                               ; preds = %B824
+  %.3281 = sitofp i64 %.1645 to double
+  %.3282 = fmul contract double %.3281, 5.000000e-01
+  %.6.i.i = insertelement <8 x double> poison, double %.3282, i64 0
   %.7.i.i = shufflevector <8 x double> %.6.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   br label %B48.if.i
 
 B48.if.i:                                         ; preds = %B48.if.i, %B48.if.preheader.i
   %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B48.if.i ], [ %11, %B48.if.preheader.i ]
   %lsr.iv209.i = phi i64 [ %lsr.iv.next210.i, %B48.if.i ], [ 0, %B48.if.preheader.i ]
-  %scevgep211.i = getelementptr i8, ptr %arg.buffers.1.4, i64 %lsr.iv209.i
-  %.165.i = load <8 x double>, ptr %scevgep211.i, align 8, !noalias !187
+  %scevgep211.i = getelementptr i8, ptr %arg.state.10.1.4, i64 %lsr.iv209.i
+  %.165.i = load <8 x double>, ptr %scevgep211.i, align 8, !noalias !185
   %.8.i.i = fmul contract <8 x double> %.7.i.i, %.165.i
   %.195.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i191.i = fadd contract <8 x double> %.195.i, splat (double 0xC338000000000000)
@@ -10523,16 +10362,16 @@ B48.if.i:                                         ; preds = %B48.if.i, %B48.if.p
   %16 = xor <8 x i64> %.8.i202.i, %.351.i
   %.6.i206.i = xor <8 x i64> %16, %.6.i197.i
   %17 = bitcast <8 x i64> %.6.i206.i to <8 x double>
-  %scevgep.i = getelementptr i8, ptr %arg.buffers.0.4, i64 %lsr.iv209.i
-  %.695.i = load <8 x double>, ptr %scevgep.i, align 8, !noalias !187
+  %scevgep.i = getelementptr i8, ptr %arg.state.10.0.4, i64 %lsr.iv209.i
+  %.695.i = load <8 x double>, ptr %scevgep.i, align 8, !noalias !185
   %.6.i207.i = fmul contract <8 x double> %.695.i, %17
-  store <8 x double> %.6.i207.i, ptr %scevgep.i, align 8, !noalias !187
+  store <8 x double> %.6.i207.i, ptr %scevgep.i, align 8, !noalias !185
   %.6.i208.i = fmul contract <8 x double> %.695.i, %15
-  store <8 x double> %.6.i208.i, ptr %scevgep211.i, align 8, !noalias !187
+  store <8 x double> %.6.i208.i, ptr %scevgep211.i, align 8, !noalias !185
   %lsr.iv.next210.i = add i64 %lsr.iv209.i, 64
   %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
   %.117.i = icmp sgt i64 %lsr.iv2, 7
-  br i1 %.117.i, label %B48.if.i, label %B157699
+  br i1 %.117.i, label %B48.if.i, label %B151139
 
 B348.loopexit.unr-lcssa.i:                        ; preds = %B198.if.i
   %lcmp.mod.not.i = icmp eq i64 %xtraiter.i, 0
@@ -10541,38 +10380,38 @@ B348.loopexit.unr-lcssa.i:                        ; preds = %B198.if.i
 B198.if.epil.preheader.i:                         ; preds = %B198.if.lr.ph.i, %B348.loopexit.unr-lcssa.i
   %.416441443.epil.init.i = phi i64 [ 0, %B198.if.lr.ph.i ], [ %.423.3.i, %B348.loopexit.unr-lcssa.i ]
   %18 = shl i64 %.416441443.epil.init.i, 3
-  %scevgep51.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %18
-  %scevgep55.i = getelementptr i8, ptr %arg.buffers.2.4, i64 %18
+  %scevgep51.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %18
+  %scevgep55.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %18
   %19 = shl nuw nsw i64 %xtraiter.i, 6
   br label %B198.if.epil.i
 
 B198.if.epil.i:                                   ; preds = %B198.if.epil.i, %B198.if.epil.preheader.i
   %lsr.iv52.i = phi i64 [ %lsr.iv.next53.i, %B198.if.epil.i ], [ 0, %B198.if.epil.preheader.i ]
   %scevgep56.i = getelementptr i8, ptr %scevgep55.i, i64 %lsr.iv52.i
-  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !184
+  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !182
   %scevgep54.i = getelementptr i8, ptr %scevgep51.i, i64 %lsr.iv52.i
-  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !184
+  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !182
   %lsr.iv.next53.i = add nuw nsw i64 %lsr.iv52.i, 64
   %epil.iter.cmp.not.i = icmp eq i64 %19, %lsr.iv.next53.i
-  br i1 %epil.iter.cmp.not.i, label %B348.i, label %B198.if.epil.i, !llvm.loop !190
+  br i1 %epil.iter.cmp.not.i, label %B348.i, label %B198.if.epil.i, !llvm.loop !188
 
-B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B315980
+B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B302860
   %.487.i = sub nsw i64 %.13.i3.i, %arg.ends.0
-  %sunkaddr66 = getelementptr i8, ptr %.3707, i64 16
-  %.653.i = load i64, ptr %sunkaddr66, align 8, !noalias !184
+  %sunkaddr66 = getelementptr i8, ptr %.4216, i64 16
+  %.653.i = load i64, ptr %sunkaddr66, align 8, !noalias !182
   %.126.i.i = icmp slt i64 %.13.i.i, %.13.i3.i
   br i1 %.126.i.i, label %B22.preheader.i.i, label %B348.endif.endif.endif.i
 
-B198.if.lr.ph.i:                                  ; preds = %B315980
-  %20 = getelementptr double, ptr %.5234, i64 %.5315
-  %.5328 = icmp slt i64 %.3457, 0
-  %.5329 = select i1 %.5328, i64 %.3556, i64 0
-  %.5343 = getelementptr double, ptr %20, i64 %.5329
-  %.5344 = load double, ptr %.5343, align 8
-  %.5313 = load double, ptr %.5234, align 8
-  %.450.i = insertelement <8 x double> poison, double %.5313, i64 0
+B198.if.lr.ph.i:                                  ; preds = %B302860
+  %20 = getelementptr double, ptr %.5753, i64 %.5834
+  %.5847 = icmp slt i64 %.3966, 0
+  %.5848 = select i1 %.5847, i64 %.4065, i64 0
+  %.5862 = getelementptr double, ptr %20, i64 %.5848
+  %.5863 = load double, ptr %.5862, align 8
+  %.5832 = load double, ptr %.5753, align 8
+  %.450.i = insertelement <8 x double> poison, double %.5832, i64 0
   %.451.i = shufflevector <8 x double> %.450.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.464.i = insertelement <8 x double> poison, double %.5344, i64 0
+  %.464.i = insertelement <8 x double> poison, double %.5863, i64 0
   %.465.i = shufflevector <8 x double> %.464.i, <8 x double> poison, <8 x i32> zeroinitializer
   %21 = add nsw i64 %.389.i, -1
   %xtraiter.i = and i64 %.389.i, 3
@@ -10588,33 +10427,33 @@ B198.if.i:                                        ; preds = %B198.if.i, %B198.if
   %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B198.if.i ], [ %24, %B198.if.lr.ph.new.i ]
   %.416441443.i = phi i64 [ %.423.3.i, %B198.if.i ], [ 0, %B198.if.lr.ph.new.i ]
   %sunkaddr67 = shl i64 %.416441443.i, 3
-  %sunkaddr68 = getelementptr i8, ptr %arg.buffers.2.4, i64 %sunkaddr67
-  store <8 x double> %.451.i, ptr %sunkaddr68, align 8, !noalias !184
-  %sunkaddr70 = getelementptr i8, ptr %arg.buffers.3.4, i64 %sunkaddr67
-  store <8 x double> %.465.i, ptr %sunkaddr70, align 8, !noalias !184
+  %sunkaddr68 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr67
+  store <8 x double> %.451.i, ptr %sunkaddr68, align 8, !noalias !182
+  %sunkaddr70 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr67
+  store <8 x double> %.465.i, ptr %sunkaddr70, align 8, !noalias !182
   %sunkaddr73 = getelementptr i8, ptr %sunkaddr68, i64 64
-  store <8 x double> %.451.i, ptr %sunkaddr73, align 8, !noalias !184
+  store <8 x double> %.451.i, ptr %sunkaddr73, align 8, !noalias !182
   %sunkaddr76 = getelementptr i8, ptr %sunkaddr70, i64 64
-  store <8 x double> %.465.i, ptr %sunkaddr76, align 8, !noalias !184
+  store <8 x double> %.465.i, ptr %sunkaddr76, align 8, !noalias !182
   %sunkaddr79 = getelementptr i8, ptr %sunkaddr68, i64 128
-  store <8 x double> %.451.i, ptr %sunkaddr79, align 8, !noalias !184
+  store <8 x double> %.451.i, ptr %sunkaddr79, align 8, !noalias !182
   %sunkaddr82 = getelementptr i8, ptr %sunkaddr70, i64 128
-  store <8 x double> %.465.i, ptr %sunkaddr82, align 8, !noalias !184
+  store <8 x double> %.465.i, ptr %sunkaddr82, align 8, !noalias !182
   %.423.3.i = add i64 %.416441443.i, 32
   %sunkaddr84 = shl i64 %.423.3.i, 3
-  %sunkaddr85 = getelementptr i8, ptr %arg.buffers.2.4, i64 %sunkaddr84
+  %sunkaddr85 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr84
   %sunkaddr86 = getelementptr i8, ptr %sunkaddr85, i64 -64
-  store <8 x double> %.451.i, ptr %sunkaddr86, align 8, !noalias !184
-  %sunkaddr88 = getelementptr i8, ptr %arg.buffers.3.4, i64 %sunkaddr84
+  store <8 x double> %.451.i, ptr %sunkaddr86, align 8, !noalias !182
+  %sunkaddr88 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr84
   %sunkaddr89 = getelementptr i8, ptr %sunkaddr88, i64 -64
-  store <8 x double> %.465.i, ptr %sunkaddr89, align 8, !noalias !184
+  store <8 x double> %.465.i, ptr %sunkaddr89, align 8, !noalias !182
   %lsr.iv.next5 = add i64 %lsr.iv4, 4
   %niter.ncmp.3.not.i = icmp eq i64 %lsr.iv.next5, 0
   br i1 %niter.ncmp.3.not.i, label %B348.loopexit.unr-lcssa.i, label %B198.if.i
 
 B22.preheader.i.i:                                ; preds = %B348.i
-  %.277.i.i = mul i64 %.3423.1, -3
-  %25 = shl i64 %.4590, 3
+  %.277.i.i = mul i64 %.3932.1, -3
+  %25 = shl i64 %.5104, 3
   %26 = sub i64 %25, %2
   %scevgep1023 = getelementptr i8, ptr %scevgep1022, i64 %26
   br label %B22.i.i
@@ -10622,8 +10461,8 @@ B22.preheader.i.i:                                ; preds = %B348.i
 B22.i.i:                                          ; preds = %B926.i.i, %B22.preheader.i.i
   %cell.2.0.i.i = phi i64 [ %cell.3.2.i.i, %B926.i.i ], [ %.653.i, %B22.preheader.i.i ]
   %start.2.0.i.i = phi i64 [ %.13.i.i.i, %B926.i.i ], [ %.13.i1.i, %B22.preheader.i.i ]
-  %.149.i.i = getelementptr inbounds i64, ptr %.4873, i64 %cell.2.0.i.i
-  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !191
+  %.149.i.i = getelementptr inbounds i64, ptr %.5387, i64 %cell.2.0.i.i
+  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !189
   %.154.not.i.i = icmp sgt i64 %.150.i.i, %start.2.0.i.i
   br i1 %.154.not.i.i, label %B112.i.i, label %B62.i.i
 
@@ -10632,14 +10471,14 @@ B62.i.i:                                          ; preds = %B22.i.i, %B62.i.i
   %.157.i.i = add i64 %cell.4.1.i.i, 1
   %27 = shl i64 %cell.4.1.i.i, 3
   %scevgep1024 = getelementptr i8, ptr %scevgep1023, i64 %27
-  %.170.i.i = load i64, ptr %scevgep1024, align 8, !noalias !191
+  %.170.i.i = load i64, ptr %scevgep1024, align 8, !noalias !189
   %.172.not.i.i = icmp sgt i64 %.170.i.i, %start.2.0.i.i
   br i1 %.172.not.i.i, label %B112.i.i, label %B62.i.i
 
 B112.i.i:                                         ; preds = %B62.i.i, %B22.i.i
   %cell.3.2.i.i = phi i64 [ %cell.2.0.i.i, %B22.i.i ], [ %.157.i.i, %B62.i.i ]
-  %.184.i.i = getelementptr inbounds i64, ptr %.4873, i64 %cell.3.2.i.i
-  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !191
+  %.184.i.i = getelementptr inbounds i64, ptr %.5387, i64 %cell.3.2.i.i
+  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !189
   %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i3.i, i64 %.185.i.i)
   %.395.i.i = sub i64 %.13.i.i.i, %start.2.0.i.i
   %28 = add i64 %.395.i.i, 7
@@ -10654,28 +10493,28 @@ B926.i.i:                                         ; preds = %B570.if.i.i, %B112.
   br i1 %.602.i.i, label %B22.i.i, label %B348.endif.endif.endif.i
 
 B570.if.lr.ph.i.i:                                ; preds = %B112.i.i
-  %.228.i.i = getelementptr inbounds double, ptr %.3868, i64 %cell.3.2.i.i
-  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !191
-  %.231.i.i = fsub contract double %.6098, %.229.i.i
+  %.228.i.i = getelementptr inbounds double, ptr %.4377, i64 %cell.3.2.i.i
+  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !189
+  %.231.i.i = fsub contract double %.6713, %.229.i.i
   %.279.i.i = add nsw i64 %cell.3.2.i.i, %.277.i.i
-  %.347.i.i = getelementptr inbounds double, ptr %.3629, i64 %.279.i.i
-  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !191
-  %.266.i.i = add nsw i64 %cell.3.2.i.i, %.5315
-  %.334.i.i = getelementptr inbounds double, ptr %.3629, i64 %.266.i.i
-  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !191
-  %.247.i.i = sub i64 %cell.3.2.i.i, %.3423.1
-  %.315.i.i = getelementptr inbounds double, ptr %.3629, i64 %.247.i.i
-  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !191
-  %.303.i.i = getelementptr inbounds double, ptr %.3629, i64 %cell.3.2.i.i
-  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !191
-  %.287.i.i = getelementptr inbounds double, ptr %.3504, i64 %.279.i.i
-  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !191
-  %.274.i.i = getelementptr inbounds double, ptr %.3504, i64 %.266.i.i
-  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !191
-  %.255.i.i = getelementptr inbounds double, ptr %.3504, i64 %.247.i.i
-  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !191
-  %.243.i.i = getelementptr inbounds double, ptr %.3504, i64 %cell.3.2.i.i
-  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !191
+  %.347.i.i = getelementptr inbounds double, ptr %.4138, i64 %.279.i.i
+  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !189
+  %.266.i.i = add nsw i64 %cell.3.2.i.i, %.5834
+  %.334.i.i = getelementptr inbounds double, ptr %.4138, i64 %.266.i.i
+  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !189
+  %.247.i.i = sub i64 %cell.3.2.i.i, %.3932.1
+  %.315.i.i = getelementptr inbounds double, ptr %.4138, i64 %.247.i.i
+  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !189
+  %.303.i.i = getelementptr inbounds double, ptr %.4138, i64 %cell.3.2.i.i
+  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !189
+  %.287.i.i = getelementptr inbounds double, ptr %.4013, i64 %.279.i.i
+  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !189
+  %.274.i.i = getelementptr inbounds double, ptr %.4013, i64 %.266.i.i
+  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !189
+  %.255.i.i = getelementptr inbounds double, ptr %.4013, i64 %.247.i.i
+  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !189
+  %.243.i.i = getelementptr inbounds double, ptr %.4013, i64 %cell.3.2.i.i
+  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !189
   %.514.i.i = insertelement <8 x double> poison, double %.288.i.i, i64 0
   %.515.i.i = shufflevector <8 x double> %.514.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i.i = insertelement <8 x double> poison, double %.275.i.i, i64 0
@@ -10701,19 +10540,19 @@ B570.if.lr.ph.i.i:                                ; preds = %B112.i.i
 B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.if.lr.ph.i.i
   %lsr.iv21 = phi i64 [ %lsr.iv.next22, %B570.if.i.i ], [ %30, %B570.if.lr.ph.i.i ]
   %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B570.if.i.i ], [ %29, %B570.if.lr.ph.i.i ]
-  %scevgep13.i.i = getelementptr i8, ptr %.6008, i64 %lsr.iv8.i.i
-  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !191
+  %scevgep13.i.i = getelementptr i8, ptr %.6623, i64 %lsr.iv8.i.i
+  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !189
   %.8.i.i.i = fadd contract <8 x double> %.7.i.i.i, %.485.i.i
   %.519.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.515.i.i, <8 x double> %.518.i.i)
   %.523.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.519.i.i, <8 x double> %.522.i.i)
   %.527.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.523.i.i, <8 x double> %.526.i.i)
   %scevgep1030 = getelementptr i8, ptr %scevgep1029, i64 %lsr.iv8.i.i
-  store <8 x double> %.527.i.i, ptr %scevgep1030, align 8, !noalias !191
+  store <8 x double> %.527.i.i, ptr %scevgep1030, align 8, !noalias !189
   %.546.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.542.i.i, <8 x double> %.545.i.i)
   %.550.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.546.i.i, <8 x double> %.549.i.i)
   %.554.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.550.i.i, <8 x double> %.553.i.i)
   %scevgep1028 = getelementptr i8, ptr %scevgep1027, i64 %lsr.iv8.i.i
-  store <8 x double> %.554.i.i, ptr %scevgep1028, align 8, !noalias !191
+  store <8 x double> %.554.i.i, ptr %scevgep1028, align 8, !noalias !189
   %lsr.iv.next9.i.i = add i64 %lsr.iv8.i.i, 64
   %lsr.iv.next22 = add nsw i64 %lsr.iv21, -1
   %.438.i.i = icmp sgt i64 %lsr.iv21, 8
@@ -10721,19 +10560,19 @@ B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.
 
 B348.endif.endif.endif.i:                         ; preds = %B926.i.i, %B348.i
   %cell.5.1.i.i = phi i64 [ %.653.i, %B348.i ], [ %cell.3.2.i.i, %B926.i.i ]
-  store i64 %cell.5.1.i.i, ptr %sunkaddr66, align 8, !noalias !184
+  store i64 %cell.5.1.i.i, ptr %sunkaddr66, align 8, !noalias !182
   %.835.i = sub i64 %arg.ends.1, %.13.i3.i
   %31 = add i64 %.835.i, 7
   %.857.i = lshr i64 %31, 3
   %.836.inv.i = icmp slt i64 %.835.i, 1
   %.878448.not454.i = icmp eq i64 %.857.i, 0
   %.878448.not.i = or i1 %.836.inv.i, %.878448.not454.i
-  br i1 %.878448.not.i, label %B316309.endif.endif.endif, label %B590.if.lr.ph.i
+  br i1 %.878448.not.i, label %B303189.endif.endif.endif, label %B590.if.lr.ph.i
 
 B590.if.lr.ph.i:                                  ; preds = %B348.endif.endif.endif.i
-  %.918.i = insertelement <8 x double> poison, double %.5374, i64 0
+  %.918.i = insertelement <8 x double> poison, double %.5893, i64 0
   %.919.i = shufflevector <8 x double> %.918.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.932.i = insertelement <8 x double> poison, double %.5407, i64 0
+  %.932.i = insertelement <8 x double> poison, double %.5926, i64 0
   %.933.i = shufflevector <8 x double> %.932.i, <8 x double> poison, <8 x i32> zeroinitializer
   %32 = add nsw i64 %.857.i, -1
   %xtraiter28.i = and i64 %.857.i, 3
@@ -10749,14 +10588,14 @@ B590.if.prol.i:                                   ; preds = %B590.if.prol.i, %B5
   %.884447449.prol.i = phi i64 [ %.487.i, %B590.if.prol.i.preheader ], [ %.891.prol.i, %B590.if.prol.i ]
   %.891.prol.i = add i64 %.884447449.prol.i, 8
   %34 = shl i64 %.884447449.prol.i, 3
-  %scevgep46.i = getelementptr i8, ptr %arg.buffers.2.4, i64 %34
-  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !184
-  %scevgep45.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %34
-  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !184
+  %scevgep46.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %34
+  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !182
+  %scevgep45.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %34
+  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !182
   %35 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv23, i64 1)
   %math = extractvalue { i64, i1 } %35, 0
   %ov92 = extractvalue { i64, i1 } %35, 1
-  br i1 %ov92, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !194
+  br i1 %ov92, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !192
 
 B590.if.prol.loopexit.loopexit.i:                 ; preds = %B590.if.prol.i
   %36 = and i64 %.857.i, 2305843009213693948
@@ -10766,7 +10605,7 @@ B590.if.prol.loopexit.i:                          ; preds = %B590.if.prol.loopex
   %.877446450.unr.i = phi i64 [ %.857.i, %B590.if.lr.ph.i ], [ %36, %B590.if.prol.loopexit.loopexit.i ]
   %.884447449.unr.i = phi i64 [ %.487.i, %B590.if.lr.ph.i ], [ %.891.prol.i, %B590.if.prol.loopexit.loopexit.i ]
   %37 = icmp ult i64 %32, 3
-  br i1 %37, label %B316309.endif.endif.endif, label %B590.if.preheader.i
+  br i1 %37, label %B303189.endif.endif.endif, label %B590.if.preheader.i
 
 B590.if.preheader.i:                              ; preds = %B590.if.prol.loopexit.i
   %38 = shl i64 %.884447449.unr.i, 3
@@ -10777,46 +10616,46 @@ B590.if.preheader.i:                              ; preds = %B590.if.prol.loopex
 B590.if.i:                                        ; preds = %B590.if.i, %B590.if.preheader.i
   %lsr.iv = phi i64 [ %lsr.iv.next, %B590.if.i ], [ %40, %B590.if.preheader.i ]
   %lsr.iv30.i = phi i64 [ %lsr.iv.next31.i, %B590.if.i ], [ %39, %B590.if.preheader.i ]
-  %scevgep41.i = getelementptr i8, ptr %arg.buffers.2.4, i64 %lsr.iv30.i
+  %scevgep41.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %lsr.iv30.i
   %scevgep42.i = getelementptr i8, ptr %scevgep41.i, i64 -192
-  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !184
-  %scevgep34.i = getelementptr i8, ptr %arg.buffers.3.4, i64 %lsr.iv30.i
+  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !182
+  %scevgep34.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %lsr.iv30.i
   %scevgep35.i = getelementptr i8, ptr %scevgep34.i, i64 -192
-  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !184
+  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !182
   %scevgep33 = getelementptr i8, ptr %scevgep41.i, i64 -128
-  store <8 x double> %.919.i, ptr %scevgep33, align 8, !noalias !184
+  store <8 x double> %.919.i, ptr %scevgep33, align 8, !noalias !182
   %scevgep37.i = getelementptr i8, ptr %scevgep34.i, i64 -128
-  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !184
+  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !182
   %scevgep31 = getelementptr i8, ptr %scevgep41.i, i64 -64
-  store <8 x double> %.919.i, ptr %scevgep31, align 8, !noalias !184
+  store <8 x double> %.919.i, ptr %scevgep31, align 8, !noalias !182
   %scevgep28 = getelementptr i8, ptr %scevgep34.i, i64 -64
-  store <8 x double> %.933.i, ptr %scevgep28, align 8, !noalias !184
-  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !184
-  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !184
+  store <8 x double> %.933.i, ptr %scevgep28, align 8, !noalias !182
+  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !182
+  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !182
   %lsr.iv.next31.i = add i64 %lsr.iv30.i, 256
   %lsr.iv.next = add nsw i64 %lsr.iv, -4
   %.878.3.i = icmp sgt i64 %lsr.iv, 28
-  br i1 %.878.3.i, label %B590.if.i, label %B316309.endif.endif.endif
+  br i1 %.878.3.i, label %B590.if.i, label %B303189.endif.endif.endif
 
-B316309.endif.endif.endif:                        ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
-  br i1 %.163279.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v454B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit, label %B48.if.lr.ph.i
+B303189.endif.endif.endif:                        ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
+  br i1 %.163279.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit, label %B48.if.lr.ph.i
 
-B48.if.lr.ph.i:                                   ; preds = %B316309.endif.endif.endif
-  %.6274 = load i64, ptr %.341, align 8
-  %.6243 = load i64, ptr %sunkaddr94, align 8
-  %.6426 = load i64, ptr %sunkaddr45, align 8
-  %.6390 = getelementptr i8, ptr %carrier.1.sroa.121.1, i64 24
-  %.6391 = load double, ptr %.6390, align 8
-  %.6280 = mul nsw i64 %.6274, 40
-  %.6281 = add nsw i64 %.6280, %.6243
-  %.6282 = inttoptr i64 %.6281 to ptr
-  %.6357 = getelementptr i8, ptr %.6282, i64 16
-  %.6358 = load double, ptr %.6357, align 8
-  %.252.i = insertelement <8 x double> poison, double %.6358, i64 0
+B48.if.lr.ph.i:                                   ; preds = %B303189.endif.endif.endif
+  %.6889 = load i64, ptr %.500, align 8
+  %.6858 = load i64, ptr %sunkaddr94, align 8
+  %.7041 = load i64, ptr %sunkaddr45, align 8
+  %.7005 = getelementptr i8, ptr %carrier.1.sroa.121.1, i64 24
+  %.7006 = load double, ptr %.7005, align 8
+  %.6895 = mul nsw i64 %.6889, 40
+  %.6896 = add nsw i64 %.6895, %.6858
+  %.6897 = inttoptr i64 %.6896 to ptr
+  %.6972 = getelementptr i8, ptr %.6897, i64 16
+  %.6973 = load double, ptr %.6972, align 8
+  %.252.i = insertelement <8 x double> poison, double %.6973, i64 0
   %.253.i695 = shufflevector <8 x double> %.252.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.298.i = add i64 %.6426, -1
+  %.298.i = add i64 %.7041, -1
   %..298.i = tail call i64 @llvm.smax.i64(i64 %.298.i, i64 0)
-  %.6.i24.i = insertelement <8 x double> poison, double %.6391, i64 0
+  %.6.i24.i = insertelement <8 x double> poison, double %.7006, i64 0
   %.7.i.i696 = shufflevector <8 x double> %.6.i24.i, <8 x double> poison, <8 x i32> zeroinitializer
   %xtraiter.i697 = and i64 %..298.i, 3
   %41 = lshr i64 %..298.i, 2
@@ -10826,72 +10665,72 @@ B48.if.lr.ph.i:                                   ; preds = %B316309.endif.endif
   %45 = icmp eq i64 %xtraiter.i697, 0
   br label %B48.if.i699
 
-B316515.loopexit.unr-lcssa.i:                     ; preds = %B488.if.i
-  br i1 %45, label %B316515.i, label %B488.if.epil.i.preheader
+B303395.loopexit.unr-lcssa.i:                     ; preds = %B488.if.i
+  br i1 %45, label %B303395.i, label %B488.if.epil.i.preheader
 
-B488.if.epil.i.preheader:                         ; preds = %B488.if.preheader.i, %B316515.loopexit.unr-lcssa.i
-  %_velocity_v455_w.2.1248.epil.i.ph = phi <8 x double> [ %.6.i25.3.i, %B316515.loopexit.unr-lcssa.i ], [ %.254.i, %B488.if.preheader.i ]
+B488.if.epil.i.preheader:                         ; preds = %B488.if.preheader.i, %B303395.loopexit.unr-lcssa.i
+  %_velocity_v451_w.2.1248.epil.i.ph = phi <8 x double> [ %.6.i25.3.i, %B303395.loopexit.unr-lcssa.i ], [ %.254.i, %B488.if.preheader.i ]
   br label %B488.if.epil.i
 
 B488.if.epil.i:                                   ; preds = %B488.if.epil.i.preheader, %B488.if.epil.i
   %lsr.iv33.i = phi i64 [ %lsr.iv.next34.i, %B488.if.epil.i ], [ %xtraiter.i697, %B488.if.epil.i.preheader ]
-  %_velocity_v455_w.2.1248.epil.i = phi <8 x double> [ %.6.i25.epil.i, %B488.if.epil.i ], [ %_velocity_v455_w.2.1248.epil.i.ph, %B488.if.epil.i.preheader ]
-  %.6.i25.epil.i = fmul contract <8 x double> %.254.i, %_velocity_v455_w.2.1248.epil.i
+  %_velocity_v451_w.2.1248.epil.i = phi <8 x double> [ %.6.i25.epil.i, %B488.if.epil.i ], [ %_velocity_v451_w.2.1248.epil.i.ph, %B488.if.epil.i.preheader ]
+  %.6.i25.epil.i = fmul contract <8 x double> %.254.i, %_velocity_v451_w.2.1248.epil.i
   %lsr.iv.next34.i = add nsw i64 %lsr.iv33.i, -1
   %epil.iter.cmp.not.i703 = icmp eq i64 %lsr.iv.next34.i, 0
-  br i1 %epil.iter.cmp.not.i703, label %B316515.i, label %B488.if.epil.i, !llvm.loop !195
+  br i1 %epil.iter.cmp.not.i703, label %B303395.i, label %B488.if.epil.i, !llvm.loop !193
 
-B316515.i:                                        ; preds = %B488.if.epil.i, %B48.if.i699, %B316515.loopexit.unr-lcssa.i
-  %_velocity_v455_w.2.1.lcssa.i = phi <8 x double> [ %.254.i, %B48.if.i699 ], [ %.6.i25.3.i, %B316515.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i, %B488.if.epil.i ]
-  %.425.i = getelementptr inbounds double, ptr %arg.buffers.0.4, i64 %.169258282.i
-  %.427.i = load <8 x double>, ptr %.425.i, align 8, !noalias !196
-  %.6.i.i704 = fmul contract <8 x double> %_velocity_v455_w.2.1.lcssa.i, %.427.i
-  %.460.i = getelementptr inbounds double, ptr %arg.buffers.1.4, i64 %.169258282.i
-  %.462.i = load <8 x double>, ptr %.460.i, align 8, !noalias !196
-  %.6.i26.i = fmul contract <8 x double> %_velocity_v455_w.2.1.lcssa.i, %.462.i
-  %.499.i = getelementptr inbounds double, ptr %arg.buffers.2.4, i64 %.169258282.i
-  %.501.i = load <8 x double>, ptr %.499.i, align 8, !noalias !196
-  %.517.i = getelementptr inbounds double, ptr %arg.buffers.3.4, i64 %.169258282.i
-  %.519.i = load <8 x double>, ptr %.517.i, align 8, !noalias !196
+B303395.i:                                        ; preds = %B488.if.epil.i, %B48.if.i699, %B303395.loopexit.unr-lcssa.i
+  %_velocity_v451_w.2.1.lcssa.i = phi <8 x double> [ %.254.i, %B48.if.i699 ], [ %.6.i25.3.i, %B303395.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i, %B488.if.epil.i ]
+  %.425.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.169258282.i
+  %.427.i = load <8 x double>, ptr %.425.i, align 8, !noalias !194
+  %.6.i.i704 = fmul contract <8 x double> %_velocity_v451_w.2.1.lcssa.i, %.427.i
+  %.460.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.169258282.i
+  %.462.i = load <8 x double>, ptr %.460.i, align 8, !noalias !194
+  %.6.i26.i = fmul contract <8 x double> %_velocity_v451_w.2.1.lcssa.i, %.462.i
+  %.499.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.169258282.i
+  %.501.i = load <8 x double>, ptr %.499.i, align 8, !noalias !194
+  %.517.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.169258282.i
+  %.519.i = load <8 x double>, ptr %.517.i, align 8, !noalias !194
   %.6.i27.i = fmul contract <8 x double> %.6.i26.i, %.519.i
   %.6.i28.i = fsub contract <8 x double> zeroinitializer, %.6.i27.i
   %.578.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i704, <8 x double> %.501.i, <8 x double> %.6.i28.i)
-  store <8 x double> %.578.i, ptr %.499.i, align 8, !noalias !196
+  store <8 x double> %.578.i, ptr %.499.i, align 8, !noalias !194
   %.6.i29.i = fmul contract <8 x double> %.6.i26.i, %.501.i
   %.621.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i704, <8 x double> %.519.i, <8 x double> %.6.i29.i)
-  store <8 x double> %.621.i, ptr %.517.i, align 8, !noalias !196
+  store <8 x double> %.621.i, ptr %.517.i, align 8, !noalias !194
   %.163.i = icmp sgt i64 %.162251283.i, 1
-  br i1 %.163.i, label %B48.if.i699, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v454B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
+  br i1 %.163.i, label %B48.if.i699, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
 
-B48.if.i699:                                      ; preds = %B316515.i, %B48.if.lr.ph.i
-  %.162251283.i = phi i64 [ %.96.i, %B48.if.lr.ph.i ], [ %.172.i, %B316515.i ]
-  %.169258282.i = phi i64 [ 0, %B48.if.lr.ph.i ], [ %.176.i, %B316515.i ]
+B48.if.i699:                                      ; preds = %B303395.i, %B48.if.lr.ph.i
+  %.162251283.i = phi i64 [ %.96.i, %B48.if.lr.ph.i ], [ %.172.i, %B303395.i ]
+  %.169258282.i = phi i64 [ 0, %B48.if.lr.ph.i ], [ %.176.i, %B303395.i ]
   %.172.i = add nsw i64 %.162251283.i, -1
   %.176.i = add nuw i64 %.169258282.i, 8
-  %.222.i = getelementptr inbounds double, ptr %.1007, i64 %.169258282.i
-  %.224.i = load <8 x double>, ptr %.222.i, align 8, !noalias !196
+  %.222.i = getelementptr inbounds double, ptr %.1166, i64 %.169258282.i
+  %.224.i = load <8 x double>, ptr %.222.i, align 8, !noalias !194
   %.8.i.i700 = fmul contract <8 x double> %.7.i.i696, %.224.i
   %.254.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i700, <8 x double> %.253.i695)
-  br i1 %43, label %B316515.i, label %B488.if.preheader.i
+  br i1 %43, label %B303395.i, label %B488.if.preheader.i
 
 B488.if.preheader.i:                              ; preds = %B48.if.i699
   br i1 %44, label %B488.if.epil.i.preheader, label %B488.if.i
 
 B488.if.i:                                        ; preds = %B488.if.preheader.i, %B488.if.i
   %lsr.iv34 = phi i64 [ %lsr.iv.next35, %B488.if.i ], [ %42, %B488.if.preheader.i ]
-  %_velocity_v455_w.2.1248.i = phi <8 x double> [ %.6.i25.3.i, %B488.if.i ], [ %.254.i, %B488.if.preheader.i ]
-  %.6.i25.i = fmul contract <8 x double> %.254.i, %_velocity_v455_w.2.1248.i
+  %_velocity_v451_w.2.1248.i = phi <8 x double> [ %.6.i25.3.i, %B488.if.i ], [ %.254.i, %B488.if.preheader.i ]
+  %.6.i25.i = fmul contract <8 x double> %.254.i, %_velocity_v451_w.2.1248.i
   %.6.i25.1.i = fmul contract <8 x double> %.254.i, %.6.i25.i
   %.6.i25.2.i = fmul contract <8 x double> %.254.i, %.6.i25.1.i
   %.6.i25.3.i = fmul contract <8 x double> %.254.i, %.6.i25.2.i
   %lsr.iv.next35 = add nsw i64 %lsr.iv34, 4
   %niter.ncmp.3.i = icmp eq i64 %lsr.iv.next35, 0
-  br i1 %niter.ncmp.3.i, label %B316515.loopexit.unr-lcssa.i, label %B488.if.i
+  br i1 %niter.ncmp.3.i, label %B303395.loopexit.unr-lcssa.i, label %B488.if.i
 
-_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v454B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit: ; preds = %B316515.i, %B316309.endif.endif.endif
-  store ptr null, ptr %.6496, align 8
-  call fastcc void @inner_27(ptr nonnull %.6496, i64 %.3036, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.arguments.4, i64 %.395, ptr %arg.buffers.2.4, ptr %arg.buffers.3.4, ptr %arg.tail.4)
-  br label %B316387
+_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit: ; preds = %B303395.i, %B303189.endif.endif.endif
+  store ptr null, ptr %.7111, align 8
+  call fastcc void @inner_27(ptr nonnull %.7111, i64 %.3381, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.554, ptr %arg.state.10.2.4, ptr %arg.state.10.3.4, ptr %arg.state.14.4)
+  br label %B303267
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -10927,7 +10766,7 @@ B262:                                             ; preds = %entry
   br label %B342
 
 B342:                                             ; preds = %B262, %entry
-  %prepared_grid_v172__vphi308_0.2.0 = phi double [ %.457, %B262 ], [ 0.000000e+00, %entry ]
+  %prepared_grid_v168__vphi308_0.2.0 = phi double [ %.457, %B262 ], [ 0.000000e+00, %entry ]
   %.751 = getelementptr i8, ptr %arg.contents.4, i64 64
   %.752 = load i64, ptr %.751, align 8
   %.753 = sub i64 0, %.752
@@ -10941,7 +10780,7 @@ B342:                                             ; preds = %B262, %entry
   %.13.i = tail call i64 @llvm.smax.i64(i64 %.869, i64 %.795)
   %.945 = load i64, ptr %arg.plan.4, align 8
   %.10251227.not = icmp slt i64 %.945, 1
-  br i1 %.10251227.not, label %B8655, label %B568.if.lr.ph
+  br i1 %.10251227.not, label %B8245, label %B568.if.lr.ph
 
 B724:                                             ; preds = %B568.if
   %.1276 = add nsw i64 %number.2.01233, 1
@@ -10954,7 +10793,7 @@ B724:                                             ; preds = %B568.if
   %.1653 = fdiv contract double %.1648, %.1649
   %.1683 = load i64, ptr %sunkaddr, align 8
   store ptr null, ptr %.1692, align 8
-  %.1719 = call fastcc i32 @inner_28(ptr nonnull %.1692, ptr nonnull %excinfo.10, ptr %arg.row.4, double %.1653, i8 %arg.dense, ptr %.371, i64 %.205, ptr %2, i64 %.265, double %prepared_grid_v172__vphi308_0.2.0, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.gauge.4, i64 %.1683, ptr %arg.room.4, ptr %.1301, ptr %.1364, ptr %.1427, ptr %.1493, i64 %.13.i)
+  %.1719 = call fastcc i32 @inner_28(ptr nonnull %.1692, ptr nonnull %excinfo.10, ptr %arg.row.4, double %.1653, i8 %arg.dense, ptr %.371, i64 %.205, ptr %2, i64 %.265, double %prepared_grid_v168__vphi308_0.2.0, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.gauge.4, i64 %.1683, ptr %arg.room.4, ptr %.1301, ptr %.1364, ptr %.1427, ptr %.1493, i64 %.13.i)
   %cond = icmp eq i32 %.1719, 0
   br i1 %cond, label %B724.endif.endif.endif.endif.endif.endif, label %B724.endif.endif.endif.endif.endif.if, !prof !0
 
@@ -10966,9 +10805,9 @@ B726:                                             ; preds = %B724.endif.endif.en
   %scevgep136 = getelementptr i8, ptr %lsr.iv, i64 16
   %.1829 = load i64, ptr %scevgep136, align 8
   %.1830 = icmp sgt i64 %.1829, 0
-  br i1 %.1830, label %B8575, label %B8653
+  br i1 %.1830, label %B8165, label %B8243
 
-B8575:                                            ; preds = %B726
+B8165:                                            ; preds = %B726
   %scevgep135 = getelementptr i8, ptr %lsr.iv, i64 56
   %.1861 = load i64, ptr %scevgep135, align 8
   %.1863 = icmp eq i64 %.969.0, %.1861
@@ -10976,24 +10815,24 @@ B8575:                                            ; preds = %B726
   %.1900 = load double, ptr %.1899, align 8
   store ptr null, ptr %.1910, align 8
   %.1916 = zext i1 %.1863 to i8
-  call fastcc void @inner_29(ptr nonnull %.1910, ptr nonnull %lsr.iv, i8 %.1916, i64 %arg.lane, ptr %arg.ratios.4, ptr %arg.modes.4, ptr %.371, i64 %.205, ptr %3, i64 %.265, double %prepared_grid_v172__vphi308_0.2.0, double %.1900, i64 %arg.stop)
-  br label %B8653
+  call fastcc void @inner_29(ptr nonnull %.1910, ptr nonnull %lsr.iv, i8 %.1916, i64 %arg.lane, ptr %arg.ratios.4, ptr %arg.modes.4, ptr %.371, i64 %.205, ptr %3, i64 %.265, double %prepared_grid_v168__vphi308_0.2.0, double %.1900, i64 %arg.stop)
+  br label %B8243
 
-B8653:                                            ; preds = %B8575, %B726
+B8243:                                            ; preds = %B8165, %B726
   %scevgep134 = getelementptr i8, ptr %lsr.iv, i64 72
   %exitcond.not = icmp eq i64 %.945, %.1038
-  br i1 %exitcond.not, label %B8655.loopexit, label %B568.if
+  br i1 %exitcond.not, label %B8245.loopexit, label %B568.if
 
-common.ret:                                       ; preds = %B724.endif.endif.endif.endif.endif.if, %B8655
-  %common.ret.op = phi i32 [ 0, %B8655 ], [ %.1719, %B724.endif.endif.endif.endif.endif.if ]
+common.ret:                                       ; preds = %B724.endif.endif.endif.endif.endif.if, %B8245
+  %common.ret.op = phi i32 [ 0, %B8245 ], [ %.1719, %B724.endif.endif.endif.endif.endif.if ]
   ret i32 %common.ret.op
 
-B8655.loopexit:                                   ; preds = %B8653
+B8245.loopexit:                                   ; preds = %B8243
   %1 = zext i1 %line.3.1 to i8
-  br label %B8655
+  br label %B8245
 
-B8655:                                            ; preds = %B8655.loopexit, %B342
-  %line.2.0.lcssa = phi i8 [ 0, %B342 ], [ %1, %B8655.loopexit ]
+B8245:                                            ; preds = %B8245.loopexit, %B342
+  %line.2.0.lcssa = phi i8 [ 0, %B342 ], [ %1, %B8245.loopexit ]
   store i8 %line.2.0.lcssa, ptr %retptr, align 1
   br label %common.ret
 
@@ -11008,13 +10847,13 @@ B568.if.lr.ph:                                    ; preds = %B342
   %3 = inttoptr i64 %.513 to ptr
   br label %B568.if
 
-B568.if:                                          ; preds = %B568.if.lr.ph, %B8653
-  %lsr.iv = phi ptr [ %scevgep, %B568.if.lr.ph ], [ %scevgep134, %B8653 ]
-  %.969.0 = phi i64 [ 0, %B568.if.lr.ph ], [ %.1038, %B8653 ]
-  %line.2.01235 = phi i1 [ false, %B568.if.lr.ph ], [ %line.3.1, %B8653 ]
-  %order.2.01234 = phi i64 [ 0, %B568.if.lr.ph ], [ %order.3.1, %B8653 ]
-  %number.2.01233 = phi i64 [ -1, %B568.if.lr.ph ], [ %number.3.1, %B8653 ]
-  %carrier.2.sroa.110.01230 = phi ptr [ null, %B568.if.lr.ph ], [ %carrier.1.sroa.99.1, %B8653 ]
+B568.if:                                          ; preds = %B568.if.lr.ph, %B8243
+  %lsr.iv = phi ptr [ %scevgep, %B568.if.lr.ph ], [ %scevgep134, %B8243 ]
+  %.969.0 = phi i64 [ 0, %B568.if.lr.ph ], [ %.1038, %B8243 ]
+  %line.2.01235 = phi i1 [ false, %B568.if.lr.ph ], [ %line.3.1, %B8243 ]
+  %order.2.01234 = phi i64 [ 0, %B568.if.lr.ph ], [ %order.3.1, %B8243 ]
+  %number.2.01233 = phi i64 [ -1, %B568.if.lr.ph ], [ %number.3.1, %B8243 ]
+  %carrier.2.sroa.110.01230 = phi ptr [ null, %B568.if.lr.ph ], [ %carrier.1.sroa.99.1, %B8243 ]
   %.1038 = add nuw nsw i64 %.969.0, 1
   %.1239 = load i64, ptr %lsr.iv, align 8
   %.1241.not = icmp eq i64 %.1239, %order.2.01234
@@ -11115,12 +10954,12 @@ B408:                                             ; preds = %B404
   %.1658 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1642
   %.1737 = getelementptr i8, ptr %arg.contents.4, i64 144
   %.1738 = load i64, ptr %.1737, align 8
-  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !199
+  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !197
   %.143.i = add nsw i64 %.1738, -1
   %.181.i = icmp slt i64 %.1738, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B556:                                             ; preds = %B404
   %.1831 = getelementptr i8, ptr %arg.contents.4, i64 120
@@ -11129,15 +10968,15 @@ B556:                                             ; preds = %B404
   %.1849 = getelementptr i8, ptr %1, i64 8
   %.1929 = getelementptr i8, ptr %arg.contents.4, i64 64
   %.1930 = load i64, ptr %.1929, align 8
-  %.135.i12 = load double, ptr %arg.grid_places.0.4, align 8, !noalias !202
+  %.135.i12 = load double, ptr %arg.grid_places.0.4, align 8, !noalias !200
   %.143.i13 = add nsw i64 %.1930, -2
   %.181.i14 = icmp slt i64 %.1930, 3
   %..143.i15 = select i1 %.181.i14, i64 0, i64 %.143.i13
   %.225207.i16 = icmp sgt i64 %..143.i15, 0
-  br i1 %.225207.i16, label %B92.if.preheader.i20, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55
+  br i1 %.225207.i16, label %B92.if.preheader.i20, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55
 
-common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
-  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55 ]
+common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
+  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55 ]
   ret i32 %common.ret.op
 
 B356.if:                                          ; preds = %B356
@@ -11160,14 +10999,14 @@ B146.i:                                           ; preds = %B92.if.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i
-  %.355.i = load i64, ptr %.354.i, align 8, !noalias !199
+  %.355.i = load i64, ptr %.354.i, align 8, !noalias !197
   %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
   %.395.i = icmp slt i64 %.13.i6.i, %.683
   br i1 %.395.i, label %B284.i, label %B386.i
 
 B284.i:                                           ; preds = %B146.i
   %.412.i = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !199
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !197
   %.417.i = fcmp contract ugt double %.413.i, %.281.i
   br i1 %.417.i, label %B386.i, label %B324.i
 
@@ -11180,7 +11019,7 @@ B346.i:                                           ; preds = %B324.i
   %.423.i = add i64 %end.5.2.i, 1
   %sunkaddr4 = shl i64 %.423.i, 3
   %sunkaddr5 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr4
-  %.451.i = load double, ptr %sunkaddr5, align 8, !noalias !199
+  %.451.i = load double, ptr %sunkaddr5, align 8, !noalias !197
   %.455.i = fcmp contract ugt double %.451.i, %.281.i
   br i1 %.455.i, label %B386.i, label %B324.i
 
@@ -11188,26 +11027,26 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.683, %B324.i ], [ %.423.i, %B346.i ]
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.4.1.i)
   %3 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i
-  store i64 %.13.i.i, ptr %3, align 8, !noalias !199
+  store i64 %.13.i.i, ptr %3, align 8, !noalias !197
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
   %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
   %.238.i = add nuw nsw i64 %.231203208.i, 1
   %.278.i = getelementptr inbounds nuw double, ptr %.1658, i64 %.231203208.i
-  %.279.i = load double, ptr %.278.i, align 8, !noalias !199
+  %.279.i = load double, ptr %.278.i, align 8, !noalias !197
   %.281.i = fsub contract double %.279.i, %.271.le
   %.287.i = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B408
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B408
   %.586.inv.i = icmp sgt i64 %.1738, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %arg.carrier.3.5.0
   %4 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i
   %.601.i = getelementptr i64, ptr %4, i64 %.587.i
-  store i64 %.683, ptr %.601.i, align 8, !noalias !199
+  store i64 %.683, ptr %.601.i, align 8, !noalias !197
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -11221,14 +11060,14 @@ B146.i29:                                         ; preds = %B92.if.i21
   %.5.i.i32 = fptosi double %.293.i31 to i64
   %.13.i5.i33 = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i32)
   %.354.i34 = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i33
-  %.355.i35 = load i64, ptr %.354.i34, align 8, !noalias !202
+  %.355.i35 = load i64, ptr %.354.i34, align 8, !noalias !200
   %.13.i6.i36 = tail call i64 @llvm.smax.i64(i64 %.355.i35, i64 %end.3.0210.i22)
   %.395.i37 = icmp slt i64 %.13.i6.i36, %.683
   br i1 %.395.i37, label %B284.i42, label %B386.i38
 
 B284.i42:                                         ; preds = %B146.i29
   %.412.i43 = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i36
-  %.413.i44 = load double, ptr %.412.i43, align 8, !noalias !202
+  %.413.i44 = load double, ptr %.412.i43, align 8, !noalias !200
   %.417.i45 = fcmp contract ugt double %.413.i44, %.281.i27
   br i1 %.417.i45, label %B386.i38, label %B324.i46
 
@@ -11241,7 +11080,7 @@ B346.i49:                                         ; preds = %B324.i46
   %.423.i50 = add i64 %end.5.2.i47, 1
   %sunkaddr6 = shl i64 %.423.i50, 3
   %sunkaddr7 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr6
-  %.451.i53 = load double, ptr %sunkaddr7, align 8, !noalias !202
+  %.451.i53 = load double, ptr %sunkaddr7, align 8, !noalias !200
   %.455.i54 = fcmp contract ugt double %.451.i53, %.281.i27
   br i1 %.455.i54, label %B386.i38, label %B324.i46
 
@@ -11249,26 +11088,26 @@ B386.i38:                                         ; preds = %B346.i49, %B324.i46
   %end.4.1.i39 = phi i64 [ %.13.i6.i36, %B146.i29 ], [ %end.3.0210.i22, %B92.if.i21 ], [ %.13.i6.i36, %B284.i42 ], [ %.683, %B324.i46 ], [ %.423.i50, %B346.i49 ]
   %.13.i.i40 = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.4.1.i39)
   %6 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i23
-  store i64 %.13.i.i40, ptr %6, align 8, !noalias !202
+  store i64 %.13.i.i40, ptr %6, align 8, !noalias !200
   %exitcond216.not.i41 = icmp eq i64 %.238.i24, %..143.i15
-  br i1 %exitcond216.not.i41, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, label %B92.if.i21
+  br i1 %exitcond216.not.i41, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, label %B92.if.i21
 
 B92.if.i21:                                       ; preds = %B386.i38, %B92.if.preheader.i20
   %end.3.0210.i22 = phi i64 [ %end.4.1.i39, %B386.i38 ], [ 0, %B92.if.preheader.i20 ]
   %.231203208.i23 = phi i64 [ %.238.i24, %B386.i38 ], [ 0, %B92.if.preheader.i20 ]
   %.238.i24 = add nuw nsw i64 %.231203208.i23, 1
   %.278.i25 = getelementptr inbounds nuw double, ptr %.1849, i64 %.231203208.i23
-  %.279.i26 = load double, ptr %.278.i25, align 8, !noalias !202
+  %.279.i26 = load double, ptr %.278.i25, align 8, !noalias !200
   %.281.i27 = fsub contract double %.279.i26, %.271.le
   %.287.i28 = fcmp contract ult double %.281.i27, %.135.i12
   br i1 %.287.i28, label %B386.i38, label %B146.i29
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55: ; preds = %B386.i38, %B556
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55: ; preds = %B386.i38, %B556
   %.586.inv.i17 = icmp sgt i64 %.1930, 1
   %.587.i18 = select i1 %.586.inv.i17, i64 0, i64 %arg.carrier.3.5.0
   %7 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i13
   %.601.i19 = getelementptr i64, ptr %7, i64 %.587.i18
-  store i64 %.683, ptr %.601.i19, align 8, !noalias !202
+  store i64 %.683, ptr %.601.i19, align 8, !noalias !200
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
@@ -11309,17 +11148,17 @@ entry:
   %.463.inv.i = icmp slt i64 %.287, 2
   %.507321.not325.i = icmp eq i64 %.486.i, 0
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
-  br i1 %.507321.not.i, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122, label %B94.if.lr.ph.i
+  br i1 %.507321.not.i, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122, label %B94.if.lr.ph.i
 
-B578:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
-  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !205
+B578:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !203
   %.143.i = add nsw i64 %.287, -2
   %.181.i = icmp slt i64 %.287, 3
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
-common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -11363,34 +11202,34 @@ B94.if.i:                                         ; preds = %B94.if.i, %B94.if.l
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
   %scevgep253 = getelementptr i8, ptr %scevgep251, i64 %lsr.iv53.i
   %scevgep254 = getelementptr i8, ptr %scevgep253, i64 -8
-  %.554.i = load <8 x double>, ptr %scevgep254, align 8, !noalias !208
-  %.565.i = load <8 x double>, ptr %scevgep253, align 8, !noalias !208
+  %.554.i = load <8 x double>, ptr %scevgep254, align 8, !noalias !206
+  %.565.i = load <8 x double>, ptr %scevgep253, align 8, !noalias !206
   %scevgep249 = getelementptr i8, ptr %scevgep247, i64 %lsr.iv53.i
   %scevgep250 = getelementptr i8, ptr %scevgep249, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep250, align 8, !noalias !208
-  %.586.i = load <8 x double>, ptr %scevgep249, align 8, !noalias !208
+  %.575.i = load <8 x double>, ptr %scevgep250, align 8, !noalias !206
+  %.586.i = load <8 x double>, ptr %scevgep249, align 8, !noalias !206
   %scevgep21 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep21, align 8, !noalias !208
+  %.596.i = load <8 x double>, ptr %scevgep21, align 8, !noalias !206
   %scevgep19 = getelementptr i8, ptr %scevgep18, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep19, align 8, !noalias !208
+  %.606.i = load <8 x double>, ptr %scevgep19, align 8, !noalias !206
   %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
   %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
   %scevgep65.i = getelementptr i8, ptr %.377, i64 %lsr.iv53.i
-  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !208
+  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !206
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
   %.8.i.i = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
   %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i
   %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
   %scevgep64.i = getelementptr i8, ptr %4, i64 %lsr.iv53.i
-  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !208
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !206
   %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
   %scevgep63.i = getelementptr i8, ptr %5, i64 %lsr.iv53.i
-  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !208
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !206
   %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
   %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
   %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
   %scevgep62.i = getelementptr i8, ptr %6, i64 %lsr.iv53.i
-  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !208
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !206
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
   %lsr.iv.next5 = add nsw i64 %lsr.iv4, -1
   %.507.i = icmp sgt i64 %lsr.iv4, 8
@@ -11417,40 +11256,40 @@ B94.if.i88:                                       ; preds = %B94.if.i88, %B94.if
   %lsr.iv53.i89 = phi i64 [ %lsr.iv.next54.i118, %B94.if.i88 ], [ 0, %B94.if.lr.ph.i86 ]
   %scevgep245 = getelementptr i8, ptr %scevgep243, i64 %lsr.iv53.i89
   %scevgep246 = getelementptr i8, ptr %scevgep245, i64 -8
-  %.554.i92 = load <8 x double>, ptr %scevgep246, align 8, !noalias !211
-  %.565.i94 = load <8 x double>, ptr %scevgep245, align 8, !noalias !211
+  %.554.i92 = load <8 x double>, ptr %scevgep246, align 8, !noalias !209
+  %.565.i94 = load <8 x double>, ptr %scevgep245, align 8, !noalias !209
   %scevgep241 = getelementptr i8, ptr %scevgep239, i64 %lsr.iv53.i89
   %scevgep242 = getelementptr i8, ptr %scevgep241, i64 -8
-  %.575.i96 = load <8 x double>, ptr %scevgep242, align 8, !noalias !211
-  %.586.i98 = load <8 x double>, ptr %scevgep241, align 8, !noalias !211
+  %.575.i96 = load <8 x double>, ptr %scevgep242, align 8, !noalias !209
+  %.586.i98 = load <8 x double>, ptr %scevgep241, align 8, !noalias !209
   %scevgep16 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i89
-  %.596.i100 = load <8 x double>, ptr %scevgep16, align 8, !noalias !211
+  %.596.i100 = load <8 x double>, ptr %scevgep16, align 8, !noalias !209
   %scevgep14 = getelementptr i8, ptr %scevgep18, i64 %lsr.iv53.i89
-  %.606.i102 = load <8 x double>, ptr %scevgep14, align 8, !noalias !211
+  %.606.i102 = load <8 x double>, ptr %scevgep14, align 8, !noalias !209
   %.6.i.i103 = fsub contract <8 x double> %.565.i94, %.554.i92
   %.6.i46.i104 = fmul contract <8 x double> %.6.i.i103, %.606.i102
   %scevgep65.i105 = getelementptr i8, ptr %.502, i64 %lsr.iv53.i89
-  store <8 x double> %.554.i92, ptr %scevgep65.i105, align 8, !noalias !211
+  store <8 x double> %.554.i92, ptr %scevgep65.i105, align 8, !noalias !209
   %.669.i106 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i96, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i98)
   %.8.i.i107 = fmul contract <8 x double> %.669.i106, splat (double 0x3FC5555555555555)
   %.6.i47.i108 = fmul contract <8 x double> %.596.i100, %.8.i.i107
   %.6.i48.i109 = fsub contract <8 x double> %.6.i46.i104, %.6.i47.i108
   %scevgep64.i110 = getelementptr i8, ptr %22, i64 %lsr.iv53.i89
-  store <8 x double> %.6.i48.i109, ptr %scevgep64.i110, align 8, !noalias !211
+  store <8 x double> %.6.i48.i109, ptr %scevgep64.i110, align 8, !noalias !209
   %.8.i49.i111 = fmul contract <8 x double> %.575.i96, splat (double 5.000000e-01)
   %scevgep63.i112 = getelementptr i8, ptr %23, i64 %lsr.iv53.i89
-  store <8 x double> %.8.i49.i111, ptr %scevgep63.i112, align 8, !noalias !211
+  store <8 x double> %.8.i49.i111, ptr %scevgep63.i112, align 8, !noalias !209
   %.6.i50.i113 = fsub contract <8 x double> %.586.i98, %.575.i96
   %.6.i51.i114 = fmul contract <8 x double> %.6.i50.i113, %.606.i102
   %.8.i52.i115 = fmul contract <8 x double> %.6.i51.i114, splat (double 0x3FC5555555555555)
   %scevgep62.i116 = getelementptr i8, ptr %24, i64 %lsr.iv53.i89
-  store <8 x double> %.8.i52.i115, ptr %scevgep62.i116, align 8, !noalias !211
+  store <8 x double> %.8.i52.i115, ptr %scevgep62.i116, align 8, !noalias !209
   %lsr.iv.next54.i118 = add i64 %lsr.iv53.i89, 64
   %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
   %.507.i119 = icmp sgt i64 %lsr.iv2, 8
-  br i1 %.507.i119, label %B94.if.i88, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+  br i1 %.507.i119, label %B94.if.i88, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122: ; preds = %B94.if.i88, %entry
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122: ; preds = %B94.if.i88, %entry
   %.1509 = load double, ptr %.741, align 8
   %.1511 = fsub contract double %.1509, %arg.shift
   store i64 0, ptr %.1557, align 8
@@ -11483,14 +11322,14 @@ B146.i:                                           ; preds = %B92.if.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i
-  %.355.i = load i64, ptr %.354.i, align 8, !noalias !205
+  %.355.i = load i64, ptr %.354.i, align 8, !noalias !203
   %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
   %.395.i = icmp slt i64 %.13.i6.i, %.13.i123
   br i1 %.395.i, label %B284.i, label %B386.i
 
 B284.i:                                           ; preds = %B146.i
   %.412.i = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !205
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !203
   %.417.i = fcmp contract ugt double %.413.i, %.281.i
   br i1 %.417.i, label %B386.i, label %B324.i
 
@@ -11503,7 +11342,7 @@ B346.i:                                           ; preds = %B324.i
   %.423.i = add i64 %end.5.2.i, 1
   %sunkaddr = shl i64 %.423.i, 3
   %sunkaddr6 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr
-  %.451.i = load double, ptr %sunkaddr6, align 8, !noalias !205
+  %.451.i = load double, ptr %sunkaddr6, align 8, !noalias !203
   %.455.i = fcmp contract ugt double %.451.i, %.281.i
   br i1 %.455.i, label %B386.i, label %B324.i
 
@@ -11511,9 +11350,9 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.13.i123, %B324.i ], [ %.423.i, %B346.i ]
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i123, i64 %end.4.1.i)
   %36 = getelementptr i64, ptr %.647, i64 %.231203208.i
-  store i64 %.13.i.i, ptr %36, align 8, !noalias !205
+  store i64 %.13.i.i, ptr %36, align 8, !noalias !203
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -11522,17 +11361,17 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %sunkaddr259 = shl i64 %.231203208.i, 3
   %sunkaddr260 = getelementptr inbounds i8, ptr %.741, i64 %sunkaddr259
   %sunkaddr261 = getelementptr inbounds nuw i8, ptr %sunkaddr260, i64 8
-  %.279.i = load double, ptr %sunkaddr261, align 8, !noalias !205
+  %.279.i = load double, ptr %sunkaddr261, align 8, !noalias !203
   %.281.i = fsub contract double %.279.i, %arg.shift
   %.287.i = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B578
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B578
   %.586.inv.i = icmp sgt i64 %.287, 1
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.330
   %37 = getelementptr i64, ptr %.647, i64 %.143.i
   %.601.i = getelementptr i64, ptr %37, i64 %.587.i
-  store i64 %.13.i123, ptr %.601.i, align 8, !noalias !205
+  store i64 %.13.i123, ptr %.601.i, align 8, !noalias !203
   br label %common.ret.sink.split
 }
 
@@ -11587,10 +11426,10 @@ B480:                                             ; preds = %B476
   %.1222 = load i64, ptr %.1221, align 8
   %.1245 = getelementptr double, ptr %arg.grid.4, i64 %arg.stride
   %.126.i = icmp slt i64 %.13.i21, %.13.i24
-  br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
-  %.696..784 = phi i64 [ %.13.i22, %B476 ], [ %.13.i24, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
+  %.696..784 = phi i64 [ %.13.i22, %B476 ], [ %.13.i24, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
   %.1877 = sub nsw i64 %.696..784, %arg.start
   %.1884 = icmp sgt i64 %.1877, 0
   br i1 %.1884, label %B1168, label %B1224
@@ -11623,55 +11462,55 @@ B1168:                                            ; preds = %B736
   %.2608 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 192
   %.2544 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 64
   %.1012.i = getelementptr i8, ptr %arg.carrier.0.4, i64 264
-  %.1013.i = load double, ptr %.1012.i, align 8, !noalias !214
+  %.1013.i = load double, ptr %.1012.i, align 8, !noalias !212
   %.983.i = getelementptr i8, ptr %arg.carrier.0.4, i64 256
-  %.984.i = load double, ptr %.983.i, align 8, !noalias !214
+  %.984.i = load double, ptr %.983.i, align 8, !noalias !212
   %.954.i = getelementptr i8, ptr %arg.carrier.0.4, i64 248
-  %.955.i = load double, ptr %.954.i, align 8, !noalias !214
+  %.955.i = load double, ptr %.954.i, align 8, !noalias !212
   %.925.i = getelementptr i8, ptr %arg.carrier.0.4, i64 240
-  %.926.i = load double, ptr %.925.i, align 8, !noalias !214
+  %.926.i = load double, ptr %.925.i, align 8, !noalias !212
   %.896.i = getelementptr i8, ptr %arg.carrier.0.4, i64 232
-  %.897.i = load double, ptr %.896.i, align 8, !noalias !214
+  %.897.i = load double, ptr %.896.i, align 8, !noalias !212
   %.867.i = getelementptr i8, ptr %arg.carrier.0.4, i64 224
-  %.868.i = load double, ptr %.867.i, align 8, !noalias !214
+  %.868.i = load double, ptr %.867.i, align 8, !noalias !212
   %.838.i = getelementptr i8, ptr %arg.carrier.0.4, i64 216
-  %.839.i = load double, ptr %.838.i, align 8, !noalias !214
+  %.839.i = load double, ptr %.838.i, align 8, !noalias !212
   %.809.i = getelementptr i8, ptr %arg.carrier.0.4, i64 208
-  %.810.i = load double, ptr %.809.i, align 8, !noalias !214
+  %.810.i = load double, ptr %.809.i, align 8, !noalias !212
   %.780.i = getelementptr i8, ptr %arg.carrier.0.4, i64 200
-  %.781.i = load double, ptr %.780.i, align 8, !noalias !214
-  %.752.i = load double, ptr %.2608, align 8, !noalias !214
+  %.781.i = load double, ptr %.780.i, align 8, !noalias !212
+  %.752.i = load double, ptr %.2608, align 8, !noalias !212
   %.647.i = getelementptr i8, ptr %arg.carrier.0.4, i64 184
-  %.648.i = load double, ptr %.647.i, align 8, !noalias !214
+  %.648.i = load double, ptr %.647.i, align 8, !noalias !212
   %.618.i = getelementptr i8, ptr %arg.carrier.0.4, i64 176
-  %.619.i = load double, ptr %.618.i, align 8, !noalias !214
+  %.619.i = load double, ptr %.618.i, align 8, !noalias !212
   %.589.i = getelementptr i8, ptr %arg.carrier.0.4, i64 168
-  %.590.i = load double, ptr %.589.i, align 8, !noalias !214
+  %.590.i = load double, ptr %.589.i, align 8, !noalias !212
   %.560.i = getelementptr i8, ptr %arg.carrier.0.4, i64 160
-  %.561.i = load double, ptr %.560.i, align 8, !noalias !214
+  %.561.i = load double, ptr %.560.i, align 8, !noalias !212
   %.531.i = getelementptr i8, ptr %arg.carrier.0.4, i64 152
-  %.532.i = load double, ptr %.531.i, align 8, !noalias !214
+  %.532.i = load double, ptr %.531.i, align 8, !noalias !212
   %.502.i = getelementptr i8, ptr %arg.carrier.0.4, i64 144
-  %.503.i = load double, ptr %.502.i, align 8, !noalias !214
+  %.503.i = load double, ptr %.502.i, align 8, !noalias !212
   %.473.i = getelementptr i8, ptr %arg.carrier.0.4, i64 136
-  %.474.i = load double, ptr %.473.i, align 8, !noalias !214
+  %.474.i = load double, ptr %.473.i, align 8, !noalias !212
   %.444.i = getelementptr i8, ptr %arg.carrier.0.4, i64 128
-  %.445.i = load double, ptr %.444.i, align 8, !noalias !214
+  %.445.i = load double, ptr %.444.i, align 8, !noalias !212
   %.343.i = getelementptr i8, ptr %arg.carrier.0.4, i64 120
-  %.344.i = load double, ptr %.343.i, align 8, !noalias !214
+  %.344.i = load double, ptr %.343.i, align 8, !noalias !212
   %.314.i84 = getelementptr i8, ptr %arg.carrier.0.4, i64 112
-  %.315.i85 = load double, ptr %.314.i84, align 8, !noalias !214
+  %.315.i85 = load double, ptr %.314.i84, align 8, !noalias !212
   %.285.i = getelementptr i8, ptr %arg.carrier.0.4, i64 104
-  %.286.i = load double, ptr %.285.i, align 8, !noalias !214
+  %.286.i = load double, ptr %.285.i, align 8, !noalias !212
   %.256.i86 = getelementptr i8, ptr %arg.carrier.0.4, i64 96
-  %.257.i = load double, ptr %.256.i86, align 8, !noalias !214
+  %.257.i = load double, ptr %.256.i86, align 8, !noalias !212
   %.227.i = getelementptr i8, ptr %arg.carrier.0.4, i64 88
-  %.228.i87 = load double, ptr %.227.i, align 8, !noalias !214
+  %.228.i87 = load double, ptr %.227.i, align 8, !noalias !212
   %.198.i = getelementptr i8, ptr %arg.carrier.0.4, i64 80
-  %.199.i = load double, ptr %.198.i, align 8, !noalias !214
+  %.199.i = load double, ptr %.198.i, align 8, !noalias !212
   %.169.i = getelementptr i8, ptr %arg.carrier.0.4, i64 72
-  %.170.i88 = load double, ptr %.169.i, align 8, !noalias !214
-  %.141.i = load double, ptr %.2544, align 8, !noalias !214
+  %.170.i88 = load double, ptr %.169.i, align 8, !noalias !212
+  %.141.i = load double, ptr %.2544, align 8, !noalias !212
   %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
   %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
@@ -11749,9 +11588,9 @@ B1456:                                            ; preds = %B1226.endif.endif.e
   %.3622.inv = icmp slt i64 %.3621, 1
   %.36641797.not1801 = icmp eq i64 %.3643, 0
   %.36641797.not = or i1 %.3622.inv, %.36641797.not1801
-  br i1 %.36641797.not, label %B76650, label %B76344.if.lr.ph
+  br i1 %.36641797.not, label %B73370, label %B73064.if.lr.ph
 
-B76344.if.lr.ph:                                  ; preds = %B1456
+B73064.if.lr.ph:                                  ; preds = %B1456
   %.3704 = insertelement <8 x double> poison, double %arg.top.0, i64 0
   %.3705 = shufflevector <8 x double> %.3704, <8 x double> poison, <8 x i32> zeroinitializer
   %.3731 = fmul contract double %arg.top.2, %.405
@@ -11764,9 +11603,9 @@ B76344.if.lr.ph:                                  ; preds = %B1456
   %scevgep302 = getelementptr i8, ptr %arg.phase.4, i64 %9
   %scevgep304 = getelementptr i8, ptr %arg.amplitude.4, i64 %9
   %10 = add nuw nsw i64 %.3643, 6
-  br label %B76344.if
+  br label %B73064.if
 
-B76650:                                           ; preds = %B76344.if, %B1456
+B73370:                                           ; preds = %B73064.if, %B1456
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -11791,7 +11630,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -11802,9 +11641,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -11816,15 +11655,15 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i = fmul contract double %.833, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep14 = getelementptr i8, ptr %arg.a.4, i64 %13
-  store double %"$phi144.1.2.1.i", ptr %scevgep14, align 8, !noalias !217
+  store double %"$phi144.1.2.1.i", ptr %scevgep14, align 8, !noalias !215
   %.314.i = fsub contract double %.218.i, %.971
   %12 = fmul contract double %.1006, %.314.i
   %.319.i = fsub contract double %.865, %12
   %scevgep13 = getelementptr i8, ptr %arg.p.4, i64 %13
-  store double %.319.i, ptr %scevgep13, align 8, !noalias !217
+  store double %.319.i, ptr %scevgep13, align 8, !noalias !215
   %exitcond.not.i = icmp eq i64 %.941, %.158.i
   br i1 %exitcond.not.i, label %B476, label %B34.if.i
 
@@ -11833,7 +11672,7 @@ B34.if.i:                                         ; preds = %B322, %B144.i
   %.158.i = add nuw nsw i64 %.151102104.i, 1
   %13 = shl i64 %.151102104.i, 3
   %scevgep2.i = getelementptr i8, ptr %.888, i64 %13
-  %.216.i = load double, ptr %scevgep2.i, align 8, !noalias !217
+  %.216.i = load double, ptr %scevgep2.i, align 8, !noalias !215
   %.218.i = fmul contract double %.405, %.216.i
   %.223.i = fmul contract double %.218.i, 2.000000e+00
   %.228.i = fdiv contract double %.223.i, %.971
@@ -11857,7 +11696,7 @@ B22.i:                                            ; preds = %B926.i, %B22.prehea
   %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %.1222, %B22.preheader.i ]
   %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i22, %B22.preheader.i ]
   %.149.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i
-  %.150.i = load i64, ptr %.149.i, align 8, !noalias !220
+  %.150.i = load i64, ptr %.149.i, align 8, !noalias !218
   %.154.not.i = icmp sgt i64 %.150.i, %start.2.0.i
   br i1 %.154.not.i, label %B112.i, label %B62.i
 
@@ -11866,14 +11705,14 @@ B62.i:                                            ; preds = %B22.i, %B62.i
   %.157.i = add i64 %cell.4.1.i, 1
   %sunkaddr = shl i64 %.157.i, 3
   %sunkaddr15 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr
-  %.170.i = load i64, ptr %sunkaddr15, align 8, !noalias !220
+  %.170.i = load i64, ptr %sunkaddr15, align 8, !noalias !218
   %.172.not.i = icmp sgt i64 %.170.i, %start.2.0.i
   br i1 %.172.not.i, label %B112.i, label %B62.i
 
 B112.i:                                           ; preds = %B62.i, %B22.i
   %cell.3.2.i = phi i64 [ %cell.2.0.i, %B22.i ], [ %.157.i, %B62.i ]
   %.184.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i
-  %.185.i = load i64, ptr %.184.i, align 8, !noalias !220
+  %.185.i = load i64, ptr %.184.i, align 8, !noalias !218
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i24, i64 %.185.i)
   %.395.i = sub i64 %.13.i.i, %start.2.0.i
   %15 = add i64 %.395.i, 7
@@ -11885,31 +11724,31 @@ B112.i:                                           ; preds = %B62.i, %B22.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
   %.602.i = icmp slt i64 %.185.i, %.13.i24
-  br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.228.i40 = getelementptr inbounds double, ptr %.1112, i64 %cell.3.2.i
-  %.229.i41 = load double, ptr %.228.i40, align 8, !noalias !220
+  %.229.i41 = load double, ptr %.228.i40, align 8, !noalias !218
   %.231.i = fsub contract double %.435, %.229.i41
   %.279.i = add nsw i64 %cell.3.2.i, %.277.i
   %.347.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.279.i
-  %.348.i = load double, ptr %.347.i, align 8, !noalias !220
+  %.348.i = load double, ptr %.347.i, align 8, !noalias !218
   %.266.i42 = add nsw i64 %cell.3.2.i, %.264.i
   %.334.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.266.i42
-  %.335.i = load double, ptr %.334.i, align 8, !noalias !220
+  %.335.i = load double, ptr %.334.i, align 8, !noalias !218
   %.247.i = add nsw i64 %cell.3.2.i, %arg.sizes.0
   %.315.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.247.i
-  %.316.i = load double, ptr %.315.i, align 8, !noalias !220
+  %.316.i = load double, ptr %.315.i, align 8, !noalias !218
   %.303.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %cell.3.2.i
-  %.304.i = load double, ptr %.303.i, align 8, !noalias !220
+  %.304.i = load double, ptr %.303.i, align 8, !noalias !218
   %.287.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.279.i
-  %.288.i = load double, ptr %.287.i, align 8, !noalias !220
+  %.288.i = load double, ptr %.287.i, align 8, !noalias !218
   %.274.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.266.i42
-  %.275.i = load double, ptr %.274.i, align 8, !noalias !220
+  %.275.i = load double, ptr %.274.i, align 8, !noalias !218
   %.255.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.247.i
-  %.256.i = load double, ptr %.255.i, align 8, !noalias !220
+  %.256.i = load double, ptr %.255.i, align 8, !noalias !218
   %.243.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %cell.3.2.i
-  %.244.i = load double, ptr %.243.i, align 8, !noalias !220
+  %.244.i = load double, ptr %.243.i, align 8, !noalias !218
   %.514.i = insertelement <8 x double> poison, double %.288.i, i64 0
   %.515.i = shufflevector <8 x double> %.514.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i = insertelement <8 x double> poison, double %.275.i, i64 0
@@ -11936,24 +11775,24 @@ B570.if.i:                                        ; preds = %B570.if.i, %B570.if
   %lsr.iv11 = phi i64 [ %lsr.iv.next12, %B570.if.i ], [ %17, %B570.if.lr.ph.i ]
   %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %16, %B570.if.lr.ph.i ]
   %scevgep13.i = getelementptr i8, ptr %.1245, i64 %lsr.iv8.i
-  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !220
+  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !218
   %.8.i.i45 = fadd contract <8 x double> %.7.i.i44, %.485.i
   %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.515.i, <8 x double> %.518.i)
   %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.519.i, <8 x double> %.522.i)
   %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.523.i, <8 x double> %.526.i)
   %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %lsr.iv8.i
-  store <8 x double> %.527.i, ptr %scevgep12.i, align 8, !noalias !220
+  store <8 x double> %.527.i, ptr %scevgep12.i, align 8, !noalias !218
   %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.542.i, <8 x double> %.545.i)
   %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.546.i, <8 x double> %.549.i)
   %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.550.i, <8 x double> %.553.i)
   %scevgep10.i = getelementptr i8, ptr %scevgep7.i, i64 %lsr.iv8.i
-  store <8 x double> %.554.i, ptr %scevgep10.i, align 8, !noalias !220
+  store <8 x double> %.554.i, ptr %scevgep10.i, align 8, !noalias !218
   %lsr.iv.next9.i = add i64 %lsr.iv8.i, 64
   %lsr.iv.next12 = add nsw i64 %lsr.iv11, -1
   %.438.i = icmp sgt i64 %lsr.iv11, 8
   br i1 %.438.i, label %B570.if.i, label %B926.i
 
-_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
+_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
   %cell.5.1.i = phi i64 [ %.1222, %B480 ], [ %cell.3.2.i, %B926.i ]
   store i64 %cell.5.1.i, ptr %.1221, align 8
   br label %B736
@@ -11964,10 +11803,10 @@ B484.if.i:                                        ; preds = %B484.if.i, %B1168
   %lsr.iv = phi ptr [ %scevgep8, %B484.if.i ], [ %arg.phase.4, %B1168 ]
   %lsr.iv314 = phi ptr [ %scevgep315, %B484.if.i ], [ %.2171, %B1168 ]
   %scevgep318 = getelementptr i8, ptr %lsr.iv314, i64 %.idx1791
-  %.1236.i = load <8 x double>, ptr %scevgep318, align 8, !noalias !214
-  %.1246.i = load <8 x double>, ptr %lsr.iv314, align 8, !noalias !214
+  %.1236.i = load <8 x double>, ptr %scevgep318, align 8, !noalias !212
+  %.1246.i = load <8 x double>, ptr %lsr.iv314, align 8, !noalias !212
   %sunkaddr18 = getelementptr i8, ptr %lsr.iv314, i64 %sunkaddr17
-  %.1256.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !214
+  %.1256.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !212
   %.6.i.i90 = fmul contract <8 x double> %.1236.i, %.1236.i
   %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1283.i, <8 x double> %.1286.i)
   %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1287.i, <8 x double> %.1290.i)
@@ -11988,19 +11827,19 @@ B484.if.i:                                        ; preds = %B484.if.i, %B1168
   %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
   %scevgep316 = getelementptr i8, ptr %lsr.iv314, i64 %.idx1792
-  %.1377.i = load <8 x double>, ptr %scevgep316, align 8, !noalias !214
+  %.1377.i = load <8 x double>, ptr %scevgep316, align 8, !noalias !212
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
   %.1426.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1366.i, <8 x double> %.1355.i)
   %.1430.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i17.i, <8 x double> %.1429.i, <8 x double> %.1426.i)
   %.1431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1310.i, <8 x double> %.1295.i)
-  %.1441.i = load <8 x double>, ptr %lsr.iv9, align 8, !noalias !214
+  %.1441.i = load <8 x double>, ptr %lsr.iv9, align 8, !noalias !212
   %.1442.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1431.i, <8 x double> %.1441.i)
   %.1443.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1256.i, <8 x double> %.1430.i, <8 x double> %.1442.i)
   %.6.i18.i = fadd contract <8 x double> %.6.i16.i, %.1443.i
   %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
   %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
-  store <8 x double> %.6.i19.i, ptr %lsr.iv, align 8, !noalias !214
+  store <8 x double> %.6.i19.i, ptr %lsr.iv, align 8, !noalias !212
   %scevgep315 = getelementptr i8, ptr %lsr.iv314, i64 64
   %scevgep8 = getelementptr i8, ptr %lsr.iv, i64 64
   %scevgep11 = getelementptr i8, ptr %lsr.iv9, i64 64
@@ -12021,7 +11860,7 @@ B22.i115:                                         ; preds = %B1344.i, %B22.prehe
   %cell.2.0.i116 = phi i64 [ %cell.3.2.i122, %B1344.i ], [ %.3175, %B22.preheader.i114 ]
   %start.2.0.i117 = phi i64 [ %.13.i.i123, %B1344.i ], [ %.13.i22, %B22.preheader.i114 ]
   %.160.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i116
-  %.161.i = load i64, ptr %.160.i, align 8, !noalias !223
+  %.161.i = load i64, ptr %.160.i, align 8, !noalias !221
   %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i117
   br i1 %.165.not.i, label %B112.i121, label %B62.i118
 
@@ -12030,14 +11869,14 @@ B62.i118:                                         ; preds = %B22.i115, %B62.i118
   %.168.i = add i64 %cell.4.1.i119, 1
   %sunkaddr19 = shl i64 %.168.i, 3
   %sunkaddr20 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr19
-  %.181.i = load i64, ptr %sunkaddr20, align 8, !noalias !223
+  %.181.i = load i64, ptr %sunkaddr20, align 8, !noalias !221
   %.183.not.i = icmp sgt i64 %.181.i, %start.2.0.i117
   br i1 %.183.not.i, label %B112.i121, label %B62.i118
 
 B112.i121:                                        ; preds = %B62.i118, %B22.i115
   %cell.3.2.i122 = phi i64 [ %cell.2.0.i116, %B22.i115 ], [ %.168.i, %B62.i118 ]
   %.195.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i122
-  %.196.i = load i64, ptr %.195.i, align 8, !noalias !223
+  %.196.i = load i64, ptr %.195.i, align 8, !noalias !221
   %.13.i.i123 = tail call i64 @llvm.smin.i64(i64 %.13.i24, i64 %.196.i)
   %.529.i = sub i64 %.13.i.i123, %start.2.0.i117
   %19 = add i64 %.529.i, 7
@@ -12055,40 +11894,40 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i121
   %.261.i = shl nsw i64 %cell.3.2.i122, 3
   %20 = getelementptr double, ptr %arg.fitted.1.4, i64 %.261.i
   %.478.i = getelementptr i8, ptr %20, i64 48
-  %.479.i = load double, ptr %.478.i, align 8, !noalias !223
+  %.479.i = load double, ptr %.478.i, align 8, !noalias !221
   %.311.i = or disjoint i64 %.261.i, 5
   %.468.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.311.i
-  %.469.i = load double, ptr %.468.i, align 8, !noalias !223
+  %.469.i = load double, ptr %.468.i, align 8, !noalias !221
   %.301.i = or disjoint i64 %.261.i, 4
   %.458.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.301.i
-  %.459.i = load double, ptr %.458.i, align 8, !noalias !223
+  %.459.i = load double, ptr %.458.i, align 8, !noalias !221
   %.291.i = or disjoint i64 %.261.i, 3
   %.412.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.291.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !223
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !221
   %.281.i = or disjoint i64 %.261.i, 2
   %.402.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.281.i
-  %.403.i = load double, ptr %.402.i, align 8, !noalias !223
+  %.403.i = load double, ptr %.402.i, align 8, !noalias !221
   %.271.i = or disjoint i64 %.261.i, 1
   %.392.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.271.i
-  %.393.i = load double, ptr %.392.i, align 8, !noalias !223
-  %.383.i = load double, ptr %20, align 8, !noalias !223
+  %.393.i = load double, ptr %.392.i, align 8, !noalias !221
+  %.383.i = load double, ptr %20, align 8, !noalias !221
   %.319.i124 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.311.i
-  %.320.i = load double, ptr %.319.i124, align 8, !noalias !223
+  %.320.i = load double, ptr %.319.i124, align 8, !noalias !221
   %.309.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.301.i
-  %.310.i = load double, ptr %.309.i, align 8, !noalias !223
+  %.310.i = load double, ptr %.309.i, align 8, !noalias !221
   %.299.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.291.i
-  %.300.i = load double, ptr %.299.i, align 8, !noalias !223
+  %.300.i = load double, ptr %.299.i, align 8, !noalias !221
   %.289.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.281.i
-  %.290.i = load double, ptr %.289.i, align 8, !noalias !223
+  %.290.i = load double, ptr %.289.i, align 8, !noalias !221
   %.279.i125 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.271.i
-  %.280.i = load double, ptr %.279.i125, align 8, !noalias !223
+  %.280.i = load double, ptr %.279.i125, align 8, !noalias !221
   %.269.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.261.i
-  %.270.i = load double, ptr %.269.i, align 8, !noalias !223
+  %.270.i = load double, ptr %.269.i, align 8, !noalias !221
   %.251.i = getelementptr inbounds double, ptr %.2942, i64 %cell.3.2.i122
-  %.252.i = load double, ptr %.251.i, align 8, !noalias !223
+  %.252.i = load double, ptr %.251.i, align 8, !noalias !221
   %.253.i = fsub contract double 0.000000e+00, %.252.i
   %.239.i = getelementptr inbounds double, ptr %.2812, i64 %cell.3.2.i122
-  %.240.i = load double, ptr %.239.i, align 8, !noalias !223
+  %.240.i = load double, ptr %.239.i, align 8, !noalias !221
   %.242.i = fmul contract double %.405, %.240.i
   %.623.i = insertelement <8 x double> poison, double %.242.i, i64 0
   %.624.i = shufflevector <8 x double> %.623.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -12128,7 +11967,7 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B808.if.i ], [ %22, %B808.if.lr.ph.i ]
   %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %21, %B808.if.lr.ph.i ]
   %scevgep10.i128 = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv5.i
-  %.620.i = load <8 x double>, ptr %scevgep10.i128, align 8, !noalias !223
+  %.620.i = load <8 x double>, ptr %scevgep10.i128, align 8, !noalias !221
   %.627.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.620.i, <8 x double> %.624.i, <8 x double> %.626.i)
   %.636.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.632.i, <8 x double> %.635.i)
   %.640.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.636.i, <8 x double> %.639.i)
@@ -12136,7 +11975,7 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %.648.i129 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.644.i, <8 x double> %.647.i126)
   %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i129, <8 x double> %.651.i)
   %scevgep9.i = getelementptr i8, ptr %scevgep8.i, i64 %lsr.iv5.i
-  store <8 x double> %.652.i, ptr %scevgep9.i, align 8, !noalias !223
+  store <8 x double> %.652.i, ptr %scevgep9.i, align 8, !noalias !221
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.665.i, <8 x double> %.668.i)
   %.673.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.669.i, <8 x double> %.672.i)
   %.677.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.673.i, <8 x double> %.676.i)
@@ -12144,7 +11983,7 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %.687.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.683.i, <8 x double> %.686.i)
   %.691.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.687.i, <8 x double> %.690.i)
   %scevgep7.i130 = getelementptr i8, ptr %scevgep4.i, i64 %lsr.iv5.i
-  store <8 x double> %.691.i, ptr %scevgep7.i130, align 8, !noalias !223
+  store <8 x double> %.691.i, ptr %scevgep7.i130, align 8, !noalias !221
   %lsr.iv.next6.i = add i64 %lsr.iv5.i, 64
   %lsr.iv.next5 = add nsw i64 %lsr.iv4, -1
   %.573.i = icmp sgt i64 %lsr.iv4, 8
@@ -12155,9 +11994,9 @@ B1226.endif.endif.endif.endif.endif.endif:        ; preds = %B1344.i, %B1226
   store i64 %cell.5.1.i113, ptr %.3174, align 8
   br label %B1456
 
-B76344.if:                                        ; preds = %B76344.if, %B76344.if.lr.ph
-  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B76344.if ], [ %10, %B76344.if.lr.ph ]
-  %lsr.iv300 = phi i64 [ %lsr.iv.next301, %B76344.if ], [ %8, %B76344.if.lr.ph ]
+B73064.if:                                        ; preds = %B73064.if, %B73064.if.lr.ph
+  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B73064.if ], [ %10, %B73064.if.lr.ph ]
+  %lsr.iv300 = phi i64 [ %lsr.iv.next301, %B73064.if ], [ %8, %B73064.if.lr.ph ]
   %scevgep305 = getelementptr i8, ptr %scevgep304, i64 %lsr.iv300
   store <8 x double> %.3705, ptr %scevgep305, align 8
   %scevgep = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv300
@@ -12168,7 +12007,7 @@ B76344.if:                                        ; preds = %B76344.if, %B76344.
   %lsr.iv.next301 = add i64 %lsr.iv300, 64
   %lsr.iv.next = add nsw i64 %lsr.iv1, -1
   %.3664 = icmp sgt i64 %lsr.iv1, 7
-  br i1 %.3664, label %B76344.if, label %B76650
+  br i1 %.3664, label %B73064.if, label %B73370
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -12189,7 +12028,7 @@ entry:
   %.167 = getelementptr i8, ptr %arg.arguments.4, i64 112
   %.168 = load i64, ptr %.167, align 8
   %.169 = icmp eq i64 %.168, 1
-  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !226
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !224
   %.98.i = mul nsw i64 %.65.i, %.95
   br i1 %.169, label %B172, label %B356
 
@@ -12234,7 +12073,7 @@ common.ret.sink.split:                            ; preds = %B356, %B172
 define internal fastcc void @inner_30(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.count, ptr readonly captures(none) %arg.real.4, ptr readonly captures(none) %arg.imaginary.4, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.out.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.out.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
 entry:
   %.70 = icmp sgt i64 %arg.count, 0
-  br i1 %.70, label %B20.preheader, label %B78208
+  br i1 %.70, label %B20.preheader, label %B74928
 
 B20.preheader:                                    ; preds = %entry
   %0 = shl i64 %arg.out.5.0, 2
@@ -12254,8 +12093,8 @@ B20.preheader:                                    ; preds = %entry
   %sunkaddr30 = getelementptr i8, ptr %arg.tail.4, i64 52
   br label %B20
 
-B20:                                              ; preds = %B78204, %B20.preheader
-  %j.2.0 = phi i64 [ %.516, %B78204 ], [ 0, %B20.preheader ]
+B20:                                              ; preds = %B74924, %B20.preheader
+  %j.2.0 = phi i64 [ %.516, %B74924 ], [ 0, %B20.preheader ]
   %.77 = sub nsw i64 %arg.count, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.77, i64 8)
   %.117 = icmp slt i64 %j.2.0, %arg.streamed
@@ -12268,12 +12107,12 @@ B20:                                              ; preds = %B78204, %B20.prehea
   %.218 = icmp slt i64 %size.2.1, 8
   %2 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.235 = fptrunc <16 x double> %2 to <16 x float>
-  br i1 %.218, label %B232, label %B78092
+  br i1 %.218, label %B232, label %B74812
 
 B232:                                             ; preds = %B20
   store <16 x float> %.235, ptr %arg.tail.4, align 4
   %.325319.not = icmp slt i64 %size.2.1, 1
-  br i1 %.325319.not, label %B78204, label %B292.if.lr.ph
+  br i1 %.325319.not, label %B74924, label %B292.if.lr.ph
 
 B292.if.lr.ph:                                    ; preds = %B232
   %.394 = shl nsw i64 %j.2.0, 1
@@ -12288,44 +12127,44 @@ B292.if.lr.ph:                                    ; preds = %B232
   %scevgep26 = getelementptr i8, ptr %scevgep27, i64 4
   store float %.392.1, ptr %scevgep26, align 4
   %exitcond.not.1 = icmp eq i64 %size.2.1, 1
-  br i1 %exitcond.not.1, label %B78204, label %B292.if.1
+  br i1 %exitcond.not.1, label %B74924, label %B292.if.1
 
-B78092:                                           ; preds = %B20
+B74812:                                           ; preds = %B20
   %sunkaddr5 = shl i64 %j.2.0, 3
   %sunkaddr6 = getelementptr i8, ptr %arg.out.4, i64 %sunkaddr5
-  br i1 %1, label %B78164, label %B78166
+  br i1 %1, label %B74884, label %B74886
 
-B78164:                                           ; preds = %B78092
+B74884:                                           ; preds = %B74812
   store <16 x float> %.235, ptr %sunkaddr6, align 64, !nontemporal !138
-  br label %B78204
+  br label %B74924
 
-B78166:                                           ; preds = %B78092
+B74886:                                           ; preds = %B74812
   store <16 x float> %.235, ptr %sunkaddr6, align 4
-  br label %B78204
+  br label %B74924
 
-B78204:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B78166, %B78164
+B74924:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B74886, %B74884
   %.516 = add nsw i64 %size.2.1, %j.2.0
   %.522 = icmp slt i64 %.516, %arg.count
-  br i1 %.522, label %B20, label %B78208
+  br i1 %.522, label %B20, label %B74928
 
-B78208:                                           ; preds = %B78204, %entry
+B74928:                                           ; preds = %B74924, %entry
   %.549 = shl nsw i64 %arg.count, 1
   %.599 = sub i64 %arg.out.5.0, %.549
   %.642333.not = icmp slt i64 %.599, 1
-  br i1 %.642333.not, label %B78261, label %B78220.if.preheader
+  br i1 %.642333.not, label %B74981, label %B74940.if.preheader
 
-B78220.if.preheader:                              ; preds = %B78208
+B74940.if.preheader:                              ; preds = %B74928
   %xtraiter = and i64 %.599, 3
   %lcmp.mod.not = icmp eq i64 %xtraiter, 0
-  br i1 %lcmp.mod.not, label %B78220.if.prol.loopexit, label %B78220.if.prol.preheader
+  br i1 %lcmp.mod.not, label %B74940.if.prol.loopexit, label %B74940.if.prol.preheader
 
-B78220.if.prol.preheader:                         ; preds = %B78220.if.preheader
+B74940.if.prol.preheader:                         ; preds = %B74940.if.preheader
   %5 = shl i64 %arg.out.5.0, 2
-  br label %B78220.if.prol
+  br label %B74940.if.prol
 
-B78220.if.prol:                                   ; preds = %B78220.if.prol, %B78220.if.prol.preheader
-  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B78220.if.prol ], [ %xtraiter, %B78220.if.prol.preheader ]
-  %.648332334.prol = phi i64 [ %.655.prol, %B78220.if.prol ], [ %.549, %B78220.if.prol.preheader ]
+B74940.if.prol:                                   ; preds = %B74940.if.prol, %B74940.if.prol.preheader
+  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B74940.if.prol ], [ %xtraiter, %B74940.if.prol.preheader ]
+  %.648332334.prol = phi i64 [ %.655.prol, %B74940.if.prol ], [ %.549, %B74940.if.prol.preheader ]
   %.655.prol = add i64 %.648332334.prol, 1
   %.693.prol = icmp slt i64 %.648332334.prol, 0
   %6 = select i1 %.693.prol, i64 %5, i64 0
@@ -12335,20 +12174,20 @@ B78220.if.prol:                                   ; preds = %B78220.if.prol, %B7
   store float 0.000000e+00, ptr %scevgep16, align 4
   %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
-  br i1 %prol.iter.cmp.not, label %B78220.if.prol.loopexit.loopexit, label %B78220.if.prol, !llvm.loop !227
+  br i1 %prol.iter.cmp.not, label %B74940.if.prol.loopexit.loopexit, label %B74940.if.prol, !llvm.loop !225
 
-B78220.if.prol.loopexit.loopexit:                 ; preds = %B78220.if.prol
+B74940.if.prol.loopexit.loopexit:                 ; preds = %B74940.if.prol
   %8 = sub i64 %arg.out.5.0, %.655.prol
-  br label %B78220.if.prol.loopexit
+  br label %B74940.if.prol.loopexit
 
-B78220.if.prol.loopexit:                          ; preds = %B78220.if.prol.loopexit.loopexit, %B78220.if.preheader
-  %.641331335.unr = phi i64 [ %.599, %B78220.if.preheader ], [ %8, %B78220.if.prol.loopexit.loopexit ]
-  %.648332334.unr = phi i64 [ %.549, %B78220.if.preheader ], [ %.655.prol, %B78220.if.prol.loopexit.loopexit ]
+B74940.if.prol.loopexit:                          ; preds = %B74940.if.prol.loopexit.loopexit, %B74940.if.preheader
+  %.641331335.unr = phi i64 [ %.599, %B74940.if.preheader ], [ %8, %B74940.if.prol.loopexit.loopexit ]
+  %.648332334.unr = phi i64 [ %.549, %B74940.if.preheader ], [ %.655.prol, %B74940.if.prol.loopexit.loopexit ]
   %9 = sub i64 %.549, %arg.out.5.0
   %10 = icmp ugt i64 %9, -4
-  br i1 %10, label %B78261, label %B78220.if.preheader4
+  br i1 %10, label %B74981, label %B74940.if.preheader4
 
-B78220.if.preheader4:                             ; preds = %B78220.if.prol.loopexit
+B74940.if.preheader4:                             ; preds = %B74940.if.prol.loopexit
   %11 = add i64 %.641331335.unr, 4
   %12 = shl i64 %arg.out.5.0, 2
   %13 = add i64 %12, 4
@@ -12356,9 +12195,9 @@ B78220.if.preheader4:                             ; preds = %B78220.if.prol.loop
   %15 = add i64 %12, 12
   %16 = shl i64 %.648332334.unr, 2
   %scevgep = getelementptr i8, ptr %arg.out.4, i64 %16
-  br label %B78220.if
+  br label %B74940.if
 
-B78261:                                           ; preds = %B78220.if, %B78220.if.prol.loopexit, %B78208
+B74981:                                           ; preds = %B74940.if, %B74940.if.prol.loopexit, %B74928
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -12374,7 +12213,7 @@ B292.if.1:                                        ; preds = %B292.if.lr.ph
   %scevgep26.1 = getelementptr i8, ptr %scevgep27.1, i64 12
   store float %.392.1.1, ptr %scevgep26.1, align 4
   %exitcond.not.1.1 = icmp eq i64 %size.2.1, 2
-  br i1 %exitcond.not.1.1, label %B78204, label %B292.if.2
+  br i1 %exitcond.not.1.1, label %B74924, label %B292.if.2
 
 B292.if.2:                                        ; preds = %B292.if.1
   %.392.2 = load float, ptr %sunkaddr22, align 4
@@ -12388,7 +12227,7 @@ B292.if.2:                                        ; preds = %B292.if.1
   %scevgep26.2 = getelementptr i8, ptr %scevgep27.2, i64 20
   store float %.392.1.2, ptr %scevgep26.2, align 4
   %exitcond.not.1.2 = icmp eq i64 %size.2.1, 3
-  br i1 %exitcond.not.1.2, label %B78204, label %B292.if.3
+  br i1 %exitcond.not.1.2, label %B74924, label %B292.if.3
 
 B292.if.3:                                        ; preds = %B292.if.2
   %.392.3 = load float, ptr %sunkaddr24, align 4
@@ -12402,7 +12241,7 @@ B292.if.3:                                        ; preds = %B292.if.2
   %scevgep26.3 = getelementptr i8, ptr %scevgep27.3, i64 28
   store float %.392.1.3, ptr %scevgep26.3, align 4
   %exitcond.not.1.3 = icmp eq i64 %size.2.1, 4
-  br i1 %exitcond.not.1.3, label %B78204, label %B292.if.4
+  br i1 %exitcond.not.1.3, label %B74924, label %B292.if.4
 
 B292.if.4:                                        ; preds = %B292.if.3
   %.392.4 = load float, ptr %sunkaddr25, align 4
@@ -12416,7 +12255,7 @@ B292.if.4:                                        ; preds = %B292.if.3
   %scevgep26.4 = getelementptr i8, ptr %scevgep27.4, i64 36
   store float %.392.1.4, ptr %scevgep26.4, align 4
   %exitcond.not.1.4 = icmp eq i64 %size.2.1, 5
-  br i1 %exitcond.not.1.4, label %B78204, label %B292.if.5
+  br i1 %exitcond.not.1.4, label %B74924, label %B292.if.5
 
 B292.if.5:                                        ; preds = %B292.if.4
   %.392.5 = load float, ptr %sunkaddr27, align 4
@@ -12430,7 +12269,7 @@ B292.if.5:                                        ; preds = %B292.if.4
   %scevgep26.5 = getelementptr i8, ptr %scevgep27.5, i64 44
   store float %.392.1.5, ptr %scevgep26.5, align 4
   %exitcond.not.1.5 = icmp eq i64 %size.2.1, 6
-  br i1 %exitcond.not.1.5, label %B78204, label %B292.if.6
+  br i1 %exitcond.not.1.5, label %B74924, label %B292.if.6
 
 B292.if.6:                                        ; preds = %B292.if.5
   %.392.6 = load float, ptr %sunkaddr29, align 4
@@ -12443,12 +12282,12 @@ B292.if.6:                                        ; preds = %B292.if.5
   %.392.1.6 = load float, ptr %sunkaddr30, align 4
   %scevgep26.6 = getelementptr i8, ptr %scevgep27.6, i64 52
   store float %.392.1.6, ptr %scevgep26.6, align 4
-  br label %B78204
+  br label %B74924
 
-B78220.if:                                        ; preds = %B78220.if, %B78220.if.preheader4
-  %lsr.iv1 = phi ptr [ %scevgep5, %B78220.if ], [ %scevgep, %B78220.if.preheader4 ]
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B78220.if ], [ %11, %B78220.if.preheader4 ]
-  %.648332334 = phi i64 [ %36, %B78220.if ], [ %.648332334.unr, %B78220.if.preheader4 ]
+B74940.if:                                        ; preds = %B74940.if, %B74940.if.preheader4
+  %lsr.iv1 = phi ptr [ %scevgep5, %B74940.if ], [ %scevgep, %B74940.if.preheader4 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B74940.if ], [ %11, %B74940.if.preheader4 ]
+  %.648332334 = phi i64 [ %36, %B74940.if ], [ %.648332334.unr, %B74940.if.preheader4 ]
   %.693 = icmp slt i64 %.648332334, 0
   %29 = select i1 %.693, i64 %12, i64 0
   %scevgep9 = getelementptr i8, ptr %lsr.iv1, i64 %29
@@ -12472,14 +12311,14 @@ B78220.if:                                        ; preds = %B78220.if, %B78220.
   %scevgep5 = getelementptr i8, ptr %lsr.iv1, i64 16
   %.642.3 = icmp sgt i64 %lsr.iv.next, 4
   %36 = add i64 %.648332334, 4
-  br i1 %.642.3, label %B78220.if, label %B78261
+  br i1 %.642.3, label %B74940.if, label %B74981
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
 define internal fastcc void @inner_31(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.count, ptr readonly captures(none) %arg.real.4, ptr readonly captures(none) %arg.imaginary.4, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.out.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.out.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
 entry:
   %.70 = icmp sgt i64 %arg.count, 0
-  br i1 %.70, label %B20.preheader, label %B78405
+  br i1 %.70, label %B20.preheader, label %B75125
 
 B20.preheader:                                    ; preds = %entry
   %0 = shl i64 %arg.out.5.0, 3
@@ -12499,8 +12338,8 @@ B20.preheader:                                    ; preds = %entry
   %sunkaddr27 = getelementptr i8, ptr %arg.tail.4, i64 104
   br label %B20
 
-B20:                                              ; preds = %B78401, %B20.preheader
-  %j.2.0 = phi i64 [ %.510, %B78401 ], [ 0, %B20.preheader ]
+B20:                                              ; preds = %B75121, %B20.preheader
+  %j.2.0 = phi i64 [ %.510, %B75121 ], [ 0, %B20.preheader ]
   %.77 = sub nsw i64 %arg.count, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.77, i64 8)
   %.117 = icmp slt i64 %j.2.0, %arg.streamed
@@ -12511,13 +12350,13 @@ B20:                                              ; preds = %B78401, %B20.prehea
   %.176 = getelementptr inbounds double, ptr %arg.imaginary.4, i64 %j.2.0
   %.178 = load <8 x double>, ptr %.176, align 8
   %.218 = icmp slt i64 %size.2.1, 8
-  br i1 %.218, label %B232, label %B78289
+  br i1 %.218, label %B232, label %B75009
 
 B232:                                             ; preds = %B20
   %.233 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.233, ptr %arg.tail.4, align 4
   %.323319.not = icmp slt i64 %size.2.1, 1
-  br i1 %.323319.not, label %B78401, label %B292.if.lr.ph
+  br i1 %.323319.not, label %B75121, label %B292.if.lr.ph
 
 B292.if.lr.ph:                                    ; preds = %B232
   %.392 = shl nsw i64 %j.2.0, 1
@@ -12532,45 +12371,45 @@ B292.if.lr.ph:                                    ; preds = %B232
   %scevgep26 = getelementptr i8, ptr %scevgep27, i64 8
   store double %.390.1, ptr %scevgep26, align 8
   %exitcond.not.1 = icmp eq i64 %size.2.1, 1
-  br i1 %exitcond.not.1, label %B78401, label %B292.if.1
+  br i1 %exitcond.not.1, label %B75121, label %B292.if.1
 
-B78289:                                           ; preds = %B20
+B75009:                                           ; preds = %B20
   %.465.idx = shl i64 %j.2.0, 4
   %.466 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr15 = getelementptr i8, ptr %arg.out.4, i64 %.465.idx
-  br i1 %1, label %B78361, label %B78363
+  br i1 %1, label %B75081, label %B75083
 
-B78361:                                           ; preds = %B78289
+B75081:                                           ; preds = %B75009
   store <16 x double> %.466, ptr %sunkaddr15, align 64, !nontemporal !138
-  br label %B78401
+  br label %B75121
 
-B78363:                                           ; preds = %B78289
+B75083:                                           ; preds = %B75009
   store <16 x double> %.466, ptr %sunkaddr15, align 4
-  br label %B78401
+  br label %B75121
 
-B78401:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B78363, %B78361
+B75121:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B75083, %B75081
   %.510 = add nsw i64 %size.2.1, %j.2.0
   %.516 = icmp slt i64 %.510, %arg.count
-  br i1 %.516, label %B20, label %B78405
+  br i1 %.516, label %B20, label %B75125
 
-B78405:                                           ; preds = %B78401, %entry
+B75125:                                           ; preds = %B75121, %entry
   %.543 = shl nsw i64 %arg.count, 1
   %.593 = sub i64 %arg.out.5.0, %.543
   %.636333.not = icmp slt i64 %.593, 1
-  br i1 %.636333.not, label %B78458, label %B78417.if.preheader
+  br i1 %.636333.not, label %B75178, label %B75137.if.preheader
 
-B78417.if.preheader:                              ; preds = %B78405
+B75137.if.preheader:                              ; preds = %B75125
   %xtraiter = and i64 %.593, 3
   %lcmp.mod.not = icmp eq i64 %xtraiter, 0
-  br i1 %lcmp.mod.not, label %B78417.if.prol.loopexit, label %B78417.if.prol.preheader
+  br i1 %lcmp.mod.not, label %B75137.if.prol.loopexit, label %B75137.if.prol.preheader
 
-B78417.if.prol.preheader:                         ; preds = %B78417.if.preheader
+B75137.if.prol.preheader:                         ; preds = %B75137.if.preheader
   %4 = shl i64 %arg.out.5.0, 3
-  br label %B78417.if.prol
+  br label %B75137.if.prol
 
-B78417.if.prol:                                   ; preds = %B78417.if.prol, %B78417.if.prol.preheader
-  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B78417.if.prol ], [ %xtraiter, %B78417.if.prol.preheader ]
-  %.642332334.prol = phi i64 [ %.649.prol, %B78417.if.prol ], [ %.543, %B78417.if.prol.preheader ]
+B75137.if.prol:                                   ; preds = %B75137.if.prol, %B75137.if.prol.preheader
+  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B75137.if.prol ], [ %xtraiter, %B75137.if.prol.preheader ]
+  %.642332334.prol = phi i64 [ %.649.prol, %B75137.if.prol ], [ %.543, %B75137.if.prol.preheader ]
   %.649.prol = add i64 %.642332334.prol, 1
   %.687.prol = icmp slt i64 %.642332334.prol, 0
   %5 = select i1 %.687.prol, i64 %4, i64 0
@@ -12580,20 +12419,20 @@ B78417.if.prol:                                   ; preds = %B78417.if.prol, %B7
   store double 0.000000e+00, ptr %scevgep16, align 8
   %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
-  br i1 %prol.iter.cmp.not, label %B78417.if.prol.loopexit.loopexit, label %B78417.if.prol, !llvm.loop !228
+  br i1 %prol.iter.cmp.not, label %B75137.if.prol.loopexit.loopexit, label %B75137.if.prol, !llvm.loop !226
 
-B78417.if.prol.loopexit.loopexit:                 ; preds = %B78417.if.prol
+B75137.if.prol.loopexit.loopexit:                 ; preds = %B75137.if.prol
   %7 = sub i64 %arg.out.5.0, %.649.prol
-  br label %B78417.if.prol.loopexit
+  br label %B75137.if.prol.loopexit
 
-B78417.if.prol.loopexit:                          ; preds = %B78417.if.prol.loopexit.loopexit, %B78417.if.preheader
-  %.635331335.unr = phi i64 [ %.593, %B78417.if.preheader ], [ %7, %B78417.if.prol.loopexit.loopexit ]
-  %.642332334.unr = phi i64 [ %.543, %B78417.if.preheader ], [ %.649.prol, %B78417.if.prol.loopexit.loopexit ]
+B75137.if.prol.loopexit:                          ; preds = %B75137.if.prol.loopexit.loopexit, %B75137.if.preheader
+  %.635331335.unr = phi i64 [ %.593, %B75137.if.preheader ], [ %7, %B75137.if.prol.loopexit.loopexit ]
+  %.642332334.unr = phi i64 [ %.543, %B75137.if.preheader ], [ %.649.prol, %B75137.if.prol.loopexit.loopexit ]
   %8 = sub i64 %.543, %arg.out.5.0
   %9 = icmp ugt i64 %8, -4
-  br i1 %9, label %B78458, label %B78417.if.preheader4
+  br i1 %9, label %B75178, label %B75137.if.preheader4
 
-B78417.if.preheader4:                             ; preds = %B78417.if.prol.loopexit
+B75137.if.preheader4:                             ; preds = %B75137.if.prol.loopexit
   %10 = add i64 %.635331335.unr, 4
   %11 = shl i64 %arg.out.5.0, 3
   %12 = add i64 %11, 8
@@ -12601,9 +12440,9 @@ B78417.if.preheader4:                             ; preds = %B78417.if.prol.loop
   %14 = add i64 %11, 24
   %15 = shl i64 %.642332334.unr, 3
   %scevgep = getelementptr i8, ptr %arg.out.4, i64 %15
-  br label %B78417.if
+  br label %B75137.if
 
-B78458:                                           ; preds = %B78417.if, %B78417.if.prol.loopexit, %B78405
+B75178:                                           ; preds = %B75137.if, %B75137.if.prol.loopexit, %B75125
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -12619,7 +12458,7 @@ B292.if.1:                                        ; preds = %B292.if.lr.ph
   %scevgep26.1 = getelementptr i8, ptr %scevgep27.1, i64 24
   store double %.390.1.1, ptr %scevgep26.1, align 8
   %exitcond.not.1.1 = icmp eq i64 %size.2.1, 2
-  br i1 %exitcond.not.1.1, label %B78401, label %B292.if.2
+  br i1 %exitcond.not.1.1, label %B75121, label %B292.if.2
 
 B292.if.2:                                        ; preds = %B292.if.1
   %.390.2 = load double, ptr %sunkaddr19, align 8
@@ -12633,7 +12472,7 @@ B292.if.2:                                        ; preds = %B292.if.1
   %scevgep26.2 = getelementptr i8, ptr %scevgep27.2, i64 40
   store double %.390.1.2, ptr %scevgep26.2, align 8
   %exitcond.not.1.2 = icmp eq i64 %size.2.1, 3
-  br i1 %exitcond.not.1.2, label %B78401, label %B292.if.3
+  br i1 %exitcond.not.1.2, label %B75121, label %B292.if.3
 
 B292.if.3:                                        ; preds = %B292.if.2
   %.390.3 = load double, ptr %sunkaddr21, align 8
@@ -12647,7 +12486,7 @@ B292.if.3:                                        ; preds = %B292.if.2
   %scevgep26.3 = getelementptr i8, ptr %scevgep27.3, i64 56
   store double %.390.1.3, ptr %scevgep26.3, align 8
   %exitcond.not.1.3 = icmp eq i64 %size.2.1, 4
-  br i1 %exitcond.not.1.3, label %B78401, label %B292.if.4
+  br i1 %exitcond.not.1.3, label %B75121, label %B292.if.4
 
 B292.if.4:                                        ; preds = %B292.if.3
   %.390.4 = load double, ptr %sunkaddr22, align 8
@@ -12661,7 +12500,7 @@ B292.if.4:                                        ; preds = %B292.if.3
   %scevgep26.4 = getelementptr i8, ptr %scevgep27.4, i64 72
   store double %.390.1.4, ptr %scevgep26.4, align 8
   %exitcond.not.1.4 = icmp eq i64 %size.2.1, 5
-  br i1 %exitcond.not.1.4, label %B78401, label %B292.if.5
+  br i1 %exitcond.not.1.4, label %B75121, label %B292.if.5
 
 B292.if.5:                                        ; preds = %B292.if.4
   %.390.5 = load double, ptr %sunkaddr24, align 8
@@ -12675,7 +12514,7 @@ B292.if.5:                                        ; preds = %B292.if.4
   %scevgep26.5 = getelementptr i8, ptr %scevgep27.5, i64 88
   store double %.390.1.5, ptr %scevgep26.5, align 8
   %exitcond.not.1.5 = icmp eq i64 %size.2.1, 6
-  br i1 %exitcond.not.1.5, label %B78401, label %B292.if.6
+  br i1 %exitcond.not.1.5, label %B75121, label %B292.if.6
 
 B292.if.6:                                        ; preds = %B292.if.5
   %.390.6 = load double, ptr %sunkaddr26, align 8
@@ -12688,12 +12527,12 @@ B292.if.6:                                        ; preds = %B292.if.5
   %.390.1.6 = load double, ptr %sunkaddr27, align 8
   %scevgep26.6 = getelementptr i8, ptr %scevgep27.6, i64 104
   store double %.390.1.6, ptr %scevgep26.6, align 8
-  br label %B78401
+  br label %B75121
 
-B78417.if:                                        ; preds = %B78417.if, %B78417.if.preheader4
-  %lsr.iv1 = phi ptr [ %scevgep5, %B78417.if ], [ %scevgep, %B78417.if.preheader4 ]
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B78417.if ], [ %10, %B78417.if.preheader4 ]
-  %.642332334 = phi i64 [ %35, %B78417.if ], [ %.642332334.unr, %B78417.if.preheader4 ]
+B75137.if:                                        ; preds = %B75137.if, %B75137.if.preheader4
+  %lsr.iv1 = phi ptr [ %scevgep5, %B75137.if ], [ %scevgep, %B75137.if.preheader4 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B75137.if ], [ %10, %B75137.if.preheader4 ]
+  %.642332334 = phi i64 [ %35, %B75137.if ], [ %.642332334.unr, %B75137.if.preheader4 ]
   %.687 = icmp slt i64 %.642332334, 0
   %28 = select i1 %.687, i64 %11, i64 0
   %scevgep9 = getelementptr i8, ptr %lsr.iv1, i64 %28
@@ -12717,7 +12556,7 @@ B78417.if:                                        ; preds = %B78417.if, %B78417.
   %scevgep5 = getelementptr i8, ptr %lsr.iv1, i64 32
   %.636.3 = icmp sgt i64 %lsr.iv.next, 4
   %35 = add i64 %.642332334, 4
-  br i1 %.636.3, label %B78417.if, label %B78458
+  br i1 %.636.3, label %B75137.if, label %B75178
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -12748,7 +12587,7 @@ entry:
   %.243 = getelementptr i8, ptr %arg.arguments.4, i64 128
   %.244 = load i64, ptr %.243, align 8
   %.249 = add nsw i64 %.213, %.244
-  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !229
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !227
   %.98.i = shl i64 %.65.i, %0
   %.100.i = mul i64 %.98.i, %.125
   %.120.i = icmp slt i64 %.100.i, 2097152
@@ -12827,38 +12666,38 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !13 = distinct !{!13, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v46B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
 !14 = !{!12}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !39 = !{!40}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!46}
-!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v366B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v366B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !48 = !{!"branch_weights", i32 146201250, i32 2001282398}
 !49 = !{!"branch_weights", i32 166258294, i32 1981225354}
 !50 = !{!"branch_weights", i32 1030503492, i32 1116980156}
@@ -12889,157 +12728,155 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
 !76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !77 = !{!78}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !80 = !{!81}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !83 = !{!84}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !89 = !{!90}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v237B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !92 = !{!93}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !95 = !{!96}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !98 = !{!99}
-!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
 !101 = !{!102}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !104 = !{!105, !102}
-!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !107 = !{!108, !102}
-!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !110 = !{!111, !102}
-!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !113 = !{!114, !102}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !116 = !{!117, !102}
-!117 = distinct !{!117, !118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!118 = distinct !{!118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!117 = distinct !{!117, !118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!118 = distinct !{!118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !119 = !{!120, !102}
-!120 = distinct !{!120, !121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!121 = distinct !{!121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!120 = distinct !{!120, !121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!121 = distinct !{!121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !122 = !{!123, !102}
-!123 = distinct !{!123, !124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!124 = distinct !{!124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!123 = distinct !{!123, !124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!124 = distinct !{!124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !125 = !{!126, !102}
-!126 = distinct !{!126, !127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!127 = distinct !{!127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!126 = distinct !{!126, !127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!127 = distinct !{!127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !128 = !{!129, !131}
-!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !132 = !{!133}
-!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v542B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v542B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v538B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v538B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
 !135 = !{!136}
-!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v548B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v548B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v544B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v544B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
 !138 = !{i32 1}
 !139 = distinct !{!139, !55}
 !140 = distinct !{!140, !55}
 !141 = distinct !{!141, !55}
 !142 = distinct !{!142, !55}
-!143 = distinct !{!143, !55}
-!144 = distinct !{!144, !55}
-!145 = !{!146}
-!146 = distinct !{!146, !147, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v215B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!147 = distinct !{!147, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v215B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!148 = !{!149}
-!149 = distinct !{!149, !150, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v246B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!150 = distinct !{!150, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v246B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!151 = !{!152}
-!152 = distinct !{!152, !153, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!153 = distinct !{!153, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
-!154 = !{!155}
-!155 = distinct !{!155, !156, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!156 = distinct !{!156, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
-!157 = !{!"branch_weights", i32 101, i32 99}
-!158 = !{!159}
-!159 = distinct !{!159, !160, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!160 = distinct !{!160, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
-!161 = !{!162}
-!162 = distinct !{!162, !163, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!163 = distinct !{!163, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!164 = !{!165}
-!165 = distinct !{!165, !166, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v374B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!166 = distinct !{!166, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v374B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
-!167 = distinct !{!167, !55}
-!168 = !{!169}
-!169 = distinct !{!169, !170, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!170 = distinct !{!170, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!171 = distinct !{!171, !55}
-!172 = !{!173, !162}
-!173 = distinct !{!173, !174, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!174 = distinct !{!174, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!175 = distinct !{!175, !55}
-!176 = !{!177, !169}
-!177 = distinct !{!177, !178, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!178 = distinct !{!178, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!179 = !{!180}
-!180 = distinct !{!180, !181, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!181 = distinct !{!181, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v379B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
-!182 = distinct !{!182, !55}
-!183 = distinct !{!183, !55}
-!184 = !{!185}
-!185 = distinct !{!185, !186, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!186 = distinct !{!186, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!187 = !{!188}
-!188 = distinct !{!188, !189, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v446B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!189 = distinct !{!189, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v446B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!190 = distinct !{!190, !55}
-!191 = !{!192, !185}
-!192 = distinct !{!192, !193, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!193 = distinct !{!193, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!194 = distinct !{!194, !55}
-!195 = distinct !{!195, !55}
-!196 = !{!197}
-!197 = distinct !{!197, !198, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v454B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
-!198 = distinct !{!198, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v454B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
-!199 = !{!200}
-!200 = distinct !{!200, !201, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!201 = distinct !{!201, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
-!202 = !{!203}
-!203 = distinct !{!203, !204, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!204 = distinct !{!204, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
-!205 = !{!206}
-!206 = distinct !{!206, !207, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!207 = distinct !{!207, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
-!208 = !{!209}
-!209 = distinct !{!209, !210, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!210 = distinct !{!210, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
-!211 = !{!212}
-!212 = distinct !{!212, !213, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!213 = distinct !{!213, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v161B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
-!214 = !{!215}
-!215 = distinct !{!215, !216, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!216 = distinct !{!216, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!217 = !{!218}
-!218 = distinct !{!218, !219, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!219 = distinct !{!219, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!220 = !{!221}
-!221 = distinct !{!221, !222, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!222 = distinct !{!222, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!223 = !{!224}
-!224 = distinct !{!224, !225, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v366B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!225 = distinct !{!225, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v366B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!226 = !{}
-!227 = distinct !{!227, !55}
-!228 = distinct !{!228, !55}
-!229 = !{!230}
-!230 = distinct !{!230, !231, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v391B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x: %retptr"}
-!231 = distinct !{!231, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v391B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x"}
+!143 = !{!144}
+!144 = distinct !{!144, !145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!145 = distinct !{!145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!146 = !{!147}
+!147 = distinct !{!147, !148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v242B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!148 = distinct !{!148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v242B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!149 = !{!150}
+!150 = distinct !{!150, !151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!151 = distinct !{!151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!152 = !{!153}
+!153 = distinct !{!153, !154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!154 = distinct !{!154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!155 = !{!"branch_weights", i32 101, i32 99}
+!156 = !{!157}
+!157 = distinct !{!157, !158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!158 = distinct !{!158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!159 = !{!160}
+!160 = distinct !{!160, !161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!161 = distinct !{!161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!162 = !{!163}
+!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!164 = distinct !{!164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!165 = distinct !{!165, !55}
+!166 = !{!167}
+!167 = distinct !{!167, !168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!168 = distinct !{!168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!169 = distinct !{!169, !55}
+!170 = !{!171, !160}
+!171 = distinct !{!171, !172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!172 = distinct !{!172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!173 = distinct !{!173, !55}
+!174 = !{!175, !167}
+!175 = distinct !{!175, !176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!176 = distinct !{!176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!177 = !{!178}
+!178 = distinct !{!178, !179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!179 = distinct !{!179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!180 = distinct !{!180, !55}
+!181 = distinct !{!181, !55}
+!182 = !{!183}
+!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!184 = distinct !{!184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!185 = !{!186}
+!186 = distinct !{!186, !187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v442B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!187 = distinct !{!187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v442B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!188 = distinct !{!188, !55}
+!189 = !{!190, !183}
+!190 = distinct !{!190, !191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!191 = distinct !{!191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!192 = distinct !{!192, !55}
+!193 = distinct !{!193, !55}
+!194 = !{!195}
+!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
+!196 = distinct !{!196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
+!197 = !{!198}
+!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!200 = !{!201}
+!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!203 = !{!204}
+!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!206 = !{!207}
+!207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!208 = distinct !{!208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!209 = !{!210}
+!210 = distinct !{!210, !211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!211 = distinct !{!211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!212 = !{!213}
+!213 = distinct !{!213, !214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!214 = distinct !{!214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!215 = !{!216}
+!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!217 = distinct !{!217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!218 = !{!219}
+!219 = distinct !{!219, !220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!220 = distinct !{!220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!221 = !{!222}
+!222 = distinct !{!222, !223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!223 = distinct !{!223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!224 = !{}
+!225 = distinct !{!225, !55}
+!226 = distinct !{!226, !55}
+!227 = !{!228}
+!228 = distinct !{!228, !229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v387B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x: %retptr"}
+!229 = distinct !{!229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v387B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x"}
