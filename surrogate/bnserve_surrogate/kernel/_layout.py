@@ -12,7 +12,7 @@ BLOCK = 1024
 """Frequencies evaluated together: the scratch of a block stays in the first-level cache."""
 CACHE_LINE, STREAMED = 64, 2**22
 """Bytes of a cache line, and of a result from which on it is written past the caches."""
-MODE_BLOCK = 512
+MODE_BLOCK = 256
 """The same where modes are summed, which takes twice as many buffers."""
 DENSE = 2048
 """Frequencies from which on a grid is dense: worth polynomials in every cell of the band. For a sum over modes each

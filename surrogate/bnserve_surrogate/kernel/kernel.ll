@@ -1,4 +1,4 @@
-; sources: 76b300a7cccf87989ee1edb4492929e893c4f0ad27eebb7444fc309148797bf8
+; sources: 2f97a2b59e0735bd1811a8ebb344c2596dcbffefc40007c3c91e1d9db465727a
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -914,7 +914,7 @@ entry:
   br i1 %.1734.not, label %B956, label %B876
 
 B876:                                             ; preds = %entry
-  br i1 %.21501450.not, label %B607735, label %B908.if.preheader
+  br i1 %.21501450.not, label %B634423, label %B908.if.preheader
 
 B908.if.preheader:                                ; preds = %B876
   %3 = add nuw i64 %.1561, 1
@@ -923,7 +923,7 @@ B908.if.preheader:                                ; preds = %B876
   br label %B908.if
 
 B956:                                             ; preds = %entry
-  br i1 %.21501450.not, label %B607735, label %B1146.if.preheader
+  br i1 %.21501450.not, label %B634423, label %B1146.if.preheader
 
 B1146.if.preheader:                               ; preds = %B908.if, %B956
   %6 = add i64 %.1561, 1
@@ -955,27 +955,27 @@ B1181:                                            ; preds = %B1146.if
   store ptr null, ptr %.2427, align 8
   %.2443 = call fastcc i32 @inner_9(ptr nonnull %.2427, ptr nonnull %excinfo.16, i64 %.215614461451, ptr %lsr.iv174, ptr nonnull %lsr.iv178, i64 %.1328, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr nonnull %.1422, double %.2388, double %.2421)
   %cond = icmp eq i32 %.2443, 0
-  br i1 %cond, label %B607363, label %B1181.endif.endif.if, !prof !0
+  br i1 %cond, label %B634051, label %B1181.endif.endif.if, !prof !0
 
-B607361:                                          ; preds = %B1146.if
+B634049:                                          ; preds = %B1146.if
   store ptr null, ptr %.2475, align 8
   call fastcc void @inner_7(ptr nonnull %.2475, i64 %.215614461451, ptr %arg.arguments.4)
-  br label %B607363
+  br label %B634051
 
-B607363:                                          ; preds = %B1181, %B607361
+B634051:                                          ; preds = %B1181, %B634049
   %lsr.iv.next = add i64 %lsr.iv, -1
   %scevgep169 = getelementptr i8, ptr %lsr.iv168, i64 16
   %scevgep175 = getelementptr i8, ptr %lsr.iv174, i64 80
   %scevgep179 = getelementptr i8, ptr %lsr.iv178, i64 %16
   %.2163 = add i64 %.215614461451, 1
   %.2150 = icmp sgt i64 %lsr.iv.next, 1
-  br i1 %.2150, label %B1146.if, label %B607735
+  br i1 %.2150, label %B1146.if, label %B634423
 
-common.ret:                                       ; preds = %B1181.endif.endif.if, %B607735
-  %common.ret.op = phi i32 [ 0, %B607735 ], [ %.2443, %B1181.endif.endif.if ]
+common.ret:                                       ; preds = %B1181.endif.endif.if, %B634423
+  %common.ret.op = phi i32 [ 0, %B634423 ], [ %.2443, %B1181.endif.endif.if ]
   ret i32 %common.ret.op
 
-B607735:                                          ; preds = %B607363, %B876, %B956
+B634423:                                          ; preds = %B634051, %B876, %B956
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -1004,19 +1004,19 @@ B908.if:                                          ; preds = %B908.if, %B908.if.p
   %.1903 = icmp sgt i64 %lsr.iv.next181, 1
   br i1 %.1903, label %B908.if, label %B1146.if.preheader
 
-B1146.if:                                         ; preds = %B607363, %B1146.if.preheader
-  %lsr.iv178 = phi ptr [ %.1059, %B1146.if.preheader ], [ %scevgep179, %B607363 ]
-  %lsr.iv174 = phi ptr [ %scevgep173, %B1146.if.preheader ], [ %scevgep175, %B607363 ]
-  %lsr.iv168 = phi ptr [ %scevgep, %B1146.if.preheader ], [ %scevgep169, %B607363 ]
-  %lsr.iv = phi i64 [ %6, %B1146.if.preheader ], [ %lsr.iv.next, %B607363 ]
-  %.215614461451 = phi i64 [ %arg.start, %B1146.if.preheader ], [ %.2163, %B607363 ]
+B1146.if:                                         ; preds = %B634051, %B1146.if.preheader
+  %lsr.iv178 = phi ptr [ %.1059, %B1146.if.preheader ], [ %scevgep179, %B634051 ]
+  %lsr.iv174 = phi ptr [ %scevgep173, %B1146.if.preheader ], [ %scevgep175, %B634051 ]
+  %lsr.iv168 = phi ptr [ %scevgep, %B1146.if.preheader ], [ %scevgep169, %B634051 ]
+  %lsr.iv = phi i64 [ %6, %B1146.if.preheader ], [ %lsr.iv.next, %B634051 ]
+  %.215614461451 = phi i64 [ %arg.start, %B1146.if.preheader ], [ %.2163, %B634051 ]
   %.2205 = icmp slt i64 %.215614461451, 0
   %.2206 = select i1 %.2205, i64 %arg.status.5.0, i64 0
   %scevgep176 = getelementptr i8, ptr %arg.status.4, i64 %.2206
   %scevgep177 = getelementptr i8, ptr %scevgep176, i64 %.215614461451
   %.2221 = load i8, ptr %scevgep177, align 1
   %.2223 = icmp eq i8 %.2221, 0
-  br i1 %.2223, label %B1181, label %B607361
+  br i1 %.2223, label %B1181, label %B634049
 
 B1181.endif.endif.if:                             ; preds = %B1181
   %.2444 = load ptr, ptr %excinfo.16, align 8
@@ -1447,7 +1447,7 @@ B900:                                             ; preds = %entry
   br label %B984
 
 B984:                                             ; preds = %B900, %entry
-  %prepared_grid_v498__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
+  %prepared_grid_v499__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
   %.528 = getelementptr i8, ptr %arg.arguments.4, i64 48
   %.529 = load i64, ptr %.528, align 8
   %.770 = getelementptr i8, ptr %arg.contents.4, i64 56
@@ -1522,7 +1522,7 @@ B984:                                             ; preds = %B900, %entry
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
   br i1 %.507321.not.i, label %B984.endif.endif.endif.en...endif.3.endif.endif, label %B94.if.lr.ph.i
 
-B1246:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1246:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.4496 = getelementptr i8, ptr %arg.arguments.4, i64 112
   %.4497 = load i64, ptr %.4496, align 8
   %.4498.not = icmp eq i64 %.4497, 4
@@ -1537,28 +1537,28 @@ B1258:                                            ; preds = %B1246
   %cond = icmp eq i32 %.4996, 0
   br i1 %cond, label %B1258.endif, label %B1258.if, !prof !0
 
-B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
-  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
+B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
+  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
   store double 0.000000e+00, ptr %.5198, align 8
   %.5212 = call fastcc i32 @inner_11(ptr nonnull %.5198, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
   %.5222 = load double, ptr %.5198, align 8
   %cond1 = icmp eq i32 %.5212, 0
   br i1 %cond1, label %B1390.endif, label %B1390.if, !prof !0
 
-B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
   %.5634 = load i64, ptr %.770, align 8
   %.135.i542 = load double, ptr %.402, align 8, !noalias !15
   %.143.i543 = add nsw i64 %.5634, -2
   %.181.i544 = icmp slt i64 %.5634, 3
   %..143.i545 = select i1 %.181.i544, i64 0, i64 %.143.i543
   %.225207.i546 = icmp sgt i64 %..143.i545, 0
-  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
+  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
 
-B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
   %7 = add nuw i64 %.126, 1023
   %.5849 = lshr i64 %7, 10
   %.5828.inv = icmp slt i64 %.126, 1
@@ -1572,7 +1572,7 @@ B1636:                                            ; preds = %_ZN17bnserve_surrog
   %.7965 = getelementptr inbounds i8, ptr %.454916, i64 %.7965.idx
   %.5870238.not246 = icmp eq i64 %.5849, 0
   %.5870238.not = select i1 %.5828.inv, i1 true, i1 %.5870238.not246
-  br i1 %.5870238.not, label %B608914, label %B1644.lr.ph
+  br i1 %.5870238.not, label %B635602, label %B1644.lr.ph
 
 B1644.lr.ph:                                      ; preds = %B1636
   %10 = tail call i64 @llvm.smax.i64(i64 %.5849, i64 1)
@@ -1638,12 +1638,12 @@ B1644.lr.ph:                                      ; preds = %B1636
   %sunkaddr102 = shl i64 %.156, 3
   br label %B1644
 
-B1644:                                            ; preds = %B608912, %B1644.lr.ph
-  %.5860.sroa.0.0245 = phi i64 [ 0, %B1644.lr.ph ], [ %.5860.sroa.0.0, %B608912 ]
-  %.5817.1244.in = phi i64 [ %10, %B1644.lr.ph ], [ %41, %B608912 ]
-  %.5814.1243 = phi i64 [ 1024, %B1644.lr.ph ], [ %.5814.1, %B608912 ]
-  %cells.3.sroa.0.0242 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.0.1, %B608912 ]
-  %cells.3.sroa.13.0241 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.8.1, %B608912 ]
+B1644:                                            ; preds = %B635600, %B1644.lr.ph
+  %.5860.sroa.0.0245 = phi i64 [ 0, %B1644.lr.ph ], [ %.5860.sroa.0.0, %B635600 ]
+  %.5817.1244.in = phi i64 [ %10, %B1644.lr.ph ], [ %41, %B635600 ]
+  %.5814.1243 = phi i64 [ 1024, %B1644.lr.ph ], [ %.5814.1, %B635600 ]
+  %cells.3.sroa.0.0242 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.0.1, %B635600 ]
+  %cells.3.sroa.13.0241 = phi i64 [ 0, %B1644.lr.ph ], [ %cells.4.sroa.8.1, %B635600 ]
   %.5916 = add nsw i64 %.5860.sroa.0.0245, 1024
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.126, i64 %.5916)
   %.13.i586 = tail call i64 @llvm.smax.i64(i64 %.5860.sroa.0.0245, i64 %.4017)
@@ -1662,14 +1662,14 @@ B1646:                                            ; preds = %B1644
   br i1 %.145103.not.i, label %B1666, label %B34.if.i
 
 B1666:                                            ; preds = %B144.i, %B1646, %B1644
-  br i1 %"$phi984.0.3.013", label %B607930, label %B1718
+  br i1 %"$phi984.0.3.013", label %B634618, label %B1718
 
 B1718:                                            ; preds = %B1666
   %29 = icmp slt i64 %.13.i588, %.13.i587
   br i1 %28, label %B1972, label %B1722
 
 B1722:                                            ; preds = %B1718
-  br i1 %29, label %B22.preheader.i, label %B607930
+  br i1 %29, label %B22.preheader.i, label %B634618
 
 B22.preheader.i:                                  ; preds = %B1722
   %30 = mul i64 %.5860.sroa.0.0245, -8
@@ -1708,7 +1708,7 @@ B112.i:                                           ; preds = %B62.i, %B22.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
   %.602.i = icmp slt i64 %.185.i, %.13.i587
-  br i1 %.602.i, label %B22.i, label %B607930
+  br i1 %.602.i, label %B22.i, label %B634618
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.228.i = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i
@@ -1860,15 +1860,15 @@ B412.if.i:                                        ; preds = %B412.if.i, %B412.if
   %.350.i = icmp sgt i64 %lsr.iv24, 6
   br i1 %.350.i, label %B412.if.i, label %B612.i
 
-B607930:                                          ; preds = %B926.i, %B612.i669, %B1972.endif, %B1722, %B1666
+B634618:                                          ; preds = %B926.i, %B612.i669, %B1972.endif, %B1722, %B1666
   %.6047..5991 = phi i64 [ %.13.i589, %B1666 ], [ %.13.i587, %B612.i669 ], [ %.13.i587, %B1722 ], [ %.13.i587, %B1972.endif ], [ %.13.i587, %B926.i ]
   %cells.5.sroa.13.1 = phi i64 [ %cells.3.sroa.13.0241, %B1666 ], [ %cell.3.2.i625, %B612.i669 ], [ %cells.3.sroa.13.0241, %B1722 ], [ %cells.3.sroa.13.0241, %B1972.endif ], [ %cell.3.2.i, %B926.i ]
   %cells.5.sroa.0.1 = phi i64 [ %cells.3.sroa.0.0242, %B1666 ], [ %cell.5.1.i272, %B612.i669 ], [ %cells.3.sroa.0.0242, %B1722 ], [ %cell.5.1.i272, %B1972.endif ], [ %cells.3.sroa.0.0242, %B926.i ]
   %.6991 = sub nsw i64 %.6047..5991, %.5860.sroa.0.0245
   %.6998 = icmp sgt i64 %.6991, 0
-  br i1 %.6998, label %B608591, label %B608592
+  br i1 %.6998, label %B635279, label %B635280
 
-B608591:                                          ; preds = %B607930
+B635279:                                          ; preds = %B634618
   %.7036 = sub nsw i64 %.13.i485, %.5860.sroa.0.0245
   %.13.i297 = tail call i64 @llvm.smax.i64(i64 %.7036, i64 0)
   %.13.i672 = tail call i64 @llvm.smin.i64(i64 %.6991, i64 %.13.i297)
@@ -1963,16 +1963,16 @@ B608591:                                          ; preds = %B607930
   %39 = add nuw nsw i64 %.1167.i, 5
   br label %B484.if.i
 
-B608592:                                          ; preds = %B484.if.i, %B607930
-  br i1 %"$phi984.0.3.013", label %B608834, label %B608912
+B635280:                                          ; preds = %B484.if.i, %B634618
+  br i1 %"$phi984.0.3.013", label %B635522, label %B635600
 
-B608834:                                          ; preds = %B608592
+B635522:                                          ; preds = %B635280
   %.137.i = icmp slt i64 %.13.i588, %.13.i587
-  br i1 %.137.i, label %B22.preheader.i736, label %B608912
+  br i1 %.137.i, label %B22.preheader.i736, label %B635600
 
-B608912:                                          ; preds = %B1344.i, %B608834, %B608592
-  %cells.4.sroa.8.1 = phi i64 [ %cells.5.sroa.13.1, %B608592 ], [ %cells.5.sroa.13.1, %B608834 ], [ %cell.3.2.i746, %B1344.i ]
-  %cells.4.sroa.0.1 = phi i64 [ %cells.5.sroa.0.1, %B608592 ], [ 0, %B608834 ], [ 0, %B1344.i ]
+B635600:                                          ; preds = %B1344.i, %B635522, %B635280
+  %cells.4.sroa.8.1 = phi i64 [ %cells.5.sroa.13.1, %B635280 ], [ %cells.5.sroa.13.1, %B635522 ], [ %cell.3.2.i746, %B1344.i ]
+  %cells.4.sroa.0.1 = phi i64 [ %cells.5.sroa.0.1, %B635280 ], [ 0, %B635522 ], [ 0, %B1344.i ]
   store ptr null, ptr %.8479, align 8
   call fastcc void @inner_13(ptr nonnull %.8479, i64 %arg.i, i64 %.5860.sroa.0.0245, i64 %.13.i587, i64 %.13.i, ptr %arg.arguments.4, ptr %.1740, ptr %.1803, double %arg.plus, double %arg.cross, ptr %.1897)
   %.5870 = icmp samesign ugt i64 %.5817.1244.in, 1
@@ -1981,13 +1981,13 @@ B608912:                                          ; preds = %B1344.i, %B608834, 
   %40 = tail call i64 @llvm.smax.i64(i64 %.5817.1244.in, i64 2)
   %41 = add nsw i64 %40, -1
   %.5860.sroa.0.0 = select i1 %.5870, i64 %.5814.1243, i64 0
-  br i1 %.5870, label %B1644, label %B608914
+  br i1 %.5870, label %B1644, label %B635602
 
-common.ret:                                       ; preds = %B1390.if, %B1258.if, %B608914
-  %common.ret.op = phi i32 [ 0, %B608914 ], [ 1, %B1390.if ], [ 1, %B1258.if ]
+common.ret:                                       ; preds = %B1390.if, %B1258.if, %B635602
+  %common.ret.op = phi i32 [ 0, %B635602 ], [ 1, %B1390.if ], [ 1, %B1258.if ]
   ret i32 %common.ret.op
 
-B608914:                                          ; preds = %B608912, %B1636
+B635602:                                          ; preds = %B635600, %B1636
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -2048,7 +2048,7 @@ B984.endif.endif.endif.en...endif.3.endif.endif:  ; preds = %B94.if.i, %B984
   %.463.inv.i440 = icmp slt i64 %.3448, 2
   %.507321.not325.i441 = icmp eq i64 %.486.i439, 0
   %.507321.not.i442 = or i1 %.463.inv.i440, %.507321.not325.i441
-  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
+  br i1 %.507321.not.i442, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479, label %B94.if.lr.ph.i443
 
 B94.if.lr.ph.i443:                                ; preds = %B984.endif.endif.endif.en...endif.3.endif.endif
   %50 = lshr i64 %.888, 33
@@ -2118,9 +2118,9 @@ B94.if.i445:                                      ; preds = %B94.if.i445, %B94.i
   %lsr.iv.next54.i475 = add i64 %lsr.iv53.i446, 64
   %lsr.iv.next31 = add nsw i64 %lsr.iv30, -1
   %.507.i476 = icmp sgt i64 %lsr.iv30, 6
-  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+  br i1 %.507.i476, label %B94.if.i445, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479: ; preds = %B94.if.i445, %B984.endif.endif.endif.en...endif.3.endif.endif
   %68 = inttoptr i64 %.529 to ptr
   %.3593 = getelementptr i8, ptr %arg.row.4, i64 56
   %.3594 = load double, ptr %.3593, align 8
@@ -2134,7 +2134,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4Crv
   %.3793.le = tail call contract double @llvm.log.f64(double %.3785)
   %.3798 = fsub contract double %.3793.le, %.3607.le
   store i64 0, ptr %.3844, align 8
-  call fastcc void @inner_14(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.3798)
+  call fastcc void @inner_14(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.3798)
   %.3862 = load i64, ptr %.3844, align 8
   %.3934 = getelementptr i8, ptr %.3653, i64 8
   %.3935 = load double, ptr %.3934, align 8
@@ -2142,16 +2142,16 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4Crv
   %.3948.le = tail call contract double @llvm.log.f64(double %.3940)
   %.3953 = fsub contract double %.3948.le, %.3607.le
   store i64 0, ptr %.3999, align 8
-  call fastcc void @inner_14(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.3953)
+  call fastcc void @inner_14(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.3953)
   %.4017 = load i64, ptr %.3999, align 8
   %.4074 = fsub contract double 0xC0126BB1BBB55515, %.3607.le
   store i64 0, ptr %.4120, align 8
-  call fastcc void @inner_14(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.4074)
+  call fastcc void @inner_14(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.4074)
   %.4138 = load i64, ptr %.4120, align 8
   %.13.i485 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4138)
   %.4233 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3607.le
   store i64 0, ptr %.4279, align 8
-  call fastcc void @inner_14(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v498__vphi308_0.2.0, double %.4233)
+  call fastcc void @inner_14(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.4233)
   %.4297 = load i64, ptr %.4279, align 8
   %.13.i486 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4297)
   %.4457 = load i64, ptr %.929, align 8
@@ -2160,7 +2160,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4Crv
   %or.cond = select i1 %.4458, i1 %.4464, i1 false
   br i1 %or.cond, label %B1246, label %B1246.thread
 
-B1246.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
+B1246.thread:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit479
   %.453710 = getelementptr i8, ptr %arg.contents.4, i64 152
   %.453811 = load i64, ptr %.453710, align 8
   %.454912 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.453811
@@ -2178,7 +2178,7 @@ B1258.endif:                                      ; preds = %B1258
   %.181.i = icmp slt i64 %.5078, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B92.if.preheader.i:                               ; preds = %B1258.endif
   %69 = add i64 %.4017, -1
@@ -2189,7 +2189,7 @@ B92.if.preheader.i:                               ; preds = %B1258.endif
 
 B146.i:                                           ; preds = %B92.if.i
   %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %prepared_grid_v498__vphi308_0.2.0, %.291.i
+  %.293.i = fmul contract double %prepared_grid_v499__vphi308_0.2.0, %.291.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i
@@ -2223,7 +2223,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %73 = getelementptr i64, ptr %.1529, i64 %.231203208.i
   store i64 %.13.i.i490, ptr %73, align 8, !noalias !33
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -2235,7 +2235,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i488 = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i488, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
   %.586.inv.i = icmp sgt i64 %.5078, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.973
   %74 = getelementptr i64, ptr %.1529, i64 %.143.i
@@ -2256,7 +2256,7 @@ B1390.endif:                                      ; preds = %B1390
   %.181.i500 = icmp slt i64 %.5439, 3
   %..143.i501 = select i1 %.181.i500, i64 0, i64 %.143.i499
   %.225207.i502 = icmp sgt i64 %..143.i501, 0
-  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
 
 B92.if.preheader.i506:                            ; preds = %B1390.endif
   %75 = add i64 %.4017, -1
@@ -2267,7 +2267,7 @@ B92.if.preheader.i506:                            ; preds = %B1390.endif
 
 B146.i515:                                        ; preds = %B92.if.i507
   %.291.i516 = fsub contract double %.281.i513, %.135.i498
-  %.293.i517 = fmul contract double %prepared_grid_v498__vphi308_0.2.0, %.291.i516
+  %.293.i517 = fmul contract double %prepared_grid_v499__vphi308_0.2.0, %.291.i516
   %.5.i.i518 = fptosi double %.293.i517 to i64
   %.13.i5.i519 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i518)
   %.354.i520 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i519
@@ -2301,7 +2301,7 @@ B386.i524:                                        ; preds = %B346.i535, %B324.i5
   %79 = getelementptr i64, ptr %.1466, i64 %.231203208.i509
   store i64 %.13.i.i526, ptr %79, align 8, !noalias !36
   %exitcond216.not.i527 = icmp eq i64 %.238.i510, %..143.i501
-  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
+  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
 
 B92.if.i507:                                      ; preds = %B386.i524, %B92.if.preheader.i506
   %end.3.0210.i508 = phi i64 [ %end.4.1.i525, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
@@ -2315,7 +2315,7 @@ B92.if.i507:                                      ; preds = %B386.i524, %B92.if.
   %.287.i514 = fcmp contract ult double %.281.i513, %.135.i498
   br i1 %.287.i514, label %B386.i524, label %B146.i515
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
   %.586.inv.i503 = icmp sgt i64 %.5439, 1
   %.587.i504 = select i1 %.586.inv.i503, i64 0, i64 %.888
   %80 = getelementptr i64, ptr %.1466, i64 %.143.i499
@@ -2334,7 +2334,7 @@ B92.if.preheader.i550:                            ; preds = %B1448
 
 B146.i559:                                        ; preds = %B92.if.i551
   %.291.i560 = fsub contract double %.281.i557, %.135.i542
-  %.293.i561 = fmul contract double %prepared_grid_v498__vphi308_0.2.0, %.291.i560
+  %.293.i561 = fmul contract double %prepared_grid_v499__vphi308_0.2.0, %.291.i560
   %.5.i.i562 = fptosi double %.293.i561 to i64
   %.13.i5.i563 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i562)
   %.354.i564 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i563
@@ -2368,7 +2368,7 @@ B386.i568:                                        ; preds = %B346.i579, %B324.i5
   %85 = getelementptr i64, ptr %.1403, i64 %.231203208.i553
   store i64 %.13.i.i570, ptr %85, align 8, !noalias !15
   %exitcond216.not.i571 = icmp eq i64 %.238.i554, %..143.i545
-  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
+  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
 
 B92.if.i551:                                      ; preds = %B386.i568, %B92.if.preheader.i550
   %end.3.0210.i552 = phi i64 [ %end.4.1.i569, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
@@ -2382,7 +2382,7 @@ B92.if.i551:                                      ; preds = %B386.i568, %B92.if.
   %.287.i558 = fcmp contract ult double %.281.i557, %.135.i542
   br i1 %.287.i558, label %B386.i568, label %B146.i559
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
   %.586.inv.i547 = icmp sgt i64 %.5634, 1
   %.587.i548 = select i1 %.586.inv.i547, i64 0, i64 %.814
   %86 = getelementptr i64, ptr %.1403, i64 %.143.i543
@@ -2411,7 +2411,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -2422,9 +2422,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -2436,8 +2436,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i598 = fmul contract double %.1111, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep19 = getelementptr i8, ptr %scevgep, i64 %89
   %scevgep20 = getelementptr i8, ptr %scevgep19, i64 -8256
   store double %"$phi144.1.2.1.i", ptr %scevgep20, align 8, !noalias !39
@@ -2464,7 +2464,7 @@ B34.if.i:                                         ; preds = %B1646, %B144.i
 
 B1972.endif:                                      ; preds = %B612.i, %B1972
   %cell.5.1.i272 = phi i64 [ %cells.3.sroa.0.0242, %B1972 ], [ %cell.3.2.i282, %B612.i ]
-  br i1 %29, label %B22.preheader.i606, label %B607930
+  br i1 %29, label %B22.preheader.i606, label %B634618
 
 B22.preheader.i606:                               ; preds = %B1972.endif
   %90 = mul i64 %.5860.sroa.0.0245, -8
@@ -2503,7 +2503,7 @@ B112.i624:                                        ; preds = %B62.i616, %B22.i610
 
 B612.i669:                                        ; preds = %B412.if.i656, %B112.i624
   %.479.i670 = icmp slt i64 %.157.i627, %.13.i587
-  br i1 %.479.i670, label %B22.i610, label %B607930
+  br i1 %.479.i670, label %B22.i610, label %B634618
 
 B412.if.lr.ph.i634:                               ; preds = %B112.i624
   %.200.i635 = getelementptr inbounds double, ptr %.3100, i64 %cell.3.2.i625
@@ -2547,10 +2547,10 @@ B412.if.i656:                                     ; preds = %B412.if.i656, %B412
   %.350.i668 = icmp sgt i64 %lsr.iv26, 6
   br i1 %.350.i668, label %B412.if.i656, label %B612.i669
 
-B484.if.i:                                        ; preds = %B484.if.i, %B608591
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %39, %B608591 ]
-  %lsr.iv1164 = phi ptr [ %scevgep1165, %B484.if.i ], [ %.7169, %B608591 ]
-  %lsr.iv1161 = phi ptr [ %scevgep1162, %B484.if.i ], [ %scevgep1160, %B608591 ]
+B484.if.i:                                        ; preds = %B484.if.i, %B635279
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B484.if.i ], [ %39, %B635279 ]
+  %lsr.iv1164 = phi ptr [ %scevgep1165, %B484.if.i ], [ %.7169, %B635279 ]
+  %lsr.iv1161 = phi ptr [ %scevgep1162, %B484.if.i ], [ %scevgep1160, %B635279 ]
   %scevgep1168 = getelementptr i8, ptr %lsr.iv1164, i64 %.idx
   %.1236.i = load <8 x double>, ptr %scevgep1168, align 8, !noalias !24
   %.1246.i = load <8 x double>, ptr %lsr.iv1164, align 8, !noalias !24
@@ -2594,9 +2594,9 @@ B484.if.i:                                        ; preds = %B484.if.i, %B608591
   %scevgep1165 = getelementptr i8, ptr %lsr.iv1164, i64 64
   %lsr.iv.next = add nsw i64 %lsr.iv, -1
   %.1189.i = icmp sgt i64 %lsr.iv, 6
-  br i1 %.1189.i, label %B484.if.i, label %B608592
+  br i1 %.1189.i, label %B484.if.i, label %B635280
 
-B22.preheader.i736:                               ; preds = %B608834
+B22.preheader.i736:                               ; preds = %B635522
   %94 = mul i64 %.5860.sroa.0.0245, -8
   %scevgep1174 = getelementptr i8, ptr %scevgep1160, i64 %94
   br label %B22.i737
@@ -2633,7 +2633,7 @@ B112.i745:                                        ; preds = %B62.i740, %B22.i737
 
 B1344.i:                                          ; preds = %B808.if.i, %B112.i745
   %.751.i = icmp slt i64 %.196.i, %.13.i587
-  br i1 %.751.i, label %B22.i737, label %B608912
+  br i1 %.751.i, label %B22.i737, label %B635600
 
 B808.if.lr.ph.i:                                  ; preds = %B112.i745
   %.261.i = shl nsw i64 %cell.3.2.i746, 3
@@ -5022,7 +5022,7 @@ B0.endif.endif.endif.endi...endif.2.endif.endif:  ; preds = %B34.if.i, %B0.endif
   call fastcc void @inner_12(ptr nonnull %.1386, ptr %.612, ptr %.735, ptr %.1335, i64 %low.4.1.i813, i64 %low.4.1.i4714, i64 %.237, double 1.000000e+00, ptr %arg.series.4, double %.1199, ptr %arg.work.4, ptr %.866)
   %13 = icmp slt i64 %.132, 1
   %.1508 = getelementptr inbounds double, ptr %arg.polynomials_a.4, i64 %.236
-  br i1 %13, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B64.if.i.preheader
+  br i1 %13, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B64.if.i.preheader
 
 B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif.endif
   %14 = shl i64 %.267, 3
@@ -5125,15 +5125,15 @@ B34.if.i84:                                       ; preds = %B34.if.i84, %B34.if
   %lsr.iv.next.i116 = add nuw i64 %lsr.iv.i86, 8
   %ov = icmp eq i64 %lsr.iv7, -1
   %lsr.iv.next8 = add i64 %lsr.iv7, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B34.if.i84
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B34.if.i84
 
-_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119: ; preds = %B34.if.i84, %B0.endif.endif.endif.endi...endif.2.endif.endif
+_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119: ; preds = %B34.if.i84, %B0.endif.endif.endif.endi...endif.2.endif.endif
   %.1167.i = and i64 %.132, 2305843009213693951
   %.1189570.not574.i = icmp eq i64 %.1167.i, 0
   %.1189570.not.i = or i1 %13, %.1189570.not574.i
   br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.5, label %B484.if.lr.ph.i
 
-B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
   %.1794.idx = mul i64 %.162, 192
   %.1725 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
   %.1661 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
@@ -5310,7 +5310,7 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %.1189.i = icmp sgt i64 %lsr.iv5, 7
   br i1 %.1189.i, label %B484.if.i, label %B64.if.i146.preheader
 
-B0.endif.endif.endif.endi...endif.5:              ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+B0.endif.endif.endif.endi...endif.5:              ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
   br i1 %13, label %B0.endif.endif.endif.endi...endif.5.endif.endif, label %B64.if.i146.preheader
 
 B64.if.i146.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.5
@@ -6136,7 +6136,7 @@ B1228:                                            ; preds = %B1204
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
 
 B134.if.lr.ph.i:                                  ; preds = %B1228
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
@@ -6172,9 +6172,9 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %.493.i = fmul contract double %.26.i, %power.2.0146.i
   %ov = icmp eq i64 %lsr.iv1, -1
   %lsr.iv.next = add nsw i64 %lsr.iv1, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
+_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
   %.1952.0 = phi double [ 0.000000e+00, %B1228 ], [ %.488.i, %B134.if.i ]
   %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1228 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B1228.endif, label %B1228.if, !prof !0
@@ -6223,11 +6223,11 @@ B852.if:                                          ; preds = %entry, %B1054
   %or.cond = icmp ult i64 %49, 7
   br i1 %or.cond, label %B970, label %B1054
 
-B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.6.0, ptr %excinfo, align 8
   br label %common.ret
 
-B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   %.1987 = fadd contract double %.1819, %.1952.0
   store double %.1987, ptr %sunkaddr27, align 8
   br label %B1300
@@ -6959,8 +6959,8 @@ B150.preheader:                                   ; preds = %entry
   %sunkaddr39 = getelementptr i8, ptr %arg.tail.4, i64 52
   br label %B150
 
-B150:                                             ; preds = %B609373, %B150.preheader
-  %j.2.0 = phi i64 [ %.1580, %B609373 ], [ 0, %B150.preheader ]
+B150:                                             ; preds = %B636061, %B150.preheader
+  %j.2.0 = phi i64 [ %.1580, %B636061 ], [ 0, %B150.preheader ]
   %.133 = sub nsw i64 %arg.stop, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.133, i64 8)
   %.173 = icmp slt i64 %j.2.0, %arg.streamed
@@ -7019,12 +7019,12 @@ B150:                                             ; preds = %B609373, %B150.preh
   %.882 = icmp slt i64 %count.2.1, 8
   %10 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.899 = fptrunc <16 x double> %10 to <16 x float>
-  br i1 %.882, label %B472, label %B609045
+  br i1 %.882, label %B472, label %B635733
 
 B472:                                             ; preds = %B150
   store <16 x float> %.899, ptr %arg.tail.4, align 4
   %.989841.not = icmp slt i64 %count.2.1, 1
-  br i1 %.989841.not, label %B609157, label %B532.if.lr.ph
+  br i1 %.989841.not, label %B635845, label %B532.if.lr.ph
 
 B532.if.lr.ph:                                    ; preds = %B472
   %.1058 = shl nsw i64 %j.2.0, 1
@@ -7039,37 +7039,37 @@ B532.if.lr.ph:                                    ; preds = %B472
   %scevgep310 = getelementptr i8, ptr %scevgep311, i64 4
   store float %.1056.1, ptr %scevgep310, align 4
   %exitcond.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond.not.1, label %B609157, label %B532.if.1
+  br i1 %exitcond.not.1, label %B635845, label %B532.if.1
 
-B609045:                                          ; preds = %B150
+B635733:                                          ; preds = %B150
   %sunkaddr5 = shl i64 %j.2.0, 3
   %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %sunkaddr5
-  br i1 %3, label %B609117, label %B609119
+  br i1 %3, label %B635805, label %B635807
 
-B609117:                                          ; preds = %B609045
+B635805:                                          ; preds = %B635733
   store <16 x float> %.899, ptr %sunkaddr6, align 64, !nontemporal !138
-  br label %B609157
+  br label %B635845
 
-B609119:                                          ; preds = %B609045
+B635807:                                          ; preds = %B635733
   store <16 x float> %.899, ptr %sunkaddr6, align 4
-  br label %B609157
+  br label %B635845
 
-B609157:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B609119, %B609117
-  br i1 %0, label %B609161, label %B609373
+B635845:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B635807, %B635805
+  br i1 %0, label %B635849, label %B636061
 
-B609161:                                          ; preds = %B609157
+B635849:                                          ; preds = %B635845
   %.8.i277 = fmul contract <8 x double> %.7.i, %.783
   %.8.i303 = fmul contract <8 x double> %.7.i302, %.756
   %13 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.1294 = fptrunc <16 x double> %13 to <16 x float>
-  br i1 %.882, label %B609173, label %B609317
+  br i1 %.882, label %B635861, label %B636005
 
-B609173:                                          ; preds = %B609161
+B635861:                                          ; preds = %B635849
   store <16 x float> %.1294, ptr %arg.tail.4, align 4
   %.1384847.not = icmp slt i64 %count.2.1, 1
-  br i1 %.1384847.not, label %B609373, label %B609213.if.lr.ph
+  br i1 %.1384847.not, label %B636061, label %B635901.if.lr.ph
 
-B609213.if.lr.ph:                                 ; preds = %B609173
+B635901.if.lr.ph:                                 ; preds = %B635861
   %.1453 = shl nsw i64 %j.2.0, 1
   %14 = shl i64 %j.2.0, 3
   %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %14
@@ -7082,27 +7082,27 @@ B609213.if.lr.ph:                                 ; preds = %B609173
   %scevgep319 = getelementptr i8, ptr %scevgep320, i64 4
   store float %.1451.1, ptr %scevgep319, align 4
   %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond1331.not.1, label %B609373, label %B609213.if.1
+  br i1 %exitcond1331.not.1, label %B636061, label %B635901.if.1
 
-B609317:                                          ; preds = %B609161
+B636005:                                          ; preds = %B635849
   %sunkaddr13 = shl i64 %j.2.0, 3
   %sunkaddr14 = getelementptr i8, ptr %arg.second.4, i64 %sunkaddr13
-  br i1 %4, label %B609319, label %B609357
+  br i1 %4, label %B636007, label %B636045
 
-B609319:                                          ; preds = %B609317
+B636007:                                          ; preds = %B636005
   store <16 x float> %.1294, ptr %sunkaddr14, align 64, !nontemporal !138
-  br label %B609373
+  br label %B636061
 
-B609357:                                          ; preds = %B609317
+B636045:                                          ; preds = %B636005
   store <16 x float> %.1294, ptr %sunkaddr14, align 4
-  br label %B609373
+  br label %B636061
 
-B609373:                                          ; preds = %B609319, %B609357, %B609213.if.6, %B609213.if.5, %B609213.if.4, %B609213.if.3, %B609213.if.2, %B609213.if.1, %B609213.if.lr.ph, %B609173, %B609157
+B636061:                                          ; preds = %B636007, %B636045, %B635901.if.6, %B635901.if.5, %B635901.if.4, %B635901.if.3, %B635901.if.2, %B635901.if.1, %B635901.if.lr.ph, %B635861, %B635845
   %.1580 = add nsw i64 %count.2.1, %j.2.0
   %.1586 = icmp slt i64 %.1580, %arg.stop
   br i1 %.1586, label %B150, label %common.ret
 
-common.ret:                                       ; preds = %B609373, %entry
+common.ret:                                       ; preds = %B636061, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -7118,7 +7118,7 @@ B532.if.1:                                        ; preds = %B532.if.lr.ph
   %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 12
   store float %.1056.1.1, ptr %scevgep310.1, align 4
   %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond.not.1.1, label %B609157, label %B532.if.2
+  br i1 %exitcond.not.1.1, label %B635845, label %B532.if.2
 
 B532.if.2:                                        ; preds = %B532.if.1
   %.1056.2 = load float, ptr %sunkaddr, align 4
@@ -7132,7 +7132,7 @@ B532.if.2:                                        ; preds = %B532.if.1
   %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 20
   store float %.1056.1.2, ptr %scevgep310.2, align 4
   %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond.not.1.2, label %B609157, label %B532.if.3
+  br i1 %exitcond.not.1.2, label %B635845, label %B532.if.3
 
 B532.if.3:                                        ; preds = %B532.if.2
   %.1056.3 = load float, ptr %sunkaddr20, align 4
@@ -7146,7 +7146,7 @@ B532.if.3:                                        ; preds = %B532.if.2
   %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 28
   store float %.1056.1.3, ptr %scevgep310.3, align 4
   %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond.not.1.3, label %B609157, label %B532.if.4
+  br i1 %exitcond.not.1.3, label %B635845, label %B532.if.4
 
 B532.if.4:                                        ; preds = %B532.if.3
   %.1056.4 = load float, ptr %sunkaddr22, align 4
@@ -7160,7 +7160,7 @@ B532.if.4:                                        ; preds = %B532.if.3
   %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 36
   store float %.1056.1.4, ptr %scevgep310.4, align 4
   %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond.not.1.4, label %B609157, label %B532.if.5
+  br i1 %exitcond.not.1.4, label %B635845, label %B532.if.5
 
 B532.if.5:                                        ; preds = %B532.if.4
   %.1056.5 = load float, ptr %sunkaddr24, align 4
@@ -7174,7 +7174,7 @@ B532.if.5:                                        ; preds = %B532.if.4
   %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 44
   store float %.1056.1.5, ptr %scevgep310.5, align 4
   %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond.not.1.5, label %B609157, label %B532.if.6
+  br i1 %exitcond.not.1.5, label %B635845, label %B532.if.6
 
 B532.if.6:                                        ; preds = %B532.if.5
   %.1056.6 = load float, ptr %sunkaddr26, align 4
@@ -7187,9 +7187,9 @@ B532.if.6:                                        ; preds = %B532.if.5
   %.1056.1.6 = load float, ptr %sunkaddr27, align 4
   %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 52
   store float %.1056.1.6, ptr %scevgep310.6, align 4
-  br label %B609157
+  br label %B635845
 
-B609213.if.1:                                     ; preds = %B609213.if.lr.ph
+B635901.if.1:                                     ; preds = %B635901.if.lr.ph
   %.1451.12 = load float, ptr %sunkaddr28, align 4
   %28 = add i64 %.1453, 2
   %.1468.1 = icmp slt i64 %28, 0
@@ -7201,9 +7201,9 @@ B609213.if.1:                                     ; preds = %B609213.if.lr.ph
   %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 12
   store float %.1451.1.1, ptr %scevgep319.1, align 4
   %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond1331.not.1.1, label %B609373, label %B609213.if.2
+  br i1 %exitcond1331.not.1.1, label %B636061, label %B635901.if.2
 
-B609213.if.2:                                     ; preds = %B609213.if.1
+B635901.if.2:                                     ; preds = %B635901.if.1
   %.1451.2 = load float, ptr %sunkaddr30, align 4
   %30 = add i64 %.1453, 4
   %.1468.2 = icmp slt i64 %30, 0
@@ -7215,9 +7215,9 @@ B609213.if.2:                                     ; preds = %B609213.if.1
   %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 20
   store float %.1451.1.2, ptr %scevgep319.2, align 4
   %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond1331.not.1.2, label %B609373, label %B609213.if.3
+  br i1 %exitcond1331.not.1.2, label %B636061, label %B635901.if.3
 
-B609213.if.3:                                     ; preds = %B609213.if.2
+B635901.if.3:                                     ; preds = %B635901.if.2
   %.1451.3 = load float, ptr %sunkaddr32, align 4
   %32 = add i64 %.1453, 6
   %.1468.3 = icmp slt i64 %32, 0
@@ -7229,9 +7229,9 @@ B609213.if.3:                                     ; preds = %B609213.if.2
   %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 28
   store float %.1451.1.3, ptr %scevgep319.3, align 4
   %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond1331.not.1.3, label %B609373, label %B609213.if.4
+  br i1 %exitcond1331.not.1.3, label %B636061, label %B635901.if.4
 
-B609213.if.4:                                     ; preds = %B609213.if.3
+B635901.if.4:                                     ; preds = %B635901.if.3
   %.1451.4 = load float, ptr %sunkaddr34, align 4
   %34 = add i64 %.1453, 8
   %.1468.4 = icmp slt i64 %34, 0
@@ -7243,9 +7243,9 @@ B609213.if.4:                                     ; preds = %B609213.if.3
   %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 36
   store float %.1451.1.4, ptr %scevgep319.4, align 4
   %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond1331.not.1.4, label %B609373, label %B609213.if.5
+  br i1 %exitcond1331.not.1.4, label %B636061, label %B635901.if.5
 
-B609213.if.5:                                     ; preds = %B609213.if.4
+B635901.if.5:                                     ; preds = %B635901.if.4
   %.1451.5 = load float, ptr %sunkaddr36, align 4
   %36 = add i64 %.1453, 10
   %.1468.5 = icmp slt i64 %36, 0
@@ -7257,9 +7257,9 @@ B609213.if.5:                                     ; preds = %B609213.if.4
   %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 44
   store float %.1451.1.5, ptr %scevgep319.5, align 4
   %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond1331.not.1.5, label %B609373, label %B609213.if.6
+  br i1 %exitcond1331.not.1.5, label %B636061, label %B635901.if.6
 
-B609213.if.6:                                     ; preds = %B609213.if.5
+B635901.if.6:                                     ; preds = %B635901.if.5
   %.1451.6 = load float, ptr %sunkaddr38, align 4
   %38 = add i64 %.1453, 12
   %.1468.6 = icmp slt i64 %38, 0
@@ -7270,7 +7270,7 @@ B609213.if.6:                                     ; preds = %B609213.if.5
   %.1451.1.6 = load float, ptr %sunkaddr39, align 4
   %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 52
   store float %.1451.1.6, ptr %scevgep319.6, align 4
-  br label %B609373
+  br label %B636061
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
@@ -7321,8 +7321,8 @@ B150.preheader:                                   ; preds = %entry
   %sunkaddr56 = getelementptr i8, ptr %arg.tail.4, i64 104
   br label %B150
 
-B150:                                             ; preds = %B609770, %B150.preheader
-  %j.2.0 = phi i64 [ %.1560, %B609770 ], [ 0, %B150.preheader ]
+B150:                                             ; preds = %B636458, %B150.preheader
+  %j.2.0 = phi i64 [ %.1560, %B636458 ], [ 0, %B150.preheader ]
   %.129 = sub nsw i64 %arg.stop, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.129, i64 8)
   %.169 = icmp slt i64 %j.2.0, %arg.streamed
@@ -7375,13 +7375,13 @@ B150:                                             ; preds = %B609770, %B150.preh
   %.8.i297 = fmul contract <8 x double> %.7.i296, %.6.i293
   %.8.i300 = fmul contract <8 x double> %.7.i296, %.6.i294
   %.874 = icmp slt i64 %count.2.1, 8
-  br i1 %.874, label %B472, label %B609442
+  br i1 %.874, label %B472, label %B636130
 
 B472:                                             ; preds = %B150
   %.889 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.889, ptr %arg.tail.4, align 4
   %.979841.not = icmp slt i64 %count.2.1, 1
-  br i1 %.979841.not, label %B609554, label %B532.if.lr.ph
+  br i1 %.979841.not, label %B636242, label %B532.if.lr.ph
 
 B532.if.lr.ph:                                    ; preds = %B472
   %.1048 = shl nsw i64 %j.2.0, 1
@@ -7396,37 +7396,37 @@ B532.if.lr.ph:                                    ; preds = %B472
   %scevgep310 = getelementptr i8, ptr %scevgep311, i64 8
   store double %.1046.1, ptr %scevgep310, align 8
   %exitcond.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond.not.1, label %B609554, label %B532.if.1
+  br i1 %exitcond.not.1, label %B636242, label %B532.if.1
 
-B609442:                                          ; preds = %B150
+B636130:                                          ; preds = %B150
   %.1121.idx = shl i64 %j.2.0, 4
   %.1122 = shufflevector <8 x double> %.8.i297, <8 x double> %.8.i300, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr6 = getelementptr i8, ptr %arg.first.4, i64 %.1121.idx
-  br i1 %3, label %B609514, label %B609516
+  br i1 %3, label %B636202, label %B636204
 
-B609514:                                          ; preds = %B609442
+B636202:                                          ; preds = %B636130
   store <16 x double> %.1122, ptr %sunkaddr6, align 64, !nontemporal !138
-  br label %B609554
+  br label %B636242
 
-B609516:                                          ; preds = %B609442
+B636204:                                          ; preds = %B636130
   store <16 x double> %.1122, ptr %sunkaddr6, align 4
-  br label %B609554
+  br label %B636242
 
-B609554:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B609516, %B609514
-  br i1 %0, label %B609558, label %B609770
+B636242:                                          ; preds = %B472, %B532.if.lr.ph, %B532.if.1, %B532.if.2, %B532.if.3, %B532.if.4, %B532.if.5, %B532.if.6, %B636204, %B636202
+  br i1 %0, label %B636246, label %B636458
 
-B609558:                                          ; preds = %B609554
+B636246:                                          ; preds = %B636242
   %.8.i277 = fmul contract <8 x double> %.7.i, %.6.i294
   %.8.i303 = fmul contract <8 x double> %.7.i302, %.6.i293
-  br i1 %.874, label %B609570, label %B609714
+  br i1 %.874, label %B636258, label %B636402
 
-B609570:                                          ; preds = %B609558
+B636258:                                          ; preds = %B636246
   %.1278 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.1278, ptr %arg.tail.4, align 4
   %.1368847.not = icmp slt i64 %count.2.1, 1
-  br i1 %.1368847.not, label %B609770, label %B609610.if.lr.ph
+  br i1 %.1368847.not, label %B636458, label %B636298.if.lr.ph
 
-B609610.if.lr.ph:                                 ; preds = %B609570
+B636298.if.lr.ph:                                 ; preds = %B636258
   %.1437 = shl nsw i64 %j.2.0, 1
   %12 = shl i64 %j.2.0, 4
   %scevgep316 = getelementptr i8, ptr %arg.second.4, i64 %12
@@ -7439,28 +7439,28 @@ B609610.if.lr.ph:                                 ; preds = %B609570
   %scevgep319 = getelementptr i8, ptr %scevgep320, i64 8
   store double %.1435.1, ptr %scevgep319, align 8
   %exitcond1331.not.1 = icmp eq i64 %count.2.1, 1
-  br i1 %exitcond1331.not.1, label %B609770, label %B609610.if.1
+  br i1 %exitcond1331.not.1, label %B636458, label %B636298.if.1
 
-B609714:                                          ; preds = %B609558
+B636402:                                          ; preds = %B636246
   %.1510.idx = shl i64 %j.2.0, 4
   %.1511 = shufflevector <8 x double> %.8.i277, <8 x double> %.8.i303, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr32 = getelementptr i8, ptr %arg.second.4, i64 %.1510.idx
-  br i1 %4, label %B609716, label %B609754
+  br i1 %4, label %B636404, label %B636442
 
-B609716:                                          ; preds = %B609714
+B636404:                                          ; preds = %B636402
   store <16 x double> %.1511, ptr %sunkaddr32, align 64, !nontemporal !138
-  br label %B609770
+  br label %B636458
 
-B609754:                                          ; preds = %B609714
+B636442:                                          ; preds = %B636402
   store <16 x double> %.1511, ptr %sunkaddr32, align 4
-  br label %B609770
+  br label %B636458
 
-B609770:                                          ; preds = %B609716, %B609754, %B609610.if.6, %B609610.if.5, %B609610.if.4, %B609610.if.3, %B609610.if.2, %B609610.if.1, %B609610.if.lr.ph, %B609570, %B609554
+B636458:                                          ; preds = %B636404, %B636442, %B636298.if.6, %B636298.if.5, %B636298.if.4, %B636298.if.3, %B636298.if.2, %B636298.if.1, %B636298.if.lr.ph, %B636258, %B636242
   %.1560 = add nsw i64 %count.2.1, %j.2.0
   %.1566 = icmp slt i64 %.1560, %arg.stop
   br i1 %.1566, label %B150, label %common.ret
 
-common.ret:                                       ; preds = %B609770, %entry
+common.ret:                                       ; preds = %B636458, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -7476,7 +7476,7 @@ B532.if.1:                                        ; preds = %B532.if.lr.ph
   %scevgep310.1 = getelementptr i8, ptr %scevgep311.1, i64 24
   store double %.1046.1.1, ptr %scevgep310.1, align 8
   %exitcond.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond.not.1.1, label %B609554, label %B532.if.2
+  br i1 %exitcond.not.1.1, label %B636242, label %B532.if.2
 
 B532.if.2:                                        ; preds = %B532.if.1
   %.1046.2 = load double, ptr %sunkaddr, align 8
@@ -7490,7 +7490,7 @@ B532.if.2:                                        ; preds = %B532.if.1
   %scevgep310.2 = getelementptr i8, ptr %scevgep311.2, i64 40
   store double %.1046.1.2, ptr %scevgep310.2, align 8
   %exitcond.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond.not.1.2, label %B609554, label %B532.if.3
+  br i1 %exitcond.not.1.2, label %B636242, label %B532.if.3
 
 B532.if.3:                                        ; preds = %B532.if.2
   %.1046.3 = load double, ptr %sunkaddr37, align 8
@@ -7504,7 +7504,7 @@ B532.if.3:                                        ; preds = %B532.if.2
   %scevgep310.3 = getelementptr i8, ptr %scevgep311.3, i64 56
   store double %.1046.1.3, ptr %scevgep310.3, align 8
   %exitcond.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond.not.1.3, label %B609554, label %B532.if.4
+  br i1 %exitcond.not.1.3, label %B636242, label %B532.if.4
 
 B532.if.4:                                        ; preds = %B532.if.3
   %.1046.4 = load double, ptr %sunkaddr39, align 8
@@ -7518,7 +7518,7 @@ B532.if.4:                                        ; preds = %B532.if.3
   %scevgep310.4 = getelementptr i8, ptr %scevgep311.4, i64 72
   store double %.1046.1.4, ptr %scevgep310.4, align 8
   %exitcond.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond.not.1.4, label %B609554, label %B532.if.5
+  br i1 %exitcond.not.1.4, label %B636242, label %B532.if.5
 
 B532.if.5:                                        ; preds = %B532.if.4
   %.1046.5 = load double, ptr %sunkaddr41, align 8
@@ -7532,7 +7532,7 @@ B532.if.5:                                        ; preds = %B532.if.4
   %scevgep310.5 = getelementptr i8, ptr %scevgep311.5, i64 88
   store double %.1046.1.5, ptr %scevgep310.5, align 8
   %exitcond.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond.not.1.5, label %B609554, label %B532.if.6
+  br i1 %exitcond.not.1.5, label %B636242, label %B532.if.6
 
 B532.if.6:                                        ; preds = %B532.if.5
   %.1046.6 = load double, ptr %sunkaddr43, align 8
@@ -7545,9 +7545,9 @@ B532.if.6:                                        ; preds = %B532.if.5
   %.1046.1.6 = load double, ptr %sunkaddr44, align 8
   %scevgep310.6 = getelementptr i8, ptr %scevgep311.6, i64 104
   store double %.1046.1.6, ptr %scevgep310.6, align 8
-  br label %B609554
+  br label %B636242
 
-B609610.if.1:                                     ; preds = %B609610.if.lr.ph
+B636298.if.1:                                     ; preds = %B636298.if.lr.ph
   %.1435.12 = load double, ptr %sunkaddr45, align 8
   %26 = add i64 %.1437, 2
   %.1452.1 = icmp slt i64 %26, 0
@@ -7559,9 +7559,9 @@ B609610.if.1:                                     ; preds = %B609610.if.lr.ph
   %scevgep319.1 = getelementptr i8, ptr %scevgep320.1, i64 24
   store double %.1435.1.1, ptr %scevgep319.1, align 8
   %exitcond1331.not.1.1 = icmp eq i64 %count.2.1, 2
-  br i1 %exitcond1331.not.1.1, label %B609770, label %B609610.if.2
+  br i1 %exitcond1331.not.1.1, label %B636458, label %B636298.if.2
 
-B609610.if.2:                                     ; preds = %B609610.if.1
+B636298.if.2:                                     ; preds = %B636298.if.1
   %.1435.2 = load double, ptr %sunkaddr47, align 8
   %28 = add i64 %.1437, 4
   %.1452.2 = icmp slt i64 %28, 0
@@ -7573,9 +7573,9 @@ B609610.if.2:                                     ; preds = %B609610.if.1
   %scevgep319.2 = getelementptr i8, ptr %scevgep320.2, i64 40
   store double %.1435.1.2, ptr %scevgep319.2, align 8
   %exitcond1331.not.1.2 = icmp eq i64 %count.2.1, 3
-  br i1 %exitcond1331.not.1.2, label %B609770, label %B609610.if.3
+  br i1 %exitcond1331.not.1.2, label %B636458, label %B636298.if.3
 
-B609610.if.3:                                     ; preds = %B609610.if.2
+B636298.if.3:                                     ; preds = %B636298.if.2
   %.1435.3 = load double, ptr %sunkaddr49, align 8
   %30 = add i64 %.1437, 6
   %.1452.3 = icmp slt i64 %30, 0
@@ -7587,9 +7587,9 @@ B609610.if.3:                                     ; preds = %B609610.if.2
   %scevgep319.3 = getelementptr i8, ptr %scevgep320.3, i64 56
   store double %.1435.1.3, ptr %scevgep319.3, align 8
   %exitcond1331.not.1.3 = icmp eq i64 %count.2.1, 4
-  br i1 %exitcond1331.not.1.3, label %B609770, label %B609610.if.4
+  br i1 %exitcond1331.not.1.3, label %B636458, label %B636298.if.4
 
-B609610.if.4:                                     ; preds = %B609610.if.3
+B636298.if.4:                                     ; preds = %B636298.if.3
   %.1435.4 = load double, ptr %sunkaddr51, align 8
   %32 = add i64 %.1437, 8
   %.1452.4 = icmp slt i64 %32, 0
@@ -7601,9 +7601,9 @@ B609610.if.4:                                     ; preds = %B609610.if.3
   %scevgep319.4 = getelementptr i8, ptr %scevgep320.4, i64 72
   store double %.1435.1.4, ptr %scevgep319.4, align 8
   %exitcond1331.not.1.4 = icmp eq i64 %count.2.1, 5
-  br i1 %exitcond1331.not.1.4, label %B609770, label %B609610.if.5
+  br i1 %exitcond1331.not.1.4, label %B636458, label %B636298.if.5
 
-B609610.if.5:                                     ; preds = %B609610.if.4
+B636298.if.5:                                     ; preds = %B636298.if.4
   %.1435.5 = load double, ptr %sunkaddr53, align 8
   %34 = add i64 %.1437, 10
   %.1452.5 = icmp slt i64 %34, 0
@@ -7615,9 +7615,9 @@ B609610.if.5:                                     ; preds = %B609610.if.4
   %scevgep319.5 = getelementptr i8, ptr %scevgep320.5, i64 88
   store double %.1435.1.5, ptr %scevgep319.5, align 8
   %exitcond1331.not.1.5 = icmp eq i64 %count.2.1, 6
-  br i1 %exitcond1331.not.1.5, label %B609770, label %B609610.if.6
+  br i1 %exitcond1331.not.1.5, label %B636458, label %B636298.if.6
 
-B609610.if.6:                                     ; preds = %B609610.if.5
+B636298.if.6:                                     ; preds = %B636298.if.5
   %.1435.6 = load double, ptr %sunkaddr55, align 8
   %36 = add i64 %.1437, 12
   %.1452.6 = icmp slt i64 %36, 0
@@ -7628,7 +7628,7 @@ B609610.if.6:                                     ; preds = %B609610.if.5
   %.1435.1.6 = load double, ptr %sunkaddr56, align 8
   %scevgep319.6 = getelementptr i8, ptr %scevgep320.6, i64 104
   store double %.1435.1.6, ptr %scevgep319.6, align 8
-  br label %B609770
+  br label %B636458
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: write)
@@ -7969,20 +7969,20 @@ declare double @sqrt(double) local_unnamed_addr #8
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc noundef range(i32 0, 2) i32 @inner_6(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, i64 %arg.lane, ptr readonly captures(none) %arg.row.4, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.ratios.4, ptr readonly captures(none) %arg.arguments.4, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, ptr %arg.scratch.4) unnamed_addr #4 {
 entry:
-  %.4559 = alloca i64, align 8
-  store i64 0, ptr %.4559, align 8
-  %.4693 = alloca i8, align 1
-  store i8 0, ptr %.4693, align 1
+  %.4541 = alloca i64, align 8
+  store i64 0, ptr %.4541, align 8
+  %.4674 = alloca i8, align 1
+  store i8 0, ptr %.4674, align 1
   %excinfo.39 = alloca ptr, align 8
   store ptr null, ptr %excinfo.39, align 8
-  %.5574 = alloca ptr, align 8
-  store ptr null, ptr %.5574, align 8
+  %.5726 = alloca ptr, align 8
+  store ptr null, ptr %.5726, align 8
   %excinfo.43 = alloca ptr, align 8
   store ptr null, ptr %excinfo.43, align 8
-  %.6513 = alloca ptr, align 8
-  store ptr null, ptr %.6513, align 8
-  %.6615 = alloca ptr, align 8
-  store ptr null, ptr %.6615, align 8
+  %.6665 = alloca ptr, align 8
+  store ptr null, ptr %.6665, align 8
+  %.6767 = alloca ptr, align 8
+  store ptr null, ptr %.6767, align 8
   %.136 = getelementptr i8, ptr %arg.arguments.4, i64 16
   %.137 = load i64, ptr %.136, align 8
   %.166 = getelementptr i8, ptr %arg.arguments.4, i64 88
@@ -7993,328 +7993,391 @@ entry:
   %.290 = load i64, ptr %.205, align 8
   %.319 = getelementptr i8, ptr %.205, i64 8
   %.320 = load i64, ptr %.319, align 8
-  %.356 = getelementptr i8, ptr %.205, i64 16
-  %.357 = load i64, ptr %.356, align 8
-  %.360 = mul nsw i64 %.290, 40
-  %.485 = getelementptr i8, ptr %arg.arguments.4, i64 32
-  %.486 = load i64, ptr %.485, align 8
-  %.515 = getelementptr i8, ptr %arg.arguments.4, i64 40
-  %.516 = load i64, ptr %.515, align 8
-  %.552 = getelementptr i8, ptr %arg.arguments.4, i64 24
-  %.553 = load i64, ptr %.552, align 8
-  %.555 = inttoptr i64 %.553 to ptr
-  %.620 = getelementptr inbounds double, ptr %.555, i64 %.486
-  %.678 = icmp sgt i64 %.516, 0
-  br i1 %.678, label %B1050, label %B1336
+  %.353 = getelementptr i8, ptr %.205, i64 16
+  %.354 = load i64, ptr %.353, align 8
+  %.356 = mul nsw i64 %.290, 40
+  %.481 = getelementptr i8, ptr %arg.arguments.4, i64 32
+  %.482 = load i64, ptr %.481, align 8
+  %.511 = getelementptr i8, ptr %arg.arguments.4, i64 40
+  %.512 = load i64, ptr %.511, align 8
+  %.548 = getelementptr i8, ptr %arg.arguments.4, i64 24
+  %.549 = load i64, ptr %.548, align 8
+  %.551 = inttoptr i64 %.549 to ptr
+  %.616 = getelementptr inbounds double, ptr %.551, i64 %.482
+  %.674 = icmp sgt i64 %.512, 0
+  br i1 %.674, label %B1100, label %B1166
 
-B1050:                                            ; preds = %entry
-  %0 = getelementptr double, ptr %.620, i64 %.137
-  %.689 = getelementptr i8, ptr %0, i64 -8
-  %.690 = load double, ptr %.689, align 8
-  %.699 = load double, ptr %.620, align 8
-  %.700 = fsub contract double %.690, %.699
-  %.702 = uitofp nneg i64 %.516 to double
-  %.706 = fdiv contract double %.702, %.700
-  br label %B1336
+B1100:                                            ; preds = %entry
+  %0 = getelementptr double, ptr %.616, i64 %.137
+  %.685 = getelementptr i8, ptr %0, i64 -8
+  %.686 = load double, ptr %.685, align 8
+  %.695 = load double, ptr %.616, align 8
+  %.696 = fsub contract double %.686, %.695
+  %.698 = uitofp nneg i64 %.512 to double
+  %.702 = fdiv contract double %.698, %.696
+  br label %B1166
 
-B1336:                                            ; preds = %B1050, %entry
-  %prepared_grid_v121__vphi308_0.2.0 = phi double [ %.706, %B1050 ], [ 0.000000e+00, %entry ]
-  %.746 = getelementptr i8, ptr %arg.arguments.4, i64 48
-  %.747 = load i64, ptr %.746, align 8
-  %.985 = getelementptr i8, ptr %arg.contents.4, i64 64
-  %.986 = load i64, ptr %.985, align 8
-  %.987 = sub i64 0, %.986
-  %.995.1 = and i64 %.987, -8
-  %.1029 = sub i64 0, %.995.1
-  %.1059 = getelementptr i8, ptr %arg.contents.4, i64 144
-  %.1060 = load i64, ptr %.1059, align 8
-  %.1061 = sub i64 0, %.1060
-  %.1069.1 = and i64 %.1061, -8
-  %.1103 = sub i64 0, %.1069.1
-  %.1124 = shl nsw i64 %.1029, 3
-  %.1133 = shl i64 %.1029, 2
-  %.1206 = getelementptr double, ptr %arg.scratch.4, i64 %.1133
-  %.1283 = getelementptr double, ptr %arg.scratch.4, i64 %.1124
-  %.1345.idx = shl i64 %.1103, 6
-  %.1345 = getelementptr i8, ptr %.1283, i64 %.1345.idx
-  %.1425.idx = shl i64 %.1103, 7
-  %.1425 = getelementptr i8, ptr %.1283, i64 %.1425.idx
-  %.idx561 = shl i64 %.1103, 8
-  %1 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx561
-  %.1487 = getelementptr double, ptr %1, i64 %.1124
-  %.1626 = getelementptr i8, ptr %.1487, i64 1024
-  %.1688 = getelementptr i8, ptr %.1487, i64 5184
-  %.1751 = getelementptr i8, ptr %.1487, i64 9344
-  %.1814 = getelementptr i8, ptr %.1487, i64 13504
-  %.1877 = getelementptr i8, ptr %.1487, i64 17664
-  %.1940 = getelementptr i8, ptr %.1487, i64 21824
-  %.2051 = getelementptr i8, ptr %.1487, i64 25984
-  %.2114 = getelementptr i8, ptr %.1487, i64 30144
-  %.2177 = getelementptr i8, ptr %.1487, i64 34304
-  %.2240 = getelementptr i8, ptr %.1487, i64 38464
-  %.2336 = getelementptr i8, ptr %.1487, i64 42624
-  %.13.i = tail call i64 @llvm.smax.i64(i64 %.1103, i64 %.1029)
-  %.2416 = add nsw i64 %.13.i, 64
-  %.2417 = mul nsw i64 %.2416, %.320
-  %.2427 = getelementptr i8, ptr %.1487, i64 42752
-  %.2522 = getelementptr double, ptr %.2427, i64 %.2417
-  %.3748 = getelementptr i8, ptr %arg.contents.4, i64 120
-  %.3749 = load i64, ptr %.3748, align 8
-  %.3902 = getelementptr i8, ptr %arg.contents.4, i64 56
-  %.3903 = load i64, ptr %.3902, align 8
-  %2 = lshr i64 %.1029, 33
+B1166:                                            ; preds = %B1100, %entry
+  %prepared_grid_v117__vphi308_0.2.0 = phi double [ %.702, %B1100 ], [ 0.000000e+00, %entry ]
+  %.742 = getelementptr i8, ptr %arg.arguments.4, i64 48
+  %.743 = load i64, ptr %.742, align 8
+  %.972 = getelementptr i8, ptr %arg.contents.4, i64 64
+  %.973 = load i64, ptr %.972, align 8
+  %.974 = sub i64 0, %.973
+  %.982.1 = and i64 %.974, -8
+  %.1016 = sub i64 0, %.982.1
+  %.1046 = getelementptr i8, ptr %arg.contents.4, i64 144
+  %.1047 = load i64, ptr %.1046, align 8
+  %.1048 = sub i64 0, %.1047
+  %.1056.1 = and i64 %.1048, -8
+  %.1090 = sub i64 0, %.1056.1
+  %.1111 = shl nsw i64 %.1016, 3
+  %.1120 = shl i64 %.1016, 2
+  %.1193 = getelementptr double, ptr %arg.scratch.4, i64 %.1120
+  %.1270 = getelementptr double, ptr %arg.scratch.4, i64 %.1111
+  %.1332.idx = shl i64 %.1090, 6
+  %.1332 = getelementptr i8, ptr %.1270, i64 %.1332.idx
+  %.1412.idx = shl i64 %.1090, 7
+  %.1412 = getelementptr i8, ptr %.1270, i64 %.1412.idx
+  %.idx563 = shl i64 %.1090, 8
+  %1 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx563
+  %.1474 = getelementptr double, ptr %1, i64 %.1111
+  %.1613 = getelementptr i8, ptr %.1474, i64 1024
+  %.1675 = getelementptr i8, ptr %.1474, i64 3136
+  %.1738 = getelementptr i8, ptr %.1474, i64 5248
+  %.1801 = getelementptr i8, ptr %.1474, i64 7360
+  %.1864 = getelementptr i8, ptr %.1474, i64 9472
+  %.1927 = getelementptr i8, ptr %.1474, i64 11584
+  %.2038 = getelementptr i8, ptr %.1474, i64 13696
+  %.2101 = getelementptr i8, ptr %.1474, i64 15808
+  %.2164 = getelementptr i8, ptr %.1474, i64 17920
+  %.2227 = getelementptr i8, ptr %.1474, i64 20032
+  %.2323 = getelementptr i8, ptr %.1474, i64 22144
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %.1090, i64 %.1016)
+  %.2403 = add nsw i64 %.13.i, 64
+  %.2404 = mul nsw i64 %.2403, %.320
+  %.2414 = getelementptr i8, ptr %.1474, i64 22272
+  %.2509 = getelementptr double, ptr %.2414, i64 %.2404
+  %.3735 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.3736 = load i64, ptr %.3735, align 8
+  %.3889 = getelementptr i8, ptr %arg.contents.4, i64 56
+  %.3890 = load i64, ptr %.3889, align 8
+  %2 = lshr i64 %.1016, 33
   %.99.i = and i64 %2, 1073741824
-  %.100.i = sub i64 %.99.i, %.995.1
+  %.100.i = sub i64 %.99.i, %.982.1
   %3 = tail call i64 @llvm.smax.i64(i64 %.100.i, i64 0)
   %.88.sroa.0.3.i = tail call i64 @llvm.smin.i64(i64 %3, i64 1073741824)
-  %.234.i = shl i64 %.1029, 1
+  %.234.i = shl i64 %.1016, 1
   %.272.i = add i64 %.99.i, %.234.i
   %4 = tail call i64 @llvm.smax.i64(i64 %.272.i, i64 0)
-  %5 = add i64 %.3903, 6
+  %5 = add i64 %.3890, 6
   %.486.i = lshr i64 %5, 3
-  %.463.inv.i = icmp slt i64 %.3903, 2
+  %.463.inv.i = icmp slt i64 %.3890, 2
   %.507321.not325.i = icmp eq i64 %.486.i, 0
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
-  br i1 %.507321.not.i, label %B1336.endif.endif.endif.e...endif.5, label %B94.if.lr.ph.i
+  br i1 %.507321.not.i, label %B1166.endif.endif.endif.e...endif.5, label %B94.if.lr.ph.i
 
-B1414:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
-  %.idx = mul i64 %.290, 72
+B1246:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
+  %.4960 = getelementptr inbounds nuw i8, ptr %.205, i64 48
+  %.5051 = load i64, ptr %.4960, align 8
+  %.4824 = load i64, ptr %.205, align 8
+  %.idx = mul i64 %.4824, 72
   %6 = getelementptr i8, ptr %.205, i64 %.idx
-  %.4801 = getelementptr i8, ptr %6, i64 -24
-  %.4892 = load i64, ptr %.4801, align 8
-  %.4916 = getelementptr inbounds nuw i8, ptr %.205, i64 48
-  %.5007 = load i64, ptr %.4916, align 8
-  %.5012 = fmul contract double %.4254, 2.000000e+00
-  %.5013 = sitofp i64 %.4892 to double
-  %.5017 = fdiv contract double %.5012, %.5013
-  %.5025.le = tail call contract double @llvm.log.f64(double %.5017)
-  %.5034 = sitofp i64 %.5007 to double
-  %.5038 = fdiv contract double %.5012, %.5034
-  %.5046.le = tail call contract double @llvm.log.f64(double %.5038)
+  %.4845 = getelementptr i8, ptr %6, i64 -24
+  %.4936 = load i64, ptr %.4845, align 8
+  %.5092 = fmul contract double %.4241, 2.000000e+00
+  %.5094 = sitofp i64 %.4936 to double
+  %.5098 = fdiv contract double %.5092, %.5094
+  %.5108.le = tail call contract double @llvm.log.f64(double %.5098)
+  %.5118 = sitofp i64 %.5051 to double
+  %.5122 = fdiv contract double %.5092, %.5118
+  %.5132.le = tail call contract double @llvm.log.f64(double %.5122)
   %.133.i = getelementptr i8, ptr %arg.contents.4, i64 152
   %.134.i = load i64, ptr %.133.i, align 8, !noalias !143
   %.147.i = getelementptr inbounds double, ptr %arg.weights.4, i64 %.134.i
-  %.228.i = load i64, ptr %.1059, align 8, !noalias !143
-  %.254.i = load double, ptr %.620, align 8, !noalias !143
-  %.256.i = fadd contract double %.5025.le, %.254.i
+  %.228.i = load i64, ptr %.1046, align 8, !noalias !143
+  %.254.i = load double, ptr %.616, align 8, !noalias !143
+  %.256.i = fadd contract double %.5108.le, %.254.i
   %.257.i = fadd contract double %.256.i, -1.000000e-09
-  %7 = getelementptr double, ptr %.620, i64 %.137
+  %7 = getelementptr double, ptr %.616, i64 %.137
   %.265.i = getelementptr i8, ptr %7, i64 -8
   %.266.i = load double, ptr %.265.i, align 8, !noalias !143
-  %.273.i = fadd contract double %.5046.le, %.266.i
+  %.273.i = fadd contract double %.5132.le, %.266.i
   %.274.i = fadd contract double %.273.i, 1.000000e-09
   %.293.i = add i64 %.228.i, -1
   %.295.i = icmp sgt i64 %.228.i, 1
   br i1 %.295.i, label %B296.i, label %B404.i
 
-B1430:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
-  %8 = icmp eq i8 %.4728, 0
-  br i1 %8, label %B1804, label %B1496.thread
+B296.i:                                           ; preds = %B1246
+  %.313.i = load double, ptr %.147.i, align 8, !noalias !143
+  %.317.i = fcmp contract olt double %.313.i, %.257.i
+  br i1 %.317.i, label %B336.preheader.i, label %B404.i
 
-B1496.thread:                                     ; preds = %B1430
-  %.5170 = getelementptr i8, ptr %.205, i64 32
-  %.5171 = load i64, ptr %.5170, align 8
-  %.5202 = add nsw i64 %.5171, 1
-  br label %B1576
+B336.preheader.i:                                 ; preds = %B296.i
+  %8 = add nsw i64 %.228.i, -2
+  %9 = shl i64 %.134.i, 3
+  %10 = getelementptr i8, ptr %arg.weights.4, i64 %9
+  %scevgep11.i = getelementptr i8, ptr %10, i64 8
+  br label %B336.i
 
-B1576:                                            ; preds = %B468.i, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B1496.thread
-  %last.3.017 = phi i64 [ %.5202, %B1496.thread ], [ %last.3.0.i, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.378.i250, %B468.i ]
-  %first.3.016 = phi i64 [ %.5171, %B1496.thread ], [ %first.3.1.i, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %first.3.1.i, %B468.i ]
-  store ptr null, ptr %.5574, align 8
-  %.5600 = call fastcc i32 @inner_10(ptr nonnull %.5574, ptr nonnull %excinfo.43, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.167, ptr %arg.scratch.4, ptr %.1206, i64 %.1029, ptr %.1487, ptr %.1425, ptr %.1283, ptr %.1345, i64 %first.3.016, i64 %last.3.017)
-  %cond = icmp eq i32 %.5600, 0
-  br i1 %cond, label %B1682, label %B1576.if, !prof !0
+B336.i:                                           ; preds = %B364.i, %B336.preheader.i
+  %first.2.0.i = phi i64 [ %.323.i, %B364.i ], [ 0, %B336.preheader.i ]
+  %exitcond.not.i = icmp eq i64 %8, %first.2.0.i
+  br i1 %exitcond.not.i, label %B404.i, label %B364.i
 
-B1682:                                            ; preds = %B1576, %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %9 = icmp eq i8 %.4728, 0
-  br i1 %9, label %B1804, label %B1684
+B364.i:                                           ; preds = %B336.i
+  %.323.i = add nuw nsw i64 %first.2.0.i, 1
+  %11 = shl i64 %first.2.0.i, 3
+  %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %11
+  %.352.i = load double, ptr %scevgep12.i, align 8, !noalias !143
+  %.356.i = fcmp contract olt double %.352.i, %.257.i
+  br i1 %.356.i, label %B336.i, label %B404.i
 
-B1684:                                            ; preds = %B1682
-  %.5727 = getelementptr i8, ptr %.205, i64 32
-  %.5728 = load i64, ptr %.5727, align 8
-  %sunkaddr583 = inttoptr i64 %.357 to ptr
-  %sunkaddr584 = getelementptr i8, ptr %sunkaddr583, i64 %.360
-  %sunkaddr585 = getelementptr i8, ptr %sunkaddr584, i64 8
-  %.5763 = load double, ptr %sunkaddr585, align 8
+B404.i:                                           ; preds = %B364.i, %B336.i, %B296.i, %B1246
+  %first.3.1.i = phi i64 [ 0, %B296.i ], [ 0, %B1246 ], [ %.293.i, %B336.i ], [ %.323.i, %B364.i ]
+  %.378.i = add nsw i64 %first.3.1.i, 1
+  %.380.i = icmp sgt i64 %.228.i, %.378.i
+  br i1 %.380.i, label %B422.i, label %B1474
+
+B422.i:                                           ; preds = %B404.i
+  %12 = getelementptr double, ptr %.147.i, i64 %.228.i
+  %.400.i = getelementptr i8, ptr %12, i64 -16
+  %.401.i = load double, ptr %.400.i, align 8, !noalias !143
+  %.403.i = fcmp contract ogt double %.401.i, %.274.i
+  br i1 %.403.i, label %B468.preheader.i, label %B1474
+
+B468.preheader.i:                                 ; preds = %B422.i
+  %13 = shl i64 %.134.i, 3
+  %14 = getelementptr i8, ptr %arg.weights.4, i64 %13
+  %scevgep.i = getelementptr i8, ptr %14, i64 -24
+  br label %B468.i
+
+B468.i:                                           ; preds = %B496.i, %B468.preheader.i
+  %last.2.1.i = phi i64 [ %15, %B496.i ], [ %.228.i, %B468.preheader.i ]
+  %15 = add nsw i64 %last.2.1.i, -1
+  %.421.i = icmp sgt i64 %15, %.378.i
+  br i1 %.421.i, label %B496.i, label %B1512
+
+B496.i:                                           ; preds = %B468.i
+  %16 = shl i64 %last.2.1.i, 3
+  %scevgep9.i = getelementptr i8, ptr %scevgep.i, i64 %16
+  %.441.i = load double, ptr %scevgep9.i, align 8, !noalias !143
+  %.443.i = fcmp contract ogt double %.441.i, %.274.i
+  br i1 %.443.i, label %B468.i, label %B1474
+
+B1352:                                            ; preds = %for.end.1.endif.endif.endif.endif.endif
+  %17 = icmp eq i8 %.4709, 0
+  br i1 %17, label %B7719, label %B1474.thread
+
+B1474.thread:                                     ; preds = %B1352
+  %.5280 = getelementptr i8, ptr %.205, i64 32
+  %.5281 = load i64, ptr %.5280, align 8
+  %.5317 = add nsw i64 %.5281, 1
+  br label %B1512
+
+B1474:                                            ; preds = %B496.i, %B422.i, %B404.i
+  %last.3.0.i = phi i64 [ %.228.i, %B422.i ], [ %.228.i, %B404.i ], [ %15, %B496.i ]
+  %.5374 = icmp sgt i64 %last.3.0.i, %first.3.1.i
+  br i1 %.5374, label %B1512, label %B1550
+
+B1512:                                            ; preds = %B468.i, %B1474, %B1474.thread
+  %_cells_to_fit_v152_last.3.018 = phi i64 [ %.5317, %B1474.thread ], [ %last.3.0.i, %B1474 ], [ %.378.i, %B468.i ]
+  %_cells_to_fit_v152_first.3.017 = phi i64 [ %.5281, %B1474.thread ], [ %first.3.1.i, %B1474 ], [ %first.3.1.i, %B468.i ]
+  store ptr null, ptr %.5726, align 8
+  %.5752 = call fastcc i32 @inner_10(ptr nonnull %.5726, ptr nonnull %excinfo.43, ptr %arg.row.4, ptr %arg.linear.4, ptr %arg.contents.4, ptr %arg.weights.4, i64 %.167, ptr %arg.scratch.4, ptr %.1193, i64 %.1016, ptr %.1474, ptr %.1412, ptr %.1270, ptr %.1332, i64 %_cells_to_fit_v152_first.3.017, i64 %_cells_to_fit_v152_last.3.018)
+  %cond = icmp eq i32 %.5752, 0
+  br i1 %cond, label %B1550, label %B1512.if, !prof !0
+
+B1550:                                            ; preds = %B1512, %B1474
+  %18 = icmp eq i8 %.4709, 0
+  br i1 %18, label %B7719, label %B1551
+
+B1551:                                            ; preds = %B1550
+  %.5879 = getelementptr i8, ptr %.205, i64 32
+  %.5880 = load i64, ptr %.5879, align 8
+  %sunkaddr584 = inttoptr i64 %.354 to ptr
+  %sunkaddr585 = getelementptr i8, ptr %sunkaddr584, i64 %.356
+  %sunkaddr586 = getelementptr i8, ptr %sunkaddr585, i64 8
+  %.5915 = load double, ptr %sunkaddr586, align 8
   %.105.i = getelementptr i8, ptr %arg.contents.4, i64 152
   %.106.i = load i64, ptr %.105.i, align 8, !noalias !146
-  %10 = getelementptr double, ptr %arg.weights.4, i64 %.106.i
-  %.123.i = getelementptr double, ptr %10, i64 %.1103
-  %11 = lshr i64 %.5728, 33
-  %.190.i = and i64 %11, 1073741824
-  %12 = getelementptr double, ptr %.123.i, i64 %.5728
-  %.204.i = getelementptr double, ptr %12, i64 %.190.i
+  %19 = getelementptr double, ptr %arg.weights.4, i64 %.106.i
+  %.123.i = getelementptr double, ptr %19, i64 %.1090
+  %20 = lshr i64 %.5880, 33
+  %.190.i = and i64 %20, 1073741824
+  %21 = getelementptr double, ptr %.123.i, i64 %.5880
+  %.204.i = getelementptr double, ptr %21, i64 %.190.i
   %.205.i = load double, ptr %.204.i, align 8, !noalias !146
-  %.384.i = fmul contract double %.5763, 0.000000e+00
-  %.368.i = shl nsw i64 %.5728, 3
+  %.384.i = fmul contract double %.5915, 0.000000e+00
+  %.368.i = shl nsw i64 %.5880, 3
   %.369.i = or disjoint i64 %.368.i, 7
-  %.395.i = getelementptr inbounds double, ptr %.1283, i64 %.369.i
+  %.395.i = getelementptr inbounds double, ptr %.1270, i64 %.369.i
   %.396.i = load double, ptr %.395.i, align 8, !noalias !146
   %.397.i = fadd contract double %.384.i, %.396.i
-  %.384.1.i = fmul contract double %.5763, %.397.i
+  %.384.1.i = fmul contract double %.5915, %.397.i
   %.369.1.i = or disjoint i64 %.368.i, 6
-  %.395.1.i = getelementptr inbounds double, ptr %.1283, i64 %.369.1.i
+  %.395.1.i = getelementptr inbounds double, ptr %.1270, i64 %.369.1.i
   %.396.1.i = load double, ptr %.395.1.i, align 8, !noalias !146
   %.397.1.i = fadd contract double %.396.1.i, %.384.1.i
-  %.384.2.i = fmul contract double %.5763, %.397.1.i
+  %.384.2.i = fmul contract double %.5915, %.397.1.i
   %.369.2.i = or disjoint i64 %.368.i, 5
-  %.395.2.i = getelementptr inbounds double, ptr %.1283, i64 %.369.2.i
+  %.395.2.i = getelementptr inbounds double, ptr %.1270, i64 %.369.2.i
   %.396.2.i = load double, ptr %.395.2.i, align 8, !noalias !146
   %.397.2.i = fadd contract double %.396.2.i, %.384.2.i
-  %.384.3.i = fmul contract double %.5763, %.397.2.i
+  %.384.3.i = fmul contract double %.5915, %.397.2.i
   %.369.3.i = or disjoint i64 %.368.i, 4
-  %.395.3.i = getelementptr inbounds double, ptr %.1283, i64 %.369.3.i
+  %.395.3.i = getelementptr inbounds double, ptr %.1270, i64 %.369.3.i
   %.396.3.i = load double, ptr %.395.3.i, align 8, !noalias !146
   %.397.3.i = fadd contract double %.396.3.i, %.384.3.i
-  %.384.4.i = fmul contract double %.5763, %.397.3.i
+  %.384.4.i = fmul contract double %.5915, %.397.3.i
   %.369.4.i = or disjoint i64 %.368.i, 3
-  %.395.4.i = getelementptr inbounds double, ptr %.1283, i64 %.369.4.i
+  %.395.4.i = getelementptr inbounds double, ptr %.1270, i64 %.369.4.i
   %.396.4.i = load double, ptr %.395.4.i, align 8, !noalias !146
   %.397.4.i = fadd contract double %.396.4.i, %.384.4.i
-  %.384.5.i = fmul contract double %.5763, %.397.4.i
+  %.384.5.i = fmul contract double %.5915, %.397.4.i
   %.369.5.i = or disjoint i64 %.368.i, 2
-  %.395.5.i = getelementptr inbounds double, ptr %.1283, i64 %.369.5.i
+  %.395.5.i = getelementptr inbounds double, ptr %.1270, i64 %.369.5.i
   %.396.5.i = load double, ptr %.395.5.i, align 8, !noalias !146
   %.397.5.i = fadd contract double %.396.5.i, %.384.5.i
-  %.384.6.i = fmul contract double %.5763, %.397.5.i
+  %.384.6.i = fmul contract double %.5915, %.397.5.i
   %.369.6.i = or disjoint i64 %.368.i, 1
-  %.395.6.i = getelementptr inbounds double, ptr %.1283, i64 %.369.6.i
+  %.395.6.i = getelementptr inbounds double, ptr %.1270, i64 %.369.6.i
   %.396.6.i = load double, ptr %.395.6.i, align 8, !noalias !146
   %.397.6.i = fadd contract double %.396.6.i, %.384.6.i
-  %.384.7.i = fmul contract double %.5763, %.397.6.i
-  %.395.7.i = getelementptr inbounds double, ptr %.1283, i64 %.368.i
+  %.384.7.i = fmul contract double %.5915, %.397.6.i
+  %.395.7.i = getelementptr inbounds double, ptr %.1270, i64 %.368.i
   %.396.7.i = load double, ptr %.395.7.i, align 8, !noalias !146
   %.397.7.i = fadd contract double %.396.7.i, %.384.7.i
-  %.377.i = getelementptr inbounds double, ptr %.1345, i64 %.369.i
-  %.378.i = load double, ptr %.377.i, align 8, !noalias !146
-  %.379.i = fadd contract double %.384.i, %.378.i
-  %.366.1.i = fmul contract double %.5763, %.379.i
-  %.377.1.i = getelementptr inbounds double, ptr %.1345, i64 %.369.1.i
+  %.377.i = getelementptr inbounds double, ptr %.1332, i64 %.369.i
+  %.378.i29 = load double, ptr %.377.i, align 8, !noalias !146
+  %.379.i = fadd contract double %.384.i, %.378.i29
+  %.366.1.i = fmul contract double %.5915, %.379.i
+  %.377.1.i = getelementptr inbounds double, ptr %.1332, i64 %.369.1.i
   %.378.1.i = load double, ptr %.377.1.i, align 8, !noalias !146
   %.379.1.i = fadd contract double %.378.1.i, %.366.1.i
-  %.366.2.i = fmul contract double %.5763, %.379.1.i
-  %.377.2.i = getelementptr inbounds double, ptr %.1345, i64 %.369.2.i
+  %.366.2.i = fmul contract double %.5915, %.379.1.i
+  %.377.2.i = getelementptr inbounds double, ptr %.1332, i64 %.369.2.i
   %.378.2.i = load double, ptr %.377.2.i, align 8, !noalias !146
   %.379.2.i = fadd contract double %.378.2.i, %.366.2.i
-  %.366.3.i = fmul contract double %.5763, %.379.2.i
-  %.377.3.i = getelementptr inbounds double, ptr %.1345, i64 %.369.3.i
+  %.366.3.i = fmul contract double %.5915, %.379.2.i
+  %.377.3.i = getelementptr inbounds double, ptr %.1332, i64 %.369.3.i
   %.378.3.i = load double, ptr %.377.3.i, align 8, !noalias !146
   %.379.3.i = fadd contract double %.378.3.i, %.366.3.i
-  %.366.4.i = fmul contract double %.5763, %.379.3.i
-  %.377.4.i = getelementptr inbounds double, ptr %.1345, i64 %.369.4.i
+  %.366.4.i = fmul contract double %.5915, %.379.3.i
+  %.377.4.i = getelementptr inbounds double, ptr %.1332, i64 %.369.4.i
   %.378.4.i = load double, ptr %.377.4.i, align 8, !noalias !146
   %.379.4.i = fadd contract double %.378.4.i, %.366.4.i
-  %.366.5.i = fmul contract double %.5763, %.379.4.i
-  %.377.5.i = getelementptr inbounds double, ptr %.1345, i64 %.369.5.i
+  %.366.5.i = fmul contract double %.5915, %.379.4.i
+  %.377.5.i = getelementptr inbounds double, ptr %.1332, i64 %.369.5.i
   %.378.5.i = load double, ptr %.377.5.i, align 8, !noalias !146
   %.379.5.i = fadd contract double %.378.5.i, %.366.5.i
-  %.366.6.i = fmul contract double %.5763, %.379.5.i
-  %.377.6.i = getelementptr inbounds double, ptr %.1345, i64 %.369.6.i
+  %.366.6.i = fmul contract double %.5915, %.379.5.i
+  %.377.6.i = getelementptr inbounds double, ptr %.1332, i64 %.369.6.i
   %.378.6.i = load double, ptr %.377.6.i, align 8, !noalias !146
   %.379.6.i = fadd contract double %.378.6.i, %.366.6.i
-  %.366.7.i = fmul contract double %.5763, %.379.6.i
-  %.377.7.i = getelementptr inbounds double, ptr %.1345, i64 %.368.i
+  %.366.7.i = fmul contract double %.5915, %.379.6.i
+  %.377.7.i = getelementptr inbounds double, ptr %.1332, i64 %.368.i
   %.378.7.i = load double, ptr %.377.7.i, align 8, !noalias !146
   %.379.7.i = fadd contract double %.378.7.i, %.366.7.i
   %.361.i = fadd contract double %.384.i, 0.000000e+00
-  %.359.1.i = fmul contract double %.5763, %.361.i
+  %.359.1.i = fmul contract double %.5915, %.361.i
   %.361.1.i = fadd contract double %.359.1.i, %.379.i
-  %.359.2.i = fmul contract double %.5763, %.361.1.i
+  %.359.2.i = fmul contract double %.5915, %.361.1.i
   %.361.2.i = fadd contract double %.379.1.i, %.359.2.i
-  %.359.3.i = fmul contract double %.5763, %.361.2.i
+  %.359.3.i = fmul contract double %.5915, %.361.2.i
   %.361.3.i = fadd contract double %.379.2.i, %.359.3.i
-  %.359.4.i = fmul contract double %.5763, %.361.3.i
+  %.359.4.i = fmul contract double %.5915, %.361.3.i
   %.361.4.i = fadd contract double %.379.3.i, %.359.4.i
-  %.359.5.i = fmul contract double %.5763, %.361.4.i
+  %.359.5.i = fmul contract double %.5915, %.361.4.i
   %.361.5.i = fadd contract double %.379.4.i, %.359.5.i
-  %.359.6.i = fmul contract double %.5763, %.361.5.i
+  %.359.6.i = fmul contract double %.5915, %.361.5.i
   %.361.6.i = fadd contract double %.379.5.i, %.359.6.i
-  %.359.7.i = fmul contract double %.5763, %.361.6.i
+  %.359.7.i = fmul contract double %.5915, %.361.6.i
   %.361.7.i = fadd contract double %.379.6.i, %.359.7.i
-  %.421.i = fmul contract double %.205.i, %.361.7.i
-  %sunkaddr586 = shl i64 %.4288, 3
-  %sunkaddr587 = getelementptr i8, ptr %arg.weights.4, i64 %sunkaddr586
-  %sunkaddr588 = getelementptr i8, ptr %sunkaddr587, i64 8
-  %.451.i = load double, ptr %sunkaddr588, align 8, !noalias !146
-  %.457.i = fmul contract double %.451.i, %.421.i
+  %.421.i30 = fmul contract double %.205.i, %.361.7.i
+  %sunkaddr587 = shl i64 %.4272, 3
+  %sunkaddr588 = getelementptr i8, ptr %arg.weights.4, i64 %sunkaddr587
+  %sunkaddr589 = getelementptr i8, ptr %sunkaddr588, i64 8
+  %.451.i = load double, ptr %sunkaddr589, align 8, !noalias !146
+  %.457.i = fmul contract double %.451.i, %.421.i30
   %.459.i = fsub contract double %.379.7.i, %.457.i
-  br label %B1804
+  br label %B7719
 
-B1804:                                            ; preds = %B1430, %B1684, %B1682
-  %top.2.sroa.16.0 = phi double [ 0.000000e+00, %B1682 ], [ %.421.i, %B1684 ], [ 0.000000e+00, %B1430 ]
-  %top.2.sroa.8.0 = phi double [ 0.000000e+00, %B1682 ], [ %.459.i, %B1684 ], [ 0.000000e+00, %B1430 ]
-  %top.2.sroa.0.0 = phi double [ 0.000000e+00, %B1682 ], [ %.397.7.i, %B1684 ], [ 0.000000e+00, %B1430 ]
-  %13 = add i64 %.137, 511
-  %.6348 = lshr i64 %13, 9
-  %.6327.inv = icmp slt i64 %.137, 1
-  %.63693094.not3110 = icmp eq i64 %.6348, 0
-  %.63693094.not = select i1 %.6327.inv, i1 true, i1 %.63693094.not3110
-  br i1 %.63693094.not, label %B7811, label %B1842.if.preheader
+B7719:                                            ; preds = %B1352, %B1551, %B1550
+  %top.2.sroa.16.0 = phi double [ %.421.i30, %B1551 ], [ 0.000000e+00, %B1550 ], [ 0.000000e+00, %B1352 ]
+  %top.2.sroa.8.0 = phi double [ %.459.i, %B1551 ], [ 0.000000e+00, %B1550 ], [ 0.000000e+00, %B1352 ]
+  %top.2.sroa.0.0 = phi double [ %.397.7.i, %B1551 ], [ 0.000000e+00, %B1550 ], [ 0.000000e+00, %B1352 ]
+  %22 = add i64 %.137, 255
+  %.6500 = lshr i64 %22, 8
+  %.6479.inv = icmp slt i64 %.137, 1
+  %.65213220.not3236 = icmp eq i64 %.6500, 0
+  %.65213220.not = select i1 %.6479.inv, i1 true, i1 %.65213220.not3236
+  br i1 %.65213220.not, label %B8321, label %B7797.if.preheader
 
-B1842.if.preheader:                               ; preds = %B1804
-  %14 = add nuw nsw i64 %.6348, 4
-  %15 = icmp eq i64 %41, 2
-  br label %B1842.if
+B7797.if.preheader:                               ; preds = %B7719
+  %23 = add nuw nsw i64 %.6500, 4
+  %24 = icmp eq i64 %50, 2
+  br label %B7797.if
 
-B1881:                                            ; preds = %B1842.if
-  store ptr null, ptr %.6513, align 8
-  call fastcc void @inner_21(ptr nonnull %.6513, i64 %arg.i, i64 %arg.lane, i64 %.637530893095, i64 %.13.i254, i64 %.13.i252, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, i64 %.1029, i64 %.1103, i8 %.4699, ptr %arg.scratch.4, ptr %.1206, ptr %.1283, ptr %.1345, double %top.2.sroa.0.0, double %top.2.sroa.8.0, double %top.2.sroa.16.0, ptr %.1626, ptr %.1688, ptr %.1751, ptr %.1814, ptr %.1877, ptr %.1940, ptr %.2051, ptr %.2114, ptr %.2177, ptr %.2240, ptr %.2427, ptr %.2522, ptr %.2336)
-  br label %B7809
+B8091:                                            ; preds = %B7797.if
+  store ptr null, ptr %.6665, align 8
+  call fastcc void @inner_21(ptr nonnull %.6665, i64 %arg.i, i64 %arg.lane, i64 %.652732153221, i64 %.13.i256, i64 %.13.i254, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, i64 %.1016, i64 %.1090, i8 %.4680, ptr %arg.scratch.4, ptr %.1193, ptr %.1270, ptr %.1332, double %top.2.sroa.0.0, double %top.2.sroa.8.0, double %top.2.sroa.16.0, ptr %.1613, ptr %.1675, ptr %.1738, ptr %.1801, ptr %.1864, ptr %.1927, ptr %.2038, ptr %.2101, ptr %.2164, ptr %.2227, ptr %.2414, ptr %.2509, ptr %.2323)
+  br label %B8243
 
-B7731:                                            ; preds = %B1842.if
-  store ptr null, ptr %.6615, align 8
-  call fastcc void @inner_22(ptr nonnull %.6615, i64 %arg.i, i64 %arg.lane, i64 %.637530893095, i64 %.13.i254, i64 %.13.i252, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, i64 %.1029, i64 %.1103, i8 %.4699, ptr %arg.scratch.4, ptr %.1206, ptr %.1283, ptr %.1345, double %top.2.sroa.0.0, double %top.2.sroa.8.0, double %top.2.sroa.16.0, ptr %.1626, ptr %.1688, ptr %.1751, ptr %.1814, ptr %.2427, ptr %.2522, ptr %.2336)
-  br label %B7809
+B8239:                                            ; preds = %B7797.if
+  store ptr null, ptr %.6767, align 8
+  call fastcc void @inner_22(ptr nonnull %.6767, i64 %arg.i, i64 %arg.lane, i64 %.652732153221, i64 %.13.i256, i64 %.13.i254, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.linear.4, i64 %arg.linear.5.0, ptr %arg.ratios.4, i64 %.1016, i64 %.1090, i8 %.4680, ptr %arg.scratch.4, ptr %.1193, ptr %.1270, ptr %.1332, double %top.2.sroa.0.0, double %top.2.sroa.8.0, double %top.2.sroa.16.0, ptr %.1613, ptr %.1675, ptr %.1738, ptr %.1801, ptr %.2414, ptr %.2509, ptr %.2323)
+  br label %B8243
 
-B7809:                                            ; preds = %B7731, %B1881
+B8243:                                            ; preds = %B8239, %B8091
   %lsr.iv.next8 = add nsw i64 %lsr.iv7, -1
-  %.6369 = icmp sgt i64 %lsr.iv7, 5
-  br i1 %.6369, label %B1842.if, label %B7811
+  %.6521 = icmp sgt i64 %lsr.iv7, 5
+  br i1 %.6521, label %B7797.if, label %B8321
 
-common.ret:                                       ; preds = %B1576.if, %for.end.1.endif.endif.endif.endif.if, %B7811
-  %common.ret.op = phi i32 [ 0, %B7811 ], [ 1, %for.end.1.endif.endif.endif.endif.if ], [ 1, %B1576.if ]
+common.ret:                                       ; preds = %B1512.if, %for.end.1.endif.endif.endif.endif.if, %B8321
+  %common.ret.op = phi i32 [ 0, %B8321 ], [ 1, %for.end.1.endif.endif.endif.endif.if ], [ 1, %B1512.if ]
   ret i32 %common.ret.op
 
-B7811:                                            ; preds = %B7809, %B1804
+B8321:                                            ; preds = %B8243, %B7719
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B94.if.lr.ph.i:                                   ; preds = %B1336
-  %.3658 = getelementptr i8, ptr %arg.contents.4, i64 112
-  %.3659 = load i64, ptr %.3658, align 8
-  %16 = getelementptr double, ptr %arg.scratch.4, i64 %.1029
-  %17 = getelementptr double, ptr %arg.scratch.4, i64 %.234.i
-  %.idx.i = mul i64 %.995.1, -24
-  %18 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx.i
-  %19 = shl i64 %.987, 3
-  %20 = and i64 %19, -64
-  %21 = sub i64 8, %20
-  %scevgep573 = getelementptr i8, ptr %arg.linear.4, i64 %21
-  %smin26 = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
-  %22 = add i64 %.3659, %smin26
-  %23 = shl i64 %22, 3
-  %scevgep27 = getelementptr i8, ptr %arg.weights.4, i64 %23
-  %24 = add i64 %.3659, %.88.sroa.0.3.i
-  %25 = shl i64 %24, 3
-  %scevgep29 = getelementptr i8, ptr %arg.weights.4, i64 %25
-  %26 = add nuw nsw i64 %.486.i, 5
+B94.if.lr.ph.i:                                   ; preds = %B1166
+  %.3645 = getelementptr i8, ptr %arg.contents.4, i64 112
+  %.3646 = load i64, ptr %.3645, align 8
+  %25 = getelementptr double, ptr %arg.scratch.4, i64 %.1016
+  %26 = getelementptr double, ptr %arg.scratch.4, i64 %.234.i
+  %.idx.i = mul i64 %.982.1, -24
+  %27 = getelementptr i8, ptr %arg.scratch.4, i64 %.idx.i
+  %28 = shl i64 %.974, 3
+  %29 = and i64 %28, -64
+  %30 = sub i64 8, %29
+  %scevgep574 = getelementptr i8, ptr %arg.linear.4, i64 %30
+  %smin28 = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
+  %31 = add i64 %.3646, %smin28
+  %32 = shl i64 %31, 3
+  %scevgep29 = getelementptr i8, ptr %arg.weights.4, i64 %32
+  %33 = add i64 %.3646, %.88.sroa.0.3.i
+  %34 = shl i64 %33, 3
+  %scevgep31 = getelementptr i8, ptr %arg.weights.4, i64 %34
+  %35 = add nuw nsw i64 %.486.i, 5
   br label %B94.if.i
 
 B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
-  %lsr.iv12 = phi i64 [ %lsr.iv.next13, %B94.if.i ], [ %26, %B94.if.lr.ph.i ]
+  %lsr.iv12 = phi i64 [ %lsr.iv.next13, %B94.if.i ], [ %35, %B94.if.lr.ph.i ]
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
   %sunkaddr18 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
   %.554.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !149
   %sunkaddr20 = getelementptr i8, ptr %sunkaddr18, i64 8
   %.565.i = load <8 x double>, ptr %sunkaddr20, align 8, !noalias !149
-  %scevgep575 = getelementptr i8, ptr %scevgep573, i64 %lsr.iv53.i
-  %scevgep576 = getelementptr i8, ptr %scevgep575, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep576, align 8, !noalias !149
-  %.586.i = load <8 x double>, ptr %scevgep575, align 8, !noalias !149
+  %scevgep576 = getelementptr i8, ptr %scevgep574, i64 %lsr.iv53.i
+  %scevgep577 = getelementptr i8, ptr %scevgep576, i64 -8
+  %.575.i = load <8 x double>, ptr %scevgep577, align 8, !noalias !149
+  %.586.i = load <8 x double>, ptr %scevgep576, align 8, !noalias !149
+  %scevgep32 = getelementptr i8, ptr %scevgep31, i64 %lsr.iv53.i
+  %.596.i = load <8 x double>, ptr %scevgep32, align 8, !noalias !149
   %scevgep30 = getelementptr i8, ptr %scevgep29, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !149
-  %scevgep28 = getelementptr i8, ptr %scevgep27, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep28, align 8, !noalias !149
+  %.606.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !149
   %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
   %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
   %scevgep65.i = getelementptr i8, ptr %arg.scratch.4, i64 %lsr.iv53.i
@@ -8323,203 +8386,141 @@ B94.if.i:                                         ; preds = %B94.if.i, %B94.if.l
   %.8.i.i = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
   %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i
   %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
-  %scevgep64.i = getelementptr i8, ptr %16, i64 %lsr.iv53.i
+  %scevgep64.i = getelementptr i8, ptr %25, i64 %lsr.iv53.i
   store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !149
   %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
-  %scevgep63.i = getelementptr i8, ptr %17, i64 %lsr.iv53.i
+  %scevgep63.i = getelementptr i8, ptr %26, i64 %lsr.iv53.i
   store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !149
   %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
   %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
   %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
-  %scevgep62.i = getelementptr i8, ptr %18, i64 %lsr.iv53.i
+  %scevgep62.i = getelementptr i8, ptr %27, i64 %lsr.iv53.i
   store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !149
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
   %lsr.iv.next13 = add nsw i64 %lsr.iv12, -1
   %.507.i = icmp sgt i64 %lsr.iv12, 6
-  br i1 %.507.i, label %B94.if.i, label %B1336.endif.endif.endif.e...endif.5
+  br i1 %.507.i, label %B94.if.i, label %B1166.endif.endif.endif.e...endif.5
 
-B1336.endif.endif.endif.e...endif.5:              ; preds = %B94.if.i, %B1336
-  %.4110 = load i64, ptr %.985, align 8
-  %27 = add i64 %.4110, 6
-  %.486.i194 = lshr i64 %27, 3
-  %.463.inv.i195 = icmp slt i64 %.4110, 2
-  %.507321.not325.i196 = icmp eq i64 %.486.i194, 0
-  %.507321.not.i197 = or i1 %.463.inv.i195, %.507321.not325.i196
-  br i1 %.507321.not.i197, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234, label %B94.if.lr.ph.i198
+B1166.endif.endif.endif.e...endif.5:              ; preds = %B94.if.i, %B1166
+  %.4097 = load i64, ptr %.972, align 8
+  %36 = add i64 %.4097, 6
+  %.486.i193 = lshr i64 %36, 3
+  %.463.inv.i194 = icmp slt i64 %.4097, 2
+  %.507321.not325.i195 = icmp eq i64 %.486.i193, 0
+  %.507321.not.i196 = or i1 %.463.inv.i194, %.507321.not325.i195
+  br i1 %.507321.not.i196, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit233, label %B94.if.lr.ph.i197
 
-B94.if.lr.ph.i198:                                ; preds = %B1336.endif.endif.endif.e...endif.5
-  %28 = getelementptr double, ptr %.1206, i64 %.1029
-  %29 = getelementptr double, ptr %.1206, i64 %.234.i
-  %.idx.i199 = mul i64 %.995.1, -24
-  %30 = getelementptr i8, ptr %.1206, i64 %.idx.i199
-  %31 = lshr i64 %.987, 3
-  %.neg = mul i64 %31, -192
-  %32 = getelementptr i8, ptr %arg.linear.4, i64 %.neg
-  %scevgep = getelementptr i8, ptr %32, i64 8
-  %33 = shl i64 %31, 7
-  %34 = sub i64 8, %33
-  %scevgep567 = getelementptr i8, ptr %arg.linear.4, i64 %34
+B94.if.lr.ph.i197:                                ; preds = %B1166.endif.endif.endif.e...endif.5
+  %37 = getelementptr double, ptr %.1193, i64 %.1016
+  %38 = getelementptr double, ptr %.1193, i64 %.234.i
+  %.idx.i198 = mul i64 %.982.1, -24
+  %39 = getelementptr i8, ptr %.1193, i64 %.idx.i198
+  %40 = lshr i64 %.974, 3
+  %.neg = mul i64 %40, -192
+  %41 = getelementptr i8, ptr %arg.linear.4, i64 %.neg
+  %scevgep = getelementptr i8, ptr %41, i64 8
+  %42 = shl i64 %40, 7
+  %43 = sub i64 8, %42
+  %scevgep568 = getelementptr i8, ptr %arg.linear.4, i64 %43
   %smin = tail call i64 @llvm.smin.i64(i64 %4, i64 1073741824)
-  %35 = add i64 %smin, %.3749
-  %36 = shl i64 %35, 3
-  %scevgep20 = getelementptr i8, ptr %arg.weights.4, i64 %36
-  %37 = add i64 %.88.sroa.0.3.i, %.3749
-  %38 = shl i64 %37, 3
-  %scevgep22 = getelementptr i8, ptr %arg.weights.4, i64 %38
-  %39 = add nuw nsw i64 %.486.i194, 5
-  br label %B94.if.i200
+  %44 = add i64 %smin, %.3736
+  %45 = shl i64 %44, 3
+  %scevgep22 = getelementptr i8, ptr %arg.weights.4, i64 %45
+  %46 = add i64 %.88.sroa.0.3.i, %.3736
+  %47 = shl i64 %46, 3
+  %scevgep24 = getelementptr i8, ptr %arg.weights.4, i64 %47
+  %48 = add nuw nsw i64 %.486.i193, 5
+  br label %B94.if.i199
 
-B94.if.i200:                                      ; preds = %B94.if.i200, %B94.if.lr.ph.i198
-  %lsr.iv10 = phi i64 [ %lsr.iv.next11, %B94.if.i200 ], [ %39, %B94.if.lr.ph.i198 ]
-  %lsr.iv53.i201 = phi i64 [ %lsr.iv.next54.i230, %B94.if.i200 ], [ 0, %B94.if.lr.ph.i198 ]
-  %scevgep569 = getelementptr i8, ptr %scevgep567, i64 %lsr.iv53.i201
-  %scevgep570 = getelementptr i8, ptr %scevgep569, i64 -8
-  %.554.i204 = load <8 x double>, ptr %scevgep570, align 8, !noalias !152
-  %.565.i206 = load <8 x double>, ptr %scevgep569, align 8, !noalias !152
-  %scevgep565 = getelementptr i8, ptr %scevgep, i64 %lsr.iv53.i201
-  %scevgep566 = getelementptr i8, ptr %scevgep565, i64 -8
-  %.575.i208 = load <8 x double>, ptr %scevgep566, align 8, !noalias !152
-  %.586.i210 = load <8 x double>, ptr %scevgep565, align 8, !noalias !152
-  %scevgep23 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i201
-  %.596.i212 = load <8 x double>, ptr %scevgep23, align 8, !noalias !152
-  %scevgep21 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i201
-  %.606.i214 = load <8 x double>, ptr %scevgep21, align 8, !noalias !152
-  %.6.i.i215 = fsub contract <8 x double> %.565.i206, %.554.i204
-  %.6.i46.i216 = fmul contract <8 x double> %.6.i.i215, %.606.i214
-  %scevgep65.i217 = getelementptr i8, ptr %.1206, i64 %lsr.iv53.i201
-  store <8 x double> %.554.i204, ptr %scevgep65.i217, align 8, !noalias !152
-  %.669.i218 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i208, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i210)
-  %.8.i.i219 = fmul contract <8 x double> %.669.i218, splat (double 0x3FC5555555555555)
-  %.6.i47.i220 = fmul contract <8 x double> %.596.i212, %.8.i.i219
-  %.6.i48.i221 = fsub contract <8 x double> %.6.i46.i216, %.6.i47.i220
-  %scevgep64.i222 = getelementptr i8, ptr %28, i64 %lsr.iv53.i201
-  store <8 x double> %.6.i48.i221, ptr %scevgep64.i222, align 8, !noalias !152
-  %.8.i49.i223 = fmul contract <8 x double> %.575.i208, splat (double 5.000000e-01)
-  %scevgep63.i224 = getelementptr i8, ptr %29, i64 %lsr.iv53.i201
-  store <8 x double> %.8.i49.i223, ptr %scevgep63.i224, align 8, !noalias !152
-  %.6.i50.i225 = fsub contract <8 x double> %.586.i210, %.575.i208
-  %.6.i51.i226 = fmul contract <8 x double> %.6.i50.i225, %.606.i214
-  %.8.i52.i227 = fmul contract <8 x double> %.6.i51.i226, splat (double 0x3FC5555555555555)
-  %scevgep62.i228 = getelementptr i8, ptr %30, i64 %lsr.iv53.i201
-  store <8 x double> %.8.i52.i227, ptr %scevgep62.i228, align 8, !noalias !152
-  %lsr.iv.next54.i230 = add i64 %lsr.iv53.i201, 64
+B94.if.i199:                                      ; preds = %B94.if.i199, %B94.if.lr.ph.i197
+  %lsr.iv10 = phi i64 [ %lsr.iv.next11, %B94.if.i199 ], [ %48, %B94.if.lr.ph.i197 ]
+  %lsr.iv53.i200 = phi i64 [ %lsr.iv.next54.i229, %B94.if.i199 ], [ 0, %B94.if.lr.ph.i197 ]
+  %scevgep570 = getelementptr i8, ptr %scevgep568, i64 %lsr.iv53.i200
+  %scevgep571 = getelementptr i8, ptr %scevgep570, i64 -8
+  %.554.i203 = load <8 x double>, ptr %scevgep571, align 8, !noalias !152
+  %.565.i205 = load <8 x double>, ptr %scevgep570, align 8, !noalias !152
+  %scevgep566 = getelementptr i8, ptr %scevgep, i64 %lsr.iv53.i200
+  %scevgep567 = getelementptr i8, ptr %scevgep566, i64 -8
+  %.575.i207 = load <8 x double>, ptr %scevgep567, align 8, !noalias !152
+  %.586.i209 = load <8 x double>, ptr %scevgep566, align 8, !noalias !152
+  %scevgep25 = getelementptr i8, ptr %scevgep24, i64 %lsr.iv53.i200
+  %.596.i211 = load <8 x double>, ptr %scevgep25, align 8, !noalias !152
+  %scevgep23 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i200
+  %.606.i213 = load <8 x double>, ptr %scevgep23, align 8, !noalias !152
+  %.6.i.i214 = fsub contract <8 x double> %.565.i205, %.554.i203
+  %.6.i46.i215 = fmul contract <8 x double> %.6.i.i214, %.606.i213
+  %scevgep65.i216 = getelementptr i8, ptr %.1193, i64 %lsr.iv53.i200
+  store <8 x double> %.554.i203, ptr %scevgep65.i216, align 8, !noalias !152
+  %.669.i217 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i207, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i209)
+  %.8.i.i218 = fmul contract <8 x double> %.669.i217, splat (double 0x3FC5555555555555)
+  %.6.i47.i219 = fmul contract <8 x double> %.596.i211, %.8.i.i218
+  %.6.i48.i220 = fsub contract <8 x double> %.6.i46.i215, %.6.i47.i219
+  %scevgep64.i221 = getelementptr i8, ptr %37, i64 %lsr.iv53.i200
+  store <8 x double> %.6.i48.i220, ptr %scevgep64.i221, align 8, !noalias !152
+  %.8.i49.i222 = fmul contract <8 x double> %.575.i207, splat (double 5.000000e-01)
+  %scevgep63.i223 = getelementptr i8, ptr %38, i64 %lsr.iv53.i200
+  store <8 x double> %.8.i49.i222, ptr %scevgep63.i223, align 8, !noalias !152
+  %.6.i50.i224 = fsub contract <8 x double> %.586.i209, %.575.i207
+  %.6.i51.i225 = fmul contract <8 x double> %.6.i50.i224, %.606.i213
+  %.8.i52.i226 = fmul contract <8 x double> %.6.i51.i225, splat (double 0x3FC5555555555555)
+  %scevgep62.i227 = getelementptr i8, ptr %39, i64 %lsr.iv53.i200
+  store <8 x double> %.8.i52.i226, ptr %scevgep62.i227, align 8, !noalias !152
+  %lsr.iv.next54.i229 = add i64 %lsr.iv53.i200, 64
   %lsr.iv.next11 = add nsw i64 %lsr.iv10, -1
-  %.507.i231 = icmp sgt i64 %lsr.iv10, 6
-  br i1 %.507.i231, label %B94.if.i200, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234
+  %.507.i230 = icmp sgt i64 %lsr.iv10, 6
+  br i1 %.507.i230, label %B94.if.i199, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit233
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234: ; preds = %B94.if.i200, %B1336.endif.endif.endif.e...endif.5
-  %40 = inttoptr i64 %.747 to ptr
-  %.4252 = getelementptr i8, ptr %arg.row.4, i64 56
-  %.4253 = load double, ptr %.4252, align 8
-  %.4254 = fmul contract double %.4253, 0x3ED4A8B4A9ED04E3
-  %.4287 = getelementptr i8, ptr %arg.contents.4, i64 128
-  %.4288 = load i64, ptr %.4287, align 8
-  %.4299 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4288
-  %.4484 = getelementptr i8, ptr %.4299, i64 8
-  %.4485 = load double, ptr %.4484, align 8
-  %.4487 = fmul contract double %.4485, 0x3FF000000044B830
-  %.4495.le = tail call contract double @llvm.log.f64(double %.4487)
-  %.4508.le = tail call contract double @llvm.log.f64(double %.4254)
-  %.4513 = fsub contract double %.4495.le, %.4508.le
-  store i64 0, ptr %.4559, align 8
-  call fastcc void @inner_14(ptr nonnull %.4559, ptr %.620, i64 %.137, ptr %40, i64 %.516, double %prepared_grid_v121__vphi308_0.2.0, double %.4513)
-  %.4577 = load i64, ptr %.4559, align 8
-  %.4363 = getelementptr inbounds double, ptr %arg.linear.4, i64 %.1133
-  %.4598 = mul nsw i64 %.320, %.137
-  %.4601 = icmp sgt i64 %.4598, 2047
-  %.4633 = getelementptr i8, ptr %arg.arguments.4, i64 112
-  %.4634 = load i64, ptr %.4633, align 8
-  %41 = and i64 %.4634, -2
-  store i8 0, ptr %.4693, align 1
-  %.4699 = zext i1 %.4601 to i8
-  %.4718 = call fastcc i32 @inner_23(ptr nonnull %.4693, ptr nonnull %excinfo.39, i64 %arg.lane, ptr %arg.row.4, double %.4254, i8 %.4699, i64 %.4577, ptr nonnull %.205, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.4363, ptr %arg.ratios.4, ptr %.1425, ptr %.2427, ptr %.2522)
-  %.4728 = load i8, ptr %.4693, align 1
-  %cond1 = icmp eq i32 %.4718, 0
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit233: ; preds = %B94.if.i199, %B1166.endif.endif.endif.e...endif.5
+  %49 = inttoptr i64 %.743 to ptr
+  %.4239 = getelementptr i8, ptr %arg.row.4, i64 56
+  %.4240 = load double, ptr %.4239, align 8
+  %.4241 = fmul contract double %.4240, 0x3ED4A8B4A9ED04E3
+  %.4271 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.4272 = load i64, ptr %.4271, align 8
+  %.4283 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.4272
+  %.4467 = getelementptr i8, ptr %.4283, i64 8
+  %.4468 = load double, ptr %.4467, align 8
+  %.4470 = fmul contract double %.4468, 0x3FF000000044B830
+  %.4478.le = tail call contract double @llvm.log.f64(double %.4470)
+  %.4490.le = tail call contract double @llvm.log.f64(double %.4241)
+  %.4495 = fsub contract double %.4478.le, %.4490.le
+  store i64 0, ptr %.4541, align 8
+  call fastcc void @inner_14(ptr nonnull %.4541, ptr %.616, i64 %.137, ptr %49, i64 %.512, double %prepared_grid_v117__vphi308_0.2.0, double %.4495)
+  %.4559 = load i64, ptr %.4541, align 8
+  %.4347 = getelementptr inbounds double, ptr %arg.linear.4, i64 %.1120
+  %.4580 = mul nsw i64 %.320, %.137
+  %.4583 = icmp sgt i64 %.4580, 2047
+  %.4615 = getelementptr i8, ptr %arg.arguments.4, i64 112
+  %.4616 = load i64, ptr %.4615, align 8
+  %50 = and i64 %.4616, -2
+  store i8 0, ptr %.4674, align 1
+  %.4680 = zext i1 %.4583 to i8
+  %.4699 = call fastcc i32 @inner_23(ptr nonnull %.4674, ptr nonnull %excinfo.39, i64 %arg.lane, ptr %arg.row.4, double %.4241, i8 %.4680, i64 %.4559, ptr nonnull %.205, ptr %arg.arguments.4, ptr %arg.contents.4, ptr %arg.weights.4, ptr %.4347, ptr %arg.ratios.4, ptr %.1412, ptr %.2414, ptr %.2509)
+  %.4709 = load i8, ptr %.4674, align 1
+  %cond1 = icmp eq i32 %.4699, 0
   br i1 %cond1, label %for.end.1.endif.endif.endif.endif.endif, label %for.end.1.endif.endif.endif.endif.if, !prof !0
 
-for.end.1.endif.endif.endif.endif.if:             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234
-  %.4719 = load ptr, ptr %excinfo.39, align 8
-  store ptr %.4719, ptr %excinfo, align 8
+for.end.1.endif.endif.endif.endif.if:             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit233
+  %.4700 = load ptr, ptr %excinfo.39, align 8
+  store ptr %.4700, ptr %excinfo, align 8
   br label %common.ret
 
-for.end.1.endif.endif.endif.endif.endif:          ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit234
-  br i1 %.4601, label %B1414, label %B1430
+for.end.1.endif.endif.endif.endif.endif:          ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit233
+  br i1 %.4583, label %B1246, label %B1352
 
-B296.i:                                           ; preds = %B1414
-  %.313.i = load double, ptr %.147.i, align 8, !noalias !143
-  %.317.i = fcmp contract olt double %.313.i, %.257.i
-  br i1 %.317.i, label %B336.preheader.i, label %B404.i
-
-B336.preheader.i:                                 ; preds = %B296.i
-  %42 = add nsw i64 %.228.i, -2
-  %43 = shl i64 %.134.i, 3
-  %44 = getelementptr i8, ptr %arg.weights.4, i64 %43
-  %scevgep11.i = getelementptr i8, ptr %44, i64 8
-  br label %B336.i
-
-B336.i:                                           ; preds = %B364.i, %B336.preheader.i
-  %first.2.0.i = phi i64 [ %.323.i, %B364.i ], [ 0, %B336.preheader.i ]
-  %exitcond.not.i = icmp eq i64 %42, %first.2.0.i
-  br i1 %exitcond.not.i, label %B404.i, label %B364.i
-
-B364.i:                                           ; preds = %B336.i
-  %.323.i = add nuw nsw i64 %first.2.0.i, 1
-  %45 = shl i64 %first.2.0.i, 3
-  %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %45
-  %.352.i = load double, ptr %scevgep12.i, align 8, !noalias !143
-  %.356.i = fcmp contract olt double %.352.i, %.257.i
-  br i1 %.356.i, label %B336.i, label %B404.i
-
-B404.i:                                           ; preds = %B364.i, %B336.i, %B296.i, %B1414
-  %first.3.1.i = phi i64 [ 0, %B296.i ], [ 0, %B1414 ], [ %.293.i, %B336.i ], [ %.323.i, %B364.i ]
-  %.378.i250 = add nsw i64 %first.3.1.i, 1
-  %.380.i = icmp sgt i64 %.228.i, %.378.i250
-  br i1 %.380.i, label %B422.i, label %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-
-B422.i:                                           ; preds = %B404.i
-  %46 = getelementptr double, ptr %.147.i, i64 %.228.i
-  %.400.i = getelementptr i8, ptr %46, i64 -16
-  %.401.i = load double, ptr %.400.i, align 8, !noalias !143
-  %.403.i = fcmp contract ogt double %.401.i, %.274.i
-  br i1 %.403.i, label %B468.preheader.i, label %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-
-B468.preheader.i:                                 ; preds = %B422.i
-  %47 = shl i64 %.134.i, 3
-  %48 = getelementptr i8, ptr %arg.weights.4, i64 %47
-  %scevgep.i = getelementptr i8, ptr %48, i64 -24
-  br label %B468.i
-
-B468.i:                                           ; preds = %B496.i, %B468.preheader.i
-  %last.2.1.i = phi i64 [ %49, %B496.i ], [ %.228.i, %B468.preheader.i ]
-  %49 = add nsw i64 %last.2.1.i, -1
-  %.421.i251 = icmp sgt i64 %49, %.378.i250
-  br i1 %.421.i251, label %B496.i, label %B1576
-
-B496.i:                                           ; preds = %B468.i
-  %50 = shl i64 %last.2.1.i, 3
-  %scevgep9.i = getelementptr i8, ptr %scevgep.i, i64 %50
-  %.441.i = load double, ptr %scevgep9.i, align 8, !noalias !143
-  %.443.i = fcmp contract ogt double %.441.i, %.274.i
-  br i1 %.443.i, label %B468.i, label %_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-
-_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B422.i, %B404.i
-  %last.3.0.i = phi i64 [ %.228.i, %B422.i ], [ %.228.i, %B404.i ], [ %49, %B496.i ]
-  %.5222 = icmp sgt i64 %last.3.0.i, %first.3.1.i
-  br i1 %.5222, label %B1576, label %B1682
-
-B1576.if:                                         ; preds = %B1576
-  %.5601 = load ptr, ptr %excinfo.43, align 8
-  store ptr %.5601, ptr %excinfo, align 8
+B1512.if:                                         ; preds = %B1512
+  %.5753 = load ptr, ptr %excinfo.43, align 8
+  store ptr %.5753, ptr %excinfo, align 8
   br label %common.ret
 
-B1842.if:                                         ; preds = %B7809, %B1842.if.preheader
-  %lsr.iv7 = phi i64 [ %lsr.iv.next8, %B7809 ], [ %14, %B1842.if.preheader ]
-  %.637530893095 = phi i64 [ %51, %B7809 ], [ 0, %B1842.if.preheader ]
-  %51 = add nuw i64 %.637530893095, 512
-  %.13.i252 = tail call i64 @llvm.smin.i64(i64 %.137, i64 %51)
-  %.13.i253 = tail call i64 @llvm.smax.i64(i64 %.637530893095, i64 %.4577)
-  %.13.i254 = tail call i64 @llvm.smin.i64(i64 %.13.i252, i64 %.13.i253)
-  br i1 %15, label %B1881, label %B7731
+B7797.if:                                         ; preds = %B8243, %B7797.if.preheader
+  %lsr.iv7 = phi i64 [ %lsr.iv.next8, %B8243 ], [ %23, %B7797.if.preheader ]
+  %.652732153221 = phi i64 [ %51, %B8243 ], [ 0, %B7797.if.preheader ]
+  %51 = add nuw i64 %.652732153221, 256
+  %.13.i254 = tail call i64 @llvm.smin.i64(i64 %.137, i64 %51)
+  %.13.i255 = tail call i64 @llvm.smax.i64(i64 %.652732153221, i64 %.4559)
+  %.13.i256 = tail call i64 @llvm.smin.i64(i64 %.13.i254, i64 %.13.i255)
+  br i1 %24, label %B8091, label %B8239
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -8781,7 +8782,7 @@ entry:
   %.1177 = getelementptr double, ptr %0, i64 %arg.ends.0
   %.161611871 = load i64, ptr %.526, align 8
   %.161811872 = icmp sgt i64 %.161611871, 0
-  br i1 %.161811872, label %B820.preheader.lr.ph, label %B72875
+  br i1 %.161811872, label %B820.preheader.lr.ph, label %B76211
 
 B820:                                             ; preds = %B820.backedge, %B820.preheader.lr.ph
   %k.6.1 = phi i64 [ 0, %B820.preheader.lr.ph ], [ %k.6.1.be, %B820.backedge ]
@@ -8806,7 +8807,7 @@ B820:                                             ; preds = %B820.backedge, %B82
   %.3415 = getelementptr i8, ptr %1, i64 64
   %.3416 = load i64, ptr %.3415, align 8
   %.3417 = icmp eq i64 %.3416, 0
-  br i1 %.3417, label %B1132, label %B17473
+  br i1 %.3417, label %B1132, label %B18307
 
 B1132:                                            ; preds = %B820
   %.3477 = load i64, ptr %.526, align 8
@@ -8838,14 +8839,14 @@ B1352:                                            ; preds = %B1132
   %.3795 = getelementptr i8, ptr %6, i64 48
   %.3945 = load i64, ptr %.3795, align 8
   %.3952.not = icmp eq i64 %.3945, %.1744
-  br i1 %.3952.not, label %B17473, label %B1353
+  br i1 %.3952.not, label %B18307, label %B1353
 
 B1353:                                            ; preds = %B1352, %B1132
   %.115.i = insertelement <8 x double> poison, double %.3708, i64 0
   %.116.i = shufflevector <8 x double> %.115.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.120.i = insertelement <8 x double> poison, double %.3742, i64 0
   %.121.i = shufflevector <8 x double> %.120.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.212254.not.i, label %B72472, label %B164.lr.ph.i
+  br i1 %.212254.not.i, label %B75808, label %B164.lr.ph.i
 
 B164.lr.ph.i:                                     ; preds = %B1353
   %.6.i.i = insertelement <8 x double> poison, double %.3288, i64 0
@@ -8854,10 +8855,10 @@ B164.lr.ph.i:                                     ; preds = %B1353
   %7 = icmp eq i64 %number.2.1, 0
   br label %B164.i
 
-B164.i:                                           ; preds = %B73535.i, %B164.lr.ph.i
-  %lsr.iv.i = phi i64 [ %.269.i, %B164.lr.ph.i ], [ %lsr.iv.next.i, %B73535.i ]
-  %.202.sroa.0.0260.i = phi i64 [ 0, %B164.lr.ph.i ], [ %.202.sroa.0.0.i, %B73535.i ]
-  %.218708258.i = phi i64 [ 8, %B164.lr.ph.i ], [ %.218708.i, %B73535.i ]
+B164.i:                                           ; preds = %B76871.i, %B164.lr.ph.i
+  %lsr.iv.i = phi i64 [ %.269.i, %B164.lr.ph.i ], [ %lsr.iv.next.i, %B76871.i ]
+  %.202.sroa.0.0260.i = phi i64 [ 0, %B164.lr.ph.i ], [ %.202.sroa.0.0.i, %B76871.i ]
+  %.218708258.i = phi i64 [ 8, %B164.lr.ph.i ], [ %.218708.i, %B76871.i ]
   %.268.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.202.sroa.0.0260.i
   %.270.i = load <8 x double>, ptr %.268.i, align 8, !noalias !156
   %.8.i.i = fmul contract <8 x double> %.7.i.i, %.270.i
@@ -8903,7 +8904,7 @@ B164.i:                                           ; preds = %B73535.i, %B164.lr.
   %.801.i = load <8 x double>, ptr %.799.i, align 8, !noalias !156
   %.6.i278.i = fmul contract <8 x double> %.801.i, %12
   %.6.i279.i = fmul contract <8 x double> %.801.i, %10
-  br i1 %7, label %B73535.i, label %B248.i
+  br i1 %7, label %B76871.i, label %B248.i
 
 B248.i:                                           ; preds = %B164.i
   %.1010.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.202.sroa.0.0260.i
@@ -8914,26 +8915,26 @@ B248.i:                                           ; preds = %B164.i
   %.1048.i = load <8 x double>, ptr %.1046.i, align 8, !noalias !156
   %.1064.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.202.sroa.0.0260.i
   %.1066.i = load <8 x double>, ptr %.1064.i, align 8, !noalias !156
-  br label %B73535.i
+  br label %B76871.i
 
-B73535.i:                                         ; preds = %B248.i, %B164.i
-  %_add_v366_first.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1012.i, %B248.i ]
-  %_add_v366_second.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1030.i, %B248.i ]
-  %_add_v366_third.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1048.i, %B248.i ]
-  %_add_v366_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1066.i, %B248.i ]
-  %.1140.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v366_first.2.1.i)
+B76871.i:                                         ; preds = %B248.i, %B164.i
+  %_add_v367_first.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1012.i, %B248.i ]
+  %_add_v367_second.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1030.i, %B248.i ]
+  %_add_v367_third.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1048.i, %B248.i ]
+  %_add_v367_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1066.i, %B248.i ]
+  %.1140.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v367_first.2.1.i)
   %.1144.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> %.116.i, <8 x double> %.1140.i)
   %.1152.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.202.sroa.0.0260.i
   store <8 x double> %.1144.i, ptr %.1152.i, align 8, !noalias !156
-  %.1173.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.116.i, <8 x double> %_add_v366_second.2.1.i)
+  %.1173.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.116.i, <8 x double> %_add_v367_second.2.1.i)
   %.1177.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> zeroinitializer, <8 x double> %.1173.i)
   %.1185.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.202.sroa.0.0260.i
   store <8 x double> %.1177.i, ptr %.1185.i, align 8, !noalias !156
-  %.1254.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.6.i280.i, <8 x double> %_add_v366_third.2.1.i)
+  %.1254.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.6.i280.i, <8 x double> %_add_v367_third.2.1.i)
   %.1258.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> zeroinitializer, <8 x double> %.1254.i)
   %.1266.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.202.sroa.0.0260.i
   store <8 x double> %.1258.i, ptr %.1266.i, align 8, !noalias !156
-  %.1331.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v366_fourth.2.1.i)
+  %.1331.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v367_fourth.2.1.i)
   %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> %.121.i, <8 x double> %.1331.i)
   %.1347.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.202.sroa.0.0260.i
   store <8 x double> %.1337.i, ptr %.1347.i, align 8, !noalias !156
@@ -8943,9 +8944,9 @@ B73535.i:                                         ; preds = %B248.i, %B164.i
   %.202.sroa.0.0.i = select i1 %.212.i, i64 %.218708258.i, i64 0
   %lsr.iv.next.i = add nsw i64 %lsr.iv.i, -1
   %B164.termcond.i = icmp sgt i64 %lsr.iv.i, 1
-  br i1 %B164.termcond.i, label %B164.i, label %B72472
+  br i1 %B164.termcond.i, label %B164.i, label %B75808
 
-B17473:                                           ; preds = %B820, %B1352
+B18307:                                           ; preds = %B820, %B1352
   %mode.2.sroa.52.3 = phi ptr [ %.3795, %B1352 ], [ %.1646, %B820 ]
   %k.7.3 = phi i64 [ %.3759, %B1352 ], [ %k.6.1, %B820 ]
   %own.3.sroa.14.3 = phi double [ %.3742, %B1352 ], [ 0.000000e+00, %B820 ]
@@ -9028,15 +9029,15 @@ B17473:                                           ; preds = %B820, %B1352
   %.410442.not.i = or i1 %.368.inv.i, %.410442.not453.i
   br i1 %.410442.not.i, label %B348.i, label %B198.if.lr.ph.i
 
-B35909:                                           ; preds = %B35831.endif.endif.endif
+B37577:                                           ; preds = %B37499.endif.endif.endif
   %.idx9141 = mul i64 %.7958, 72
   %sunkaddr3972 = getelementptr i8, ptr %.526, i64 %.idx9141
   %sunkaddr3973 = getelementptr i8, ptr %sunkaddr3972, i64 48
   %.8126 = load i64, ptr %sunkaddr3973, align 8
   %.8128.not = icmp eq i64 %.8126, %.1744
-  br i1 %.8128.not, label %B72550, label %B35911
+  br i1 %.8128.not, label %B75886, label %B37579
 
-B35911:                                           ; preds = %B35831.endif.endif.endif, %B35909
+B37579:                                           ; preds = %B37499.endif.endif.endif, %B37577
   %.341.i = insertelement <8 x double> poison, double %.7549, i64 0
   %.342.i = shufflevector <8 x double> %.341.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.594.i = insertelement <8 x double> poison, double %own.3.sroa.0.3, i64 0
@@ -9047,9 +9048,9 @@ B35911:                                           ; preds = %B35831.endif.endif.
   %.634.i = shufflevector <8 x double> %.633.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.635.i = insertelement <8 x double> poison, double %.7941, i64 0
   %.636.i = shufflevector <8 x double> %.635.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.290534.not.i, label %B72472, label %B50.lr.ph.i
+  br i1 %.290534.not.i, label %B75808, label %B50.lr.ph.i
 
-B50.lr.ph.i:                                      ; preds = %B35911
+B50.lr.ph.i:                                      ; preds = %B37579
   %.387.i = add i64 %.7617, -1
   %..387.i = tail call i64 @llvm.smax.i64(i64 %.387.i, i64 0)
   %.6.i.i2743 = insertelement <8 x double> poison, double %.7582, i64 0
@@ -9065,42 +9066,42 @@ B50.lr.ph.i:                                      ; preds = %B35911
   %26 = icmp eq i64 %xtraiter.i, 0
   br label %B50.i
 
-B50.i:                                            ; preds = %B74001.i, %B50.lr.ph.i
-  %.242.sroa.0.0387.i = phi i64 [ 0, %B50.lr.ph.i ], [ %.242.sroa.0.0.i, %B74001.i ]
-  %.251937386.i = phi i64 [ %math, %B50.lr.ph.i ], [ %.251937.i, %B74001.i ]
-  %.258968385.i = phi i64 [ 8, %B50.lr.ph.i ], [ %.258968.i, %B74001.i ]
+B50.i:                                            ; preds = %B77337.i, %B50.lr.ph.i
+  %.242.sroa.0.0387.i = phi i64 [ 0, %B50.lr.ph.i ], [ %.242.sroa.0.0.i, %B77337.i ]
+  %.251937386.i = phi i64 [ %math, %B50.lr.ph.i ], [ %.251937.i, %B77337.i ]
+  %.258968385.i = phi i64 [ 8, %B50.lr.ph.i ], [ %.258968.i, %B77337.i ]
   %.311.i = getelementptr inbounds double, ptr %.1177, i64 %.242.sroa.0.0387.i
   %.313.i = load <8 x double>, ptr %.311.i, align 8, !noalias !162
   %.8.i.i2745 = fmul contract <8 x double> %.7.i.i2744, %.313.i
   %.343.i2746 = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i2745, <8 x double> %.342.i)
-  br i1 %23, label %B73834.i, label %B512.if.preheader.i
+  br i1 %23, label %B77170.i, label %B512.if.preheader.i
 
 B512.if.preheader.i:                              ; preds = %B50.i
   br i1 %25, label %B512.if.epil.i.preheader, label %B512.if.i
 
-B73834.loopexit.unr-lcssa.i:                      ; preds = %B512.if.i
-  br i1 %26, label %B73834.i, label %B512.if.epil.i.preheader
+B77170.loopexit.unr-lcssa.i:                      ; preds = %B512.if.i
+  br i1 %26, label %B77170.i, label %B512.if.epil.i.preheader
 
-B512.if.epil.i.preheader:                         ; preds = %B73834.loopexit.unr-lcssa.i, %B512.if.preheader.i
-  %_velocity_v371_w.2.1934.epil.i.ph = phi <8 x double> [ %.343.i2746, %B512.if.preheader.i ], [ %.6.i391.3.i, %B73834.loopexit.unr-lcssa.i ]
+B512.if.epil.i.preheader:                         ; preds = %B77170.loopexit.unr-lcssa.i, %B512.if.preheader.i
+  %_velocity_v372_w.2.1934.epil.i.ph = phi <8 x double> [ %.343.i2746, %B512.if.preheader.i ], [ %.6.i391.3.i, %B77170.loopexit.unr-lcssa.i ]
   br label %B512.if.epil.i
 
 B512.if.epil.i:                                   ; preds = %B512.if.epil.i.preheader, %B512.if.epil.i
   %lsr.iv426.i = phi i64 [ %lsr.iv.next427.i, %B512.if.epil.i ], [ %xtraiter.i, %B512.if.epil.i.preheader ]
-  %_velocity_v371_w.2.1934.epil.i = phi <8 x double> [ %.6.i391.epil.i, %B512.if.epil.i ], [ %_velocity_v371_w.2.1934.epil.i.ph, %B512.if.epil.i.preheader ]
-  %.6.i391.epil.i = fmul contract <8 x double> %.343.i2746, %_velocity_v371_w.2.1934.epil.i
+  %_velocity_v372_w.2.1934.epil.i = phi <8 x double> [ %.6.i391.epil.i, %B512.if.epil.i ], [ %_velocity_v372_w.2.1934.epil.i.ph, %B512.if.epil.i.preheader ]
+  %.6.i391.epil.i = fmul contract <8 x double> %.343.i2746, %_velocity_v372_w.2.1934.epil.i
   %lsr.iv.next427.i = add nsw i64 %lsr.iv426.i, -1
   %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next427.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B73834.i, label %B512.if.epil.i, !llvm.loop !165
+  br i1 %epil.iter.cmp.not.i, label %B77170.i, label %B512.if.epil.i, !llvm.loop !165
 
-B73834.i:                                         ; preds = %B512.if.epil.i, %B73834.loopexit.unr-lcssa.i, %B50.i
-  %_velocity_v371_w.2.1.lcssa.i = phi <8 x double> [ %.343.i2746, %B50.i ], [ %.6.i391.3.i, %B73834.loopexit.unr-lcssa.i ], [ %.6.i391.epil.i, %B512.if.epil.i ]
+B77170.i:                                         ; preds = %B512.if.epil.i, %B77170.loopexit.unr-lcssa.i, %B50.i
+  %_velocity_v372_w.2.1.lcssa.i = phi <8 x double> [ %.343.i2746, %B50.i ], [ %.6.i391.3.i, %B77170.loopexit.unr-lcssa.i ], [ %.6.i391.epil.i, %B512.if.epil.i ]
   %.518.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.242.sroa.0.0387.i
   %.520.i = load <8 x double>, ptr %.518.i, align 8, !noalias !162
-  %.6.i389.i = fmul contract <8 x double> %_velocity_v371_w.2.1.lcssa.i, %.520.i
+  %.6.i389.i = fmul contract <8 x double> %_velocity_v372_w.2.1.lcssa.i, %.520.i
   %.560.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.242.sroa.0.0387.i
   %.562.i = load <8 x double>, ptr %.560.i, align 8, !noalias !162
-  %.6.i392.i = fmul contract <8 x double> %_velocity_v371_w.2.1.lcssa.i, %.562.i
+  %.6.i392.i = fmul contract <8 x double> %_velocity_v372_w.2.1.lcssa.i, %.562.i
   %.598.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i389.i, <8 x double> %.597.i, <8 x double> %.595.i)
   %.8.i395.i = fmul contract <8 x double> %.597.i, %.6.i392.i
   %.637.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i389.i, <8 x double> %.636.i, <8 x double> %.634.i)
@@ -9150,9 +9151,9 @@ B73834.i:                                         ; preds = %B512.if.epil.i, %B7
   %.1220.i = load <8 x double>, ptr %.1218.i, align 8, !noalias !162
   %.6.i418.i = fmul contract <8 x double> %.1220.i, %31
   %.6.i419.i = fmul contract <8 x double> %.1220.i, %29
-  br i1 %24, label %B74001.i, label %B73848.i
+  br i1 %24, label %B77337.i, label %B77184.i
 
-B73848.i:                                         ; preds = %B73834.i
+B77184.i:                                         ; preds = %B77170.i
   %.1420.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.242.sroa.0.0387.i
   %.1422.i = load <8 x double>, ptr %.1420.i, align 8, !noalias !162
   %.1438.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.242.sroa.0.0387.i
@@ -9161,29 +9162,29 @@ B73848.i:                                         ; preds = %B73834.i
   %.1458.i = load <8 x double>, ptr %.1456.i, align 8, !noalias !162
   %.1474.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.242.sroa.0.0387.i
   %.1476.i = load <8 x double>, ptr %.1474.i, align 8, !noalias !162
-  br label %B74001.i
+  br label %B77337.i
 
-B74001.i:                                         ; preds = %B73848.i, %B73834.i
-  %_add_v374_first.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1422.i, %B73848.i ]
-  %_add_v374_second.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1440.i, %B73848.i ]
-  %_add_v374_third.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1458.i, %B73848.i ]
-  %_add_v374_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B73834.i ], [ %.1476.i, %B73848.i ]
+B77337.i:                                         ; preds = %B77184.i, %B77170.i
+  %_add_v375_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1422.i, %B77184.i ]
+  %_add_v375_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1440.i, %B77184.i ]
+  %_add_v375_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1458.i, %B77184.i ]
+  %_add_v375_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1476.i, %B77184.i ]
   %.6.i390.i = fsub contract <8 x double> zeroinitializer, %.8.i395.i
-  %.1550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i390.i, <8 x double> %_add_v374_first.2.1.i)
+  %.1550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i390.i, <8 x double> %_add_v375_first.2.1.i)
   %.1554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.598.i, <8 x double> %.1550.i)
   %.1562.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.242.sroa.0.0387.i
   store <8 x double> %.1554.i, ptr %.1562.i, align 8, !noalias !162
-  %.1583.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.598.i, <8 x double> %_add_v374_second.2.1.i)
+  %.1583.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.598.i, <8 x double> %_add_v375_second.2.1.i)
   %.1587.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.8.i395.i, <8 x double> %.1583.i)
   %.1595.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.242.sroa.0.0387.i
   store <8 x double> %.1587.i, ptr %.1595.i, align 8, !noalias !162
   %.6.i420.i = fsub contract <8 x double> zeroinitializer, %.8.i398.i
   %.6.i421.i = fsub contract <8 x double> zeroinitializer, %.637.i
-  %.1664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i421.i, <8 x double> %_add_v374_third.2.1.i)
+  %.1664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i421.i, <8 x double> %_add_v375_third.2.1.i)
   %.1668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.6.i420.i, <8 x double> %.1664.i)
   %.1676.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.242.sroa.0.0387.i
   store <8 x double> %.1668.i, ptr %.1676.i, align 8, !noalias !162
-  %.1741.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i420.i, <8 x double> %_add_v374_fourth.2.1.i)
+  %.1741.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i420.i, <8 x double> %_add_v375_fourth.2.1.i)
   %.1747.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.637.i, <8 x double> %.1741.i)
   %.1757.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.242.sroa.0.0387.i
   store <8 x double> %.1747.i, ptr %.1757.i, align 8, !noalias !162
@@ -9193,30 +9194,30 @@ B74001.i:                                         ; preds = %B73848.i, %B73834.i
   %.261.i = sext i1 %.252.i to i64
   %.251937.i = add nsw i64 %.251937386.i, %.261.i
   %.242.sroa.0.0.i = select i1 %.252.i, i64 %.258968385.i, i64 0
-  br i1 %.252.i, label %B50.i, label %B72472
+  br i1 %.252.i, label %B50.i, label %B75808
 
 B512.if.i:                                        ; preds = %B512.if.preheader.i, %B512.if.i
   %lsr.iv80 = phi i64 [ %lsr.iv.next81, %B512.if.i ], [ %22, %B512.if.preheader.i ]
-  %_velocity_v371_w.2.1934.i = phi <8 x double> [ %.6.i391.3.i, %B512.if.i ], [ %.343.i2746, %B512.if.preheader.i ]
-  %.6.i391.i = fmul contract <8 x double> %.343.i2746, %_velocity_v371_w.2.1934.i
+  %_velocity_v372_w.2.1934.i = phi <8 x double> [ %.6.i391.3.i, %B512.if.i ], [ %.343.i2746, %B512.if.preheader.i ]
+  %.6.i391.i = fmul contract <8 x double> %.343.i2746, %_velocity_v372_w.2.1934.i
   %.6.i391.1.i = fmul contract <8 x double> %.343.i2746, %.6.i391.i
   %.6.i391.2.i = fmul contract <8 x double> %.343.i2746, %.6.i391.1.i
   %.6.i391.3.i = fmul contract <8 x double> %.343.i2746, %.6.i391.2.i
   %lsr.iv.next81 = add nsw i64 %lsr.iv80, 4
   %niter.ncmp.3.i = icmp eq i64 %lsr.iv.next81, 0
-  br i1 %niter.ncmp.3.i, label %B73834.loopexit.unr-lcssa.i, label %B512.if.i
+  br i1 %niter.ncmp.3.i, label %B77170.loopexit.unr-lcssa.i, label %B512.if.i
 
-B72472:                                           ; preds = %B74001.i, %B73535.i, %B35911, %B1353
-  %k.5.1 = phi i64 [ %.3759, %B73535.i ], [ %.3759, %B1353 ], [ %.7958, %B35911 ], [ %.7958, %B74001.i ]
+B75808:                                           ; preds = %B77337.i, %B76871.i, %B37579, %B1353
+  %k.5.1 = phi i64 [ %.3759, %B76871.i ], [ %.3759, %B1353 ], [ %.7958, %B37579 ], [ %.7958, %B77337.i ]
   %.1616 = load i64, ptr %.526, align 8
   %.1618 = icmp slt i64 %k.5.1, %.1616
-  br i1 %.1618, label %B820.backedge, label %B72875
+  br i1 %.1618, label %B820.backedge, label %B76211
 
-B820.backedge:                                    ; preds = %B72472, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
-  %k.6.1.be = phi i64 [ %.12153, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit ], [ %k.5.1, %B72472 ]
+B820.backedge:                                    ; preds = %B75808, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
+  %k.6.1.be = phi i64 [ %.12153, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit ], [ %k.5.1, %B75808 ]
   br label %B820
 
-B72550:                                           ; preds = %B35909
+B75886:                                           ; preds = %B37577
   %sunkaddr92 = getelementptr i8, ptr %sunkaddr3972, i64 72
   %.8530 = load i64, ptr %sunkaddr92, align 8
   %.8531 = inttoptr i64 %.8530 to ptr
@@ -9294,7 +9295,7 @@ B72550:                                           ; preds = %B35909
   %.410442.not.i3066 = or i1 %.368.inv.i3064, %.410442.not453.i3065
   br i1 %.410442.not.i3066, label %B348.i3105, label %B198.if.lr.ph.i3067
 
-B72875:                                           ; preds = %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, %B72472, %entry
+B76211:                                           ; preds = %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, %B75808, %entry
   store ptr null, ptr %.12445, align 8
   call fastcc void @inner_26(ptr nonnull %.12445, i64 %arg.i, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.580, ptr %arg.state.11.0.4, ptr %arg.state.11.1.4, ptr %arg.state.11.2.4, ptr %arg.state.11.3.4, ptr %arg.state.14.4)
   store ptr null, ptr %retptr, align 8
@@ -9347,14 +9348,14 @@ B198.if.epil.i:                                   ; preds = %B198.if.epil.i, %B1
   %epil.iter.cmp.not.i2927 = icmp eq i64 %44, %lsr.iv.next53.i
   br i1 %epil.iter.cmp.not.i2927, label %B348.i, label %B198.if.epil.i, !llvm.loop !169
 
-B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B17473
+B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B18307
   %.487.i = sub nsw i64 %.13.i3.i, %arg.ends.0
   %sunkaddr109 = getelementptr i8, ptr %.4792, i64 16
   %.653.i = load i64, ptr %sunkaddr109, align 8, !noalias !159
   %.126.i.i = icmp slt i64 %.13.i.i, %.13.i3.i
   br i1 %.126.i.i, label %B22.preheader.i.i, label %B348.endif.endif.endif.i
 
-B198.if.lr.ph.i:                                  ; preds = %B17473
+B198.if.lr.ph.i:                                  ; preds = %B18307
   %45 = getelementptr double, ptr %.6329, i64 %.6410
   %.6423 = icmp slt i64 %.4542, 0
   %.6424 = select i1 %.6423, i64 %.4641, i64 0
@@ -9519,7 +9520,7 @@ B348.endif.endif.endif.i:                         ; preds = %B926.i.i, %B348.i
   %.836.inv.i = icmp slt i64 %.835.i, 1
   %.878448.not454.i = icmp eq i64 %.857.i, 0
   %.878448.not.i = or i1 %.836.inv.i, %.878448.not454.i
-  br i1 %.878448.not.i, label %B35831.endif.endif.endif, label %B590.if.lr.ph.i
+  br i1 %.878448.not.i, label %B37499.endif.endif.endif, label %B590.if.lr.ph.i
 
 B590.if.lr.ph.i:                                  ; preds = %B348.endif.endif.endif.i
   %.918.i = insertelement <8 x double> poison, double %.6469, i64 0
@@ -9557,7 +9558,7 @@ B590.if.prol.loopexit.i:                          ; preds = %B590.if.prol.loopex
   %.877446450.unr.i = phi i64 [ %.857.i, %B590.if.lr.ph.i ], [ %61, %B590.if.prol.loopexit.loopexit.i ]
   %.884447449.unr.i = phi i64 [ %.487.i, %B590.if.lr.ph.i ], [ %.891.prol.i, %B590.if.prol.loopexit.loopexit.i ]
   %62 = icmp ult i64 %57, 3
-  br i1 %62, label %B35831.endif.endif.endif, label %B590.if.preheader.i
+  br i1 %62, label %B37499.endif.endif.endif, label %B590.if.preheader.i
 
 B590.if.preheader.i:                              ; preds = %B590.if.prol.loopexit.i
   %63 = shl i64 %.884447449.unr.i, 3
@@ -9587,9 +9588,9 @@ B590.if.i:                                        ; preds = %B590.if.i, %B590.if
   %lsr.iv.next31.i = add i64 %lsr.iv30.i, 256
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -4
   %.878.3.i = icmp sgt i64 %lsr.iv35, 28
-  br i1 %.878.3.i, label %B590.if.i, label %B35831.endif.endif.endif
+  br i1 %.878.3.i, label %B590.if.i, label %B37499.endif.endif.endif
 
-B35831.endif.endif.endif:                         ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
+B37499.endif.endif.endif:                         ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
   %.7434 = load i64, ptr %sunkaddr142, align 8
   %.7465 = load i64, ptr %.526, align 8
   %.7471 = mul nsw i64 %.7465, 40
@@ -9621,7 +9622,7 @@ B35831.endif.endif.endif:                         ; preds = %B590.if.i, %B590.if
   %.7941 = load double, ptr %.7940, align 8
   %.7958 = add nsw i64 %k.7.3, 1
   %.8095 = icmp eq i64 %.7958, %.7465
-  br i1 %.8095, label %B35911, label %B35909
+  br i1 %.8095, label %B37579, label %B37577
 
 B348.loopexit.unr-lcssa.i3093:                    ; preds = %B198.if.i3075
   %lcmp.mod.not.i3094 = icmp eq i64 %xtraiter.i3072, 0
@@ -9645,14 +9646,14 @@ B198.if.epil.i3099:                               ; preds = %B198.if.epil.i3099,
   %epil.iter.cmp.not.i3104 = icmp eq i64 %71, %lsr.iv.next53.i3103
   br i1 %epil.iter.cmp.not.i3104, label %B348.i3105, label %B198.if.epil.i3099, !llvm.loop !169
 
-B348.i3105:                                       ; preds = %B198.if.epil.i3099, %B348.loopexit.unr-lcssa.i3093, %B72550
+B348.i3105:                                       ; preds = %B198.if.epil.i3099, %B348.loopexit.unr-lcssa.i3093, %B75886
   %.487.i3106 = sub nsw i64 %.13.i3.i3061, %arg.ends.0
   %sunkaddr146 = getelementptr i8, ptr %.8985, i64 16
   %.653.i3108 = load i64, ptr %sunkaddr146, align 8, !noalias !166
   %.126.i.i3109 = icmp slt i64 %.13.i.i3056, %.13.i3.i3061
   br i1 %.126.i.i3109, label %B22.preheader.i.i3151, label %B348.endif.endif.endif.i3110
 
-B198.if.lr.ph.i3067:                              ; preds = %B72550
+B198.if.lr.ph.i3067:                              ; preds = %B75886
   %72 = getelementptr double, ptr %.10522, i64 %.10603
   %.10616 = icmp slt i64 %.8735, 0
   %.10617 = select i1 %.10616, i64 %.8834, i64 0
@@ -9817,7 +9818,7 @@ B348.endif.endif.endif.i3110:                     ; preds = %B926.i.i3239, %B348
   %.836.inv.i3114 = icmp slt i64 %.835.i3112, 1
   %.878448.not454.i3115 = icmp eq i64 %.857.i3113, 0
   %.878448.not.i3116 = or i1 %.836.inv.i3114, %.878448.not454.i3115
-  br i1 %.878448.not.i3116, label %B72873.endif.endif.endif, label %B590.if.lr.ph.i3117
+  br i1 %.878448.not.i3116, label %B76209.endif.endif.endif, label %B590.if.lr.ph.i3117
 
 B590.if.lr.ph.i3117:                              ; preds = %B348.endif.endif.endif.i3110
   %.918.i3118 = insertelement <8 x double> poison, double %.10662, i64 0
@@ -9855,7 +9856,7 @@ B590.if.prol.loopexit.i3133:                      ; preds = %B590.if.prol.loopex
   %.877446450.unr.i3134 = phi i64 [ %.857.i3113, %B590.if.lr.ph.i3117 ], [ %88, %B590.if.prol.loopexit.loopexit.i3132 ]
   %.884447449.unr.i3135 = phi i64 [ %.487.i3106, %B590.if.lr.ph.i3117 ], [ %.891.prol.i3127, %B590.if.prol.loopexit.loopexit.i3132 ]
   %89 = icmp ult i64 %84, 3
-  br i1 %89, label %B72873.endif.endif.endif, label %B590.if.preheader.i3136
+  br i1 %89, label %B76209.endif.endif.endif, label %B590.if.preheader.i3136
 
 B590.if.preheader.i3136:                          ; preds = %B590.if.prol.loopexit.i3133
   %90 = shl i64 %.884447449.unr.i3135, 3
@@ -9885,9 +9886,9 @@ B590.if.i3137:                                    ; preds = %B590.if.i3137, %B59
   %lsr.iv.next31.i3149 = add i64 %lsr.iv30.i3138, 256
   %lsr.iv.next67 = add nsw i64 %lsr.iv66, -4
   %.878.3.i3150 = icmp sgt i64 %lsr.iv66, 28
-  br i1 %.878.3.i3150, label %B590.if.i3137, label %B72873.endif.endif.endif
+  br i1 %.878.3.i3150, label %B590.if.i3137, label %B76209.endif.endif.endif
 
-B72873.endif.endif.endif:                         ; preds = %B590.if.i3137, %B590.if.prol.loopexit.i3133, %B348.endif.endif.endif.i3110
+B76209.endif.endif.endif:                         ; preds = %B590.if.i3137, %B590.if.prol.loopexit.i3133, %B348.endif.endif.endif.i3110
   %.11871 = load i64, ptr %.526, align 8
   %.11875 = mul nsw i64 %.11871, %arg.i
   %sunkaddr177 = getelementptr i8, ptr %sunkaddr3972, i64 56
@@ -9913,9 +9914,9 @@ B72873.endif.endif.endif:                         ; preds = %B590.if.i3137, %B59
   %.961.i = shufflevector <8 x double> %.960.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1026.i = insertelement <8 x double> poison, double %.12136, i64 0
   %.1027.i = shufflevector <8 x double> %.1026.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.290534.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, label %B52.lr.ph.i
+  br i1 %.290534.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, label %B52.lr.ph.i
 
-B52.lr.ph.i:                                      ; preds = %B72873.endif.endif.endif
+B52.lr.ph.i:                                      ; preds = %B76209.endif.endif.endif
   %sunkaddr182 = getelementptr i8, ptr %sunkaddr3972, i64 64
   %.11815 = load i64, ptr %sunkaddr182, align 8
   %.641.i = add i64 %.11815, -1
@@ -9945,70 +9946,70 @@ B52.lr.ph.i:                                      ; preds = %B72873.endif.endif.
   %107 = icmp eq i64 %xtraiter590.i, 0
   br label %B52.i
 
-B52.i:                                            ; preds = %B74586.i, %B52.lr.ph.i
-  %.280.sroa.0.0540.i = phi i64 [ 0, %B52.lr.ph.i ], [ %.280.sroa.0.0.i, %B74586.i ]
-  %.2891215539.i = phi i64 [ %math, %B52.lr.ph.i ], [ %.2891215.i, %B74586.i ]
-  %.2961252538.i = phi i64 [ 8, %B52.lr.ph.i ], [ %.2961252.i, %B74586.i ]
+B52.i:                                            ; preds = %B77922.i, %B52.lr.ph.i
+  %.280.sroa.0.0540.i = phi i64 [ 0, %B52.lr.ph.i ], [ %.280.sroa.0.0.i, %B77922.i ]
+  %.2891215539.i = phi i64 [ %math, %B52.lr.ph.i ], [ %.2891215.i, %B77922.i ]
+  %.2961252538.i = phi i64 [ 8, %B52.lr.ph.i ], [ %.2961252.i, %B77922.i ]
   %.349.i = getelementptr inbounds double, ptr %.1177, i64 %.280.sroa.0.0540.i
   %.351.i = load <8 x double>, ptr %.349.i, align 8, !noalias !177
   %.8.i.i3261 = fmul contract <8 x double> %.7.i.i3258, %.351.i
   %.381.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i3261, <8 x double> %.380.i)
-  br i1 %101, label %B74294.i, label %B734.if.preheader.i
+  br i1 %101, label %B77630.i, label %B734.if.preheader.i
 
 B734.if.preheader.i:                              ; preds = %B52.i
   br i1 %104, label %B734.if.epil.i.preheader, label %B734.if.i
 
-B74294.loopexit.unr-lcssa.i:                      ; preds = %B734.if.i
-  br i1 %105, label %B74294.i, label %B734.if.epil.i.preheader
+B77630.loopexit.unr-lcssa.i:                      ; preds = %B734.if.i
+  br i1 %105, label %B77630.i, label %B734.if.epil.i.preheader
 
-B734.if.epil.i.preheader:                         ; preds = %B74294.loopexit.unr-lcssa.i, %B734.if.preheader.i
-  %_velocity_v376_w.2.11203.epil.i.ph = phi <8 x double> [ %.381.i, %B734.if.preheader.i ], [ %.6.i547.3.i, %B74294.loopexit.unr-lcssa.i ]
+B734.if.epil.i.preheader:                         ; preds = %B77630.loopexit.unr-lcssa.i, %B734.if.preheader.i
+  %_velocity_v377_w.2.11203.epil.i.ph = phi <8 x double> [ %.381.i, %B734.if.preheader.i ], [ %.6.i547.3.i, %B77630.loopexit.unr-lcssa.i ]
   br label %B734.if.epil.i
 
 B734.if.epil.i:                                   ; preds = %B734.if.epil.i.preheader, %B734.if.epil.i
   %lsr.iv599.i = phi i64 [ %lsr.iv.next600.i, %B734.if.epil.i ], [ %xtraiter.i3259, %B734.if.epil.i.preheader ]
-  %_velocity_v376_w.2.11203.epil.i = phi <8 x double> [ %.6.i547.epil.i, %B734.if.epil.i ], [ %_velocity_v376_w.2.11203.epil.i.ph, %B734.if.epil.i.preheader ]
-  %.6.i547.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v376_w.2.11203.epil.i
+  %_velocity_v377_w.2.11203.epil.i = phi <8 x double> [ %.6.i547.epil.i, %B734.if.epil.i ], [ %_velocity_v377_w.2.11203.epil.i.ph, %B734.if.epil.i.preheader ]
+  %.6.i547.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11203.epil.i
   %lsr.iv.next600.i = add nsw i64 %lsr.iv599.i, -1
   %epil.iter.cmp.not.i3265 = icmp eq i64 %lsr.iv.next600.i, 0
-  br i1 %epil.iter.cmp.not.i3265, label %B74294.i, label %B734.if.epil.i, !llvm.loop !180
+  br i1 %epil.iter.cmp.not.i3265, label %B77630.i, label %B734.if.epil.i, !llvm.loop !180
 
-B74294.i:                                         ; preds = %B734.if.epil.i, %B74294.loopexit.unr-lcssa.i, %B52.i
-  %_velocity_v376_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B52.i ], [ %.6.i547.3.i, %B74294.loopexit.unr-lcssa.i ], [ %.6.i547.epil.i, %B734.if.epil.i ]
-  br i1 %102, label %B74419.i, label %B74308.if.preheader.i
+B77630.i:                                         ; preds = %B734.if.epil.i, %B77630.loopexit.unr-lcssa.i, %B52.i
+  %_velocity_v377_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B52.i ], [ %.6.i547.3.i, %B77630.loopexit.unr-lcssa.i ], [ %.6.i547.epil.i, %B734.if.epil.i ]
+  br i1 %102, label %B77755.i, label %B77644.if.preheader.i
 
-B74308.if.preheader.i:                            ; preds = %B74294.i
-  br i1 %106, label %B74308.if.epil.i.preheader, label %B74308.if.i
+B77644.if.preheader.i:                            ; preds = %B77630.i
+  br i1 %106, label %B77644.if.epil.i.preheader, label %B77644.if.i
 
-B74419.loopexit.unr-lcssa.i:                      ; preds = %B74308.if.i
-  br i1 %107, label %B74419.i, label %B74308.if.epil.i.preheader
+B77755.loopexit.unr-lcssa.i:                      ; preds = %B77644.if.i
+  br i1 %107, label %B77755.i, label %B77644.if.epil.i.preheader
 
-B74308.if.epil.i.preheader:                       ; preds = %B74419.loopexit.unr-lcssa.i, %B74308.if.preheader.i
-  %_velocity_v377_w.2.11211.epil.i.ph = phi <8 x double> [ %.381.i, %B74308.if.preheader.i ], [ %.6.i548.3.i, %B74419.loopexit.unr-lcssa.i ]
-  br label %B74308.if.epil.i
+B77644.if.epil.i.preheader:                       ; preds = %B77755.loopexit.unr-lcssa.i, %B77644.if.preheader.i
+  %_velocity_v378_w.2.11211.epil.i.ph = phi <8 x double> [ %.381.i, %B77644.if.preheader.i ], [ %.6.i548.3.i, %B77755.loopexit.unr-lcssa.i ]
+  br label %B77644.if.epil.i
 
-B74308.if.epil.i:                                 ; preds = %B74308.if.epil.i.preheader, %B74308.if.epil.i
-  %lsr.iv603.i = phi i64 [ %lsr.iv.next604.i, %B74308.if.epil.i ], [ %xtraiter590.i, %B74308.if.epil.i.preheader ]
-  %_velocity_v377_w.2.11211.epil.i = phi <8 x double> [ %.6.i548.epil.i, %B74308.if.epil.i ], [ %_velocity_v377_w.2.11211.epil.i.ph, %B74308.if.epil.i.preheader ]
-  %.6.i548.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11211.epil.i
+B77644.if.epil.i:                                 ; preds = %B77644.if.epil.i.preheader, %B77644.if.epil.i
+  %lsr.iv603.i = phi i64 [ %lsr.iv.next604.i, %B77644.if.epil.i ], [ %xtraiter590.i, %B77644.if.epil.i.preheader ]
+  %_velocity_v378_w.2.11211.epil.i = phi <8 x double> [ %.6.i548.epil.i, %B77644.if.epil.i ], [ %_velocity_v378_w.2.11211.epil.i.ph, %B77644.if.epil.i.preheader ]
+  %.6.i548.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v378_w.2.11211.epil.i
   %lsr.iv.next604.i = add nsw i64 %lsr.iv603.i, -1
   %epil.iter591.cmp.not.i = icmp eq i64 %lsr.iv.next604.i, 0
-  br i1 %epil.iter591.cmp.not.i, label %B74419.i, label %B74308.if.epil.i, !llvm.loop !181
+  br i1 %epil.iter591.cmp.not.i, label %B77755.i, label %B77644.if.epil.i, !llvm.loop !181
 
-B74419.i:                                         ; preds = %B74308.if.epil.i, %B74419.loopexit.unr-lcssa.i, %B74294.i
-  %_velocity_v377_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B74294.i ], [ %.6.i548.3.i, %B74419.loopexit.unr-lcssa.i ], [ %.6.i548.epil.i, %B74308.if.epil.i ]
+B77755.i:                                         ; preds = %B77644.if.epil.i, %B77755.loopexit.unr-lcssa.i, %B77630.i
+  %_velocity_v378_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B77630.i ], [ %.6.i548.3.i, %B77755.loopexit.unr-lcssa.i ], [ %.6.i548.epil.i, %B77644.if.epil.i ]
   %.772.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.280.sroa.0.0540.i
   %.774.i = load <8 x double>, ptr %.772.i, align 8, !noalias !177
-  %.6.i545.i = fmul contract <8 x double> %_velocity_v376_w.2.1.lcssa.i, %.774.i
+  %.6.i545.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.774.i
   %.815.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.280.sroa.0.0540.i
   %.817.i3266 = load <8 x double>, ptr %.815.i, align 8, !noalias !177
-  %.6.i549.i = fmul contract <8 x double> %_velocity_v376_w.2.1.lcssa.i, %.817.i3266
+  %.6.i549.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.817.i3266
   %.860.i = getelementptr inbounds double, ptr %arg.state.10.4.4, i64 %.280.sroa.0.0540.i
   %.862.i3267 = load <8 x double>, ptr %.860.i, align 8, !noalias !177
-  %.6.i550.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.862.i3267
+  %.6.i550.i = fmul contract <8 x double> %_velocity_v378_w.2.1.lcssa.i, %.862.i3267
   %.902.i = getelementptr inbounds double, ptr %arg.state.10.5.4, i64 %.280.sroa.0.0540.i
   %.904.i = load <8 x double>, ptr %.902.i, align 8, !noalias !177
-  %.6.i551.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.904.i
+  %.6.i551.i = fmul contract <8 x double> %_velocity_v378_w.2.1.lcssa.i, %.904.i
   %.8.i554.i = fmul contract <8 x double> %.7.i553.i, %.6.i545.i
   %.962.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i550.i, <8 x double> %.961.i, <8 x double> %.8.i554.i)
   %.8.i557.i = fmul contract <8 x double> %.7.i553.i, %.6.i549.i
@@ -10062,9 +10063,9 @@ B74419.i:                                         ; preds = %B74308.if.epil.i, %
   %.1616.i = load <8 x double>, ptr %.1614.i, align 8, !noalias !177
   %.6.i583.i = fmul contract <8 x double> %.1616.i, %112
   %.6.i584.i = fmul contract <8 x double> %.1616.i, %110
-  br i1 %103, label %B74586.i, label %B74433.i
+  br i1 %103, label %B77922.i, label %B77769.i
 
-B74433.i:                                         ; preds = %B74419.i
+B77769.i:                                         ; preds = %B77755.i
   %.1816.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.280.sroa.0.0540.i
   %.1818.i = load <8 x double>, ptr %.1816.i, align 8, !noalias !177
   %.1834.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.280.sroa.0.0540.i
@@ -10073,29 +10074,29 @@ B74433.i:                                         ; preds = %B74419.i
   %.1854.i = load <8 x double>, ptr %.1852.i, align 8, !noalias !177
   %.1870.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.280.sroa.0.0540.i
   %.1872.i = load <8 x double>, ptr %.1870.i, align 8, !noalias !177
-  br label %B74586.i
+  br label %B77922.i
 
-B74586.i:                                         ; preds = %B74433.i, %B74419.i
-  %_add_v380_first.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1818.i, %B74433.i ]
-  %_add_v380_second.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1836.i, %B74433.i ]
-  %_add_v380_third.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1854.i, %B74433.i ]
-  %_add_v380_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B74419.i ], [ %.1872.i, %B74433.i ]
+B77922.i:                                         ; preds = %B77769.i, %B77755.i
+  %_add_v381_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1818.i, %B77769.i ]
+  %_add_v381_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1836.i, %B77769.i ]
+  %_add_v381_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1854.i, %B77769.i ]
+  %_add_v381_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1872.i, %B77769.i ]
   %.6.i546.i = fsub contract <8 x double> zeroinitializer, %.993.i
-  %.1946.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i546.i, <8 x double> %_add_v380_first.2.1.i)
+  %.1946.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i546.i, <8 x double> %_add_v381_first.2.1.i)
   %.1950.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.962.i, <8 x double> %.1946.i)
   %.1958.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.280.sroa.0.0540.i
   store <8 x double> %.1950.i, ptr %.1958.i, align 8, !noalias !177
-  %.1979.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.962.i, <8 x double> %_add_v380_second.2.1.i)
+  %.1979.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.962.i, <8 x double> %_add_v381_second.2.1.i)
   %.1983.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.993.i, <8 x double> %.1979.i)
   %.1991.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.280.sroa.0.0540.i
   store <8 x double> %.1983.i, ptr %.1991.i, align 8, !noalias !177
   %.6.i585.i = fsub contract <8 x double> zeroinitializer, %.1059.i
   %.6.i586.i = fsub contract <8 x double> zeroinitializer, %.1028.i3268
-  %.2060.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i586.i, <8 x double> %_add_v380_third.2.1.i)
+  %.2060.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i586.i, <8 x double> %_add_v381_third.2.1.i)
   %.2064.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.6.i585.i, <8 x double> %.2060.i)
   %.2072.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.280.sroa.0.0540.i
   store <8 x double> %.2064.i, ptr %.2072.i, align 8, !noalias !177
-  %.2137.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i585.i, <8 x double> %_add_v380_fourth.2.1.i)
+  %.2137.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i585.i, <8 x double> %_add_v381_fourth.2.1.i)
   %.2143.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.1028.i3268, <8 x double> %.2137.i)
   %.2153.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.280.sroa.0.0540.i
   store <8 x double> %.2143.i, ptr %.2153.i, align 8, !noalias !177
@@ -10105,35 +10106,35 @@ B74586.i:                                         ; preds = %B74433.i, %B74419.i
   %.299.i = sext i1 %.290.i to i64
   %.2891215.i = add nsw i64 %.2891215539.i, %.299.i
   %.280.sroa.0.0.i = select i1 %.290.i, i64 %.2961252538.i, i64 0
-  br i1 %.290.i, label %B52.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
+  br i1 %.290.i, label %B52.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
 
 B734.if.i:                                        ; preds = %B734.if.preheader.i, %B734.if.i
   %lsr.iv76 = phi i64 [ %lsr.iv.next77, %B734.if.i ], [ %98, %B734.if.preheader.i ]
-  %_velocity_v376_w.2.11203.i = phi <8 x double> [ %.6.i547.3.i, %B734.if.i ], [ %.381.i, %B734.if.preheader.i ]
-  %.6.i547.i = fmul contract <8 x double> %.381.i, %_velocity_v376_w.2.11203.i
+  %_velocity_v377_w.2.11203.i = phi <8 x double> [ %.6.i547.3.i, %B734.if.i ], [ %.381.i, %B734.if.preheader.i ]
+  %.6.i547.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11203.i
   %.6.i547.1.i = fmul contract <8 x double> %.381.i, %.6.i547.i
   %.6.i547.2.i = fmul contract <8 x double> %.381.i, %.6.i547.1.i
   %.6.i547.3.i = fmul contract <8 x double> %.381.i, %.6.i547.2.i
   %lsr.iv.next77 = add nsw i64 %lsr.iv76, 4
   %niter.ncmp.3.i3264 = icmp eq i64 %lsr.iv.next77, 0
-  br i1 %niter.ncmp.3.i3264, label %B74294.loopexit.unr-lcssa.i, label %B734.if.i
+  br i1 %niter.ncmp.3.i3264, label %B77630.loopexit.unr-lcssa.i, label %B734.if.i
 
-B74308.if.i:                                      ; preds = %B74308.if.preheader.i, %B74308.if.i
-  %lsr.iv78 = phi i64 [ %lsr.iv.next79, %B74308.if.i ], [ %100, %B74308.if.preheader.i ]
-  %_velocity_v377_w.2.11211.i = phi <8 x double> [ %.6.i548.3.i, %B74308.if.i ], [ %.381.i, %B74308.if.preheader.i ]
-  %.6.i548.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11211.i
+B77644.if.i:                                      ; preds = %B77644.if.preheader.i, %B77644.if.i
+  %lsr.iv78 = phi i64 [ %lsr.iv.next79, %B77644.if.i ], [ %100, %B77644.if.preheader.i ]
+  %_velocity_v378_w.2.11211.i = phi <8 x double> [ %.6.i548.3.i, %B77644.if.i ], [ %.381.i, %B77644.if.preheader.i ]
+  %.6.i548.i = fmul contract <8 x double> %.381.i, %_velocity_v378_w.2.11211.i
   %.6.i548.1.i = fmul contract <8 x double> %.381.i, %.6.i548.i
   %.6.i548.2.i = fmul contract <8 x double> %.381.i, %.6.i548.1.i
   %.6.i548.3.i = fmul contract <8 x double> %.381.i, %.6.i548.2.i
   %lsr.iv.next79 = add nsw i64 %lsr.iv78, 4
   %niter596.ncmp.3.i = icmp eq i64 %lsr.iv.next79, 0
-  br i1 %niter596.ncmp.3.i, label %B74419.loopexit.unr-lcssa.i, label %B74308.if.i
+  br i1 %niter596.ncmp.3.i, label %B77755.loopexit.unr-lcssa.i, label %B77644.if.i
 
-_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit: ; preds = %B74586.i, %B72873.endif.endif.endif
+_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit: ; preds = %B77922.i, %B76209.endif.endif.endif
   %.12153 = add nsw i64 %k.7.3, 2
   %.12285 = load i64, ptr %.526, align 8
   %.12286 = icmp slt i64 %.12153, %.12285
-  br i1 %.12286, label %B820.backedge, label %B72875
+  br i1 %.12286, label %B820.backedge, label %B76211
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -10159,7 +10160,7 @@ entry:
   %.1166 = getelementptr double, ptr %0, i64 %arg.ends.0
   %.1359 = load i64, ptr %.500, align 8
   %.14396681.not = icmp slt i64 %.1359, 1
-  br i1 %.14396681.not, label %B303269, label %B630.if.lr.ph
+  br i1 %.14396681.not, label %B316613, label %B630.if.lr.ph
 
 B824:                                             ; preds = %B630.if
   %.1700 = add nsw i64 %number.2.06687, 1
@@ -10173,9 +10174,9 @@ B824:                                             ; preds = %B630.if
   %.2771 = getelementptr i8, ptr %.2579, i64 512
   store ptr null, ptr %.3082, align 8
   call fastcc void @inner_25(ptr nonnull %.3082, i64 %arg.ends.0, i64 %arg.ends.1, i8 %arg.state.6, ptr %.2044, i64 %.1975, ptr %arg.state.3.4, i64 %arg.state.3.5.0, ptr %arg.state.1.4, ptr %arg.state.2.4, i64 %arg.state.5.0, i64 %arg.state.5.1, ptr %arg.state.7.0.4, ptr %arg.state.7.1.4, ptr %arg.state.8.0.4, ptr %arg.state.8.1.4, double %arg.state.9.0, double %arg.state.9.1, double %arg.state.9.2, ptr %.2579, ptr %.2642, ptr %.2705, ptr %.2771, ptr %arg.state.10.2.4, ptr %arg.state.10.3.4, ptr %arg.state.10.0.4, ptr %arg.state.10.1.4)
-  br i1 %.117323.not.i, label %B151139, label %B48.if.preheader.i
+  br i1 %.117323.not.i, label %B157811, label %B48.if.preheader.i
 
-B151139:                                          ; preds = %B48.if.i, %B824, %B630.if
+B157811:                                          ; preds = %B48.if.i, %B824, %B630.if
   %number.3.1 = phi i64 [ %number.2.06687, %B630.if ], [ %.1700, %B824 ], [ %.1700, %B48.if.i ]
   %order.3.1 = phi i64 [ %order.2.06688, %B630.if ], [ %.1645, %B824 ], [ %.1645, %B48.if.i ]
   %carrier.1.sroa.121.1 = phi ptr [ %carrier.2.sroa.110.06684, %B630.if ], [ %.2642, %B824 ], [ %.2642, %B48.if.i ]
@@ -10187,14 +10188,14 @@ B151139:                                          ; preds = %B48.if.i, %B824, %B
   %sunkaddr45 = getelementptr i8, ptr %12, i64 64
   %.3414 = load i64, ptr %sunkaddr45, align 8
   %.3415 = icmp eq i64 %.3414, 0
-  br i1 %.3415, label %B151141, label %B302860
+  br i1 %.3415, label %B157813, label %B316204
 
-B151141:                                          ; preds = %B151139
+B157813:                                          ; preds = %B157811
   store ptr null, ptr %.3433, align 8
   call fastcc void @inner_27(ptr nonnull %.3433, i64 %.3381, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.554, ptr %arg.state.10.0.4, ptr %arg.state.10.1.4, ptr %arg.state.14.4)
-  br label %B303267
+  br label %B316611
 
-B302860:                                          ; preds = %B151139
+B316204:                                          ; preds = %B157811
   %sunkaddr50 = getelementptr i8, ptr %12, i64 72
   %.3761 = load i64, ptr %sunkaddr50, align 8
   %.3762 = inttoptr i64 %.3761 to ptr
@@ -10273,11 +10274,11 @@ B302860:                                          ; preds = %B151139
   %.410442.not.i = or i1 %.368.inv.i, %.410442.not453.i
   br i1 %.410442.not.i, label %B348.i, label %B198.if.lr.ph.i
 
-B303267:                                          ; preds = %B151141, %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
+B316611:                                          ; preds = %B157813, %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
   %exitcond.not = icmp eq i64 %.1452, %.1359
-  br i1 %exitcond.not, label %B303269, label %B630.if
+  br i1 %exitcond.not, label %B316613, label %B630.if
 
-B303269:                                          ; preds = %B303267, %entry
+B316613:                                          ; preds = %B316611, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -10298,18 +10299,18 @@ B630.if.lr.ph:                                    ; preds = %entry
   %sunkaddr94 = getelementptr i8, ptr %.500, i64 16
   br label %B630.if
 
-B630.if:                                          ; preds = %B630.if.lr.ph, %B303267
-  %.1383.0 = phi i64 [ 0, %B630.if.lr.ph ], [ %.1452, %B303267 ]
-  %order.2.06688 = phi i64 [ 0, %B630.if.lr.ph ], [ %order.3.1, %B303267 ]
-  %number.2.06687 = phi i64 [ -1, %B630.if.lr.ph ], [ %number.3.1, %B303267 ]
-  %carrier.2.sroa.110.06684 = phi ptr [ null, %B630.if.lr.ph ], [ %carrier.1.sroa.121.1, %B303267 ]
+B630.if:                                          ; preds = %B630.if.lr.ph, %B316611
+  %.1383.0 = phi i64 [ 0, %B630.if.lr.ph ], [ %.1452, %B316611 ]
+  %order.2.06688 = phi i64 [ 0, %B630.if.lr.ph ], [ %order.3.1, %B316611 ]
+  %number.2.06687 = phi i64 [ -1, %B630.if.lr.ph ], [ %number.3.1, %B316611 ]
+  %carrier.2.sroa.110.06684 = phi ptr [ null, %B630.if.lr.ph ], [ %carrier.1.sroa.121.1, %B316611 ]
   %.1452 = add nuw nsw i64 %.1383.0, 1
   %.idx6119 = mul i64 %.1383.0, 72
   %12 = getelementptr i8, ptr %.500, i64 %.idx6119
   %.1547 = getelementptr i8, ptr %12, i64 48
   %.1645 = load i64, ptr %.1547, align 8
   %.1647.not = icmp eq i64 %.1645, %order.2.06688
-  br i1 %.1647.not, label %B151139, label %B824
+  br i1 %.1647.not, label %B157811, label %B824
 
 B48.if.preheader.i:                               ; preds = %B824
   %.3281 = sitofp i64 %.1645 to double
@@ -10371,7 +10372,7 @@ B48.if.i:                                         ; preds = %B48.if.i, %B48.if.p
   %lsr.iv.next210.i = add i64 %lsr.iv209.i, 64
   %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
   %.117.i = icmp sgt i64 %lsr.iv2, 7
-  br i1 %.117.i, label %B48.if.i, label %B151139
+  br i1 %.117.i, label %B48.if.i, label %B157811
 
 B348.loopexit.unr-lcssa.i:                        ; preds = %B198.if.i
   %lcmp.mod.not.i = icmp eq i64 %xtraiter.i, 0
@@ -10395,14 +10396,14 @@ B198.if.epil.i:                                   ; preds = %B198.if.epil.i, %B1
   %epil.iter.cmp.not.i = icmp eq i64 %19, %lsr.iv.next53.i
   br i1 %epil.iter.cmp.not.i, label %B348.i, label %B198.if.epil.i, !llvm.loop !188
 
-B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B302860
+B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B316204
   %.487.i = sub nsw i64 %.13.i3.i, %arg.ends.0
   %sunkaddr66 = getelementptr i8, ptr %.4216, i64 16
   %.653.i = load i64, ptr %sunkaddr66, align 8, !noalias !182
   %.126.i.i = icmp slt i64 %.13.i.i, %.13.i3.i
   br i1 %.126.i.i, label %B22.preheader.i.i, label %B348.endif.endif.endif.i
 
-B198.if.lr.ph.i:                                  ; preds = %B302860
+B198.if.lr.ph.i:                                  ; preds = %B316204
   %20 = getelementptr double, ptr %.5753, i64 %.5834
   %.5847 = icmp slt i64 %.3966, 0
   %.5848 = select i1 %.5847, i64 %.4065, i64 0
@@ -10567,7 +10568,7 @@ B348.endif.endif.endif.i:                         ; preds = %B926.i.i, %B348.i
   %.836.inv.i = icmp slt i64 %.835.i, 1
   %.878448.not454.i = icmp eq i64 %.857.i, 0
   %.878448.not.i = or i1 %.836.inv.i, %.878448.not454.i
-  br i1 %.878448.not.i, label %B303189.endif.endif.endif, label %B590.if.lr.ph.i
+  br i1 %.878448.not.i, label %B316533.endif.endif.endif, label %B590.if.lr.ph.i
 
 B590.if.lr.ph.i:                                  ; preds = %B348.endif.endif.endif.i
   %.918.i = insertelement <8 x double> poison, double %.5893, i64 0
@@ -10605,7 +10606,7 @@ B590.if.prol.loopexit.i:                          ; preds = %B590.if.prol.loopex
   %.877446450.unr.i = phi i64 [ %.857.i, %B590.if.lr.ph.i ], [ %36, %B590.if.prol.loopexit.loopexit.i ]
   %.884447449.unr.i = phi i64 [ %.487.i, %B590.if.lr.ph.i ], [ %.891.prol.i, %B590.if.prol.loopexit.loopexit.i ]
   %37 = icmp ult i64 %32, 3
-  br i1 %37, label %B303189.endif.endif.endif, label %B590.if.preheader.i
+  br i1 %37, label %B316533.endif.endif.endif, label %B590.if.preheader.i
 
 B590.if.preheader.i:                              ; preds = %B590.if.prol.loopexit.i
   %38 = shl i64 %.884447449.unr.i, 3
@@ -10635,12 +10636,12 @@ B590.if.i:                                        ; preds = %B590.if.i, %B590.if
   %lsr.iv.next31.i = add i64 %lsr.iv30.i, 256
   %lsr.iv.next = add nsw i64 %lsr.iv, -4
   %.878.3.i = icmp sgt i64 %lsr.iv, 28
-  br i1 %.878.3.i, label %B590.if.i, label %B303189.endif.endif.endif
+  br i1 %.878.3.i, label %B590.if.i, label %B316533.endif.endif.endif
 
-B303189.endif.endif.endif:                        ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
-  br i1 %.163279.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit, label %B48.if.lr.ph.i
+B316533.endif.endif.endif:                        ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
+  br i1 %.163279.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit, label %B48.if.lr.ph.i
 
-B48.if.lr.ph.i:                                   ; preds = %B303189.endif.endif.endif
+B48.if.lr.ph.i:                                   ; preds = %B316533.endif.endif.endif
   %.6889 = load i64, ptr %.500, align 8
   %.6858 = load i64, ptr %sunkaddr94, align 8
   %.7041 = load i64, ptr %sunkaddr45, align 8
@@ -10665,29 +10666,29 @@ B48.if.lr.ph.i:                                   ; preds = %B303189.endif.endif
   %45 = icmp eq i64 %xtraiter.i697, 0
   br label %B48.if.i699
 
-B303395.loopexit.unr-lcssa.i:                     ; preds = %B488.if.i
-  br i1 %45, label %B303395.i, label %B488.if.epil.i.preheader
+B316739.loopexit.unr-lcssa.i:                     ; preds = %B488.if.i
+  br i1 %45, label %B316739.i, label %B488.if.epil.i.preheader
 
-B488.if.epil.i.preheader:                         ; preds = %B488.if.preheader.i, %B303395.loopexit.unr-lcssa.i
-  %_velocity_v451_w.2.1248.epil.i.ph = phi <8 x double> [ %.6.i25.3.i, %B303395.loopexit.unr-lcssa.i ], [ %.254.i, %B488.if.preheader.i ]
+B488.if.epil.i.preheader:                         ; preds = %B488.if.preheader.i, %B316739.loopexit.unr-lcssa.i
+  %_velocity_v452_w.2.1248.epil.i.ph = phi <8 x double> [ %.6.i25.3.i, %B316739.loopexit.unr-lcssa.i ], [ %.254.i, %B488.if.preheader.i ]
   br label %B488.if.epil.i
 
 B488.if.epil.i:                                   ; preds = %B488.if.epil.i.preheader, %B488.if.epil.i
   %lsr.iv33.i = phi i64 [ %lsr.iv.next34.i, %B488.if.epil.i ], [ %xtraiter.i697, %B488.if.epil.i.preheader ]
-  %_velocity_v451_w.2.1248.epil.i = phi <8 x double> [ %.6.i25.epil.i, %B488.if.epil.i ], [ %_velocity_v451_w.2.1248.epil.i.ph, %B488.if.epil.i.preheader ]
-  %.6.i25.epil.i = fmul contract <8 x double> %.254.i, %_velocity_v451_w.2.1248.epil.i
+  %_velocity_v452_w.2.1248.epil.i = phi <8 x double> [ %.6.i25.epil.i, %B488.if.epil.i ], [ %_velocity_v452_w.2.1248.epil.i.ph, %B488.if.epil.i.preheader ]
+  %.6.i25.epil.i = fmul contract <8 x double> %.254.i, %_velocity_v452_w.2.1248.epil.i
   %lsr.iv.next34.i = add nsw i64 %lsr.iv33.i, -1
   %epil.iter.cmp.not.i703 = icmp eq i64 %lsr.iv.next34.i, 0
-  br i1 %epil.iter.cmp.not.i703, label %B303395.i, label %B488.if.epil.i, !llvm.loop !193
+  br i1 %epil.iter.cmp.not.i703, label %B316739.i, label %B488.if.epil.i, !llvm.loop !193
 
-B303395.i:                                        ; preds = %B488.if.epil.i, %B48.if.i699, %B303395.loopexit.unr-lcssa.i
-  %_velocity_v451_w.2.1.lcssa.i = phi <8 x double> [ %.254.i, %B48.if.i699 ], [ %.6.i25.3.i, %B303395.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i, %B488.if.epil.i ]
+B316739.i:                                        ; preds = %B488.if.epil.i, %B48.if.i699, %B316739.loopexit.unr-lcssa.i
+  %_velocity_v452_w.2.1.lcssa.i = phi <8 x double> [ %.254.i, %B48.if.i699 ], [ %.6.i25.3.i, %B316739.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i, %B488.if.epil.i ]
   %.425.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.169258282.i
   %.427.i = load <8 x double>, ptr %.425.i, align 8, !noalias !194
-  %.6.i.i704 = fmul contract <8 x double> %_velocity_v451_w.2.1.lcssa.i, %.427.i
+  %.6.i.i704 = fmul contract <8 x double> %_velocity_v452_w.2.1.lcssa.i, %.427.i
   %.460.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.169258282.i
   %.462.i = load <8 x double>, ptr %.460.i, align 8, !noalias !194
-  %.6.i26.i = fmul contract <8 x double> %_velocity_v451_w.2.1.lcssa.i, %.462.i
+  %.6.i26.i = fmul contract <8 x double> %_velocity_v452_w.2.1.lcssa.i, %.462.i
   %.499.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.169258282.i
   %.501.i = load <8 x double>, ptr %.499.i, align 8, !noalias !194
   %.517.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.169258282.i
@@ -10700,37 +10701,37 @@ B303395.i:                                        ; preds = %B488.if.epil.i, %B4
   %.621.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i704, <8 x double> %.519.i, <8 x double> %.6.i29.i)
   store <8 x double> %.621.i, ptr %.517.i, align 8, !noalias !194
   %.163.i = icmp sgt i64 %.162251283.i, 1
-  br i1 %.163.i, label %B48.if.i699, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
+  br i1 %.163.i, label %B48.if.i699, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
 
-B48.if.i699:                                      ; preds = %B303395.i, %B48.if.lr.ph.i
-  %.162251283.i = phi i64 [ %.96.i, %B48.if.lr.ph.i ], [ %.172.i, %B303395.i ]
-  %.169258282.i = phi i64 [ 0, %B48.if.lr.ph.i ], [ %.176.i, %B303395.i ]
+B48.if.i699:                                      ; preds = %B316739.i, %B48.if.lr.ph.i
+  %.162251283.i = phi i64 [ %.96.i, %B48.if.lr.ph.i ], [ %.172.i, %B316739.i ]
+  %.169258282.i = phi i64 [ 0, %B48.if.lr.ph.i ], [ %.176.i, %B316739.i ]
   %.172.i = add nsw i64 %.162251283.i, -1
   %.176.i = add nuw i64 %.169258282.i, 8
   %.222.i = getelementptr inbounds double, ptr %.1166, i64 %.169258282.i
   %.224.i = load <8 x double>, ptr %.222.i, align 8, !noalias !194
   %.8.i.i700 = fmul contract <8 x double> %.7.i.i696, %.224.i
   %.254.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i700, <8 x double> %.253.i695)
-  br i1 %43, label %B303395.i, label %B488.if.preheader.i
+  br i1 %43, label %B316739.i, label %B488.if.preheader.i
 
 B488.if.preheader.i:                              ; preds = %B48.if.i699
   br i1 %44, label %B488.if.epil.i.preheader, label %B488.if.i
 
 B488.if.i:                                        ; preds = %B488.if.preheader.i, %B488.if.i
   %lsr.iv34 = phi i64 [ %lsr.iv.next35, %B488.if.i ], [ %42, %B488.if.preheader.i ]
-  %_velocity_v451_w.2.1248.i = phi <8 x double> [ %.6.i25.3.i, %B488.if.i ], [ %.254.i, %B488.if.preheader.i ]
-  %.6.i25.i = fmul contract <8 x double> %.254.i, %_velocity_v451_w.2.1248.i
+  %_velocity_v452_w.2.1248.i = phi <8 x double> [ %.6.i25.3.i, %B488.if.i ], [ %.254.i, %B488.if.preheader.i ]
+  %.6.i25.i = fmul contract <8 x double> %.254.i, %_velocity_v452_w.2.1248.i
   %.6.i25.1.i = fmul contract <8 x double> %.254.i, %.6.i25.i
   %.6.i25.2.i = fmul contract <8 x double> %.254.i, %.6.i25.1.i
   %.6.i25.3.i = fmul contract <8 x double> %.254.i, %.6.i25.2.i
   %lsr.iv.next35 = add nsw i64 %lsr.iv34, 4
   %niter.ncmp.3.i = icmp eq i64 %lsr.iv.next35, 0
-  br i1 %niter.ncmp.3.i, label %B303395.loopexit.unr-lcssa.i, label %B488.if.i
+  br i1 %niter.ncmp.3.i, label %B316739.loopexit.unr-lcssa.i, label %B488.if.i
 
-_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit: ; preds = %B303395.i, %B303189.endif.endif.endif
+_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit: ; preds = %B316739.i, %B316533.endif.endif.endif
   store ptr null, ptr %.7111, align 8
   call fastcc void @inner_27(ptr nonnull %.7111, i64 %.3381, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.554, ptr %arg.state.10.2.4, ptr %arg.state.10.3.4, ptr %arg.state.14.4)
-  br label %B303267
+  br label %B316611
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -10766,7 +10767,7 @@ B262:                                             ; preds = %entry
   br label %B342
 
 B342:                                             ; preds = %B262, %entry
-  %prepared_grid_v168__vphi308_0.2.0 = phi double [ %.457, %B262 ], [ 0.000000e+00, %entry ]
+  %prepared_grid_v169__vphi308_0.2.0 = phi double [ %.457, %B262 ], [ 0.000000e+00, %entry ]
   %.751 = getelementptr i8, ptr %arg.contents.4, i64 64
   %.752 = load i64, ptr %.751, align 8
   %.753 = sub i64 0, %.752
@@ -10780,7 +10781,7 @@ B342:                                             ; preds = %B262, %entry
   %.13.i = tail call i64 @llvm.smax.i64(i64 %.869, i64 %.795)
   %.945 = load i64, ptr %arg.plan.4, align 8
   %.10251227.not = icmp slt i64 %.945, 1
-  br i1 %.10251227.not, label %B8245, label %B568.if.lr.ph
+  br i1 %.10251227.not, label %B8662, label %B568.if.lr.ph
 
 B724:                                             ; preds = %B568.if
   %.1276 = add nsw i64 %number.2.01233, 1
@@ -10793,7 +10794,7 @@ B724:                                             ; preds = %B568.if
   %.1653 = fdiv contract double %.1648, %.1649
   %.1683 = load i64, ptr %sunkaddr, align 8
   store ptr null, ptr %.1692, align 8
-  %.1719 = call fastcc i32 @inner_28(ptr nonnull %.1692, ptr nonnull %excinfo.10, ptr %arg.row.4, double %.1653, i8 %arg.dense, ptr %.371, i64 %.205, ptr %2, i64 %.265, double %prepared_grid_v168__vphi308_0.2.0, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.gauge.4, i64 %.1683, ptr %arg.room.4, ptr %.1301, ptr %.1364, ptr %.1427, ptr %.1493, i64 %.13.i)
+  %.1719 = call fastcc i32 @inner_28(ptr nonnull %.1692, ptr nonnull %excinfo.10, ptr %arg.row.4, double %.1653, i8 %arg.dense, ptr %.371, i64 %.205, ptr %2, i64 %.265, double %prepared_grid_v169__vphi308_0.2.0, ptr %arg.contents.4, ptr %arg.weights.4, ptr %arg.gauge.4, i64 %.1683, ptr %arg.room.4, ptr %.1301, ptr %.1364, ptr %.1427, ptr %.1493, i64 %.13.i)
   %cond = icmp eq i32 %.1719, 0
   br i1 %cond, label %B724.endif.endif.endif.endif.endif.endif, label %B724.endif.endif.endif.endif.endif.if, !prof !0
 
@@ -10805,9 +10806,9 @@ B726:                                             ; preds = %B724.endif.endif.en
   %scevgep136 = getelementptr i8, ptr %lsr.iv, i64 16
   %.1829 = load i64, ptr %scevgep136, align 8
   %.1830 = icmp sgt i64 %.1829, 0
-  br i1 %.1830, label %B8165, label %B8243
+  br i1 %.1830, label %B8582, label %B8660
 
-B8165:                                            ; preds = %B726
+B8582:                                            ; preds = %B726
   %scevgep135 = getelementptr i8, ptr %lsr.iv, i64 56
   %.1861 = load i64, ptr %scevgep135, align 8
   %.1863 = icmp eq i64 %.969.0, %.1861
@@ -10815,24 +10816,24 @@ B8165:                                            ; preds = %B726
   %.1900 = load double, ptr %.1899, align 8
   store ptr null, ptr %.1910, align 8
   %.1916 = zext i1 %.1863 to i8
-  call fastcc void @inner_29(ptr nonnull %.1910, ptr nonnull %lsr.iv, i8 %.1916, i64 %arg.lane, ptr %arg.ratios.4, ptr %arg.modes.4, ptr %.371, i64 %.205, ptr %3, i64 %.265, double %prepared_grid_v168__vphi308_0.2.0, double %.1900, i64 %arg.stop)
-  br label %B8243
+  call fastcc void @inner_29(ptr nonnull %.1910, ptr nonnull %lsr.iv, i8 %.1916, i64 %arg.lane, ptr %arg.ratios.4, ptr %arg.modes.4, ptr %.371, i64 %.205, ptr %3, i64 %.265, double %prepared_grid_v169__vphi308_0.2.0, double %.1900, i64 %arg.stop)
+  br label %B8660
 
-B8243:                                            ; preds = %B8165, %B726
+B8660:                                            ; preds = %B8582, %B726
   %scevgep134 = getelementptr i8, ptr %lsr.iv, i64 72
   %exitcond.not = icmp eq i64 %.945, %.1038
-  br i1 %exitcond.not, label %B8245.loopexit, label %B568.if
+  br i1 %exitcond.not, label %B8662.loopexit, label %B568.if
 
-common.ret:                                       ; preds = %B724.endif.endif.endif.endif.endif.if, %B8245
-  %common.ret.op = phi i32 [ 0, %B8245 ], [ %.1719, %B724.endif.endif.endif.endif.endif.if ]
+common.ret:                                       ; preds = %B724.endif.endif.endif.endif.endif.if, %B8662
+  %common.ret.op = phi i32 [ 0, %B8662 ], [ %.1719, %B724.endif.endif.endif.endif.endif.if ]
   ret i32 %common.ret.op
 
-B8245.loopexit:                                   ; preds = %B8243
+B8662.loopexit:                                   ; preds = %B8660
   %1 = zext i1 %line.3.1 to i8
-  br label %B8245
+  br label %B8662
 
-B8245:                                            ; preds = %B8245.loopexit, %B342
-  %line.2.0.lcssa = phi i8 [ 0, %B342 ], [ %1, %B8245.loopexit ]
+B8662:                                            ; preds = %B8662.loopexit, %B342
+  %line.2.0.lcssa = phi i8 [ 0, %B342 ], [ %1, %B8662.loopexit ]
   store i8 %line.2.0.lcssa, ptr %retptr, align 1
   br label %common.ret
 
@@ -10847,13 +10848,13 @@ B568.if.lr.ph:                                    ; preds = %B342
   %3 = inttoptr i64 %.513 to ptr
   br label %B568.if
 
-B568.if:                                          ; preds = %B568.if.lr.ph, %B8243
-  %lsr.iv = phi ptr [ %scevgep, %B568.if.lr.ph ], [ %scevgep134, %B8243 ]
-  %.969.0 = phi i64 [ 0, %B568.if.lr.ph ], [ %.1038, %B8243 ]
-  %line.2.01235 = phi i1 [ false, %B568.if.lr.ph ], [ %line.3.1, %B8243 ]
-  %order.2.01234 = phi i64 [ 0, %B568.if.lr.ph ], [ %order.3.1, %B8243 ]
-  %number.2.01233 = phi i64 [ -1, %B568.if.lr.ph ], [ %number.3.1, %B8243 ]
-  %carrier.2.sroa.110.01230 = phi ptr [ null, %B568.if.lr.ph ], [ %carrier.1.sroa.99.1, %B8243 ]
+B568.if:                                          ; preds = %B568.if.lr.ph, %B8660
+  %lsr.iv = phi ptr [ %scevgep, %B568.if.lr.ph ], [ %scevgep134, %B8660 ]
+  %.969.0 = phi i64 [ 0, %B568.if.lr.ph ], [ %.1038, %B8660 ]
+  %line.2.01235 = phi i1 [ false, %B568.if.lr.ph ], [ %line.3.1, %B8660 ]
+  %order.2.01234 = phi i64 [ 0, %B568.if.lr.ph ], [ %order.3.1, %B8660 ]
+  %number.2.01233 = phi i64 [ -1, %B568.if.lr.ph ], [ %number.3.1, %B8660 ]
+  %carrier.2.sroa.110.01230 = phi ptr [ null, %B568.if.lr.ph ], [ %carrier.1.sroa.99.1, %B8660 ]
   %.1038 = add nuw nsw i64 %.969.0, 1
   %.1239 = load i64, ptr %lsr.iv, align 8
   %.1241.not = icmp eq i64 %.1239, %order.2.01234
@@ -10959,7 +10960,7 @@ B408:                                             ; preds = %B404
   %.181.i = icmp slt i64 %.1738, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B556:                                             ; preds = %B404
   %.1831 = getelementptr i8, ptr %arg.contents.4, i64 120
@@ -10973,10 +10974,10 @@ B556:                                             ; preds = %B404
   %.181.i14 = icmp slt i64 %.1930, 3
   %..143.i15 = select i1 %.181.i14, i64 0, i64 %.143.i13
   %.225207.i16 = icmp sgt i64 %..143.i15, 0
-  br i1 %.225207.i16, label %B92.if.preheader.i20, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55
+  br i1 %.225207.i16, label %B92.if.preheader.i20, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55
 
-common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
-  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55 ]
+common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
+  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55 ]
   ret i32 %common.ret.op
 
 B356.if:                                          ; preds = %B356
@@ -11029,7 +11030,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %3 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i
   store i64 %.13.i.i, ptr %3, align 8, !noalias !197
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -11041,7 +11042,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B408
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B408
   %.586.inv.i = icmp sgt i64 %.1738, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %arg.carrier.3.5.0
   %4 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i
@@ -11090,7 +11091,7 @@ B386.i38:                                         ; preds = %B346.i49, %B324.i46
   %6 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i23
   store i64 %.13.i.i40, ptr %6, align 8, !noalias !200
   %exitcond216.not.i41 = icmp eq i64 %.238.i24, %..143.i15
-  br i1 %exitcond216.not.i41, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, label %B92.if.i21
+  br i1 %exitcond216.not.i41, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, label %B92.if.i21
 
 B92.if.i21:                                       ; preds = %B386.i38, %B92.if.preheader.i20
   %end.3.0210.i22 = phi i64 [ %end.4.1.i39, %B386.i38 ], [ 0, %B92.if.preheader.i20 ]
@@ -11102,7 +11103,7 @@ B92.if.i21:                                       ; preds = %B386.i38, %B92.if.p
   %.287.i28 = fcmp contract ult double %.281.i27, %.135.i12
   br i1 %.287.i28, label %B386.i38, label %B146.i29
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55: ; preds = %B386.i38, %B556
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55: ; preds = %B386.i38, %B556
   %.586.inv.i17 = icmp sgt i64 %.1930, 1
   %.587.i18 = select i1 %.586.inv.i17, i64 0, i64 %arg.carrier.3.5.0
   %7 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i13
@@ -11148,17 +11149,17 @@ entry:
   %.463.inv.i = icmp slt i64 %.287, 2
   %.507321.not325.i = icmp eq i64 %.486.i, 0
   %.507321.not.i = or i1 %.463.inv.i, %.507321.not325.i
-  br i1 %.507321.not.i, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122, label %B94.if.lr.ph.i
+  br i1 %.507321.not.i, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122, label %B94.if.lr.ph.i
 
-B578:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+B578:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
   %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !203
   %.143.i = add nsw i64 %.287, -2
   %.181.i = icmp slt i64 %.287, 3
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
-common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -11287,9 +11288,9 @@ B94.if.i88:                                       ; preds = %B94.if.i88, %B94.if
   %lsr.iv.next54.i118 = add i64 %lsr.iv53.i89, 64
   %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
   %.507.i119 = icmp sgt i64 %lsr.iv2, 8
-  br i1 %.507.i119, label %B94.if.i88, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+  br i1 %.507.i119, label %B94.if.i88, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
 
-_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122: ; preds = %B94.if.i88, %entry
+_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122: ; preds = %B94.if.i88, %entry
   %.1509 = load double, ptr %.741, align 8
   %.1511 = fsub contract double %.1509, %arg.shift
   store i64 0, ptr %.1557, align 8
@@ -11352,7 +11353,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %36 = getelementptr i64, ptr %.647, i64 %.231203208.i
   store i64 %.13.i.i, ptr %36, align 8, !noalias !203
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -11366,7 +11367,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B578
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B578
   %.586.inv.i = icmp sgt i64 %.287, 1
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.330
   %37 = getelementptr i64, ptr %.647, i64 %.143.i
@@ -11426,10 +11427,10 @@ B480:                                             ; preds = %B476
   %.1222 = load i64, ptr %.1221, align 8
   %.1245 = getelementptr double, ptr %arg.grid.4, i64 %arg.stride
   %.126.i = icmp slt i64 %.13.i21, %.13.i24
-  br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
-  %.696..784 = phi i64 [ %.13.i22, %B476 ], [ %.13.i24, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
+  %.696..784 = phi i64 [ %.13.i22, %B476 ], [ %.13.i24, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
   %.1877 = sub nsw i64 %.696..784, %arg.start
   %.1884 = icmp sgt i64 %.1877, 0
   br i1 %.1884, label %B1168, label %B1224
@@ -11588,9 +11589,9 @@ B1456:                                            ; preds = %B1226.endif.endif.e
   %.3622.inv = icmp slt i64 %.3621, 1
   %.36641797.not1801 = icmp eq i64 %.3643, 0
   %.36641797.not = or i1 %.3622.inv, %.36641797.not1801
-  br i1 %.36641797.not, label %B73370, label %B73064.if.lr.ph
+  br i1 %.36641797.not, label %B76706, label %B76400.if.lr.ph
 
-B73064.if.lr.ph:                                  ; preds = %B1456
+B76400.if.lr.ph:                                  ; preds = %B1456
   %.3704 = insertelement <8 x double> poison, double %arg.top.0, i64 0
   %.3705 = shufflevector <8 x double> %.3704, <8 x double> poison, <8 x i32> zeroinitializer
   %.3731 = fmul contract double %arg.top.2, %.405
@@ -11603,9 +11604,9 @@ B73064.if.lr.ph:                                  ; preds = %B1456
   %scevgep302 = getelementptr i8, ptr %arg.phase.4, i64 %9
   %scevgep304 = getelementptr i8, ptr %arg.amplitude.4, i64 %9
   %10 = add nuw nsw i64 %.3643, 6
-  br label %B73064.if
+  br label %B76400.if
 
-B73370:                                           ; preds = %B73064.if, %B1456
+B76706:                                           ; preds = %B76400.if, %B1456
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -11630,7 +11631,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -11641,9 +11642,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -11655,8 +11656,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i = fmul contract double %.833, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v359B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep14 = getelementptr i8, ptr %arg.a.4, i64 %13
   store double %"$phi144.1.2.1.i", ptr %scevgep14, align 8, !noalias !215
   %.314.i = fsub contract double %.218.i, %.971
@@ -11724,7 +11725,7 @@ B112.i:                                           ; preds = %B62.i, %B22.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
   %.602.i = icmp slt i64 %.185.i, %.13.i24
-  br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.228.i40 = getelementptr inbounds double, ptr %.1112, i64 %cell.3.2.i
@@ -11792,7 +11793,7 @@ B570.if.i:                                        ; preds = %B570.if.i, %B570.if
   %.438.i = icmp sgt i64 %lsr.iv11, 8
   br i1 %.438.i, label %B570.if.i, label %B926.i
 
-_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
+_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
   %cell.5.1.i = phi i64 [ %.1222, %B480 ], [ %cell.3.2.i, %B926.i ]
   store i64 %cell.5.1.i, ptr %.1221, align 8
   br label %B736
@@ -11994,9 +11995,9 @@ B1226.endif.endif.endif.endif.endif.endif:        ; preds = %B1344.i, %B1226
   store i64 %cell.5.1.i113, ptr %.3174, align 8
   br label %B1456
 
-B73064.if:                                        ; preds = %B73064.if, %B73064.if.lr.ph
-  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B73064.if ], [ %10, %B73064.if.lr.ph ]
-  %lsr.iv300 = phi i64 [ %lsr.iv.next301, %B73064.if ], [ %8, %B73064.if.lr.ph ]
+B76400.if:                                        ; preds = %B76400.if, %B76400.if.lr.ph
+  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B76400.if ], [ %10, %B76400.if.lr.ph ]
+  %lsr.iv300 = phi i64 [ %lsr.iv.next301, %B76400.if ], [ %8, %B76400.if.lr.ph ]
   %scevgep305 = getelementptr i8, ptr %scevgep304, i64 %lsr.iv300
   store <8 x double> %.3705, ptr %scevgep305, align 8
   %scevgep = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv300
@@ -12007,7 +12008,7 @@ B73064.if:                                        ; preds = %B73064.if, %B73064.
   %lsr.iv.next301 = add i64 %lsr.iv300, 64
   %lsr.iv.next = add nsw i64 %lsr.iv1, -1
   %.3664 = icmp sgt i64 %lsr.iv1, 7
-  br i1 %.3664, label %B73064.if, label %B73370
+  br i1 %.3664, label %B76400.if, label %B76706
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -12073,7 +12074,7 @@ common.ret.sink.split:                            ; preds = %B356, %B172
 define internal fastcc void @inner_30(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.count, ptr readonly captures(none) %arg.real.4, ptr readonly captures(none) %arg.imaginary.4, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.out.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.out.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
 entry:
   %.70 = icmp sgt i64 %arg.count, 0
-  br i1 %.70, label %B20.preheader, label %B74928
+  br i1 %.70, label %B20.preheader, label %B78264
 
 B20.preheader:                                    ; preds = %entry
   %0 = shl i64 %arg.out.5.0, 2
@@ -12093,8 +12094,8 @@ B20.preheader:                                    ; preds = %entry
   %sunkaddr30 = getelementptr i8, ptr %arg.tail.4, i64 52
   br label %B20
 
-B20:                                              ; preds = %B74924, %B20.preheader
-  %j.2.0 = phi i64 [ %.516, %B74924 ], [ 0, %B20.preheader ]
+B20:                                              ; preds = %B78260, %B20.preheader
+  %j.2.0 = phi i64 [ %.516, %B78260 ], [ 0, %B20.preheader ]
   %.77 = sub nsw i64 %arg.count, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.77, i64 8)
   %.117 = icmp slt i64 %j.2.0, %arg.streamed
@@ -12107,12 +12108,12 @@ B20:                                              ; preds = %B74924, %B20.prehea
   %.218 = icmp slt i64 %size.2.1, 8
   %2 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %.235 = fptrunc <16 x double> %2 to <16 x float>
-  br i1 %.218, label %B232, label %B74812
+  br i1 %.218, label %B232, label %B78148
 
 B232:                                             ; preds = %B20
   store <16 x float> %.235, ptr %arg.tail.4, align 4
   %.325319.not = icmp slt i64 %size.2.1, 1
-  br i1 %.325319.not, label %B74924, label %B292.if.lr.ph
+  br i1 %.325319.not, label %B78260, label %B292.if.lr.ph
 
 B292.if.lr.ph:                                    ; preds = %B232
   %.394 = shl nsw i64 %j.2.0, 1
@@ -12127,44 +12128,44 @@ B292.if.lr.ph:                                    ; preds = %B232
   %scevgep26 = getelementptr i8, ptr %scevgep27, i64 4
   store float %.392.1, ptr %scevgep26, align 4
   %exitcond.not.1 = icmp eq i64 %size.2.1, 1
-  br i1 %exitcond.not.1, label %B74924, label %B292.if.1
+  br i1 %exitcond.not.1, label %B78260, label %B292.if.1
 
-B74812:                                           ; preds = %B20
+B78148:                                           ; preds = %B20
   %sunkaddr5 = shl i64 %j.2.0, 3
   %sunkaddr6 = getelementptr i8, ptr %arg.out.4, i64 %sunkaddr5
-  br i1 %1, label %B74884, label %B74886
+  br i1 %1, label %B78220, label %B78222
 
-B74884:                                           ; preds = %B74812
+B78220:                                           ; preds = %B78148
   store <16 x float> %.235, ptr %sunkaddr6, align 64, !nontemporal !138
-  br label %B74924
+  br label %B78260
 
-B74886:                                           ; preds = %B74812
+B78222:                                           ; preds = %B78148
   store <16 x float> %.235, ptr %sunkaddr6, align 4
-  br label %B74924
+  br label %B78260
 
-B74924:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B74886, %B74884
+B78260:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B78222, %B78220
   %.516 = add nsw i64 %size.2.1, %j.2.0
   %.522 = icmp slt i64 %.516, %arg.count
-  br i1 %.522, label %B20, label %B74928
+  br i1 %.522, label %B20, label %B78264
 
-B74928:                                           ; preds = %B74924, %entry
+B78264:                                           ; preds = %B78260, %entry
   %.549 = shl nsw i64 %arg.count, 1
   %.599 = sub i64 %arg.out.5.0, %.549
   %.642333.not = icmp slt i64 %.599, 1
-  br i1 %.642333.not, label %B74981, label %B74940.if.preheader
+  br i1 %.642333.not, label %B78317, label %B78276.if.preheader
 
-B74940.if.preheader:                              ; preds = %B74928
+B78276.if.preheader:                              ; preds = %B78264
   %xtraiter = and i64 %.599, 3
   %lcmp.mod.not = icmp eq i64 %xtraiter, 0
-  br i1 %lcmp.mod.not, label %B74940.if.prol.loopexit, label %B74940.if.prol.preheader
+  br i1 %lcmp.mod.not, label %B78276.if.prol.loopexit, label %B78276.if.prol.preheader
 
-B74940.if.prol.preheader:                         ; preds = %B74940.if.preheader
+B78276.if.prol.preheader:                         ; preds = %B78276.if.preheader
   %5 = shl i64 %arg.out.5.0, 2
-  br label %B74940.if.prol
+  br label %B78276.if.prol
 
-B74940.if.prol:                                   ; preds = %B74940.if.prol, %B74940.if.prol.preheader
-  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B74940.if.prol ], [ %xtraiter, %B74940.if.prol.preheader ]
-  %.648332334.prol = phi i64 [ %.655.prol, %B74940.if.prol ], [ %.549, %B74940.if.prol.preheader ]
+B78276.if.prol:                                   ; preds = %B78276.if.prol, %B78276.if.prol.preheader
+  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B78276.if.prol ], [ %xtraiter, %B78276.if.prol.preheader ]
+  %.648332334.prol = phi i64 [ %.655.prol, %B78276.if.prol ], [ %.549, %B78276.if.prol.preheader ]
   %.655.prol = add i64 %.648332334.prol, 1
   %.693.prol = icmp slt i64 %.648332334.prol, 0
   %6 = select i1 %.693.prol, i64 %5, i64 0
@@ -12174,20 +12175,20 @@ B74940.if.prol:                                   ; preds = %B74940.if.prol, %B7
   store float 0.000000e+00, ptr %scevgep16, align 4
   %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
-  br i1 %prol.iter.cmp.not, label %B74940.if.prol.loopexit.loopexit, label %B74940.if.prol, !llvm.loop !225
+  br i1 %prol.iter.cmp.not, label %B78276.if.prol.loopexit.loopexit, label %B78276.if.prol, !llvm.loop !225
 
-B74940.if.prol.loopexit.loopexit:                 ; preds = %B74940.if.prol
+B78276.if.prol.loopexit.loopexit:                 ; preds = %B78276.if.prol
   %8 = sub i64 %arg.out.5.0, %.655.prol
-  br label %B74940.if.prol.loopexit
+  br label %B78276.if.prol.loopexit
 
-B74940.if.prol.loopexit:                          ; preds = %B74940.if.prol.loopexit.loopexit, %B74940.if.preheader
-  %.641331335.unr = phi i64 [ %.599, %B74940.if.preheader ], [ %8, %B74940.if.prol.loopexit.loopexit ]
-  %.648332334.unr = phi i64 [ %.549, %B74940.if.preheader ], [ %.655.prol, %B74940.if.prol.loopexit.loopexit ]
+B78276.if.prol.loopexit:                          ; preds = %B78276.if.prol.loopexit.loopexit, %B78276.if.preheader
+  %.641331335.unr = phi i64 [ %.599, %B78276.if.preheader ], [ %8, %B78276.if.prol.loopexit.loopexit ]
+  %.648332334.unr = phi i64 [ %.549, %B78276.if.preheader ], [ %.655.prol, %B78276.if.prol.loopexit.loopexit ]
   %9 = sub i64 %.549, %arg.out.5.0
   %10 = icmp ugt i64 %9, -4
-  br i1 %10, label %B74981, label %B74940.if.preheader4
+  br i1 %10, label %B78317, label %B78276.if.preheader4
 
-B74940.if.preheader4:                             ; preds = %B74940.if.prol.loopexit
+B78276.if.preheader4:                             ; preds = %B78276.if.prol.loopexit
   %11 = add i64 %.641331335.unr, 4
   %12 = shl i64 %arg.out.5.0, 2
   %13 = add i64 %12, 4
@@ -12195,9 +12196,9 @@ B74940.if.preheader4:                             ; preds = %B74940.if.prol.loop
   %15 = add i64 %12, 12
   %16 = shl i64 %.648332334.unr, 2
   %scevgep = getelementptr i8, ptr %arg.out.4, i64 %16
-  br label %B74940.if
+  br label %B78276.if
 
-B74981:                                           ; preds = %B74940.if, %B74940.if.prol.loopexit, %B74928
+B78317:                                           ; preds = %B78276.if, %B78276.if.prol.loopexit, %B78264
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -12213,7 +12214,7 @@ B292.if.1:                                        ; preds = %B292.if.lr.ph
   %scevgep26.1 = getelementptr i8, ptr %scevgep27.1, i64 12
   store float %.392.1.1, ptr %scevgep26.1, align 4
   %exitcond.not.1.1 = icmp eq i64 %size.2.1, 2
-  br i1 %exitcond.not.1.1, label %B74924, label %B292.if.2
+  br i1 %exitcond.not.1.1, label %B78260, label %B292.if.2
 
 B292.if.2:                                        ; preds = %B292.if.1
   %.392.2 = load float, ptr %sunkaddr22, align 4
@@ -12227,7 +12228,7 @@ B292.if.2:                                        ; preds = %B292.if.1
   %scevgep26.2 = getelementptr i8, ptr %scevgep27.2, i64 20
   store float %.392.1.2, ptr %scevgep26.2, align 4
   %exitcond.not.1.2 = icmp eq i64 %size.2.1, 3
-  br i1 %exitcond.not.1.2, label %B74924, label %B292.if.3
+  br i1 %exitcond.not.1.2, label %B78260, label %B292.if.3
 
 B292.if.3:                                        ; preds = %B292.if.2
   %.392.3 = load float, ptr %sunkaddr24, align 4
@@ -12241,7 +12242,7 @@ B292.if.3:                                        ; preds = %B292.if.2
   %scevgep26.3 = getelementptr i8, ptr %scevgep27.3, i64 28
   store float %.392.1.3, ptr %scevgep26.3, align 4
   %exitcond.not.1.3 = icmp eq i64 %size.2.1, 4
-  br i1 %exitcond.not.1.3, label %B74924, label %B292.if.4
+  br i1 %exitcond.not.1.3, label %B78260, label %B292.if.4
 
 B292.if.4:                                        ; preds = %B292.if.3
   %.392.4 = load float, ptr %sunkaddr25, align 4
@@ -12255,7 +12256,7 @@ B292.if.4:                                        ; preds = %B292.if.3
   %scevgep26.4 = getelementptr i8, ptr %scevgep27.4, i64 36
   store float %.392.1.4, ptr %scevgep26.4, align 4
   %exitcond.not.1.4 = icmp eq i64 %size.2.1, 5
-  br i1 %exitcond.not.1.4, label %B74924, label %B292.if.5
+  br i1 %exitcond.not.1.4, label %B78260, label %B292.if.5
 
 B292.if.5:                                        ; preds = %B292.if.4
   %.392.5 = load float, ptr %sunkaddr27, align 4
@@ -12269,7 +12270,7 @@ B292.if.5:                                        ; preds = %B292.if.4
   %scevgep26.5 = getelementptr i8, ptr %scevgep27.5, i64 44
   store float %.392.1.5, ptr %scevgep26.5, align 4
   %exitcond.not.1.5 = icmp eq i64 %size.2.1, 6
-  br i1 %exitcond.not.1.5, label %B74924, label %B292.if.6
+  br i1 %exitcond.not.1.5, label %B78260, label %B292.if.6
 
 B292.if.6:                                        ; preds = %B292.if.5
   %.392.6 = load float, ptr %sunkaddr29, align 4
@@ -12282,12 +12283,12 @@ B292.if.6:                                        ; preds = %B292.if.5
   %.392.1.6 = load float, ptr %sunkaddr30, align 4
   %scevgep26.6 = getelementptr i8, ptr %scevgep27.6, i64 52
   store float %.392.1.6, ptr %scevgep26.6, align 4
-  br label %B74924
+  br label %B78260
 
-B74940.if:                                        ; preds = %B74940.if, %B74940.if.preheader4
-  %lsr.iv1 = phi ptr [ %scevgep5, %B74940.if ], [ %scevgep, %B74940.if.preheader4 ]
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B74940.if ], [ %11, %B74940.if.preheader4 ]
-  %.648332334 = phi i64 [ %36, %B74940.if ], [ %.648332334.unr, %B74940.if.preheader4 ]
+B78276.if:                                        ; preds = %B78276.if, %B78276.if.preheader4
+  %lsr.iv1 = phi ptr [ %scevgep5, %B78276.if ], [ %scevgep, %B78276.if.preheader4 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B78276.if ], [ %11, %B78276.if.preheader4 ]
+  %.648332334 = phi i64 [ %36, %B78276.if ], [ %.648332334.unr, %B78276.if.preheader4 ]
   %.693 = icmp slt i64 %.648332334, 0
   %29 = select i1 %.693, i64 %12, i64 0
   %scevgep9 = getelementptr i8, ptr %lsr.iv1, i64 %29
@@ -12311,14 +12312,14 @@ B74940.if:                                        ; preds = %B74940.if, %B74940.
   %scevgep5 = getelementptr i8, ptr %lsr.iv1, i64 16
   %.642.3 = icmp sgt i64 %lsr.iv.next, 4
   %36 = add i64 %.648332334, 4
-  br i1 %.642.3, label %B74940.if, label %B74981
+  br i1 %.642.3, label %B78276.if, label %B78317
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
 define internal fastcc void @inner_31(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.count, ptr readonly captures(none) %arg.real.4, ptr readonly captures(none) %arg.imaginary.4, i64 range(i64 -1, 8) %arg.streamed, ptr writeonly captures(none) %arg.out.4, i64 range(i64 -9223372036854775808, 9223372036854775807) %arg.out.5.0, ptr captures(none) %arg.tail.4) unnamed_addr #6 {
 entry:
   %.70 = icmp sgt i64 %arg.count, 0
-  br i1 %.70, label %B20.preheader, label %B75125
+  br i1 %.70, label %B20.preheader, label %B78461
 
 B20.preheader:                                    ; preds = %entry
   %0 = shl i64 %arg.out.5.0, 3
@@ -12338,8 +12339,8 @@ B20.preheader:                                    ; preds = %entry
   %sunkaddr27 = getelementptr i8, ptr %arg.tail.4, i64 104
   br label %B20
 
-B20:                                              ; preds = %B75121, %B20.preheader
-  %j.2.0 = phi i64 [ %.510, %B75121 ], [ 0, %B20.preheader ]
+B20:                                              ; preds = %B78457, %B20.preheader
+  %j.2.0 = phi i64 [ %.510, %B78457 ], [ 0, %B20.preheader ]
   %.77 = sub nsw i64 %arg.count, %j.2.0
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.77, i64 8)
   %.117 = icmp slt i64 %j.2.0, %arg.streamed
@@ -12350,13 +12351,13 @@ B20:                                              ; preds = %B75121, %B20.prehea
   %.176 = getelementptr inbounds double, ptr %arg.imaginary.4, i64 %j.2.0
   %.178 = load <8 x double>, ptr %.176, align 8
   %.218 = icmp slt i64 %size.2.1, 8
-  br i1 %.218, label %B232, label %B75009
+  br i1 %.218, label %B232, label %B78345
 
 B232:                                             ; preds = %B20
   %.233 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   store <16 x double> %.233, ptr %arg.tail.4, align 4
   %.323319.not = icmp slt i64 %size.2.1, 1
-  br i1 %.323319.not, label %B75121, label %B292.if.lr.ph
+  br i1 %.323319.not, label %B78457, label %B292.if.lr.ph
 
 B292.if.lr.ph:                                    ; preds = %B232
   %.392 = shl nsw i64 %j.2.0, 1
@@ -12371,45 +12372,45 @@ B292.if.lr.ph:                                    ; preds = %B232
   %scevgep26 = getelementptr i8, ptr %scevgep27, i64 8
   store double %.390.1, ptr %scevgep26, align 8
   %exitcond.not.1 = icmp eq i64 %size.2.1, 1
-  br i1 %exitcond.not.1, label %B75121, label %B292.if.1
+  br i1 %exitcond.not.1, label %B78457, label %B292.if.1
 
-B75009:                                           ; preds = %B20
+B78345:                                           ; preds = %B20
   %.465.idx = shl i64 %j.2.0, 4
   %.466 = shufflevector <8 x double> %.167, <8 x double> %.178, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
   %sunkaddr15 = getelementptr i8, ptr %arg.out.4, i64 %.465.idx
-  br i1 %1, label %B75081, label %B75083
+  br i1 %1, label %B78417, label %B78419
 
-B75081:                                           ; preds = %B75009
+B78417:                                           ; preds = %B78345
   store <16 x double> %.466, ptr %sunkaddr15, align 64, !nontemporal !138
-  br label %B75121
+  br label %B78457
 
-B75083:                                           ; preds = %B75009
+B78419:                                           ; preds = %B78345
   store <16 x double> %.466, ptr %sunkaddr15, align 4
-  br label %B75121
+  br label %B78457
 
-B75121:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B75083, %B75081
+B78457:                                           ; preds = %B232, %B292.if.lr.ph, %B292.if.1, %B292.if.2, %B292.if.3, %B292.if.4, %B292.if.5, %B292.if.6, %B78419, %B78417
   %.510 = add nsw i64 %size.2.1, %j.2.0
   %.516 = icmp slt i64 %.510, %arg.count
-  br i1 %.516, label %B20, label %B75125
+  br i1 %.516, label %B20, label %B78461
 
-B75125:                                           ; preds = %B75121, %entry
+B78461:                                           ; preds = %B78457, %entry
   %.543 = shl nsw i64 %arg.count, 1
   %.593 = sub i64 %arg.out.5.0, %.543
   %.636333.not = icmp slt i64 %.593, 1
-  br i1 %.636333.not, label %B75178, label %B75137.if.preheader
+  br i1 %.636333.not, label %B78514, label %B78473.if.preheader
 
-B75137.if.preheader:                              ; preds = %B75125
+B78473.if.preheader:                              ; preds = %B78461
   %xtraiter = and i64 %.593, 3
   %lcmp.mod.not = icmp eq i64 %xtraiter, 0
-  br i1 %lcmp.mod.not, label %B75137.if.prol.loopexit, label %B75137.if.prol.preheader
+  br i1 %lcmp.mod.not, label %B78473.if.prol.loopexit, label %B78473.if.prol.preheader
 
-B75137.if.prol.preheader:                         ; preds = %B75137.if.preheader
+B78473.if.prol.preheader:                         ; preds = %B78473.if.preheader
   %4 = shl i64 %arg.out.5.0, 3
-  br label %B75137.if.prol
+  br label %B78473.if.prol
 
-B75137.if.prol:                                   ; preds = %B75137.if.prol, %B75137.if.prol.preheader
-  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B75137.if.prol ], [ %xtraiter, %B75137.if.prol.preheader ]
-  %.642332334.prol = phi i64 [ %.649.prol, %B75137.if.prol ], [ %.543, %B75137.if.prol.preheader ]
+B78473.if.prol:                                   ; preds = %B78473.if.prol, %B78473.if.prol.preheader
+  %lsr.iv17 = phi i64 [ %lsr.iv.next18, %B78473.if.prol ], [ %xtraiter, %B78473.if.prol.preheader ]
+  %.642332334.prol = phi i64 [ %.649.prol, %B78473.if.prol ], [ %.543, %B78473.if.prol.preheader ]
   %.649.prol = add i64 %.642332334.prol, 1
   %.687.prol = icmp slt i64 %.642332334.prol, 0
   %5 = select i1 %.687.prol, i64 %4, i64 0
@@ -12419,20 +12420,20 @@ B75137.if.prol:                                   ; preds = %B75137.if.prol, %B7
   store double 0.000000e+00, ptr %scevgep16, align 8
   %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
-  br i1 %prol.iter.cmp.not, label %B75137.if.prol.loopexit.loopexit, label %B75137.if.prol, !llvm.loop !226
+  br i1 %prol.iter.cmp.not, label %B78473.if.prol.loopexit.loopexit, label %B78473.if.prol, !llvm.loop !226
 
-B75137.if.prol.loopexit.loopexit:                 ; preds = %B75137.if.prol
+B78473.if.prol.loopexit.loopexit:                 ; preds = %B78473.if.prol
   %7 = sub i64 %arg.out.5.0, %.649.prol
-  br label %B75137.if.prol.loopexit
+  br label %B78473.if.prol.loopexit
 
-B75137.if.prol.loopexit:                          ; preds = %B75137.if.prol.loopexit.loopexit, %B75137.if.preheader
-  %.635331335.unr = phi i64 [ %.593, %B75137.if.preheader ], [ %7, %B75137.if.prol.loopexit.loopexit ]
-  %.642332334.unr = phi i64 [ %.543, %B75137.if.preheader ], [ %.649.prol, %B75137.if.prol.loopexit.loopexit ]
+B78473.if.prol.loopexit:                          ; preds = %B78473.if.prol.loopexit.loopexit, %B78473.if.preheader
+  %.635331335.unr = phi i64 [ %.593, %B78473.if.preheader ], [ %7, %B78473.if.prol.loopexit.loopexit ]
+  %.642332334.unr = phi i64 [ %.543, %B78473.if.preheader ], [ %.649.prol, %B78473.if.prol.loopexit.loopexit ]
   %8 = sub i64 %.543, %arg.out.5.0
   %9 = icmp ugt i64 %8, -4
-  br i1 %9, label %B75178, label %B75137.if.preheader4
+  br i1 %9, label %B78514, label %B78473.if.preheader4
 
-B75137.if.preheader4:                             ; preds = %B75137.if.prol.loopexit
+B78473.if.preheader4:                             ; preds = %B78473.if.prol.loopexit
   %10 = add i64 %.635331335.unr, 4
   %11 = shl i64 %arg.out.5.0, 3
   %12 = add i64 %11, 8
@@ -12440,9 +12441,9 @@ B75137.if.preheader4:                             ; preds = %B75137.if.prol.loop
   %14 = add i64 %11, 24
   %15 = shl i64 %.642332334.unr, 3
   %scevgep = getelementptr i8, ptr %arg.out.4, i64 %15
-  br label %B75137.if
+  br label %B78473.if
 
-B75178:                                           ; preds = %B75137.if, %B75137.if.prol.loopexit, %B75125
+B78514:                                           ; preds = %B78473.if, %B78473.if.prol.loopexit, %B78461
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -12458,7 +12459,7 @@ B292.if.1:                                        ; preds = %B292.if.lr.ph
   %scevgep26.1 = getelementptr i8, ptr %scevgep27.1, i64 24
   store double %.390.1.1, ptr %scevgep26.1, align 8
   %exitcond.not.1.1 = icmp eq i64 %size.2.1, 2
-  br i1 %exitcond.not.1.1, label %B75121, label %B292.if.2
+  br i1 %exitcond.not.1.1, label %B78457, label %B292.if.2
 
 B292.if.2:                                        ; preds = %B292.if.1
   %.390.2 = load double, ptr %sunkaddr19, align 8
@@ -12472,7 +12473,7 @@ B292.if.2:                                        ; preds = %B292.if.1
   %scevgep26.2 = getelementptr i8, ptr %scevgep27.2, i64 40
   store double %.390.1.2, ptr %scevgep26.2, align 8
   %exitcond.not.1.2 = icmp eq i64 %size.2.1, 3
-  br i1 %exitcond.not.1.2, label %B75121, label %B292.if.3
+  br i1 %exitcond.not.1.2, label %B78457, label %B292.if.3
 
 B292.if.3:                                        ; preds = %B292.if.2
   %.390.3 = load double, ptr %sunkaddr21, align 8
@@ -12486,7 +12487,7 @@ B292.if.3:                                        ; preds = %B292.if.2
   %scevgep26.3 = getelementptr i8, ptr %scevgep27.3, i64 56
   store double %.390.1.3, ptr %scevgep26.3, align 8
   %exitcond.not.1.3 = icmp eq i64 %size.2.1, 4
-  br i1 %exitcond.not.1.3, label %B75121, label %B292.if.4
+  br i1 %exitcond.not.1.3, label %B78457, label %B292.if.4
 
 B292.if.4:                                        ; preds = %B292.if.3
   %.390.4 = load double, ptr %sunkaddr22, align 8
@@ -12500,7 +12501,7 @@ B292.if.4:                                        ; preds = %B292.if.3
   %scevgep26.4 = getelementptr i8, ptr %scevgep27.4, i64 72
   store double %.390.1.4, ptr %scevgep26.4, align 8
   %exitcond.not.1.4 = icmp eq i64 %size.2.1, 5
-  br i1 %exitcond.not.1.4, label %B75121, label %B292.if.5
+  br i1 %exitcond.not.1.4, label %B78457, label %B292.if.5
 
 B292.if.5:                                        ; preds = %B292.if.4
   %.390.5 = load double, ptr %sunkaddr24, align 8
@@ -12514,7 +12515,7 @@ B292.if.5:                                        ; preds = %B292.if.4
   %scevgep26.5 = getelementptr i8, ptr %scevgep27.5, i64 88
   store double %.390.1.5, ptr %scevgep26.5, align 8
   %exitcond.not.1.5 = icmp eq i64 %size.2.1, 6
-  br i1 %exitcond.not.1.5, label %B75121, label %B292.if.6
+  br i1 %exitcond.not.1.5, label %B78457, label %B292.if.6
 
 B292.if.6:                                        ; preds = %B292.if.5
   %.390.6 = load double, ptr %sunkaddr26, align 8
@@ -12527,12 +12528,12 @@ B292.if.6:                                        ; preds = %B292.if.5
   %.390.1.6 = load double, ptr %sunkaddr27, align 8
   %scevgep26.6 = getelementptr i8, ptr %scevgep27.6, i64 104
   store double %.390.1.6, ptr %scevgep26.6, align 8
-  br label %B75121
+  br label %B78457
 
-B75137.if:                                        ; preds = %B75137.if, %B75137.if.preheader4
-  %lsr.iv1 = phi ptr [ %scevgep5, %B75137.if ], [ %scevgep, %B75137.if.preheader4 ]
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B75137.if ], [ %10, %B75137.if.preheader4 ]
-  %.642332334 = phi i64 [ %35, %B75137.if ], [ %.642332334.unr, %B75137.if.preheader4 ]
+B78473.if:                                        ; preds = %B78473.if, %B78473.if.preheader4
+  %lsr.iv1 = phi ptr [ %scevgep5, %B78473.if ], [ %scevgep, %B78473.if.preheader4 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B78473.if ], [ %10, %B78473.if.preheader4 ]
+  %.642332334 = phi i64 [ %35, %B78473.if ], [ %.642332334.unr, %B78473.if.preheader4 ]
   %.687 = icmp slt i64 %.642332334, 0
   %28 = select i1 %.687, i64 %11, i64 0
   %scevgep9 = getelementptr i8, ptr %lsr.iv1, i64 %28
@@ -12556,7 +12557,7 @@ B75137.if:                                        ; preds = %B75137.if, %B75137.
   %scevgep5 = getelementptr i8, ptr %lsr.iv1, i64 32
   %.636.3 = icmp sgt i64 %lsr.iv.next, 4
   %35 = add i64 %.642332334, 4
-  br i1 %.636.3, label %B75137.if, label %B75178
+  br i1 %.636.3, label %B78473.if, label %B78514
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
@@ -12666,38 +12667,38 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !13 = distinct !{!13, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v46B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
 !14 = !{!12}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !39 = !{!40}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v529B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!46}
-!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !48 = !{!"branch_weights", i32 146201250, i32 2001282398}
 !49 = !{!"branch_weights", i32 166258294, i32 1981225354}
 !50 = !{!"branch_weights", i32 1030503492, i32 1116980156}
@@ -12728,155 +12729,155 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
 !76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !77 = !{!78}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !80 = !{!81}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v232B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !83 = !{!84}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !89 = !{!90}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !92 = !{!93}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !95 = !{!96}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !98 = !{!99}
-!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
 !101 = !{!102}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !104 = !{!105, !102}
-!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !107 = !{!108, !102}
-!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!109 = distinct !{!109, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !110 = !{!111, !102}
-!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !113 = !{!114, !102}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !116 = !{!117, !102}
-!117 = distinct !{!117, !118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!118 = distinct !{!118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v190B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!117 = distinct !{!117, !118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!118 = distinct !{!118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !119 = !{!120, !102}
-!120 = distinct !{!120, !121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!121 = distinct !{!121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!120 = distinct !{!120, !121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!121 = distinct !{!121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !122 = !{!123, !102}
-!123 = distinct !{!123, !124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!124 = distinct !{!124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!123 = distinct !{!123, !124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!124 = distinct !{!124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !125 = !{!126, !102}
-!126 = distinct !{!126, !127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!127 = distinct !{!127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!126 = distinct !{!126, !127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!127 = distinct !{!127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !128 = !{!129, !131}
-!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !132 = !{!133}
-!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v538B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v538B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v539B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v539B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
 !135 = !{!136}
-!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v544B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v544B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v545B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v545B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
 !138 = !{i32 1}
 !139 = distinct !{!139, !55}
 !140 = distinct !{!140, !55}
 !141 = distinct !{!141, !55}
 !142 = distinct !{!142, !55}
 !143 = !{!144}
-!144 = distinct !{!144, !145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!145 = distinct !{!145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v211B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!144 = distinct !{!144, !145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v212B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!145 = distinct !{!145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v212B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !146 = !{!147}
-!147 = distinct !{!147, !148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v242B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!148 = distinct !{!148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v242B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!147 = distinct !{!147, !148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v243B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!148 = distinct !{!148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v243B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !149 = !{!150}
-!150 = distinct !{!150, !151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!151 = distinct !{!151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!150 = distinct !{!150, !151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!151 = distinct !{!151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !152 = !{!153}
-!153 = distinct !{!153, !154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!154 = distinct !{!154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!153 = distinct !{!153, !154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!154 = distinct !{!154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !155 = !{!"branch_weights", i32 101, i32 99}
 !156 = !{!157}
-!157 = distinct !{!157, !158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!158 = distinct !{!158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!157 = distinct !{!157, !158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v364B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!158 = distinct !{!158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v364B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
 !159 = !{!160}
-!160 = distinct !{!160, !161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!161 = distinct !{!161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!160 = distinct !{!160, !161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!161 = distinct !{!161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !162 = !{!163}
-!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!164 = distinct !{!164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!164 = distinct !{!164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
 !165 = distinct !{!165, !55}
 !166 = !{!167}
-!167 = distinct !{!167, !168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!168 = distinct !{!168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!167 = distinct !{!167, !168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!168 = distinct !{!168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !169 = distinct !{!169, !55}
 !170 = !{!171, !160}
-!171 = distinct !{!171, !172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!172 = distinct !{!172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!171 = distinct !{!171, !172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!172 = distinct !{!172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !173 = distinct !{!173, !55}
 !174 = !{!175, !167}
-!175 = distinct !{!175, !176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!176 = distinct !{!176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!175 = distinct !{!175, !176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!176 = distinct !{!176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !177 = !{!178}
-!178 = distinct !{!178, !179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!179 = distinct !{!179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v375B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!178 = distinct !{!178, !179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!179 = distinct !{!179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
 !180 = distinct !{!180, !55}
 !181 = distinct !{!181, !55}
 !182 = !{!183}
-!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!184 = distinct !{!184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!184 = distinct !{!184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !185 = !{!186}
-!186 = distinct !{!186, !187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v442B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!187 = distinct !{!187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v442B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!186 = distinct !{!186, !187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v443B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!187 = distinct !{!187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v443B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !188 = distinct !{!188, !55}
 !189 = !{!190, !183}
-!190 = distinct !{!190, !191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!191 = distinct !{!191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!190 = distinct !{!190, !191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!191 = distinct !{!191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !192 = distinct !{!192, !55}
 !193 = distinct !{!193, !55}
 !194 = !{!195}
-!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
-!196 = distinct !{!196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v450B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
+!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
+!196 = distinct !{!196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
 !197 = !{!198}
-!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !200 = !{!201}
-!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !203 = !{!204}
-!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !206 = !{!207}
-!207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!208 = distinct !{!208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!208 = distinct !{!208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !209 = !{!210}
-!210 = distinct !{!210, !211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!211 = distinct !{!211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!210 = distinct !{!210, !211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!211 = distinct !{!211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !212 = !{!213}
-!213 = distinct !{!213, !214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!214 = distinct !{!214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!213 = distinct !{!213, !214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!214 = distinct !{!214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !215 = !{!216}
-!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!217 = distinct !{!217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v358B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!217 = distinct !{!217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !218 = !{!219}
-!219 = distinct !{!219, !220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!220 = distinct !{!220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!219 = distinct !{!219, !220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!220 = distinct !{!220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !221 = !{!222}
-!222 = distinct !{!222, !223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!223 = distinct !{!223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!222 = distinct !{!222, !223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!223 = distinct !{!223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !224 = !{}
 !225 = distinct !{!225, !55}
 !226 = distinct !{!226, !55}
 !227 = !{!228}
-!228 = distinct !{!228, !229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v387B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x: %retptr"}
-!229 = distinct !{!229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v387B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x"}
+!228 = distinct !{!228, !229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v388B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x: %retptr"}
+!229 = distinct !{!229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v388B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x"}

@@ -80,13 +80,7 @@ def evaluate_modes(
     line = _prepare(
         lane, row, mass, dense, stop, plan, arguments, contents, weights, gauge, ratios, work, carriers, modes
     )
-    first, last = 0, 0
-    if dense:
-        slowest, fastest = plan_mode(plan, count - 1)[PlanMode.ORDER], plan_mode(plan, 0)[PlanMode.ORDER]
-        shifts = np.log(2.0 * mass / slowest), np.log(2.0 * mass / fastest)
-        first, last = cells_needed(grid_places, shifts, contents, weights)
-    elif line:
-        first, last = plan[Plan.TOP_CELL], plan[Plan.TOP_CELL] + 1
+    first, last = _cells_to_fit(dense, line, mass, plan, grid_places, contents, weights)
     top = (0.0, 0.0, 0.0)
     if last > first:
         fit_cells(row, linear, contents, weights, alignment, cubics, n_p, series[0], work, *fitted, first, last)
@@ -103,6 +97,21 @@ def evaluate_modes(
             sum_block(i, lane, ends, state)
         else:
             strain_block(i, lane, ends, state)
+
+
+@njit(inline="always")
+def _cells_to_fit(
+    dense: bool, line: bool, mass: float, plan: Integers, grid_places: Any, contents: Integers, weights: Floats
+) -> tuple[int, int]:
+    """The first cell whose polynomials are needed and the one after the last: all on a dense grid, or the band's end."""
+    slowest, fastest = plan_mode(plan, plan[Plan.MODES] - 1)[PlanMode.ORDER], plan_mode(plan, 0)[PlanMode.ORDER]
+    first, last = 0, 0
+    if dense:
+        shifts = np.log(2.0 * mass / slowest), np.log(2.0 * mass / fastest)
+        first, last = cells_needed(grid_places, shifts, contents, weights)
+    elif line:
+        first, last = plan[Plan.TOP_CELL], plan[Plan.TOP_CELL] + 1
+    return first, last
 
 
 @njit(**JIT_OPTIONS)
