@@ -1,4 +1,4 @@
-; sources: 2f97a2b59e0735bd1811a8ebb344c2596dcbffefc40007c3c91e1d9db465727a
+; sources: 900e37ae39e4a0a1b925162fcf6ee1eb371a9c52c788e2b1fb70ecb7d08c6b87
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

@@ -1,4 +1,4 @@
-; sources: 6430fec9e2a99fae4dbc3075793ebd7acbae11417f50da96d86d764aeaeb5c5c
+; sources: c2e1018b6381727f5627fa579733c9b4445e79da5a1cc175b02c5772906a2654
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

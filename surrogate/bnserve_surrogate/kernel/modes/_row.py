@@ -103,7 +103,7 @@ def evaluate_modes(
 def _cells_to_fit(
     dense: bool, line: bool, mass: float, plan: Integers, grid_places: Any, contents: Integers, weights: Floats
 ) -> tuple[int, int]:
-    """The first cell whose polynomials are needed and the one after the last: all on a dense grid, or the band's end."""
+    """The first cell whose polynomials are needed, and the one after the last."""
     slowest, fastest = plan_mode(plan, plan[Plan.MODES] - 1)[PlanMode.ORDER], plan_mode(plan, 0)[PlanMode.ORDER]
     first, last = 0, 0
     if dense:
