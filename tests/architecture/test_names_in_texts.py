@@ -48,5 +48,5 @@ def test_files_and_folders_that_texts_name_are_there():
 
 def test_what_is_not_there_is_found():
     assert is_there("bnserve_surrogate._artifact.ModeMetadata")
-    assert not is_there("bnserve_surrogate._tensors")
+    assert not is_there("bnserve_surrogate._nothing")
     assert not is_there("bnserve_service.app.create_nothing")
