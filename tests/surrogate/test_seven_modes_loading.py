@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -12,7 +13,7 @@ from bnserve_protocol import (
     OutOfDomain,
     ParametersWithExtrinsic,
 )
-from bnserve_surrogate import SurrogateMetadata
+from bnserve_surrogate import SelfCheck, SurrogateMetadata
 from bnserve_surrogate._artifact import MODES
 from bnserve_surrogate._tensors import read_modes
 from tests.surrogate.plain_reference import PlainModel
@@ -84,6 +85,27 @@ def test_a_power_is_one_that_post_newtonian_modes_have(metadata):
         with pytest.raises(ArtifactCorrupted, match="ratio_power"):
             SurrogateMetadata.read(written)
     assert {name: mode.ratio_power for name, mode in metadata.ratios.items()} == POWERS
+
+
+@pytest.mark.parametrize("name", ["22/mean", "33/basis", "21/polynomial_coefficients", "44/mean"])
+def test_the_self_check_finds_a_changed_weight_of_any_mode(metadata, tensors, name):
+    f, binary = np.geomspace(10.0, 1000.0, 5), ParametersWithExtrinsic.gw170817()
+    model = seven_mode_model(metadata, tensors)
+    amplitude, phase = model.predict_amplitude_phase(f, binary, options=ALONE)
+    each = {key: EvaluationOptions(modes=[MODES[key]]) for key in POWERS}
+    others = {key: abs(model.predict_factored(f, binary, options=each[key]).h[0]).tolist() for key in POWERS}
+    check = SelfCheck(
+        parameters={field: getattr(binary, field) for field in binary.__slots__},
+        frequencies=f.tolist(),
+        amplitude=amplitude.tolist(),
+        phase=phase.tolist(),
+        amplitudes=others,
+    )
+    recorded = msgspec.structs.replace(metadata, self_check=check)
+    assert seven_mode_model(recorded, tensors).self_check()
+    changed = tensors[name].copy()
+    changed.flat[0] += 1e-3
+    assert not seven_mode_model(recorded, {**tensors, name: changed}).self_check()
 
 
 def test_below_the_least_trained_tide_the_regressor_sees_that_and_the_baseline_the_true_one(metadata, tensors):
