@@ -207,7 +207,9 @@ class RemoteModel:
         modes = chosen_modes(options, known)
         if result in ("factored", "amplitude_phase"):
             the_mode(options, known)
-        output: OutputName = "factored" if len(modes) == 1 and result != "amplitude_phase" else result
+        # Half the bytes. The polarisations of another mode than (2, 2) are not to the bit its strain times the factors.
+        halved = modes == ((2, 2),) if result == "polarizations" else len(modes) == 1 and result == "modes"
+        output: OutputName = "factored" if halved else result
         precision = check_dtype(dtype)
         grid = self._grids.recall(frequencies)
         chunk = self.settings.chunk_samples

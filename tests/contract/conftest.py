@@ -1,10 +1,13 @@
 """The default model of one mode: in this process, and behind a real server over TCP."""
 
+import shutil
 import sys
 from contextlib import closing, nullcontext
+from pathlib import Path
 
 import pytest
 
+import bnserve_store
 from bnserve_client import Model as RemoteModel
 from bnserve_surrogate import Model as LocalModel
 from tests.contract.models import Blocking, Forked
@@ -15,16 +18,25 @@ ONE_MODE = "1.0.0"
 
 
 @pytest.fixture(scope="session")
-def local():
-    return LocalModel.load("default", ONE_MODE)
+def one_mode(tmp_path_factory):
+    """One in which it is the stable one."""
+    folder = tmp_path_factory.mktemp("one mode") / "default"
+    shutil.copytree(Path(bnserve_store.__file__).parent / "models" / "default" / ONE_MODE, folder / ONE_MODE)
+    (folder / "labels.json").write_text(f'{{"stable": "{ONE_MODE}"}}')
+    return folder.parent
 
 
 @pytest.fixture(scope="session")
-def address(tmp_path_factory):
+def local(one_mode):
+    return LocalModel.load("default", store=one_mode)
+
+
+@pytest.fixture(scope="session")
+def address(one_mode, tmp_path_factory):
     """A server in a process of its own."""
     port = free_port()
     where = f"http://127.0.0.1:{port}"
-    command = [sys.executable, "-m", "bnserve_service", "serve", "--port", str(port), "--model", f"default@{ONE_MODE}"]
+    command = [sys.executable, "-m", "bnserve_service", "serve", "--port", str(port), "--store", str(one_mode)]
     log = tmp_path_factory.mktemp("contract") / "server.log"
     with running(command, log, lambda: is_ready(where)):
         yield where

@@ -145,7 +145,8 @@ def test_a_chunk_holds_as_many_rows_of_modes_as_fit():
     assert max(asked) <= 4  # the two under way may be evaluated together
 
 
-def test_more_modes_than_fit_a_request_come_in_smaller_ones(local):
+def test_more_modes_than_fit_a_request_come_in_smaller_ones():
+    local = ModesModel()
     source = MemorySource().add(local)
     with (
         BackgroundServer(

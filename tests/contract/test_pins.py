@@ -18,7 +18,8 @@ ABSENT = "sha256:" + "0" * 64
 def get(request):
     """``get(**options)``: the model called default."""
     if request.param == "local":
-        return lambda **options: LocalModel.load("default", **options)
+        store = request.getfixturevalue("one_mode")
+        return lambda **options: LocalModel.load("default", store=store, **options)
     address = request.getfixturevalue("address")
     return lambda **options: RemoteModel.connect(address, "default", **options)
 

@@ -18,6 +18,7 @@ from bnserve_inference import LocalLikelihood, likelihood
 from bnserve_protocol import DigestUnknown, InvalidRequest, ModelUnknown, ParametersWithExtrinsic
 from bnserve_store import SHIPPED_MODELS, ModelStore
 from bnserve_surrogate import Model as LocalModel
+from tests.contract.conftest import ONE_MODE
 from tests.service.injections import samples, small_analysis
 
 pytestmark = pytest.mark.filterwarnings("ignore:This process .* is multi-threaded, use of fork:DeprecationWarning")
@@ -34,7 +35,7 @@ def here(request):
         with RemoteModel.connect(request.getfixturevalue("address")) as model:
             yield model
     else:
-        yield LocalModel.load("default", threads=2 if "threads" in request.param else 1)
+        yield LocalModel.load("default", ONE_MODE, threads=2 if "threads" in request.param else 1)
 
 
 @pytest.fixture
@@ -120,9 +121,9 @@ def test_weights_do_not_travel(local):
 
 
 @pytest.fixture
-def store(tmp_path, monkeypatch):
+def store(one_mode, tmp_path, monkeypatch):
     """A store of one's own, given by a path that is right in one folder alone."""
-    shutil.copytree(SHIPPED_MODELS / "default", tmp_path / "own" / "default")
+    shutil.copytree(one_mode / "default", tmp_path / "own" / "default")
     monkeypatch.chdir(tmp_path)
     return tmp_path / "own"
 
