@@ -3,12 +3,11 @@
 import shutil
 import sys
 from contextlib import closing, nullcontext
-from pathlib import Path
 
 import pytest
 
-import bnserve_store
 from bnserve_client import Model as RemoteModel
+from bnserve_store import SHIPPED_MODELS
 from bnserve_surrogate import Model as LocalModel
 from tests.contract.models import Blocking, Forked
 from tests.running_server import free_port, is_ready, running
@@ -21,7 +20,7 @@ ONE_MODE = "1.0.0"
 def one_mode(tmp_path_factory):
     """One in which it is the stable one."""
     folder = tmp_path_factory.mktemp("one mode") / "default"
-    shutil.copytree(Path(bnserve_store.__file__).parent / "models" / "default" / ONE_MODE, folder / ONE_MODE)
+    shutil.copytree(SHIPPED_MODELS / "default" / ONE_MODE, folder / ONE_MODE)
     (folder / "labels.json").write_text(f'{{"stable": "{ONE_MODE}"}}')
     return folder.parent
 
