@@ -81,13 +81,13 @@ def prefix_compare() -> None:
 def log_tokens() -> None:
     """The access log shows who asked with what."""
     from bnserve_service.evaluation import endpoint
-    from bnserve_service.http import front, requests
+    from bnserve_service.http import access_log, front, requests
 
     new = requests.new_context
 
     def new_and_told(headers: Any, *route: str) -> requests.RequestContext:
         made = new(headers, *route)
-        front.access_logger.info("asked with %r", made.headers.get(b"authorization"))
+        access_log.logger.info("asked with %r", made.headers.get(b"authorization"))
         return made
 
     for module in (endpoint, front):

@@ -24,6 +24,7 @@ from bnserve_service.evaluation.questions import Kind, Question
 from bnserve_service.evaluation.service import EvaluationService, Outcome
 from bnserve_service.evaluation.waveforms import Waveforms
 from bnserve_service.http.access import HostCheck, TokenCheck
+from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.front import Front, places_of
 from bnserve_service.models.loading import loader_of
@@ -148,7 +149,7 @@ def _front(
         parts.queue.turns.turn,
         parts.metrics,
         parts.lifecycle,
-        parts.settings.access_log,
+        AccessLog() if parts.settings.access_log else None,
     )
 
 

@@ -6,7 +6,7 @@ import difflib
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
@@ -71,6 +71,8 @@ class Settings(BaseModel):
     it changes."""
     access_log: bool = False
     """One line per request on standard error."""
+    log_format: Literal["text", "json"] = "text"
+    """For people, or one JSON object a line for programs; of a request, that has all that auditors ask for."""
 
     max_body_bytes: int = Field(default=16 * 2**20, ge=1024)
     """A full grid (8 MiB) and a full batch (320 KiB) fit twice."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import argparse
-import logging
 from pathlib import Path
 from typing import Any
 
 from bnserve_service.process.output import announce
 from bnserve_service.process.system import compute_in_one_thread
+from bnserve_service.telemetry.log import start_logging
 
 
 def add_parser(subparsers: Any) -> None:
@@ -43,6 +43,7 @@ def add_parser(subparsers: Any) -> None:
         help="require one of the bearer tokens in this file, one a line; read again when it changes",
     )
     add("--access-log", action="store_true", default=None, help="write one line per request")
+    add("--log-format", choices=("text", "json"), help="the log for people, or in lines of JSON (text)")
     parser.set_defaults(run=run)
 
 
@@ -51,9 +52,9 @@ def run(options: argparse.Namespace) -> int:
     compute_in_one_thread()
     from bnserve_service.settings import load_settings
 
-    logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
-    logging.getLogger("uvicorn").setLevel(logging.WARNING)
+    start_logging(options.log_format or "text")
     settings = load_settings(options.config, _overrides(options))
+    start_logging(settings.log_format)
     if settings.workers > 1:
         from bnserve_service.models.loading import loader_of
         from bnserve_service.models.registry import Registry
@@ -93,6 +94,7 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "tokens": _tokens(options) or None,
         "token_list": options.token_file,
         "access_log": options.access_log,
+        "log_format": options.log_format,
     }
 
 

@@ -63,7 +63,6 @@ class EvaluationEndpoint:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Evaluate one request."""
         request = context_of(scope)
-        request.path = scope["path_params"]
         request.media_type, request.answer_type, request.digest = negotiate(request.headers)
         deadline = request.deadline
         refuse_early = partial(self._service.refuse_early, self._kind, request, deadline)
@@ -72,10 +71,12 @@ class EvaluationEndpoint:
             await incoming.name(body)
             question = await self._service.ask(self._kind, body, request)
             del body
+        request.model = question.model.identity
         with request.paying(len(question.batch)), self._service.reserve(question, request.owner) as give_back:
             jobs = self._service.submit(question, deadline, request.owner)
             outcomes = [await jobs[0].result] if question.quick else await wait_for(jobs, receive, self._service)
             packed = join(question, outcomes)
+            request.rows = len(question.batch)
             headers = answer_headers(packed, question.answer_type, jobs[0].submitted)
             await send_answer(send, 200, headers, packed.parts, give_back)
 
@@ -180,8 +181,8 @@ class FastPath:
                 constant = {name: value for name, value in fields.items() if name not in request.varying}
                 self._known[request.head] = _Asked(constant, kind, route, path, *forms)
 
-    def take(self, request: Alone, finish: Finish) -> bool:
-        """Begin to answer a request; ``finish`` is called at the end of this turn of the event loop.
+    def take(self, request: Alone, finish: Finish, peer: tuple[str, int] | None) -> bool:
+        """Begin to answer a request of ``peer``; ``finish`` is called at the end of this turn of the event loop.
 
         False when the request has to go the other way, and nothing has happened.
         """
@@ -190,12 +191,14 @@ class FastPath:
             return False
         context = new_context(asked.fields | request.varying, asked.route)
         context.path = asked.path
+        if peer is not None:
+            context.peer = peer[0]
         context.media_type, context.answer_type, context.digest = asked.media_type, asked.answer_type, asked.digest
         try:
             if self._front.tokens is not None:
                 self._front.tokens.check(context, list(request.varying.items()), "POST")
                 context.check_quota()
-            context.request_digest = request_digest(request.body)
+            context.request_digest, context.bytes_in = request_digest(request.body), len(request.body)
             question = self._service.ask_now(asked.kind, request.body, context)
             if not question.quick:
                 return False
@@ -209,8 +212,11 @@ class FastPath:
 
     def _submit(self, context: RequestContext, question: Question, finish: Finish) -> None:
         quota = context.quota
+        context.model = question.model.identity
 
         def deliver(outcome: Outcome | BaseException) -> None:
+            if isinstance(outcome, Packed):
+                context.rows = len(question.batch)
             if quota is not None:
                 quota.end()
             self._finish(context, outcome, finish)
@@ -233,6 +239,7 @@ class FastPath:
             assert isinstance(outcome, Packed), "a quick question is in one piece"
             context.status, body = 200, b"".join(outcome.parts)
             headers = answer_headers(outcome, context.answer_type, outcome.started)
+        context.bytes_out = len(body)
         finish(context.status, headers + self._front.common_headers(context), body)
         self._front.finish("POST", context)
 

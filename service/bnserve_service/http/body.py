@@ -192,7 +192,8 @@ class IncomingBody:
         return body
 
     async def name(self, body: bytes) -> None:
-        """Note the digest of the body, which the answer tells."""
+        """Note the digest of the body, which the answer tells, and its size."""
+        self._context.bytes_in = len(body)
         self._context.request_digest = await self._reader.work(len(body), request_digest, body)
 
     async def _collect(self, receive: Receive, limit: int) -> bytes:

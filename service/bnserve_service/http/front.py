@@ -25,13 +25,12 @@ from bnserve_protocol.wire import PROBLEM_JSON
 from bnserve_service.admission.control import Lifecycle
 from bnserve_service.errors import ClientDisconnected, from_http_status, internal_error, problem_body, problem_headers
 from bnserve_service.http.access import HostCheck, TokenCheck, is_public
+from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.answers import body_headers, send_answer
-from bnserve_service.http.requests import CONTEXT, NO_ROUTE, Header, RequestContext, header_fields, new_context
-from bnserve_service.telemetry.log import log_word
+from bnserve_service.http.requests import CONTEXT, Header, RequestContext, header_fields, new_context
 from bnserve_service.telemetry.metrics import Metrics
 
 logger = logging.getLogger("bnserve.service")
-access_logger = logging.getLogger("bnserve.access")
 
 _METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "OPTIONS", "PATCH"})
 """Others are one, in metrics and log: callers may invent them, too."""
@@ -90,8 +89,8 @@ class Front:
         Waits until it is the turn of a token, by its digest.
     metrics, lifecycle
         Where to count, and whether connections are still kept open.
-    log_requests
-        Write one line per request to the logger ``bnserve.access``.
+    access_log
+        Who is told of every request; None for nobody.
     """
 
     def __init__(
@@ -102,7 +101,7 @@ class Front:
         turn: Callable[[str], Awaitable[None]],
         metrics: Metrics,
         lifecycle: Lifecycle,
-        log_requests: bool,
+        access_log: AccessLog | None,
     ) -> None:
         self._places = places
         self.others: ASGIApp | None = None
@@ -112,7 +111,7 @@ class Front:
         self._turn = turn
         self._metrics = metrics
         self._lifecycle = lifecycle
-        self._log_requests = log_requests
+        self._access_log = access_log
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
@@ -121,11 +120,15 @@ class Front:
             await self.others(scope, receive, send)
             return
         context = scope[CONTEXT] = new_context(header_fields(scope["headers"]))
+        if scope.get("client"):
+            context.peer = scope["client"][0]
 
         async def send_with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 context.status = message["status"]
                 message["headers"] = [*message["headers"], *self.common_headers(context)]
+            else:
+                context.bytes_out += len(message.get("body", b""))
             await send(message)
 
         try:
@@ -142,7 +145,8 @@ class Front:
 
     async def _hand_on(self, context: RequestContext, scope: Scope, receive: Receive, send: Send) -> None:
         place = self._find(scope)
-        context.route = NO_ROUTE if place is None else place.template
+        if place is not None:
+            context.route, context.path = place.template, scope["path_params"]
         method = scope["method"]
         self.hosts.check(context.headers, method, context.route)
         if self.tokens is not None and not is_public(context.route):
@@ -195,6 +199,7 @@ class Front:
         status, body = problem_body(told, context.request_id, status)
         headers = [*body_headers([body], PROBLEM_JSON), *problem_headers(told), *extra]
         self._metrics.refused(told.code)
+        context.error = told.code
         return status, headers, body
 
     def common_headers(self, context: RequestContext) -> list[Header]:
@@ -212,9 +217,7 @@ class Front:
         """Count and log a request that has been answered."""
         seconds = time.monotonic() - context.arrived
         self._metrics.observe_request(context.route, method, context.status, seconds)
-        if self._log_requests:
-            access_logger.info(
-                "%s %s %s %d %.1f ms caller=%s traceparent=%s",
-                context.request_id, method, context.route, context.status, seconds * 1e3, context.caller,
-                log_word(context.headers.get(b"traceparent", b"-")),
-            )  # fmt: skip
+        if context.owner:
+            self._metrics.callers.count(context.caller, context.rows, context.bytes_out, seconds)
+        if self._access_log is not None:
+            self._access_log.tell(method, context, seconds)

@@ -141,8 +141,8 @@ class _TimedProtocol(HttpToolsProtocol):
 class FastPath(Protocol):
     """What answers small requests by plain calls: :class:`~bnserve_service.evaluation.endpoint.FastPath`."""
 
-    def take(self, request: Alone, finish: Finish) -> bool:
-        """Begin to answer a request with a known head; false when it goes the other way, and nothing has happened."""
+    def take(self, request: Alone, finish: Finish, peer: tuple[str, int] | None) -> bool:
+        """Begin to answer a request of ``peer`` with a known head; false when it goes the other way, untouched."""
 
     def learn(self, request: Alone, url: bytes, headers: list[Header]) -> None:
         """Know the head of a POST that was found to be right, and that leaves the connection open."""
@@ -169,7 +169,7 @@ class _FastProtocol(_TimedProtocol):
         if self.fast_path is None or not self._is_idle() or self.flow.write_paused:
             return False
         cycle = _FastCycle()
-        if not self.fast_path.take(request, lambda *answer: self._answer(cycle, *answer)):
+        if not self.fast_path.take(request, lambda *answer: self._answer(cycle, *answer), self.client):
             return False
         self.cycle = cycle  # type: ignore[assignment]  # it has what uvicorn's protocol looks at
         self._watch()

@@ -13,7 +13,7 @@ from typing import TypeAlias
 
 from starlette.types import Scope
 
-from bnserve_protocol import InvalidRequest, NotAcceptable, UnsupportedMediaType
+from bnserve_protocol import InvalidRequest, ModelIdentity, NotAcceptable, UnsupportedMediaType
 from bnserve_protocol.wire import JSON, MSGPACK, MSGPACK_BYTES, DigestName
 from bnserve_service.admission.quotas import RateQuota
 
@@ -51,6 +51,17 @@ class RequestContext:
     request_digest: str | None = None
     """SHA-256 of the request body, in hexadecimal, once it was read."""
     status: int = 0
+    error: str = ""
+    """The code of the error that was answered, if it was one."""
+    peer: str = ""
+    """The address that the connection comes from; empty on a Unix socket."""
+    model: ModelIdentity | None = None
+    """The model that was asked."""
+    rows: int = 0
+    """Rows that were evaluated."""
+    bytes_in: int = 0
+    bytes_out: int = 0
+    """Of the bodies."""
     path: Mapping[str, str] = field(default_factory=dict)
     """The parameters of the route."""
     media_type: str = ""

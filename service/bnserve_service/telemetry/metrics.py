@@ -23,6 +23,7 @@ from prometheus_client.registry import Collector
 
 from bnserve_protocol import ModelIdentity, RowStatus, __version__
 from bnserve_service.shared.metrics import SharedMetrics
+from bnserve_service.telemetry.callers import Callers
 
 _SECONDS = (0.0001, 0.00025, 0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0)
 _GROUP_SIZES = (1, 2, 4, 8, 16, 32, 64, 128, 256)
@@ -78,6 +79,8 @@ class Metrics:
         )
         self.reloads = Counter("bnserve_reloads", "Looks at the stores by outcome", ["outcome"], registry=registry)
         self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
+        self.callers = Callers()
+        registry.register(self.callers)
         self._request_child = cache(self._requests.labels)
         self._seconds_child = cache(self._seconds.labels)
         self._refused_child = cache(self._refused.labels)

@@ -8,6 +8,7 @@ waits; it ends with the supervisor.
 from __future__ import annotations
 
 import contextlib
+import json
 import logging
 import os
 import signal
@@ -17,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from bnserve_service.process.system import compute_in_one_thread, name_process
+from bnserve_service.telemetry.log import start_logging
 from bnserve_service.workers.channels import Channel, Closed, Descriptors, Message
 
 logger = logging.getLogger("bnserve.fork_server")
@@ -76,13 +78,12 @@ def main(arguments: Sequence[str]) -> int:
     compute_in_one_thread()  # a process with threads could not be copied
     for shared_signal in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):  # they may be meant for all of us: one decides
         signal.signal(shared_signal, signal.SIG_IGN)
-    logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
-    logging.getLogger("uvicorn").setLevel(logging.WARNING)
     name_process("bnserve-forksrv")
     channel, *numbers = map(int, arguments)
     os.set_inheritable(channel, False)
     supervisor, descriptors = Channel.inherited(channel), Descriptors(*numbers)
     descriptors.inherit(False)
+    start_logging(json.loads(descriptors.settings_json())["log_format"])
     try:
         return _serve(supervisor, descriptors)
     except Closed:

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from bnserve_service.process.output import OutputLost, announce, complain, printing
 from bnserve_service.process.system import SocketFile, become_subreaper, name_process
 from bnserve_service.shared.folder import SharedFolder
+from bnserve_service.telemetry.log import start_logging
 from bnserve_service.workers.channels import NO_DESCRIPTOR, Descriptors, Events, ended_children
 from bnserve_service.workers.fork_server import ForkServer
 from bnserve_service.workers.health import BackOff, Rules, Verdict, Worker, judge
@@ -259,10 +260,10 @@ def main(arguments: Sequence[str]) -> int:
 
 
 def _supervise(descriptors: Descriptors) -> int:
-    logging.basicConfig(level=logging.INFO, format="%(asctime)s %(levelname)s %(name)s: %(message)s")
     name_process("bnserve-superv")
     descriptors.inherit(False)
     settings: dict[str, Any] = json.loads(descriptors.settings_json())
+    start_logging(settings["log_format"])
     with contextlib.ExitStack() as stack:
         if settings["uds"] is not None:
             stack.callback(SocketFile(Path(settings["uds"])).remove)
