@@ -26,6 +26,7 @@ from bnserve_service.evaluation.waveforms import Waveforms
 from bnserve_service.http.access import HostCheck, TokenCheck
 from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.body import BodyReader
+from bnserve_service.http.cors import CrossOrigin
 from bnserve_service.http.front import Front, places_of
 from bnserve_service.models.loading import loader_of
 from bnserve_service.models.maintenance import Health, Maintenance
@@ -63,7 +64,8 @@ class Parts:
     tokens: TokenBook | None
     renewals: Renewals
     shared: Path | None = None
-    """What all worker processes of one server share, as :func:`create_app` says."""
+    """What all worker processes of one server share, and which of them this is, as :func:`create_app` says."""
+    worker: int = 0
 
     def look_again(self) -> None:
         """Read now what is read from time to time: stores, tokens, certificates. For the event loop."""
@@ -150,6 +152,7 @@ def _front(
         parts.metrics,
         parts.lifecycle,
         AccessLog() if parts.settings.access_log else None,
+        CrossOrigin(parts.settings.cors_origins) if parts.settings.cors_origins else None,
     )
 
 
@@ -235,6 +238,7 @@ def create_app(
         tokens=TokenBook(settings.token_files(), shared) if settings.asks_for_tokens else None,
         renewals=Renewals(settings.poll_seconds),
         shared=shared,
+        worker=worker,
     )
     _watch(parts)
     if parts.tokens is not None:

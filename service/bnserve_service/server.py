@@ -24,6 +24,7 @@ from bnserve_service.process.accepting import Acceptor, Intake
 from bnserve_service.process.certificate import Certificate
 from bnserve_service.process.listening import BACKLOG, address_of, listening, open_metrics_listener
 from bnserve_service.settings import Settings
+from bnserve_service.shared.addresses import Addresses
 
 logger = logging.getLogger("bnserve.server")
 
@@ -70,6 +71,8 @@ class BnserveServer:
         """Where the metrics are, when they have a port of their own."""
         self.ready = threading.Event()
         """Set when models are served."""
+        most, parts = self._settings.max_connections_per_address, app.parts
+        self._addresses = Addresses(most, parts.shared, parts.worker) if most is not None else None
         self._certificate = Certificate.of(self._settings)
         if self._certificate is not None:
             app.parts.renewals.add(self._certificate.renew)
@@ -137,7 +140,15 @@ class BnserveServer:
             lambda: len(connections),
             tls.context if tls is not None else None,
             self._settings.header_timeout,
+            self._enter if self._addresses is not None else None,
         )
+
+    def _enter(self, address: str) -> Callable[[], None] | None:
+        assert self._addresses is not None, "it is only asked where there is a limit"
+        leave = self._addresses.enter(address)
+        if leave is None:
+            self._app.parts.metrics.connections_refused.inc()
+        return leave
 
     async def _watch_loading(self) -> None:
         report = await self._app.parts.maintenance.first_look()

@@ -29,6 +29,9 @@ ANY_HOST = "*"
 _HOST = re.compile(r"\*|[A-Za-z0-9._-]{1,253}|[0-9A-Fa-f:.]{2,45}")
 
 
+_ORIGIN = re.compile(r"https?://[a-z0-9._-]{1,253}(:[0-9]{1,5})?|https?://\[[0-9a-f:.]{2,45}\](:[0-9]{1,5})?")
+
+
 class Settings(BaseModel):
     """Everything that can be set, with the reason for each default. Times in seconds, sizes in bytes."""
 
@@ -44,6 +47,15 @@ class Settings(BaseModel):
     """Names and addresses, without port, that this server is called by, beside localhost and its like: other `Host`
     headers are refused, because a web page may have made its own name point here. Empty: those of the loopback
     interface alone on a server that listens there or on a Unix socket, every host on other addresses. ``*``: every."""
+    cors_origins: tuple[str, ...] = ()
+    """Web pages of other sites that may ask, as browsers write their origins: `https://host` or `https://host:port`."""
+    uds_mode: str | None = Field(default=None, pattern="^0?[0-7]{3}$")
+    """Who may connect to the Unix socket, in the digits of `chmod`; None for what the umask leaves."""
+    uds_group: str | None = None
+    """The group of the Unix socket, by name or number."""
+    max_connections_per_address: int | None = Field(default=None, ge=1)
+    """Connections of one address at the same time, in all workers; more are closed at once. For IPv6, of one network of
+    64 bits. Not for a server behind a proxy, whose address all of them have. None for no limit."""
     tls_cert: Path | None = None
     """PEM file of the server's certificate and those that lead to its authority: https instead of http. Read again when
     it changes. On a Unix socket it does not count: there, nothing travels that TLS would hide."""
@@ -143,6 +155,17 @@ class Settings(BaseModel):
         if wrong:
             raise ValueError(f"'{wrong[0]}' is not a host; write a name or an address without scheme and port")
         return bare
+
+    @field_validator("cors_origins")
+    @classmethod
+    def _origins_are_exact(cls, origins: tuple[str, ...]) -> tuple[str, ...]:
+        wrong = [origin for origin in origins if not _ORIGIN.fullmatch(origin)]
+        if wrong:
+            raise ValueError(
+                f"'{wrong[0]}' is not the origin of a page; write https://host or https://host:port, without a "
+                "path, in lower case. There is no * for every page: name those that may ask"
+            )
+        return origins
 
     @model_validator(mode="after")
     def _tls_is_whole(self) -> Settings:

@@ -134,3 +134,23 @@ def test_a_server_that_nobody_can_reach_any_more_is_not_ready(start, tmp_path):
 def test_a_containers_quota(text, expected):
     assert parse_cpu_max(text) == expected
     assert available_cpus() >= 1
+
+
+def test_who_may_connect_to_a_unix_socket(tmp_path):
+    path = tmp_path / "socket"
+    for mode in ("600", "0660", "666"):
+        with listen_unix(path, mode):
+            assert path.stat().st_mode & 0o777 == int(mode, 8)
+        path.unlink()
+    with listen_unix(path, "660", str(os.getgid())):
+        assert path.stat().st_gid == os.getgid()
+    path.unlink()
+    with pytest.raises(CannotListen, match="There is no group 'no such group'"):
+        listen_unix(path, "660", "no such group")
+    assert not path.exists()
+
+
+@pytest.mark.parametrize("mode", ["rw", "888", "77777", ""])
+def test_what_is_no_mode_is_refused(mode):
+    with pytest.raises(ValueError, match="uds_mode"):
+        Settings(uds_mode=mode)

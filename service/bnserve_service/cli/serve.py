@@ -24,6 +24,8 @@ def add_parser(subparsers: Any) -> None:
     add("--host", help="address to listen on (127.0.0.1)")
     add("--port", type=int, help="port to listen on (8000); 0 takes a free one and prints it")
     add("--uds", type=Path, metavar="PATH", help="listen on a Unix socket instead")
+    add("--uds-mode", metavar="MODE", help="who may connect to it, as chmod says it: 660 (what the umask leaves)")
+    add("--uds-group", metavar="GROUP", help="its group")
     add("--allowed-host", action="append", metavar="HOST", help="a host that the server is called by, beside localhost "
         "(repeatable); * for every one")  # fmt: skip
     add("--tls-cert", type=Path, metavar="FILE", help="speak TLS, with this certificate (PEM, the server's own first)")
@@ -82,6 +84,8 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "host": options.host,
         "port": options.port,
         "uds": options.uds,
+        "uds_mode": options.uds_mode,
+        "uds_group": options.uds_group,
         "allowed_hosts": options.allowed_host,
         "tls_cert": options.tls_cert,
         "tls_key": options.tls_key,

@@ -45,22 +45,24 @@ class HostCheck:
     ----------
     names
         The hosts that this server is called by beside those of the loopback interface; None answers to every host.
+    origins
+        Of other sites whose pages may ask for changes.
     """
 
-    def __init__(self, names: Iterable[str] | None) -> None:
+    def __init__(self, names: Iterable[str] | None, origins: Iterable[str] = ()) -> None:
         self._any = names is None
+        self._origins = frozenset(origin.encode() for origin in origins)
         self._names = frozenset(name.lower() for name in names or () if not _is_loopback_name(name.lower()))
 
     @classmethod
     def of(cls, settings: Settings) -> HostCheck:
         """By ``allowed_hosts``; without it, every host unless only this machine can connect."""
+        names: Iterable[str] | None = settings.allowed_hosts
         if ANY_HOST in settings.allowed_hosts:
-            return cls(None)
-        if settings.allowed_hosts:
-            return cls(settings.allowed_hosts)
-        if settings.uds is not None:
-            return cls(())
-        return cls((settings.host,) if is_loopback(settings.host) else None)
+            names = None
+        elif not settings.allowed_hosts and settings.uds is None:
+            names = (settings.host,) if is_loopback(settings.host) else None
+        return cls(names, settings.cors_origins)
 
     @classmethod
     def of_metrics(cls, settings: Settings) -> HostCheck:
@@ -94,7 +96,7 @@ class HostCheck:
 
     def _check_origin(self, origin: bytes, host: bytes) -> None:
         authority = origin.partition(b"://")[2]
-        if authority.lower() == host.lower() != b"" or _name_of(authority) in self._names:
+        if origin in self._origins or authority.lower() == host.lower() != b"" or _name_of(authority) in self._names:
             return
         raise Forbidden(
             "A web page of another site (Origin header) asks for this, which only this server's own pages may. If the "

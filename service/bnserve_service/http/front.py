@@ -27,6 +27,7 @@ from bnserve_service.errors import ClientDisconnected, from_http_status, interna
 from bnserve_service.http.access import HostCheck, TokenCheck, is_public
 from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.answers import body_headers, send_answer
+from bnserve_service.http.cors import CrossOrigin
 from bnserve_service.http.requests import CONTEXT, Header, RequestContext, header_fields, new_context
 from bnserve_service.telemetry.metrics import Metrics
 
@@ -91,6 +92,8 @@ class Front:
         Where to count, and whether connections are still kept open.
     access_log
         Who is told of every request; None for nobody.
+    cross_origin
+        Pages of other sites that may ask; None for none.
     """
 
     def __init__(
@@ -102,6 +105,7 @@ class Front:
         metrics: Metrics,
         lifecycle: Lifecycle,
         access_log: AccessLog | None,
+        cross_origin: CrossOrigin | None = None,
     ) -> None:
         self._places = places
         self.others: ASGIApp | None = None
@@ -112,6 +116,7 @@ class Front:
         self._metrics = metrics
         self._lifecycle = lifecycle
         self._access_log = access_log
+        self._cross_origin = cross_origin
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one HTTP request."""
@@ -149,6 +154,11 @@ class Front:
             context.route, context.path = place.template, scope["path_params"]
         method = scope["method"]
         self.hosts.check(context.headers, method, context.route)
+        if self._cross_origin is not None:
+            preflight = self._cross_origin.preflight(method, context.headers)
+            if preflight is not None:
+                await send_answer(send, 204, preflight, [])
+                return
         if self.tokens is not None and not is_public(context.route):
             self.tokens.check(context, scope["headers"], method)
             await self._turn(context.owner)
@@ -207,6 +217,8 @@ class Front:
         headers = [(b"x-request-id", context.request_id.encode("ascii"))]
         if context.request_digest is not None:
             headers.append((b"x-request-digest", context.request_digest.encode("ascii")))
+        if self._cross_origin is not None:
+            headers += self._cross_origin.headers(context.headers)
         if context.quota is not None and context.pays:
             headers += context.quota.headers()
         if self._lifecycle.draining:

@@ -33,7 +33,7 @@ from bnserve_service.http.framing import (
 )
 from bnserve_service.http.pace import Pace
 from bnserve_service.http.requests import Header
-from bnserve_service.process.accepting import Acceptor
+from bnserve_service.process.accepting import Acceptor, Connection
 from bnserve_service.settings import Settings
 from bnserve_service.telemetry.log import Complaints
 
@@ -59,10 +59,11 @@ class _Due(enum.Enum):
     """Of the connection: what came was no request, and what comes is not looked at."""
 
 
-class _TimedProtocol(HttpToolsProtocol):
+class _TimedProtocol(HttpToolsProtocol, Connection):
     """A connection that a slow or silent peer cannot hold open."""
 
     settings: Settings
+    on_lost: Callable[[], None] | None = None
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)
@@ -79,6 +80,8 @@ class _TimedProtocol(HttpToolsProtocol):
         """The connection is gone."""
         self._wait_for(_Due.NOTHING)
         self._pace.stop()
+        if self.on_lost is not None:
+            self.on_lost()
         super().connection_lost(exc)
 
     def on_response_complete(self) -> None:
@@ -355,7 +358,7 @@ class UvicornServer(uvicorn.Server):
         """Leave them to :class:`~bnserve_service.server.BnserveServer`."""
         yield
 
-    def connection(self) -> asyncio.Protocol:
+    def connection(self) -> Connection:
         """The protocol of a new connection."""
         return _connection(self.config, self.server_state, self.lifespan.state)
 

@@ -21,13 +21,20 @@ _FAREWELL = 5.0
 default ``write_rate``, two of them are enough."""
 
 
+class Connection(asyncio.Protocol):
+    """A protocol that says when its connection has ended."""
+
+    on_lost: Callable[[], None] | None = None
+    """Called then."""
+
+
 @dataclass(frozen=True, slots=True)
 class Intake:
     """Where connections come from, and what becomes of them."""
 
     listener: socket.socket
     """A listening socket."""
-    protocol: Callable[[], asyncio.Protocol]
+    protocol: Callable[[], Connection]
     """Makes the protocol of a connection."""
     connections: Callable[[], int]
     """How many there are."""
@@ -35,6 +42,8 @@ class Intake:
     """How they are encrypted; None for not at all."""
     handshake_seconds: float = 10.0
     """A handshake has to end within this."""
+    enter: Callable[[str], Callable[[], None] | None] | None = None
+    """Counts a connection from an address: what is called when it ends; None when it has too many. None: no limit."""
 
     def options(self) -> dict[str, Any]:
         """Those of ``connect_accepted_socket`` and ``create_server`` of an event loop."""
@@ -108,16 +117,31 @@ class Acceptor:
             self._wait(_PAUSE)
             return False
         connection.setblocking(False)
-        task = asyncio.get_running_loop().create_task(self._open(connection, peer))
+        leave: Callable[[], None] | None = None
+        if self._intake.enter is not None and peer:
+            leave = self._intake.enter(peer[0])
+            if leave is None:
+                connection.close()
+                self._complaints.tell(peer, "its address has as many as it may", what="connection")
+                return True
+        task = asyncio.get_running_loop().create_task(self._open(connection, peer, leave))
         self._opening.add(task)
         task.add_done_callback(self._opening.discard)
         return True
 
-    async def _open(self, connection: socket.socket, peer: Any) -> None:
+    async def _open(self, connection: socket.socket, peer: Any, leave: Callable[[], None] | None) -> None:
+        def protocol() -> Connection:
+            made = self._intake.protocol()
+            if leave is not None:
+                made.on_lost = leave
+            return made
+
         try:
             loop = asyncio.get_running_loop()
-            await loop.connect_accepted_socket(self._intake.protocol, connection, **self._options)
+            await loop.connect_accepted_socket(protocol, connection, **self._options)
         except OSError as error:  # it is gone already, or speaks no TLS
             connection.close()
+            if leave is not None:
+                leave()
             if isinstance(error, ssl.SSLError):
                 self._complaints.tell(peer, f"no TLS: {error.reason or error}", what="connection")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import logging
+import shutil
 import socket
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -36,7 +37,7 @@ def open_listener(settings: Settings) -> socket.socket:
         The address is taken, not allowed, or none of this machine.
     """
     if settings.uds is not None:
-        return listen_unix(settings.uds)
+        return listen_unix(settings.uds, settings.uds_mode, settings.uds_group)
     listener = listen_tcp(settings.host, settings.port)
     if not settings.asks_for_tokens and not is_loopback(settings.host):
         logger.warning(
@@ -136,13 +137,22 @@ def _explain(error: OSError, host: str, port: int) -> str:
     return f"Cannot listen on {host}:{port}: {error.strerror or error}."
 
 
-def listen_unix(path: Path) -> socket.socket:
+def listen_unix(path: Path, mode: str | None = None, group: str | None = None) -> socket.socket:
     """A Unix socket at ``path``; what a server that is gone left there is replaced.
+
+    Parameters
+    ----------
+    path
+        Where.
+    mode
+        Who may connect, in octal digits; None for what the umask leaves.
+    group
+        Its group, by name or number; None for that of this process.
 
     Raises
     ------
     CannotListen
-        Another server answers there, something else is there, or the folder cannot be written.
+        Another server answers there, something else is there, the folder cannot be written, or there is no such group.
     """
     listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
     try:
@@ -150,7 +160,18 @@ def listen_unix(path: Path) -> socket.socket:
             _refuse_living(path)
             path.unlink()
         listener.bind(str(path))
+        # Before it listens: until then, nobody can connect.
+        if group is not None:
+            shutil.chown(path, group=int(group) if group.isdecimal() else group)
+        if mode is not None:
+            path.chmod(int(mode, 8))
         listener.listen(BACKLOG)
+    except LookupError as error:
+        listener.close()
+        path.unlink(missing_ok=True)
+        raise CannotListen(
+            f"There is no group '{group}' for the Unix socket '{path}'; name another with uds_group."
+        ) from error
     except OSError as error:
         listener.close()
         raise CannotListen(f"Cannot listen on the Unix socket '{path}': {error.strerror or error}.") from error

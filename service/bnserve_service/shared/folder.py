@@ -29,6 +29,11 @@ def models_file(shared: Path, place: int) -> Path:
     return shared / f"models-{place}.json"
 
 
+def addresses_file(shared: Path, place: int | str) -> Path:
+    """The file in it in which the worker in a place says how many connections each address has there."""
+    return shared / f"addresses-{place}.json"
+
+
 class SharedFolder:
     """A folder for one user alone; every process of the server that opens it keeps it from being taken for a ruin.
 

@@ -78,6 +78,9 @@ class Metrics:
             "bnserve_withdrawn", "Jobs removed from the queue before evaluation", ["reason"], registry=registry
         )
         self.reloads = Counter("bnserve_reloads", "Looks at the stores by outcome", ["outcome"], registry=registry)
+        self.connections_refused = Counter(
+            "bnserve_connections_refused", "Connections of addresses that have as many as they may", registry=registry
+        )
         self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
         self.callers = Callers()
         registry.register(self.callers)

@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from bnserve_service.shared.folder import REPORT, SharedLoads, models_file
+from bnserve_service.shared.folder import REPORT, SharedLoads, addresses_file, models_file
 from bnserve_service.workers.channels import Channel, Events, Message
 from bnserve_service.workers.fork_server import ForkServer
 from bnserve_service.workers.health import BackOff, Worker
@@ -192,7 +192,8 @@ class WorkerPool:
         self._events.close(worker.channel)
         self._back_off[worker.place].ended(now, worker.ready_since)
         self._loads.leave(worker.place)
-        models_file(self._shared, worker.place).unlink(missing_ok=True)
+        for file in (models_file, addresses_file):
+            file(self._shared, worker.place).unlink(missing_ok=True)
         self.report(now)
         return True
 
