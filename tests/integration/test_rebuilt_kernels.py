@@ -12,7 +12,7 @@ import bnserve_inference.kernel._contraction as contraction
 import bnserve_surrogate.kernel._evaluate as surrogate
 import bnserve_surrogate.kernel._loader as loader
 from bnserve_inference import likelihood
-from bnserve_protocol import Calibration, ParameterBatch
+from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch
 from bnserve_surrogate import Model
 from bnserve_surrogate.kernel.build import TOOLCHAIN_PREFIX, toolchain
 from tests.inference.networks import F_MAX, F_MIN, columns, full, network
@@ -50,14 +50,20 @@ def test_the_kernel_is_what_its_sources_compile_to(tmp_path, monkeypatch):
     again = loader.load_assembly(file, loader.ENTRY_POINT, vectorise=False)
     batch, model = ParameterBatch(random_batch(11)), Model.default()
     for f in (np.geomspace(3.0, 2700.0, 300), np.linspace(3.0, 2700.0, 20_000)):
-        shipped = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
+        shipped = everything(model, f, batch)
         with monkeypatch.context() as patch:
             patch.setattr(surrogate, "load_kernel", lambda: again)
-            anew = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch)
-        assert_close(shipped[0].plus, anew[0].plus)
-        assert_close(shipped[0].cross, anew[0].cross)
-        assert_close(shipped[1].amplitude, anew[1].amplitude)
-        assert_close(shipped[1].phase, anew[1].phase)
+            anew = everything(model, f, batch)
+        for one, other in zip(shipped, anew, strict=True):
+            assert_close(one, other)
+
+
+def everything(model, f, batch):
+    """What the kernel computes: of all modes, their sum, and the (2, 2) alone."""
+    alone = EvaluationOptions(modes=((2, 2),))
+    summed, curves = model.predict_batch(f, batch), model.predict_amplitude_phase(f, batch, options=alone)
+    strain = model.predict_factored(f, batch, options=alone).h
+    return summed.plus, summed.cross, model.predict_modes(f, batch).h, strain, curves.amplitude, curves.phase
 
 
 def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):

@@ -1,4 +1,4 @@
-; sources: f1900d27b33af0f84f532949793b7510a90eace0ce413291e88f0576da929f9a
+; sources: b211b0f9b828988f3332778502b015080cf28d4ff78457886a70020d0d02c98d
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

@@ -1,4 +1,4 @@
-; sources: 135301c14fee7d39a96b23179b1927fe6f960c96de2c1174a901cf93ee8dbead
+; sources: 02dc665a5be24d07c72cdc4a1794cd9be254f60844474630ecbb179ac39ecc8c
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
