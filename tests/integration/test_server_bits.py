@@ -7,10 +7,11 @@ import msgpack
 import numpy as np
 import pytest
 
-from bnserve_protocol import PARAMETER_NAMES, ParameterBatch, UniformGrid
+from bnserve_protocol import PARAMETER_NAMES, EvaluationOptions, ParameterBatch, UniformGrid
 from bnserve_protocol.wire import decode_answer
 from tests.service.asking import MSGPACK, as_array, ask, ask_on, closing_connection, read_msgpack
 
+ALONE = EvaluationOptions(modes=((2, 2),))
 BINARIES = 1000
 PATH = "/v1/models/default/waveforms"
 UNIFORM = UniformGrid(f_min=20.0, f_max=1024.0, delta_f=8.0)
@@ -72,16 +73,18 @@ def test_every_output(bnserve_server, local, batch, dtype):
     grid = {"frequencies": as_array(EXPLICIT)}
     answers = {}
     for output in ("polarizations", "factored", "amplitude_phase", "modes"):
-        body = question(few, grid, output=output, dtype=dtype)
+        one = {"modes": [[2, 2]]} if output in ("factored", "amplitude_phase") else {}
+        body = question(few, grid, output=output, dtype=dtype, **one)
         answers[output] = read_msgpack(ask(bnserve_server.address, "POST", PATH, body, content_type=MSGPACK).body)
-    factored = local.predict_factored(EXPLICIT, few, dtype=dtype)
-    curves = local.predict_amplitude_phase(EXPLICIT, few)
+    factored = local.predict_factored(EXPLICIT, few, options=ALONE, dtype=dtype)
+    curves = local.predict_amplitude_phase(EXPLICIT, few, options=ALONE)
+    modes = local.predict_modes(EXPLICIT, few, dtype=dtype)
     both = local.predict_batch(EXPLICIT, few, dtype=dtype)
     pairs = [
         (answers["factored"]["h"], factored.h),
         (answers["factored"]["plus"], factored.plus),
         (answers["factored"]["cross"], factored.cross),
-        (answers["modes"]["h_22"], factored.h),
+        *((answers["modes"][f"h_{degree}{m}"], modes.h[:, k]) for k, (degree, m) in enumerate(modes.modes)),
         (answers["amplitude_phase"]["amplitude"], curves.amplitude),
         (answers["amplitude_phase"]["phase"], curves.phase),
         (answers["polarizations"]["h_plus"], both.plus),
@@ -93,12 +96,12 @@ def test_every_output(bnserve_server, local, batch, dtype):
 
 def test_under_load_the_bits_are_the_same(bnserve_server, local, batch):
     """Many callers at once, so that the server evaluates them in groups of every size."""
-    expected = local.predict_factored(UNIFORM, batch).h
+    expected = local.predict_factored(UNIFORM, batch, options=ALONE).h
     grid = {"f_min": UNIFORM.f_min, "f_max": UNIFORM.f_max, "delta_f": UNIFORM.delta_f}
 
     def one(index):
         row = ParameterBatch(batch.values[index : index + 1])
-        body = question(row, grid, output="factored")
+        body = question(row, grid, output="factored", modes=[[2, 2]])
         answer = ask(bnserve_server.address, "POST", PATH, body, content_type=MSGPACK)
         return read_msgpack(answer.body)["h"].tobytes() == expected[index : index + 1].tobytes()
 

@@ -44,7 +44,7 @@ def test_its_manifest_says_where_it_comes_from(name):
     description = Model.load(name).description
     assert description.provenance["generator"]["name"] == "TEOBResumSPA"
     assert description.provenance["waveforms"] >= 8192
-    assert description.provenance["regressor_multiply_adds"] <= 20_000
+    assert description.provenance["regressor_multiply_adds"] <= 30_000  # of all modes, for 16 us a waveform
     assert "2210.15684" in description.citation
 
 
