@@ -137,7 +137,7 @@ SPREAD = {
 
 
 @pytest.mark.parametrize("one", SPREAD.values(), ids=list(SPREAD))
-@pytest.mark.parametrize("name", ["default", "fast", "paper"])
+@pytest.mark.parametrize("name", ["default", "fast", "paper", "wide"])
 def test_the_time_until_merger_is_the_slope_of_the_phase_up_to_the_edges_of_the_band(name, one):
     shipped = OneMode(Model.load(name))
     low, top = (edge * shipped.description.reference_mass for edge in shipped.description.training_band)

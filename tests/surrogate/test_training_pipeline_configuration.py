@@ -32,7 +32,7 @@ def refused(*changes):
     return raised.value.detail
 
 
-@pytest.mark.parametrize("name", ["default", "fast", "paper"])
+@pytest.mark.parametrize("name", ["default", "fast", "paper", "wide"])
 def test_the_configurations_that_come_with_bnserve_are_valid(name):
     configuration = read_configuration(ROOT / "configs" / f"{name}.toml")
     check_plausible(configuration)
