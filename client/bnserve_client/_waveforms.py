@@ -207,13 +207,17 @@ class RemoteModel:
         modes = chosen_modes(options, known)
         if result in ("factored", "amplitude_phase"):
             the_mode(options, known)
-        # Half the bytes. The polarisations of another mode than (2, 2) are not to the bit its strain times the factors.
-        halved = modes == ((2, 2),) if result == "polarizations" else len(modes) == 1 and result == "modes"
+        binaries = ParameterBatch.coerce(batch)
+        # Half the bytes. The polarisations of another mode than (2, 2) are not to the bit its strain times the factors,
+        # and those of a binary that precesses have none.
+        halved = len(modes) == 1 and result == "modes"
+        if result == "polarizations":
+            halved = modes == ((2, 2),) and binaries.in_plane is None
         output: OutputName = "factored" if halved else result
         precision = check_dtype(dtype)
         grid = self._grids.recall(frequencies)
         chunk = self.settings.chunk_samples
-        return Waveforms(ParameterBatch.coerce(batch), grid, result, output, modes, precision, options, chunk)
+        return Waveforms(binaries, grid, result, output, modes, precision, options, chunk)
 
 
 class ConnectedModel:

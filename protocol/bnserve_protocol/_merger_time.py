@@ -109,8 +109,8 @@ class MergerTimes:
         """Hz, increasing, (K,)."""
         values = batch.values.copy()
         values[:, _SHIFTS] = 0.0  # they would only cost digits
-        self.batch = ParameterBatch.unchecked(values, batch.in_plane)
-        """The binaries, (N,), without their shifts."""
+        self.batch = ParameterBatch.unchecked(values)
+        """The binaries, (N,), without their shifts; as their modes in the frame of the orbit, if it precesses."""
 
     def seconds(self, phase: NDArray[np.float64]) -> NDArray[np.float64]:
         """The times in seconds from the phase (radians) of the batch on the grid, (N, K): the shape of the parameters

@@ -43,7 +43,7 @@ class ParametersWithExtrinsic:
         Dimensionless spins in the orbital plane when the (2, 2) mode passes the ``reference_frequency`` of
         :class:`EvaluationOptions`: x from the lighter to the heavier star, as in LAL. chi_1 and chi_2 are then the
         components along the Newtonian orbital angular momentum, and inclination is its angle; see
-        ``docs/explanations/conventions.md``.
+        ``docs/explanations/precession.md``.
 
     Raises
     ------

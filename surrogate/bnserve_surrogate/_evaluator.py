@@ -164,6 +164,10 @@ class Evaluator:
         estimates = np.array((room.rest[0],)) if estimate else None
         return Polarizations(plus, cross, np.zeros(1, np.uint8), estimates)
 
+    def frequencies(self, grid: GridLike) -> NDArray[np.float64]:
+        """The frequencies of a grid as they are prepared, in Hz, ``(M,)``; errors as :meth:`batch`."""
+        return self._grids.prepare(grid).frequencies
+
     def batch(self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, kind: Output) -> Answer:
         """N waveforms, their modes summed or, of the strain, one by one.
 
@@ -182,7 +186,8 @@ class Evaluator:
         if coerced.in_plane is not None:
             raise InvalidRequest(
                 "The modes of a binary with spins in the orbital plane precess: they have no factors of one "
-                "inclination, no one amplitude and phase. Leave out chi_1x, chi_1y, chi_2x and chi_2y."
+                "inclination, no one amplitude and phase. Ask for predict or predict_batch, or leave out chi_1x, "
+                "chi_1y, chi_2x and chi_2y."
             )
         try:
             grid = self._grids.prepare(frequencies)

@@ -34,6 +34,7 @@ from bnserve_surrogate._artifact import MODES, SurrogateMetadata
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._pinning import version_with_digest
+from bnserve_surrogate._precessing import precessing_polarizations
 from bnserve_surrogate._tensors import read_modes
 from bnserve_surrogate.kernel import KernelModes, Output
 
@@ -203,9 +204,16 @@ class Model:
         options: EvaluationOptions = DEFAULT_OPTIONS,
         dtype: DTypeLike = "complex128",
     ) -> Polarizations:
-        """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
-        kind = Output.POLARIZATIONS if check_dtype(dtype) == "complex128" else Output.POLARIZATIONS_SINGLE
-        answer = self._evaluator.batch(frequencies, batch, options, kind)
+        """N waveforms on one grid: ``hp, hc``, complex ``(N, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`.
+
+        Binaries with spins in the orbital plane precess, and need a ``reference_frequency`` in the options
+        (``docs/explanations/precession.md``).
+        """
+        precision, coerced = check_dtype(dtype), ParameterBatch.coerce(batch)
+        if coerced.in_plane is not None:
+            return precessing_polarizations(self._evaluator, frequencies, coerced, options, precision)
+        kind = Output.POLARIZATIONS if precision == "complex128" else Output.POLARIZATIONS_SINGLE
+        answer = self._evaluator.batch(frequencies, coerced, options, kind)
         return Polarizations(
             plus=answer.first, cross=answer.second, status=answer.status, estimated_mismatch=answer.estimates
         )

@@ -11,6 +11,7 @@ import pytest
 import bnserve_inference.kernel._contraction as contraction
 import bnserve_surrogate.kernel._evaluate as surrogate
 import bnserve_surrogate.kernel._loader as loader
+import bnserve_surrogate.precession._twist as precession
 from bnserve_inference import likelihood
 from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch
 from bnserve_surrogate import Model
@@ -25,10 +26,10 @@ TOLERANCE = 1e-10
 """Relative, between builds of different compilers: each may fuse and order operations in its own way."""
 
 
-def rebuilt(package: str, shipped: Path, folder: Path) -> Path:
+def rebuilt(builder: str, shipped: Path, folder: Path) -> Path:
     """A kernel built anew; checked byte for byte where the tools are those that built the one shipped."""
     file = folder / shipped.name
-    command = [sys.executable, "-m", f"{package}.kernel.build", "--output", str(file)]
+    command = [sys.executable, "-m", builder, "--output", str(file)]
     before = shipped.read_bytes()
     # numba's settings are the build's alone.
     environment = {name: value for name, value in os.environ.items() if not name.startswith("NUMBA_")}
@@ -37,7 +38,7 @@ def rebuilt(package: str, shipped: Path, folder: Path) -> Path:
     built_by = before.decode().splitlines()[1]
     assert built_by.startswith(TOOLCHAIN_PREFIX)
     if built_by == toolchain():
-        assert file.read_bytes() == before, f"run: python -m {package}.kernel.build"
+        assert file.read_bytes() == before, f"run: python -m {builder}"
     return file
 
 
@@ -46,7 +47,7 @@ def assert_close(shipped, anew):
 
 
 def test_the_kernel_is_what_its_sources_compile_to(tmp_path, monkeypatch):
-    file = rebuilt("bnserve_surrogate", loader.ASSEMBLY, tmp_path)
+    file = rebuilt("bnserve_surrogate.kernel.build", loader.ASSEMBLY, tmp_path)
     again = loader.load_assembly(file, loader.ENTRY_POINT, vectorise=False)
     batch, model = ParameterBatch(random_batch(11)), Model.default()
     for f in (np.geomspace(3.0, 2700.0, 300), np.linspace(3.0, 2700.0, 20_000)):
@@ -66,8 +67,22 @@ def everything(model, f, batch):
     return summed.plus, summed.cross, model.predict_modes(f, batch).h, strain, curves.amplitude, curves.phase
 
 
+def test_the_precession_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_surrogate.precession.build", precession.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, precession.ENTRY_POINT)
+    random, f = np.random.default_rng(1), np.geomspace(10.0, 2700.0, 300)
+    batch = ParameterBatch(random_batch(11), random.uniform(-0.3, 0.3, (11, 4)))
+    model, options = Model.default(), EvaluationOptions(reference_frequency=20.0)
+    shipped = model.predict_batch(f, batch, options=options)
+    with monkeypatch.context() as patch:
+        patch.setattr(precession, "load_twist", lambda: again)
+        anew = model.predict_batch(f, batch, options=options)
+    assert_close(shipped.plus, anew.plus)
+    assert_close(shipped.cross, anew.cross)
+
+
 def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):
-    file = rebuilt("bnserve_inference", contraction.ASSEMBLY, tmp_path)
+    file = rebuilt("bnserve_inference.kernel.build", contraction.ASSEMBLY, tmp_path)
     again = loader.load_assembly(file, contraction.ENTRY_POINT)
     model = Model.load("fast")
     data, batch = network(model), columns(20)
