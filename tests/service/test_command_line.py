@@ -265,7 +265,8 @@ def test_models_for_machines(capsys, copied_store):
     manifest = printed_json(capsys, "models", "manifest", "fast")
     assert manifest["models"][0]["name"] == "fast"
     tensors = copied_store / "fast" / "2.0.0" / "tensors.safetensors"
-    tensors.write_bytes(tensors.read_bytes()[:-1] + b"\1")
+    content = tensors.read_bytes()
+    tensors.write_bytes(content[:-1] + bytes([content[-1] ^ 1]))
     [bad] = printed_json(capsys, "models", "verify", "fast", "--json", *store, status=1)
     assert (bad["fine"], bad["name"]) == (False, "fast")
     assert bad["reason"]
