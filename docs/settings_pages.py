@@ -14,6 +14,7 @@ from typing import Any, get_args, get_origin
 from pydantic import AwareDatetime
 
 from bnserve_service import Settings, Token
+from bnserve_service.admission.issuers import Issuer
 
 HEAD = "<!-- Made from the code by `python docs/generate.py`. -->"
 WIDTH = 120
@@ -44,13 +45,15 @@ def _kind(annotation: Any) -> str:
     """A type in words."""
     if get_origin(annotation) is tuple:
         return f"list of {_kind(get_args(annotation)[0])}"
+    if get_origin(annotation) is dict:
+        return "table"
     options = [option for option in get_args(annotation) if option is not type(None)]
     if options and all(isinstance(option, str) for option in options):
         return " or ".join(f"`{option}`" for option in options)
     if options:
         return _kind(options[0])
     names = {str: "text", int: "whole number", float: "number", bool: "true or false", Path: "path", Token: "table",
-             AwareDatetime: "date and time"}  # fmt: skip
+             AwareDatetime: "date and time", Issuer: "table"}  # fmt: skip
     return names[annotation]
 
 
@@ -106,7 +109,12 @@ that is unknown is an error that suggests the nearest. Times are in seconds, siz
 
 Each is a table `[[tokens]]`, as `bnserve tokens new` prints it ([guide](../guides/tokens.md)).
 
-{_settings_table(Token)}"""
+{_settings_table(Token)}
+## Issuers
+
+Each is a table `[[issuers]]` ([guide](../guides/tokens.md#openid-connect-and-scitokens)).
+
+{_settings_table(Issuer)}"""
 
 
 EXAMPLES = {"uds": "/run/bnserve/http.sock", "uds_mode": "660", "uds_group": "gw", "max_connections_per_address": 64,

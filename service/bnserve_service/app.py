@@ -235,14 +235,15 @@ def create_app(
         maintenance=maintenance,
         metrics=metrics,
         bodies=bodies,
-        tokens=TokenBook(settings.token_files(), shared) if settings.asks_for_tokens else None,
+        tokens=TokenBook(settings.token_files(), shared, settings.issuers) if settings.asks_for_tokens else None,
         renewals=Renewals(settings.poll_seconds),
         shared=shared,
         worker=worker,
     )
     _watch(parts)
     if parts.tokens is not None:
-        parts.renewals.add(parts.tokens.renew)
+        for renew in parts.tokens.renewals:
+            parts.renewals.add(renew)
     return Application(parts, wait_for_models, follow)
 
 

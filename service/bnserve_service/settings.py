@@ -12,6 +12,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_valida
 
 from bnserve_protocol import Limits
 from bnserve_protocol.wire import JSON
+from bnserve_service.admission.issuers import Issuer
 from bnserve_service.admission.token_files import TokenFiles, parse_toml, refuse_the_same_twice
 from bnserve_service.admission.tokens import Token
 from bnserve_service.errors import SettingsInvalid
@@ -81,6 +82,8 @@ class Settings(BaseModel):
     token_list: Path | None = None
     """File of more tokens as they are, one a line, without limits and without the scopes for operators; read again when
     it changes."""
+    issuers: tuple[Issuer, ...] = ()
+    """Who else may vouch for callers: OpenID providers, and issuers of SciTokens; needs the extra `oidc`."""
     access_log: bool = False
     """One line per request on standard error."""
     log_format: Literal["text", "json"] = "text"
@@ -204,7 +207,7 @@ class Settings(BaseModel):
     @property
     def asks_for_tokens(self) -> bool:
         """Whether callers need one."""
-        return bool(self.tokens or self.tokens_file or self.token_list)
+        return bool(self.tokens or self.tokens_file or self.token_list or self.issuers)
 
     def token_files(self) -> TokenFiles:
         """Who is let in, as the files are when it is asked."""

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import logging
 import time
-from collections.abc import Sequence
+from collections import OrderedDict
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from bnserve_service.admission.issuers import MOST_KNOWN, Issuer, Issuers
 from bnserve_service.admission.quotas import RateQuota, RateQuotas
 from bnserve_service.admission.token_files import TokenFiles
 from bnserve_service.admission.tokens import Token
@@ -33,6 +35,8 @@ class TokenBook:
     ----------
     files
         Which.
+    issuers
+        Who may vouch for others.
     shared
         A folder that the processes of one server share; None for one process.
 
@@ -42,13 +46,40 @@ class TokenBook:
         A file cannot be used.
     """
 
-    def __init__(self, files: TokenFiles, shared: Path | None = None) -> None:
+    def __init__(self, files: TokenFiles, shared: Path | None = None, issuers: Sequence[Issuer] = ()) -> None:
         self._files = files
+        self._issuers = Issuers(issuers) if issuers else None
         self._quotas = RateQuotas(shared)
+        self._of_issued: OrderedDict[str, RateQuota | None] = OrderedDict()
         self._told = ""
         self.entries: Sequence[Entry] = ()
         """One for each; replaced as a whole."""
         self._take(self._files.changed() or ())
+
+    @property
+    def renewals(self) -> tuple[Callable[[], object], ...]:
+        """What is to be called from time to time."""
+        return (self.renew, *(self._issuers.renewals if self._issuers is not None else ()))
+
+    def issued(self, text: bytes) -> Entry | None:
+        """Who presents a token that is not in the files, if an issuer vouches for him.
+
+        Raises
+        ------
+        Unauthorized
+            It is of one of the issuers, and not valid.
+        Unavailable
+            The issuer's keys are not there at this moment.
+        """
+        found = None if self._issuers is None else self._issuers.find(text)
+        if found is None:
+            return None
+        token, ends = found
+        if token.is_limited and token.sha256 not in self._of_issued:
+            self._of_issued[token.sha256] = self._quotas.of(token)
+            if len(self._of_issued) > MOST_KNOWN:
+                self._of_issued.popitem(last=False)
+        return Entry(token, ends, self._of_issued.get(token.sha256))
 
     def renew(self) -> None:
         """Read the files again. What is wrong with them is logged, and who was let in before still is."""
@@ -69,8 +100,10 @@ class TokenBook:
 
     def stored_bytes(self, owner: str) -> int | None:
         """How much an owner may keep uploaded; None where that is not limited, or he is not known."""
-        found = (each.token.max_stored_bytes for each in self.entries if each.token.sha256 == owner)
-        return next(found, None)
+        for each in self.entries:
+            if each.token.sha256 == owner:
+                return each.token.max_stored_bytes
+        return None if self._issuers is None else self._issuers.stored_bytes(owner)
 
     def _named(self) -> dict[str, str]:
         return {each.token.sha256: each.token.name for each in self.entries}
@@ -86,7 +119,7 @@ class TokenBook:
         ended = [entry.token.name for entry in entries if entry.ends <= time.time()]
         if ended:
             logger.warning("tokens that have ended, and are not let in: %s", ", ".join(ended))
-        if not tokens:
+        if not tokens and self._issuers is None:
             logger.warning("there is no token any more in the files of tokens: nobody is let in")
 
 

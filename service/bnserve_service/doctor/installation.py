@@ -23,6 +23,7 @@ EXTRAS: dict[str, tuple[tuple[str, ...], str]] = {
     "bilby": (("bilby", "lal"), "bnserve_client.bilby"),
     "progress": (("tqdm",), "progress bars of the client"),
     "buckets": (("fsspec",), "model stores behind a URL"),
+    "oidc": (("jwt", "cryptography"), "tokens of OpenID providers and SciTokens"),
     "ray": (("ray",), "serving and training on a Ray cluster"),
     "lal": (("lalsimulation",), "training on waveforms of LAL"),
 }

@@ -18,6 +18,7 @@ from ipaddress import ip_address
 from bnserve_protocol import Forbidden, Unauthorized
 from bnserve_service.admission.token_book import Entry, TokenBook
 from bnserve_service.admission.tokens import Scope as TokenScope
+from bnserve_service.admission.tokens import Token
 from bnserve_service.http.requests import Header, RequestContext
 from bnserve_service.process.listening import is_loopback
 from bnserve_service.settings import ANY_HOST, Settings
@@ -129,7 +130,7 @@ class TokenCheck:
         token, ends, quota = self._find(headers)
         context.caller, context.owner = token.name, token.sha256
         if ends <= time.time():
-            raise Unauthorized(f"This token ended on {token.expires}; ask the operators for another.")
+            raise Unauthorized(f"This token ended{_on(token)}; ask whoever gave it to you for another.")
         needed = _OF_ROUTES.get(context.route) or _OF_METHODS.get(method, ())
         if needed and not any(scope in token.scopes for scope in needed):
             raise Forbidden(f"This token lacks the scope '{needed[0]}'; ask the operators for one that has it.")
@@ -143,9 +144,16 @@ class TokenCheck:
         found = [entry for entry in self._book.entries if hmac.compare_digest(entry.token.sha256, digest)]
         if len(given) > 1:
             raise Unauthorized("This request has several Authorization headers; send one.")
+        if kind.lower() == b"bearer" and not found:
+            issued = self._book.issued(text.strip())
+            found = [] if issued is None else [issued]
         if kind.lower() != b"bearer" or not found:
             raise Unauthorized("This service needs a token: send 'Authorization: Bearer <token>' with a valid one.")
         return found[0]
+
+
+def _on(token: Token) -> str:
+    return "" if token.expires is None else f" on {token.expires}"
 
 
 def is_public(route: str) -> bool:

@@ -55,13 +55,13 @@ class Renewals:
 
     async def _follow(self, renew: Callable[[], object], poked: asyncio.Event) -> None:
         while True:
+            await self._call(renew)
             try:
                 async with asyncio.timeout(self._seconds):
                     await poked.wait()
                 poked.clear()
             except TimeoutError:
                 pass
-            await self._call(renew)
 
     async def _call(self, renew: Callable[[], object]) -> None:
         try:
