@@ -33,6 +33,7 @@ missing_packages() {
     PATH="$PATH:/usr/sbin:/usr/local/sbin" command -v haproxy >/dev/null || echo haproxy
     command -v curl >/dev/null || echo curl
     command -v openssl >/dev/null || echo openssl
+    [ -x /lib/systemd/systemd ] || echo systemd
     command -v promtool >/dev/null || echo prometheus
     command -v zsh >/dev/null || echo zsh
     command -v fish >/dev/null || echo fish

@@ -30,7 +30,8 @@ from bnserve_service.models.loading import loader_of
 from bnserve_service.models.registry import Registry
 from bnserve_service.process.accepting import Intake
 from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
-from bnserve_service.process.listening import address_of, listening, open_metrics_listener
+from bnserve_service.process.given_sockets import GivenSockets, opened
+from bnserve_service.process.listening import address_of
 from bnserve_service.process.output import announce, complain
 from bnserve_service.process.system import available_cpus, name_process
 from bnserve_service.server import BnserveServer
@@ -324,13 +325,12 @@ class _Steward:
         self.server.drain()
 
 
-def become_arbiter(settings: Settings, announce: Callable[[str], None]) -> NoReturn:
+def become_arbiter(settings: Settings, announce: Callable[[str], None], given: GivenSockets | None = None) -> NoReturn:
     """In place of ``bnserve_service.workers.supervisor.become_supervisor``."""
     name_process("bnserve-superv")
     keep_freed_memory()
     code = 0
-    with listening(settings) as listener:
-        metrics = open_metrics_listener(settings)
+    with opened(settings, given) as (listener, metrics):
         announce(f"bnserve listens on {address_of(listener)}")
         if metrics is not None:
             announce(f"bnserve metrics on {address_of(metrics)}/metrics")

@@ -9,6 +9,7 @@ import signal
 import socket
 import threading
 from collections.abc import Callable, Coroutine
+from functools import partial
 from typing import Any, TypeAlias
 
 import uvicorn
@@ -22,7 +23,9 @@ from bnserve_service.http.protocol import UvicornServer, bounded_protocol, conne
 from bnserve_service.models.loading import RefreshReport
 from bnserve_service.process.accepting import Acceptor, Intake
 from bnserve_service.process.certificate import Certificate
-from bnserve_service.process.listening import BACKLOG, address_of, listening, open_metrics_listener
+from bnserve_service.process.given_sockets import GivenSockets, opened
+from bnserve_service.process.listening import BACKLOG, address_of
+from bnserve_service.process.output import tell_service_manager
 from bnserve_service.settings import Settings
 from bnserve_service.shared.addresses import Addresses
 
@@ -45,6 +48,11 @@ class BnserveServer:
         What else runs on its event loop, from before it listens until it has drained.
     acceptor
         Makes who takes the connections.
+    on_ready
+        Called when models are served.
+    kept
+        Whether a service manager keeps the sockets open: connections that come after the signal to stop are left to the
+        next server.
 
     Raises
     ------
@@ -58,7 +66,11 @@ class BnserveServer:
         announce: Callable[[str], None],
         beside: Callable[[], Coroutine[Any, Any, None]] | None = None,
         acceptor: AcceptorFactory = Acceptor,
+        on_ready: Callable[[], None] = lambda: None,
+        kept: bool = False,
     ) -> None:
+        self._kept = kept
+        self._on_ready = on_ready
         self._acceptor = acceptor
         self._app = app
         self._beside = beside
@@ -141,6 +153,7 @@ class BnserveServer:
             tls.context if tls is not None else None,
             self._settings.header_timeout,
             self._enter if self._addresses is not None else None,
+            self._kept,
         )
 
     def _enter(self, address: str) -> Callable[[], None] | None:
@@ -158,6 +171,7 @@ class BnserveServer:
             self._uvicorn.should_exit = True
             return
         self.ready.set()
+        self._on_ready()
         self._announce("bnserve is ready: " + ", ".join(f"{name} {version}" for name, version in models))
 
     def stop(self) -> None:
@@ -187,6 +201,8 @@ class BnserveServer:
     async def _drain_and_exit(self, grace: float) -> None:
         lifecycle = self._app.parts.lifecycle
         lifecycle.begin_grace()
+        if self._kept:
+            self._uvicorn.acceptor.stop()
         # In full, even when nobody is connected: a balancer that has not looked again yet still sends callers here.
         await asyncio.sleep(grace)
         self._uvicorn.acceptor.stop()  # another worker, if there is one, takes who comes now, and does not refuse
@@ -235,7 +251,9 @@ def check_one_process(settings: Settings) -> None:
         )
 
 
-def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: Any) -> None:
+def serve(
+    settings: Settings, announce: Callable[[str], None] = print, given: GivenSockets | None = None, **parts: Any
+) -> None:
     """Run a server in this process until it is told to stop.
 
     Parameters
@@ -244,6 +262,8 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
         How.
     announce
         Gets a line with the address when the server listens, and one with the models when it is ready.
+    given
+        Sockets of a service manager to listen on; the settings are to describe them (:meth:`GivenSockets.settings`).
     **parts
         ``source``, ``factory`` and ``bind`` of :func:`bnserve_service.create_app`.
 
@@ -260,11 +280,9 @@ def serve(settings: Settings, announce: Callable[[str], None] = print, **parts: 
     """
     check_one_process(settings)
     with contextlib.ExitStack() as stack:
-        app = create_app(settings, wait_for_models=False, **parts)
+        kept = given is not None  # then callers wait in the queue, as they did while nobody was there
+        app = create_app(settings, wait_for_models=kept, **parts)
         app.parts.maintenance.source_is_there()  # before anybody connects to what will not serve
-        server = BnserveServer(app, announce)
-        listener = stack.enter_context(listening(settings))
-        metrics_listener = open_metrics_listener(settings)
-        if metrics_listener is not None:
-            stack.enter_context(metrics_listener)
+        server = BnserveServer(app, announce, on_ready=partial(tell_service_manager, "READY=1"), kept=kept)
+        listener, metrics_listener = stack.enter_context(opened(settings, given))
         server.run(listener, metrics_listener=metrics_listener)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 from pathlib import Path
 from typing import Any
 
@@ -52,11 +53,15 @@ def add_parser(subparsers: Any) -> None:
 def run(options: argparse.Namespace) -> int:
     """Serve until told to stop."""
     compute_in_one_thread()
+    from bnserve_service.process.given_sockets import GivenSockets
     from bnserve_service.settings import load_settings
 
     start_logging(options.log_format or "text")
     settings = load_settings(options.config, _overrides(options))
     start_logging(settings.log_format)
+    given = GivenSockets.of(os.environ)
+    if given is not None:
+        settings = type(settings).model_validate(settings.model_dump() | given.settings())
     if settings.workers > 1:
         from bnserve_service.models.loading import loader_of
         from bnserve_service.models.registry import Registry
@@ -64,7 +69,7 @@ def run(options: argparse.Namespace) -> int:
         loader_of(settings, Registry()).list_source()  # what is not there is said before anybody can connect
         from bnserve_service.workers.supervisor import become_supervisor
 
-        become_supervisor(settings, announce=announce)
+        become_supervisor(settings, announce, given)
     from bnserve_service.process.allocator import forget_what_is_imported, keep_freed_memory
     from bnserve_service.server import serve
 
@@ -75,7 +80,7 @@ def run(options: argparse.Namespace) -> int:
         forget_what_is_imported()  # again: until it is ready, it imports and loads, and all of that stays
         announce(line)
 
-    serve(settings, announce=tell)
+    serve(settings, tell, given)
     return 0
 
 

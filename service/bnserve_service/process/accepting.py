@@ -44,6 +44,8 @@ class Intake:
     """A handshake has to end within this."""
     enter: Callable[[str], Callable[[], None] | None] | None = None
     """Counts a connection from an address: what is called when it ends; None when it has too many. None: no limit."""
+    kept: bool = False
+    """Whether a service manager keeps the socket open: the next server takes whoever waits in its queue."""
 
     def options(self) -> dict[str, Any]:
         """Those of ``connect_accepted_socket`` and ``create_server`` of an event loop."""
@@ -89,7 +91,7 @@ class Acceptor:
 
     def _take_the_rest(self) -> None:
         """Whoever is in the queue of the socket would be cut off when it is closed."""
-        while self._accept():
+        while not self._intake.kept and self._accept():
             pass
 
     def _incoming(self) -> None:

@@ -39,12 +39,17 @@ def open_listener(settings: Settings) -> socket.socket:
     if settings.uds is not None:
         return listen_unix(settings.uds, settings.uds_mode, settings.uds_group)
     listener = listen_tcp(settings.host, settings.port)
-    if not settings.asks_for_tokens and not is_loopback(settings.host):
+    warn_if_open(settings, listener)
+    return listener
+
+
+def warn_if_open(settings: Settings, listener: socket.socket) -> None:
+    """Say so when everybody who reaches the socket would be let in."""
+    if settings.uds is None and not settings.asks_for_tokens and not is_loopback(settings.host):
         logger.warning(
             "NO TOKENS: whoever reaches %s may use this server, upload to it, read its metrics and reload its models. "
             "Make tokens with `bnserve tokens new`, or listen on 127.0.0.1.", address_of(listener),
         )  # fmt: skip
-    return listener
 
 
 @contextmanager

@@ -1,5 +1,7 @@
 """Standard output that is closed, full, or that nobody reads any more: no reason for a traceback, nor to stop serving.
 
+And a service manager, which may want to know when the service is ready: the protocol of sd_notify(3).
+
 Imported by the supervisor, so it imports nothing heavy.
 """
 
@@ -8,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import logging
 import os
+import socket
 import sys
 from collections.abc import Iterator
 from typing import Any, TextIO
@@ -71,6 +74,16 @@ def announce(line: str) -> None:
     except OSError as error:
         _lead_nowhere(sys.stdout)
         logger.warning("standard output takes no more: %s", error.strerror or error)
+
+
+def tell_service_manager(state: str) -> None:
+    """Tell the service manager, if it wants to know (``Type=notify``), that the state is so: ``READY=1``."""
+    address = os.environ.get("NOTIFY_SOCKET")
+    if not address:
+        return
+    place = "\0" + address[1:] if address.startswith("@") else address
+    with contextlib.suppress(OSError), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as end:
+        end.sendto(state.encode(), place)  # one that is gone need not know
 
 
 def complain(line: str) -> None:

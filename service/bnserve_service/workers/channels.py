@@ -29,10 +29,12 @@ class Descriptors(NamedTuple):
     """:data:`NO_DESCRIPTOR` when the metrics have no port of their own."""
     settings: int
     """A file with the settings as JSON."""
+    kept: int = 0
+    """1 when a service manager keeps the sockets open, too: no number of a file."""
 
     def inherit(self, by_next_program: bool) -> None:
         """Have them stay open, or not, when this process starts another program."""
-        for number in self:
+        for number in self[:3]:
             if number != NO_DESCRIPTOR:
                 os.set_inheritable(number, by_next_program)
 

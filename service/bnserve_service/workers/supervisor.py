@@ -18,7 +18,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from bnserve_service.process.output import OutputLost, announce, complain, printing
+from bnserve_service.process.output import OutputLost, announce, complain, printing, tell_service_manager
 from bnserve_service.process.system import SocketFile, become_subreaper, name_process
 from bnserve_service.shared.folder import SharedFolder
 from bnserve_service.telemetry.log import start_logging
@@ -28,6 +28,7 @@ from bnserve_service.workers.health import BackOff, Rules, Verdict, Worker, judg
 from bnserve_service.workers.pool import WorkerPool
 
 if TYPE_CHECKING:
+    from bnserve_service.process.given_sockets import GivenSockets
     from bnserve_service.settings import Settings
 
 logger = logging.getLogger("bnserve.supervisor")
@@ -173,7 +174,7 @@ class Supervisor:
     def _start_fork_server(self, now: float) -> None:
         server = self._fork_server = ForkServer(self._descriptors, now)
         self._events.listen(server.channel, server.hear, lambda: None)
-        if not self._announced and not len(self._pool):
+        if not self._announced and not len(self._pool) and not self._descriptors.kept:
             self._pool.start(server, self._pool.placeholder, now)
 
     def _ended(self, pid: int, code: int, now: float) -> None:
@@ -196,6 +197,7 @@ class Supervisor:
         self._never_ready = 0
         if not self._announced:
             self._announced = True
+            tell_service_manager("READY=1")
             self._announce(f"bnserve is ready: {models}")
 
     def _lose_hope(self, reason: str) -> None:
@@ -218,7 +220,9 @@ def room_needed(settings: dict[str, Any]) -> int:
     return int(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
 
 
-def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> NoReturn:
+def become_supervisor(
+    settings: Settings, announce: Callable[[str], None], given: GivenSockets | None = None
+) -> NoReturn:
     """Listen, and replace the program of this process by the supervisor; it keeps its number.
 
     Parameters
@@ -227,6 +231,8 @@ def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> No
         How; ``workers`` is at least two.
     announce
         Gets a line with the address.
+    given
+        Sockets of a service manager to listen on.
 
     Raises
     ------
@@ -234,17 +240,19 @@ def become_supervisor(settings: Settings, announce: Callable[[str], None]) -> No
         The port is in use, or similar.
     """
     from bnserve_service.process.certificate import Certificate
-    from bnserve_service.process.listening import address_of, listening, open_metrics_listener
+    from bnserve_service.process.given_sockets import opened
+    from bnserve_service.process.listening import address_of
 
     tls = Certificate.of(settings) is not None  # what is wrong with it is said before anybody can connect
-    with listening(settings) as listener:  # which ends only if this fails
-        metrics = open_metrics_listener(settings)
+    with opened(settings, given) as (listener, metrics):  # which ends only if this fails
         announce(f"bnserve listens on {address_of(listener, tls)}")
         if metrics is not None:
             announce(f"bnserve metrics on {address_of(metrics)}/metrics")
         file = os.memfd_create("bnserve-settings")  # nobody else can read it, and it needs no name
         os.write(file, settings.model_dump_json().encode())
-        numbers = Descriptors(listener.fileno(), metrics.fileno() if metrics is not None else NO_DESCRIPTOR, file)
+        numbers = Descriptors(
+            listener.fileno(), NO_DESCRIPTOR if metrics is None else metrics.fileno(), file, int(given is not None)
+        )
         numbers.inherit(True)
         # Whatever found this package shall find it again; -P: nothing of the current directory shall count as one.
         environment = os.environ | {"PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
@@ -265,7 +273,7 @@ def _supervise(descriptors: Descriptors) -> int:
     settings: dict[str, Any] = json.loads(descriptors.settings_json())
     start_logging(settings["log_format"])
     with contextlib.ExitStack() as stack:
-        if settings["uds"] is not None:
+        if settings["uds"] is not None and not descriptors.kept:
             stack.callback(SocketFile(Path(settings["uds"])).remove)
         try:
             become_subreaper()

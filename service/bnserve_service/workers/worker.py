@@ -41,6 +41,8 @@ class Inheritance:
     """With the threads of one worker."""
     listener: socket.socket
     metrics_listener: socket.socket | None
+    kept: bool
+    """Whether a service manager keeps the sockets open, too."""
 
     @classmethod
     def opened(cls, descriptors: Descriptors) -> Self:
@@ -52,6 +54,7 @@ class Inheritance:
             settings.model_copy(update={"threads": threads}),
             socket.socket(fileno=descriptors.listener),
             socket.socket(fileno=metrics) if metrics != NO_DESCRIPTOR else None,
+            bool(descriptors.kept),
         )
 
 
@@ -104,7 +107,9 @@ def work(channel: Channel, place: int, inheritance: Inheritance, folder: Path, r
         agent.acceptor = FairAcceptor(intake, loads, place)
         return agent.acceptor
 
-    agent.server = BnserveServer(app, announce=lambda line: None, beside=agent.run, acceptor=acceptor)
+    agent.server = BnserveServer(
+        app, announce=lambda line: None, beside=agent.run, acceptor=acceptor, kept=inheritance.kept
+    )
     try:
         agent.server.run(inheritance.listener, metrics_listener=inheritance.metrics_listener)
     except BnserveError as error:
