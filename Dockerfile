@@ -5,7 +5,12 @@
 #
 # For callers elsewhere it needs tokens: docs/guides/container.md.
 
-FROM python:3.12-slim AS builder
+# A release names the base by its digest, so that every build of it is the same:
+#   docker build --build-arg BASE=python:3.12-slim@sha256:... -t bnserve .
+# CONTRIBUTING.md (Releasing) says how to find it.
+ARG BASE=python:3.12-slim
+
+FROM ${BASE} AS builder
 ENV PIP_DISABLE_PIP_VERSION_CHECK=1
 WORKDIR /build
 
@@ -28,7 +33,7 @@ RUN /opt/wheels/bin/pip wheel --no-deps --no-build-isolation --wheel-dir /build/
     && /opt/bnserve/bin/pip check \
     && /opt/bnserve/bin/pip uninstall --yes pip
 
-FROM python:3.12-slim
+FROM ${BASE}
 COPY --from=builder /opt/bnserve /opt/bnserve
 COPY LICENSE /opt/bnserve/LICENSE
 

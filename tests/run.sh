@@ -35,6 +35,7 @@ missing_packages() {
     command -v openssl >/dev/null || echo openssl
     [ -x /lib/systemd/systemd ] || echo systemd
     command -v promtool >/dev/null || echo prometheus
+    PATH="$PATH:/usr/sbin" command -v slurmctld >/dev/null || echo slurmctld slurmd slurm-client munge
     command -v zsh >/dev/null || echo zsh
     command -v fish >/dev/null || echo fish
     command -v node >/dev/null || echo nodejs

@@ -65,6 +65,9 @@ class Builder:
         """The text with its absolute paths below :attr:`root`."""
         return re.sub(r"(?<![\w./])/(opt|build)\b", rf"{self.root}/\1", text)
 
+    def do_arg(self, text: str) -> None:
+        assert text.startswith("BASE=python:3"), "only the base is an argument"
+
     def do_from(self, text: str) -> None:
         self.image = Image(self.root)
 
