@@ -166,7 +166,7 @@ def test_the_default_prior_can_be_drawn_from(ours):
 def test_a_precessing_spin_is_refused_in_a_sentence(ours):
     given = {name: value for name, value in SIGNAL.items() if not name.startswith("chi_")}
     given |= {"a_1": 0.3, "a_2": 0.0, "tilt_1": 1.0, "tilt_2": 0.0, "phi_12": 0.0, "phi_jl": 0.0}
-    with pytest.raises(InvalidParameters, match=r"precessing.*spins in the orbital plane are not in the model"):
+    with pytest.raises(InvalidParameters, match=r"precessing.*: tilt_1"):
         generator(binary_neutron_star, **ours).frequency_domain_strain(given)
 
 
@@ -202,8 +202,8 @@ def test_without_lal_an_approximant_says_what_to_install(ours, monkeypatch):
 def test_a_waveform_argument_that_is_none_is_refused(ours):
     with pytest.raises(InvalidRequest, match="'bnserve_ulr': did you mean 'bnserve_url'"):
         strain(binary_neutron_star, {}, bnserve_ulr="http://127.0.0.1:1")
-    with pytest.raises(InvalidRequest, match=r"\(2, 2\) mode alone"):
-        strain(binary_neutron_star, {}, mode_array=[[2, 2], [3, 3]], **ours)
+    with pytest.raises(InvalidRequest, match=r"no mode \(5, 5\); it has \(2, 2\)"):
+        strain(binary_neutron_star, {}, mode_array=[[2, 2], [5, 5]], **ours)
     with pytest.raises(InvalidRequest, match="'reference_frequency' of 10000 Hz; take a lower one"):
         strain(binary_neutron_star, {}, reference_frequency=1e4, **ours)
 

@@ -36,7 +36,15 @@ COMPARED = [name for name in BINARY if name not in ("a_2", "lambda_2")]
 """Of all 13 the errors of spins and tides are decided by small terms, in which models differ: LAL's has one tide."""
 MOST_APART = {"lambda_1": 0.2}
 """Of an error; 5 % of the others. (The tides of IMRPhenomXAS_NRTidalv3 and of TaylorF2 differ by as much.)"""
-CLASSES = {f"LAL's {LAL}": (LAL, waveforms.LALFD_Waveform), "bnserve, server": ("default", Waveform)}
+
+
+class Quadrupole(Waveform):
+    """What LAL's has: (2, 2) alone."""
+
+    modes = ((2, 2),)
+
+
+CLASSES = {f"LAL's {LAL}": (LAL, waveforms.LALFD_Waveform), "bnserve, server": ("default", Quadrupole)}
 
 
 def errors(network, binaries: pd.DataFrame, model: str, kind: type, names: list[str]) -> tuple[np.ndarray, np.ndarray]:
@@ -114,12 +122,12 @@ def compare_bits(network) -> None:
     _kept.cache_clear()
     errors(network, pd.DataFrame({name: [value] for name, value in BINARY.items()}), *CLASSES["bnserve, server"],
            list(BINARY))  # fmt: skip
-    together = _kept(chosen_model(name="default"), 50.0)[0]
+    together = _kept(chosen_model(name="default"), Quadrupole.modes, 50.0)[0]
     print(f"A Fisher matrix of 13 parameters asks for {len(asked)} batches, of {asked} waveforms")
     if asked != [1, 12]:
         sys.exit("Waveforms were asked for one by one.")
     for binary, strain in together._known.items():
-        alone = Neighbours(Model.connect(sys.argv[1], "default"), 50.0, together.frequencies)
+        alone = Neighbours(Model.connect(sys.argv[1], "default"), Quadrupole.modes, 50.0, together.frequencies)
         alone._evaluate([binary])
         assert np.array_equal(alone._known[binary], strain)
     Neighbours._ask = original
@@ -128,13 +136,13 @@ def compare_bits(network) -> None:
 
 def print_times(network, count: int = 5) -> None:
     """CPU of this process and wall time of a Fisher matrix: the least of a few, each of another binary."""
-    table = {name: [np.inf, np.inf] for name in (*CLASSES, "bnserve, in this process", "GWFish without a waveform")}
+    table = {name: [np.inf, np.inf] for name in (*CLASSES, *MORE)}
     for n in range(count):
         binaries = pd.DataFrame({name: [value] for name, value in (BINARY | {"lambda_1": 400.0 + n}).items()})
         for name in table:
-            model, kind = CLASSES.get(name, ("default", Waveform if name.startswith("bnserve") else Nothing))
+            model, kind = (CLASSES | MORE)[name]
             os.environ.pop("BNSERVE_URL", None)
-            if name.endswith("server"):
+            if "server" in name:
                 os.environ["BNSERVE_URL"] = sys.argv[1]
             _kept.cache_clear()
             cpu, wall = time.process_time(), time.perf_counter()
@@ -155,6 +163,13 @@ class Nothing(waveforms.Waveform):
         phase = sum(self.gw_params[name] for name in names) + self.gw_params["mass_2"] ** 2
         shape = 1e-24 * np.exp(1e-3j * phase * self.frequencyvector)
         self._frequency_domain_strain = np.stack((shape, 1j * shape), axis=1)
+
+
+MORE = {
+    "bnserve, in this process": ("default", Quadrupole),
+    "bnserve, server, all modes": ("default", Waveform),
+    "GWFish without a waveform": ("default", Nothing),
+}
 
 
 def main() -> None:

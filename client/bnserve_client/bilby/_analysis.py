@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._chosen import local_part
-from bnserve_client.bilby._arguments import stated
+from bnserve_client._lal_meaning import is_single, modes_of
+from bnserve_client.bilby._arguments import Choice, stated
 from bnserve_client.bilby._calibration import read_calibration
 from bnserve_client.bilby._ranges import distance_prior, prior_ranges
 from bnserve_protocol import InvalidRequest, Likelihood, TimeMarginalisation, WaveformModel
@@ -30,7 +31,7 @@ def build_analysis(
     priors: Any,
     model: WaveformModel,
     arguments: Mapping[str, Any],
-    approximant: str | None,
+    choice: Choice,
     marginalised: Marginalised,
     *,
     fiducial: dict[str, Floats] | None,
@@ -45,16 +46,23 @@ def build_analysis(
         One binary, as ``binaries`` makes it: by relative binning around it; None for the full grid.
     """
     parts = local_part("analyses", "Building an analysis of bilby's data")
+    modes = modes_of(model.description, choice.modes)
+    if marginalised.phase and any(order != 2 for _, order in modes):
+        raise InvalidRequest(
+            "bilby integrates and reconstructs the phase of modes with m = 2 alone, and this signal has others: "
+            "phase_marginalization=False, or 'mode_array': [[2, 2]] in waveform_arguments."
+        )
     trigger = _trigger(priors) if trigger_time is None else float(trigger_time)
     low, high = _band(interferometers, arguments)
     data = [_data(parts, interferometer, low, high) for interferometer in interferometers]
     options = parts.LikelihoodOptions(
         prior=prior_ranges(priors, trigger) if fiducial is not None else {},
         phase_marginalisation=marginalised.phase,
-        time_marginalisation=_times(priors, trigger, approximant) if marginalised.time else None,
+        time_marginalisation=_times(priors, trigger, choice.zero_points.approximant) if marginalised.time else None,
         distance_marginalisation=distance_prior(priors["luminosity_distance"]) if marginalised.distance else None,
         calibration=read_calibration(interferometers, priors),
         error_bound=error_bound,
+        modes=None if is_single(model.description) else modes,
     )
     common = {"trigger_time": trigger, "f_min": low, "f_max": high, "alignment": "merger", "options": options}
     if fiducial is None:

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from bnserve_client._chosen import ARGUMENTS, chosen_model, number, read_arguments, unknown_argument
-from bnserve_client._lal_meaning import refuse_other_modes
+from bnserve_client._lal_meaning import read_mode_array
 from bnserve_client.bilby._zero_points import ZeroPoints
-from bnserve_protocol import WaveformModel
+from bnserve_protocol import Mode, WaveformModel
 
 OWN_ZERO_POINTS = "bnserve"
 """For ``waveform_approximant`` where a program insists on one."""
@@ -22,13 +22,14 @@ _KNOWN = _THEIRS.union(_GRIDS, ARGUMENTS)
 
 
 class Choice(NamedTuple):
-    """The model and the zero points that ``waveform_arguments`` ask for; hashable."""
+    """The model, its modes and the zero points that ``waveform_arguments`` ask for; hashable."""
 
     url: str | tuple[str, ...] | None
     model: str | None
     version: str
     digest: str | None
     timeout: float
+    modes: tuple[Mode, ...] | None
     zero_points: ZeroPoints
 
     def find(self) -> WaveformModel:
@@ -54,12 +55,12 @@ def read_choice(arguments: Mapping[str, Any]) -> Choice:
     Raises
     ------
     InvalidRequest
-        A name that is none, a value that is no number, or other modes than the model's.
+        A name that is none, a value that is no number, or what is no mode.
     """
     unknown = arguments.keys() - _KNOWN
     if unknown:
         raise unknown_argument(min(unknown), _KNOWN)
-    refuse_other_modes(arguments.get("mode_array"))
+    modes = read_mode_array(arguments.get("mode_array"))
     orders = tuple(
         (name, int(number(name, arguments[name], "such as -1"))) for name in _ORDERS if arguments.get(name) is not None
     )
@@ -67,4 +68,4 @@ def read_choice(arguments: Mapping[str, Any]) -> Choice:
     if approximant == OWN_ZERO_POINTS:
         approximant = None
     zero_points = ZeroPoints(stated(arguments, "reference_frequency", 50.0), approximant, orders)
-    return Choice(*read_arguments(arguments), zero_points)
+    return Choice(*read_arguments(arguments), modes, zero_points)

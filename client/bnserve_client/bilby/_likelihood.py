@@ -12,12 +12,13 @@ from bilby.gw.likelihood import GravitationalWaveTransient
 from bilby.gw.waveform_generator import WaveformGenerator
 from numpy.typing import NDArray
 
+from bnserve_client._lal_meaning import QUADRUPOLE, is_single, orbital_turn
 from bnserve_client._together import Together
 from bnserve_client.bilby._analysis import Marginalised, build_analysis
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._calibration import calibration_columns
-from bnserve_client.bilby._source import OPTIONS, binaries, binary_neutron_star
-from bnserve_protocol import DEFAULT_ERROR_BOUND, Likelihood, WaveformModel
+from bnserve_client.bilby._source import binaries, binary_neutron_star
+from bnserve_protocol import DEFAULT_ERROR_BOUND, EvaluationOptions, Likelihood, WaveformModel
 
 Floats = NDArray[np.float64]
 
@@ -70,7 +71,8 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         trigger_time
             GPS seconds near the merger; None for the middle of the prior of ``geocent_time``.
         time_marginalization, phase_marginalization, distance_marginalization
-            As in bilby. Time and distance are integrated exactly, over priors that are uniform and a power.
+            As in bilby. Time and distance are integrated exactly, over priors that are uniform and a power; the phase
+            of modes with m = 2.
         error_bound
             By how much ln L by relative binning may differ from that on the full grid.
         parameter_conversion
@@ -92,7 +94,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         marginalised = Marginalised(time_marginalization, phase_marginalization, distance_marginalization)
         fiducial = None if fiducial_parameters is None else parameter_conversion(dict(fiducial_parameters))[0]
         bound = build_analysis(
-            interferometers, priors, model, arguments, choice.zero_points.approximant, marginalised,
+            interferometers, priors, model, arguments, choice, marginalised,
             fiducial=None if fiducial is None else binaries(fiducial), trigger_time=trigger_time,
             error_bound=error_bound,
         )  # fmt: skip
@@ -175,9 +177,15 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         zero_points, grid = self._choice.zero_points, self.waveform_generator.frequency_array
         last = stated(self.waveform_generator.waveform_arguments, "maximum_frequency", grid[-1])
         top = float(grid[np.searchsorted(grid, last, side="right") - 1])
+        own = None
+        if not is_single(self._model.description):
+            own = orbital_turn(self._model, columns, zero_points.reference_frequency, "reference_frequency")
+            if zero_points.approximant is None:
+                return own, np.zeros(len(own))
         batch: dict[str, Any] = {**columns, "distance_mpc": 1.0, "inclination": 0.0}
-        h = self._model.predict_factored(zero_points.frequencies(top), batch, options=OPTIONS).h
-        return zero_points.shifts(np.asarray(h, dtype=np.complex128), columns, top)
+        options = EvaluationOptions(alignment="merger", out_of_domain="flag", modes=None if own is None else QUADRUPOLE)
+        h = self._model.predict_factored(zero_points.frequencies(top), batch, options=options).h
+        return zero_points.shifts(np.asarray(h, dtype=np.complex128), columns, top, own)
 
     def _setup_distance_marginalization(self, lookup_table: Any = None) -> None:
         """bilby would tabulate its integral over the distance; here it is the service's."""

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_client._lal_meaning import QUADRUPOLE, by_modes, is_single, modes_of, polarisation_factors, turned
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._zero_points import ZeroPoints
 from bnserve_protocol import EvaluationOptions, convert
@@ -59,6 +60,7 @@ def binary_neutron_star(
         ``bnserve_model`` (or ``BNSERVE_MODEL``; ``"default"``), ``bnserve_version`` (``"stable"``),
         ``bnserve_digest``, ``bnserve_timeout`` (seconds that an outage may last). The token is that of
         ``BNSERVE_TOKEN``.
+        ``mode_array`` (all that the model has), such as ``[[2, 2], [3, 3]]``.
         ``minimum_frequency`` (20 Hz), ``maximum_frequency`` (the last one), ``reference_frequency`` (50 Hz);
         ``waveform_approximant``: the model of LAL that says what ``phase`` and ``geocent_time`` mean; without it, or
         as ``"bnserve"``, they have the meaning that LAL documents: see ``docs/guides/samplers.md``.
@@ -76,31 +78,31 @@ def binary_neutron_star(
     InvalidParameters
         A spin that is not aligned.
     InvalidRequest
-        A waveform argument that is none.
+        A waveform argument that is none, or a mode that the model lacks.
     PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
         As :func:`bnserve_client.Model.connect`, and without an address where no models are installed.
     """
     given = locals()
     binary = tuple(float(given[name]) for name in _INTRINSIC)
     source = _source(read_choice(waveform_arguments))
-    c = np.cos(theta_jn)
-    turn = np.exp(2j * phase) / luminosity_distance
-    factors = {"plus": 0.5 * (1.0 + c * c) * turn, "cross": -1j * c * turn}
+    factors = polarisation_factors(source.modes, theta_jn, phase)
+    for factor in factors.values():
+        factor /= luminosity_distance
     if _has_nodes(waveform_arguments):
         return _at_nodes(source, binary, factors, waveform_arguments)
     edges = "frequency_bin_edges" in waveform_arguments and waveform_arguments.get("fiducial") != 1
     if edges or "frequencies" in waveform_arguments:
         frequencies = waveform_arguments["frequency_bin_edges" if edges else "frequencies"]
         strain = source.strain(np.asarray(frequencies, dtype=np.float64), binary)
-        return None if strain is None else {name: factor * strain for name, factor in factors.items()}
+        return None if strain is None else {name: factor @ strain for name, factor in factors.items()}
     return _on_the_grid(source, binary, factors, np.asarray(frequency_array, dtype=np.float64), waveform_arguments)
 
 
 def binaries(theirs: Mapping[str, Any]) -> dict[str, Floats]:
     """Mass ratio, total mass, spins and tides, each ``(N,)``, of N binaries by the names of bilby's source models.
 
-    Where ``mass_1 < mass_2`` the stars change places. (The (2, 2) mode does not see the half turn of the orbit that it
-    is.) What is no binary, a negative mass or NaN, is left to the model to refuse.
+    Where ``mass_1 < mass_2`` the stars change places, as in LAL. What is no binary, a negative mass or NaN, is left to
+    the model to refuse.
 
     Raises
     ------
@@ -125,7 +127,7 @@ def _on_the_grid(
     if strain is None:
         return None
     for name, factor in factors.items():
-        np.multiply(strain, factor, out=found[name][band])
+        np.matmul(factor, strain, out=found[name][band])
     return found
 
 
@@ -147,7 +149,7 @@ def _at_nodes(
     if strain is None:
         return None
     return {
-        kind: {name: factor * strain[place] for name, factor in factors.items()}
+        kind: {name: factor @ strain[:, place] for name, factor in factors.items()}
         for kind, place in zip(("linear", "quadratic"), places, strict=True)
     }
 
@@ -168,12 +170,13 @@ class _Source:
 
     def __init__(self, choice: Choice) -> None:
         self._model = choice.find()
+        self.modes = modes_of(self._model.description, choice.modes)
         self._zero_points = choice.zero_points
         self._grids: tuple[_Grid, ...] = ()
         self._last: tuple[_Grid, tuple[float, ...], Complex | None] | None = None
 
     def strain(self, frequencies: Floats, binary: tuple[float, ...]) -> Complex | None:
-        """h ``(M,)`` at 1 Mpc, face on, at phase zero; None outside the model's range."""
+        """h ``(L, M)`` of the modes at 1 Mpc, at phase zero; None outside the model's range."""
         grid, last = self._grid(frequencies), self._last
         if last is None or last[0] is not grid or last[1] != binary:
             last = grid, binary, self._evaluated(grid, dict(zip(_INTRINSIC, binary, strict=True)))
@@ -190,19 +193,18 @@ class _Source:
 
     def _evaluated(self, grid: _Grid, binary: dict[str, float]) -> Complex | None:
         columns = binaries(binary)
-        answer = self._model.predict_factored(
-            grid.all, {**columns, "distance_mpc": 1.0, "inclination": 0.0}, options=OPTIONS
-        )
-        if answer.status[0] != 0:
+        asked = tuple(dict.fromkeys([*self.modes, *QUADRUPOLE]))  # whose phase is looked at
+        reference = self._zero_points.reference_frequency
+        found = by_modes(self._model, grid.all, columns, asked, reference, "reference_frequency")
+        if found.status[0] != 0:
             return None
-        h = np.asarray(answer.h, dtype=np.complex128)
-        phase, time = self._zero_points.shifts(h[:, grid.zero_points], columns, grid.top)
+        own = None if is_single(self._model.description) else np.zeros(1)
+        of_22 = found.h[:, found.modes.index(QUADRUPOLE[0]), grid.zero_points]
+        phase, time = self._zero_points.shifts(of_22, columns, grid.top, own)
         if not np.isfinite(phase[0]):
             return None
-        strain: Complex = h[0, grid.places] * np.exp(1j * phase[0])
-        if time[0] != 0.0:
-            strain *= np.exp(2j * np.pi * time[0] * grid.frequencies)
-        return strain
+        h = found.h[:, : len(self.modes), grid.places]
+        return turned(h, self.modes, phase, time, grid.frequencies)[0]
 
 
 @functools.lru_cache(maxsize=16)

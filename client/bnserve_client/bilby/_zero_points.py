@@ -78,13 +78,19 @@ class ZeroPoints:
             )
         return np.append(_NODES[top > _NODES], top)
 
-    def shifts(self, strain: Complex, columns: dict[str, Floats], top: float) -> tuple[Floats, Floats]:
+    def shifts(
+        self, strain: Complex, columns: dict[str, Floats], top: float, own: Floats | None = None
+    ) -> tuple[Floats, Floats]:
         """Phase (radians) and time (seconds), each ``(N,)``: h exp(i phase + 2 pi i f time) has these zero points.
 
         Parameters
         ----------
         strain
-            h of N binaries at :meth:`frequencies`, ``(N, K)``, aligned at the merger and with zero phase.
+            The (2, 2) mode of N binaries at :meth:`frequencies`, ``(N, K)``, aligned at the merger.
+        own
+            The phase for those of bnserve, ``(N,)``, where it is known and counts modulo 4 pi: with modes of odd m.
+            Nobody knows which of two opposite orbits a model of LAL with the (2, 2) mode alone means; then it is the
+            one that is nearer to our own. None: found from ``strain``, modulo 2 pi.
         columns
             The binaries, by our names, each ``(N,)``. NaN where LAL refuses one.
         top
@@ -99,7 +105,14 @@ class ZeroPoints:
         """
         if self.approximant is not None:
             nodes = self.frequencies(top)
-            return _least_squares(nodes, self._of_lal(columns, nodes, np.isfinite(strain[:, 0])) * strain.conj())
+            theirs = self._of_lal(columns, nodes, np.isfinite(strain[:, 0]))
+            phase, time = _least_squares(nodes, theirs * strain.conj())
+            if own is not None:
+                there = phase + 2.0 * np.pi * self.reference_frequency * time
+                phase += 2.0 * np.pi * np.round((own - there) / (2.0 * np.pi))
+            return phase, time
+        if own is not None:
+            return own, np.zeros(len(strain))
         phase = phase_of_the_orbit(strain[:, 0], self.reference_frequency, "reference_frequency")
         return phase, np.zeros(len(strain))
 

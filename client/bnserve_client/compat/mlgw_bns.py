@@ -1,5 +1,8 @@
 """The names of mlgw_bns 0.12 with a model of bnserve behind them; see ``docs/guides/mlgw_bns.md``.
 
+``predict`` has all modes of the model, or those of the attribute ``modes``; amplitude and phase are those of (2, 2),
+which mlgw_bns has alone.
+
 Signs, phase and time are those of mlgw_bns: time as in the post-Newtonian baseline, and ``reference_phase`` is the
 phase at the lowest frequency that the model was trained on, or at the first of the grid where that is lower.
 """
@@ -7,13 +10,15 @@ phase at the lowest frequency that the model was trained on, or at the first of 
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client import _chosen
-from bnserve_protocol import PARAMETER_NAMES, EvaluationOptions, InvalidRequest, OutOfBand, WaveformModel
+from bnserve_client._lal_meaning import QUADRUPOLE, is_single, modes_of
+from bnserve_protocol import PARAMETER_NAMES, EvaluationOptions, InvalidRequest, Mode, OutOfBand, WaveformModel
 from bnserve_protocol import ParametersWithExtrinsic as _Binary
 from bnserve_protocol import __version__ as _version
 
@@ -95,6 +100,8 @@ class Model:
     ----------
     extend_with_post_newtonian, extend_with_zeros_at_high_frequency
         Whether frequencies below and above the band are answered; True. False for an error.
+    modes
+        ``[(l, m), ...]`` that :meth:`predict` sums; None, all that the model has.
     """
 
     def __init__(self, model: WaveformModel) -> None:
@@ -104,7 +111,10 @@ class Model:
                 "`bnserve train` makes another."
             )
         self.extend_with_post_newtonian = self.extend_with_zeros_at_high_frequency = True
+        self.modes: Sequence[Mode] | None = None
         self._model = model
+        self._of_22 = None if is_single(model.description) else QUADRUPOLE
+        """None to an older server, which knows nothing of modes."""
 
     @classmethod
     def default(cls, model_name: str | None = None, **settings: bool) -> Model:
@@ -152,8 +162,10 @@ class Model:
         binary = _binary(params)
         try:
             zero = self._phase_of_zero(grid, binary)
-            shifted = dataclasses.replace(binary, reference_phase=binary.reference_phase - zero % (2.0 * np.pi))
-            hp, hc = self._model.predict(grid, shifted, options=self._options())
+            turn = zero % (4.0 * np.pi)  # of odd modes
+            shifted = dataclasses.replace(binary, reference_phase=binary.reference_phase - turn)
+            chosen = None if self.modes is None else modes_of(self._model.description, self.modes)
+            hp, hc = self._model.predict(grid, shifted, options=self._options(chosen))
         except OutOfBand as error:
             raise self._of_band(grid, binary, error) from None
         return np.asarray(hp), np.asarray(hc)
@@ -164,7 +176,7 @@ class Model:
         binary = _binary(params)
         try:
             zero = self._phase_of_zero(grid, binary)
-            amplitude, phase = self._model.predict_amplitude_phase(grid, binary, options=self._options())
+            amplitude, phase = self._model.predict_amplitude_phase(grid, binary, options=self._options(self._of_22))
         except OutOfBand as error:
             raise self._of_band(grid, binary, error) from None
         return np.asarray(amplitude), phase - zero
@@ -188,8 +200,9 @@ class Model:
         _, phase = self.predict_amplitude_phase(frequency + step * np.arange(-4, 5), params)
         return float(_DIFFERENCES @ (phase - phase[4]) / (2.0 * np.pi * step))
 
-    def _options(self) -> EvaluationOptions:
+    def _options(self, modes: tuple[Mode, ...] | None) -> EvaluationOptions:
         return EvaluationOptions(
+            modes=modes,
             below_band="extend" if self.extend_with_post_newtonian else "error",
             above_band="zero" if self.extend_with_zeros_at_high_frequency else "error",
         )
@@ -204,8 +217,9 @@ class Model:
         if not binary.total_mass > 0.0:
             return 0.0  # the model refuses it
         still = dataclasses.replace(binary, reference_phase=0.0, time_shift=0.0)
+        of_22 = EvaluationOptions(modes=self._of_22)
         first = min(self._lowest(binary.total_mass), *grid[:1].tolist())
-        return float(self._model.predict_amplitude_phase(np.array([first]), still).phase[0])
+        return float(self._model.predict_amplitude_phase(np.array([first]), still, options=of_22).phase[0])
 
     def _of_band(self, grid: Floats, binary: _Binary, error: OutOfBand) -> ValueError:
         too_low = not self.extend_with_post_newtonian and grid[0] < self._lowest(binary.total_mass)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._chosen import chosen_model
-from bnserve_client._lal_meaning import phase_of_the_orbit
-from bnserve_protocol import EvaluationOptions, InvalidParameters, WaveformModel, convert
+from bnserve_client._lal_meaning import ByModes, by_modes, is_single, modes_of, phase_of_the_orbit, turned
+from bnserve_protocol import InvalidParameters, Mode, WaveformModel, convert
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -22,7 +22,7 @@ _NAMES = ("mass_ratio", "total_mass", "chi_1", "chi_2", "lambda_1", "lambda_2")
 _STARS = ("mass_1", "mass_2", "a_1", "tilt_1", "a_2", "tilt_2", "lambda_1", "lambda_2")
 _FACTORS = {"luminosity_distance", "theta_jn", "geocent_time", "phase", "ra", "dec", "psi", "phi_12", "phi_jl",
             "max_frequency_cutoff"}  # fmt: skip
-"""What changes nothing of the mode's shape."""
+"""What changes nothing of the modes' shapes."""
 _OF_MASSES = {"chirp_mass", "chirp_mass_source", "mass_1", "mass_2", "mass_1_source", "mass_2_source"}
 _EPS, _EPS_OF_MASSES = 1e-5, 1e-8
 """GWFish's defaults, from which its ``Derivative`` makes its steps."""
@@ -39,17 +39,18 @@ class Neighbours:
 
     Parameters
     ----------
-    model
-        What evaluates.
+    model, modes
+        What evaluates, and which of its modes.
     reference
         Hz: where the phase of the orbit is zero.
     frequencies
         Hz, ``(M,)``, increasing.
     """
 
-    def __init__(self, model: WaveformModel, reference: float, frequencies: Floats) -> None:
+    def __init__(self, model: WaveformModel, modes: tuple[Mode, ...], reference: float, frequencies: Floats) -> None:
         self.frequencies = frequencies.copy()
         self._model, self._reference = model, reference
+        self.modes = modes
         self._all = np.union1d(frequencies, [reference])
         self._places = np.searchsorted(self._all, frequencies)
         self._place_of_reference = int(np.searchsorted(self._all, reference))
@@ -58,7 +59,7 @@ class Neighbours:
         self._known: dict[Binary, Complex] = {}
 
     def strain(self, given: Mapping[str, Any]) -> Complex:
-        """The mode at 1 Mpc, ``(M,)``, with the merger at zero, by GWFish's parameters.
+        """The modes at 1 Mpc, ``(L, M)``, with the merger at zero, by GWFish's parameters.
 
         Raises
         ------
@@ -70,7 +71,7 @@ class Neighbours:
             self._evaluate([binary, *self._with(given)])
         found = self._known.get(binary)
         if found is None:
-            self._ask([binary], EvaluationOptions(alignment="merger"))  # raises, and says why
+            self._ask([binary], "error")  # raises, and says why
             raise AssertionError("a waveform that was flagged is not refused")
         return found
 
@@ -88,42 +89,48 @@ class Neighbours:
 
     def _evaluate(self, binaries: list[Binary]) -> None:
         asked = [binary for binary in dict.fromkeys(binaries) if binary not in self._known]
-        h, status = self._ask(asked, EvaluationOptions(alignment="merger", out_of_domain="flag"))
-        turn = phase_of_the_orbit(h[:, self._place_of_reference], self._reference, "f_ref")
+        found = self._ask(asked, "flag")
+        turn = np.zeros(len(asked))
+        if is_single(self._model.description):
+            turn = phase_of_the_orbit(found.h[:, 0, self._place_of_reference], self._reference, "f_ref")
         for row, binary in enumerate(asked):
-            if status[row] == 0:
-                self._known[binary] = h[row, self._places] * np.exp(1j * turn[row])
+            if found.status[row] == 0:
+                self._known[binary] = turned(
+                    found.h[row][:, self._places], self.modes, turn[row], 0.0, self.frequencies
+                )
         while len(self._known) > max(_MOST_KEPT, len(asked)):
             del self._known[next(iter(self._known))]
 
-    def _ask(self, binaries: list[Binary], options: EvaluationOptions) -> tuple[Complex, NDArray[np.uint8]]:
+    def _ask(self, binaries: list[Binary], out_of_domain: Literal["error", "flag"]) -> ByModes:
         columns = dict(zip(_NAMES, np.array(binaries).T, strict=True))
-        answer = self._model.predict_factored(
-            self._all, {**columns, "distance_mpc": 1.0, "inclination": 0.0}, options=options
+        return by_modes(
+            self._model, self._all, columns, self.modes, self._reference, "f_ref", out_of_domain=out_of_domain
         )
-        return np.asarray(answer.h), np.asarray(answer.status)
 
 
-def neighbours(name: str, reference: float, frequencies: Floats) -> Neighbours:
+def neighbours(name: str, modes: Sequence[Mode] | None, reference: float, frequencies: Floats) -> Neighbours:
     """Those of the model of this name on this grid, the same as for the call before.
 
     Raises
     ------
+    InvalidRequest
+        The model lacks a mode.
     PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
         As :func:`~bnserve_client._chosen.chosen_model`.
     """
     model = chosen_model(name=name)
-    kept = _kept(model, reference)  # type: ignore[arg-type]  # one model equals itself
+    chosen = modes_of(model.description, modes)
+    kept = _kept(model, chosen, reference)  # type: ignore[arg-type]  # one model equals itself
     for known in kept:
         if np.array_equal(known.frequencies, frequencies):
             return known
-    new = Neighbours(model, reference, frequencies)
+    new = Neighbours(model, chosen, reference, frequencies)
     kept[:] = [new, *kept[: _GRIDS_KEPT - 1]]
     return new
 
 
 @functools.lru_cache(maxsize=8)
-def _kept(model: WaveformModel, reference: float) -> list[Neighbours]:
+def _kept(model: WaveformModel, modes: tuple[Mode, ...], reference: float) -> list[Neighbours]:
     return []
 
 

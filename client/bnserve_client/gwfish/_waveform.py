@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_client._lal_meaning import polarisation_factors
 from bnserve_client.gwfish._neighbours import neighbours
+from bnserve_protocol import Mode
 
 _DEFAULTS = dict.fromkeys(
     ("mass_1", "mass_2", "luminosity_distance", "redshift", "theta_jn", "phase", "geocent_time", "a_1", "tilt_1",
@@ -37,11 +39,16 @@ class Waveform:
 
     Attributes
     ----------
+    modes : sequence of (l, m), or None
+        Of the class: all that the model has (None). Another class chooses:
+        ``class Quadrupole(Waveform): modes = [(2, 2)]``.
     gw_params : dict
         All parameters, with ``mass_1`` and ``mass_2``.
     frequencyvector : numpy.ndarray
         ``(M,)``.
     """
+
+    modes: ClassVar[Sequence[Mode] | None] = None
 
     def __init__(self, name: str, gw_params: Mapping[str, Any], data_params: Mapping[str, Any]) -> None:
         self.name, self.data_params = name, data_params
@@ -73,15 +80,18 @@ class Waveform:
             Outside the range of the model; GWFish's default, no tides, may be so.
         InvalidParameters
             A spin is not aligned.
+        InvalidRequest
+            A mode that the model lacks.
         PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
             As :func:`bnserve_client.Model.connect`, and without an address where no models are installed.
         """
-        given, cosine = self.gw_params, np.cos(self.gw_params["theta_jn"])
-        around = neighbours(self.name, float(self.data_params.get("f_ref", _REFERENCE)), self.frequencyvector)
-        strain = around.strain(self._given).conj()
-        strain *= np.exp(2j * (np.pi * given["geocent_time"] * self.frequencyvector - given["phase"]))
-        strain /= given["luminosity_distance"]
-        return np.stack((0.5 * (1.0 + cosine**2) * strain, 1j * cosine * strain), axis=1)
+        given = self.gw_params
+        reference = float(self.data_params.get("f_ref", _REFERENCE))
+        around = neighbours(self.name, self.modes, reference, self.frequencyvector)
+        factors = polarisation_factors(around.modes, float(given["theta_jn"]), float(given["phase"]))
+        strain = np.stack([factors["plus"], factors["cross"]]) @ around.strain(self._given)
+        turn = np.exp(-2j * np.pi * given["geocent_time"] * self.frequencyvector) / given["luminosity_distance"]
+        return (strain * turn).conj().T
 
     def __call__(self) -> NDArray[np.complex128]:
         """As :attr:`frequency_domain_strain`."""

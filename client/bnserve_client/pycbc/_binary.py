@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from typing import Any
 
 from bnserve_client._chosen import ARGUMENTS, chosen_model, read_arguments, unknown_argument
-from bnserve_client._lal_meaning import refuse_other_modes
 from bnserve_protocol import FieldError, InvalidParameters, ParametersWithExtrinsic, WaveformModel, convert
 
 _UNDERSTOOD = {
@@ -44,10 +43,7 @@ def read_binary(parameters: Mapping[str, Any], model: WaveformModel) -> Paramete
     ------
     InvalidParameters
         A spin is not aligned, a tide is missing, or a parameter is set that the model does not have.
-    InvalidRequest
-        Other modes are asked for than the model's.
     """
-    refuse_other_modes(parameters.get("mode_array"))
     for name, default in _without_meaning().items():
         value = parameters.get(name, default)
         if value != default:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_client._lal_meaning import phase_of_the_orbit
+from bnserve_client._lal_meaning import check_reference, is_single, modes_of, phase_of_the_orbit, read_mode_array
 from bnserve_client.pycbc._binary import read_binary, read_model
 from bnserve_protocol import (
     EvaluationOptions,
@@ -47,6 +47,8 @@ def frequency_series(**parameters: Any) -> tuple[Any, Any]:
     coa_phase, f_ref
         The orbital phase at the reference frequency, in radians and Hz; 0 Hz stands for ``f_lower``, as in LAL's
         IMRPhenom models.
+    mode_array
+        ``[(l, m), ...]``; None for all that the model has.
     delta_f, f_lower, f_final
         The step, and the first and the last frequency that are not zero, in Hz; an ``f_final`` of 0 is the top of the
         model's band, :func:`end_frequency`.
@@ -68,6 +70,8 @@ def frequency_series(**parameters: Any) -> tuple[Any, Any]:
     OutOfDomain
         The binary is outside the model's range. It is a ``NoWaveformError`` of PyCBC, too, whose likelihoods are -inf
         there.
+    InvalidRequest
+        A mode that the model lacks, an unknown keyword that begins with ``bnserve_``, a value that is no number.
     InvalidFrequencies
         No frequency is left between the first and the last.
     PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
@@ -147,16 +151,30 @@ for _function in (frequency_series, samples):
 def _polarizations(model: WaveformModel, grid: Grid, parameters: dict[str, Any], lowest: float) -> Polarizations:
     binary = read_binary(parameters, model)
     reference = float(parameters.get("f_ref") or 0.0) or lowest
+    phase, options = 2.0 * float(parameters.get("coa_phase", 0.0)), OPTIONS
+    chosen = read_mode_array(parameters.get("mode_array"))
+    modes = modes_of(model.description, chosen)
     with _out_of_domain_is_no_waveform():
-        face_on = dataclasses.replace(binary, distance_mpc=1.0, inclination=0.0)
-        phase = _phase_of_the_orbit(model, face_on, reference)  # type: ignore[arg-type]  # one model equals itself
-        phase += 2.0 * float(parameters.get("coa_phase", 0.0))
-        return model.predict(grid, dataclasses.replace(binary, reference_phase=phase), options=OPTIONS)
+        if _knows_references(model):
+            check_reference(model.description, binary.total_mass, reference, "f_ref")
+            options = EvaluationOptions(
+                alignment="merger", reference_frequency=reference, modes=None if chosen is None else modes
+            )
+        else:
+            face_on = dataclasses.replace(binary, distance_mpc=1.0, inclination=0.0)
+            phase += _phase_of_the_orbit(model, face_on, reference)  # type: ignore[arg-type]  # one model equals itself
+        return model.predict(grid, dataclasses.replace(binary, reference_phase=phase), options=options)
+
+
+def _knows_references(model: WaveformModel) -> bool:
+    """Whether ``reference_frequency`` is understood: not by older servers, which do not say whose band theirs is."""
+    return model.description.frequency_band_masses is not None or not is_single(model.description)
 
 
 @functools.lru_cache(maxsize=64)
 def _phase_of_the_orbit(model: WaveformModel, binary: ParametersWithExtrinsic, reference: float) -> float:
-    """Kept, because many waveforms of one binary are asked for: in time, orientation and phase they are the same."""
+    """Of an older server's model. Kept, because many waveforms of one binary are asked for: in time, orientation and
+    phase they are the same."""
     strain = model.predict_factored([reference], binary, options=OPTIONS).h
     return float(phase_of_the_orbit(strain[0], reference, "f_ref")[0])
 
