@@ -148,13 +148,31 @@ def test_a_named_model_of_lal_turns_all_modes_by_one_orbit_and_one_time(ours):
         assert np.abs(np.remainder(apart + np.pi, 2.0 * np.pi) - np.pi) < 1e-6
 
 
-def test_the_phase_of_odd_modes_is_not_integrated_by_a_rule_for_even_ones(ours):
+def test_the_phase_of_all_modes_is_integrated_and_drawn(ours):
+    arguments = ours | {"minimum_frequency": 40.0}
+    data = network(generator(binary_neutron_star, **arguments))
+    sampled, integrated = (
+        ServiceLikelihood.from_bilby(data, priors(), waveform_arguments=arguments, phase_marginalization=marginalised)
+        for marginalised in (False, True)
+    )
+    phases = np.linspace(0.0, 2.0 * np.pi, 4096, endpoint=False)
+    values = sampled.log_likelihood_ratios(SIGNAL | {"phase": phases})
+    mean = values.max() + np.log(np.exp(values - values.max()).mean())
+    assert integrated.log_likelihood_ratio(SIGNAL) == pytest.approx(mean, abs=0.01)
+    bilby.core.utils.random.seed(1)
+    drawn = [integrated.generate_phase_sample_from_marginalized_likelihood(parameters=SIGNAL) for _ in range(50)]
+    weights = np.exp(values - values.max())
+    moment = (weights * np.exp(1j * phases)).sum() / weights.sum()
+    assert np.mean(np.exp(1j * np.array(drawn))) == pytest.approx(moment, abs=0.3)
+    assert min(values[np.searchsorted(phases, phase) - 1] for phase in drawn) > values.max() - 15.0
+
+
+def test_bilbys_rules_for_time_and_distance_beside_the_phase_are_for_one_order(ours):
     data = network(generator(binary_neutron_star, **ours))
-    for modes in (None, [[2, 2], [3, 3]]):
-        with pytest.raises(InvalidRequest, match=r"phase_marginalization=False, or .*mode_array"):
-            ServiceLikelihood.from_bilby(
-                data, priors(), waveform_arguments=ours | {"mode_array": modes}, phase_marginalization=True
-            )
+    with pytest.raises(InvalidRequest, match=r"integrate over the phase or over the others, or state 'mode_array'"):
+        ServiceLikelihood.from_bilby(
+            data, priors(), waveform_arguments=ours, phase_marginalization=True, time_marginalization=True
+        )
 
 
 @pytest.mark.parametrize("fiducial", [None, SIGNAL], ids=["full grid", "relative binning"])

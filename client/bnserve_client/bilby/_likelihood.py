@@ -12,11 +12,12 @@ from bilby.gw.likelihood import GravitationalWaveTransient
 from bilby.gw.waveform_generator import WaveformGenerator
 from numpy.typing import NDArray
 
-from bnserve_client._lal_meaning import QUADRUPOLE, is_single, orbital_turn
+from bnserve_client._lal_meaning import QUADRUPOLE, has_one_order, is_single, modes_of, orbital_turn
 from bnserve_client._together import Together
 from bnserve_client.bilby._analysis import Marginalised, build_analysis
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._calibration import calibration_columns
+from bnserve_client.bilby._phase import draw_phase, with_the_phase
 from bnserve_client.bilby._source import binaries, binary_neutron_star
 from bnserve_protocol import DEFAULT_ERROR_BOUND, EvaluationOptions, Likelihood, WaveformModel
 
@@ -71,8 +72,8 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         trigger_time
             GPS seconds near the merger; None for the middle of the prior of ``geocent_time``.
         time_marginalization, phase_marginalization, distance_marginalization
-            As in bilby. Time and distance are integrated exactly, over priors that are uniform and a power; the phase
-            of modes with m = 2.
+            As in bilby. Time and distance are integrated exactly, over priors that are uniform and a power. Beside
+            modes of other m than 2, the phase alone.
         error_bound
             By how much ln L by relative binning may differ from that on the full grid.
         parameter_conversion
@@ -116,6 +117,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         priors: Any,
     ) -> None:
         self._bound, self._model, self._choice = bound, model, choice
+        self._of_phases: Likelihood | None = None
         self._together: Together | None = None
         super().__init__(
             interferometers, waveform_generator, time_marginalization=marginalised.time,
@@ -155,13 +157,25 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         self._together = Together(self.log_likelihood_ratios, threads)
         return self._together
 
-    def _columns(self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]) -> dict[str, Any]:
+    def generate_phase_sample_from_marginalized_likelihood(self, *given: Any, **named: Any) -> Any:
+        """As in bilby, whose own is a rule for m = 2; with other modes from the service's value at a few phases."""
+        modes = modes_of(self._model.description, self._choice.modes)
+        if has_one_order(modes):
+            return super().generate_phase_sample_from_marginalized_likelihood(*given, **named)
+        if self._of_phases is None:
+            self._of_phases = with_the_phase(self._model, self._bound)
+        bound, sample = self._of_phases, dict(named.get("parameters") or self.parameters)
+        return draw_phase(lambda phases: bound.log_likelihood(self._columns(sample | {"phase": phases}, bound)), modes)
+
+    def _columns(
+        self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any], bound: Likelihood | None = None
+    ) -> dict[str, Any]:
         if isinstance(samples, Sequence):
             samples = {name: [sample[name] for sample in samples] for name in samples[0]}
         given = {name: np.asarray(samples[name], dtype=np.float64) for name in samples if _is_number(samples[name])}
         theirs, _ = self.waveform_generator.parameter_conversion(given)
         columns = binaries(theirs)
-        settings = self._bound.analysis.settings
+        settings = (bound or self._bound).analysis.settings
         shift, time = np.zeros(1), np.zeros(1)
         if not settings.phase_marginalisation or self._choice.zero_points.approximant is not None:
             shift, time = self._shifts(columns)

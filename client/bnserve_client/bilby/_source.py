@@ -12,13 +12,12 @@ from numpy.typing import NDArray
 from bnserve_client._lal_meaning import QUADRUPOLE, by_modes, is_single, modes_of, polarisation_factors, turned
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._zero_points import ZeroPoints
-from bnserve_protocol import EvaluationOptions, convert
+from bnserve_protocol import convert
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Strain = dict[str, Any]
 
-OPTIONS = EvaluationOptions(alignment="merger", out_of_domain="flag")
 _INTRINSIC = ("mass_1", "mass_2", "a_1", "tilt_1", "a_2", "tilt_2", "lambda_1", "lambda_2")
 _GRIDS_KEPT = 4
 
@@ -203,8 +202,8 @@ class _Source:
         phase, time = self._zero_points.shifts(of_22, columns, grid.top, own)
         if not np.isfinite(phase[0]):
             return None
-        h = found.h[:, : len(self.modes), grid.places]
-        return turned(h, self.modes, phase, time, grid.frequencies)[0]
+        h = found.h[0, : len(self.modes)][:, grid.places]
+        return turned(h, self.modes, phase[0], time[0], grid.frequencies)
 
 
 @functools.lru_cache(maxsize=16)

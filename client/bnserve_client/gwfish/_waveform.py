@@ -91,7 +91,8 @@ class Waveform:
         factors = polarisation_factors(around.modes, float(given["theta_jn"]), float(given["phase"]))
         strain = np.stack([factors["plus"], factors["cross"]]) @ around.strain(self._given)
         turn = np.exp(-2j * np.pi * given["geocent_time"] * self.frequencyvector) / given["luminosity_distance"]
-        return (strain * turn).conj().T
+        found: NDArray[np.complex128] = (strain * turn).conj().T
+        return found
 
     def __call__(self) -> NDArray[np.complex128]:
         """As :attr:`frequency_domain_strain`."""
