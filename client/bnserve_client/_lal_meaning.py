@@ -136,7 +136,7 @@ def polarisation_factors(modes: tuple[Mode, ...], inclination: float, phase: flo
     """``plus`` and ``cross``, ``(L,)``: what each mode counts at an orbital phase (radians)."""
     turn = np.exp(1j * phase * np.array([order for _, order in modes]))
     plus, cross = mode_factors(modes, inclination)
-    return {"plus": plus * turn, "cross": cross * turn}
+    return {"plus": np.multiply(plus, turn, dtype=np.complex128), "cross": cross * turn}
 
 
 def check_reference(description: ModelDescription, total_mass: Any, reference: float, name: str) -> None:
