@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.page import fill
+from benchmarks.whole_waveform.rows import whole_rows, whole_table
 from bnserve_protocol import BnserveError, ModelUnknown
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate.training.validation.fresh import validate_artifact
@@ -53,29 +54,44 @@ def main(arguments: list[str] | None = None) -> int:
     store = ModelStore.default(options.store or ())
     try:
         rows: list[Row] = []
-        for name in options.models:
+        whole: list[Row] = []
+        for named in options.models:
+            name, _, version = named.partition("@")
             try:
-                artifact = store.load(name)
+                artifact = store.load(name, version or "stable")
             except ModelUnknown:
                 print(f"There is no model '{name}' in these stores: left out.", file=sys.stderr)
                 continue
-            rows += measured(artifact, options)
-        print(json.dumps({"rows": rows, "predecessors": PREDECESSORS}) if options.json else "\n".join(table(rows)))
-        if options.page:
-            fill(options.page, "accuracy", table(rows))
+            whole += whole_rows(artifact, _counts(options), options.seed, options.work, options.jobs)
+            rows += [] if options.whole else measured(artifact, options)
+        _say(rows, whole, options)
     except BnserveError as error:
         print(error.detail, file=sys.stderr)
         return 1
-    return 0 if rows else 1
+    return 0 if rows or whole else 1
+
+
+def _say(rows: list[Row], whole: list[Row], options: argparse.Namespace) -> None:
+    tables = {"accuracy": table(rows) if rows else [], "whole waveforms": whole_table(whole) if whole else []}
+    if options.json:
+        print(json.dumps({"rows": rows, "whole": whole, "predecessors": PREDECESSORS}))
+    else:
+        print("\n\n".join("\n".join(lines) for lines in tables.values() if lines))
+    for place, lines in tables.items():
+        if options.page and lines:
+            fill(options.page, place, lines)
+
+
+def _counts(options: argparse.Namespace) -> dict[str, int]:
+    return {"uniform": 64, "edges": 32} if options.short else {"uniform": options.count, "edges": options.edges}
 
 
 def measured(artifact: Artifact, options: argparse.Namespace) -> list[Row]:
     """Every case for one model."""
     name = f"`{artifact.manifest.name}` {artifact.manifest.version}"
-    count, edges = (64, 32) if options.short else (options.count, options.edges)
-    rows = []
+    counted, rows = _counts(options), []
     for case in CASES:
-        counts = {"uniform": count, **({"edges": edges} if case.edges else {})}
+        counts = counted if case.edges else {"uniform": counted["uniform"]}
         validations = validate_artifact(
             artifact,
             options.work,
@@ -130,7 +146,7 @@ def _row(model: str, case: str, kind: str, validation: Validation) -> Row:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.accuracy", description=__doc__.splitlines()[0])
     parser.add_argument(
-        "models", nargs="*", default=["default", "fast", "paper"], metavar="MODEL", help="(all shipped)"
+        "models", nargs="*", default=["default", "fast", "paper"], metavar="MODEL[@VERSION]", help="(all shipped)"
     )
     parser.add_argument("--store", type=Path, action="append", metavar="DIR", help="searched before the shipped models")
     parser.add_argument(
@@ -142,6 +158,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--seed", type=int, default=2024, metavar="N", help="as bnserve validate's (2024)")
     parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
     parser.add_argument("--short", action="store_true", help="64 and 32 waveforms")
+    parser.add_argument("--whole", action="store_true", help="of models with several modes, these alone")
     parser.add_argument("--json", action="store_true", help="print one JSON object instead of tables")
     parser.add_argument("--page", type=Path, metavar="FILE.md", help="put the tables into this page, too")
     return parser

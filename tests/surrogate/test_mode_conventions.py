@@ -6,7 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bnserve_protocol import SOLAR_MASS_SECONDS, ParametersWithExtrinsic, turn_to_reference
+from bnserve_protocol import SOLAR_MASS_SECONDS, EvaluationOptions, ParametersWithExtrinsic, turn_to_reference
+from bnserve_surrogate import Model
 from tests.surrogate.other_codes import MODES, harmonics, modes_of_teobresums, polarisations, strain_of_lal
 
 lal = pytest.importorskip("lal")
@@ -241,3 +242,58 @@ def test_in_the_time_domain_they_are_teobresums_with_lals_plus(inclination, angl
     found = [-part for part in polarisations(ours, inclination, 0.5 * np.pi - angle)]
     assert mismatch(found, [plus[inside], cross[inside]]) < 1e-3
     np.testing.assert_allclose(np.linalg.norm(found), np.linalg.norm([plus[inside], cross[inside]]), rtol=5e-3)
+
+
+def test_the_merger_of_the_model_with_modes_is_that_of_the_model_without():
+    """Though its signals begin at half the frequency: time and phase of (2, 2) are those of 1.0.0, to both errors."""
+    draw = np.random.default_rng(3)
+    rows, chi, tides = 200, (-0.5, 0.5), (5.0, 5000.0)
+    batch = {
+        "mass_ratio": draw.uniform(1.0, 3.0, rows), "chi_1": draw.uniform(*chi, rows),
+        "chi_2": draw.uniform(*chi, rows), "lambda_1": draw.uniform(*tides, rows),
+        "lambda_2": draw.uniform(*tides, rows), "distance_mpc": 40.0, "inclination": 0.0, "total_mass": 2.8,
+    }  # fmt: skip
+    f = np.geomspace(3.6, 400.0, 100)
+    options = EvaluationOptions(alignment="merger", modes=((2, 2),))
+    new, old = (
+        Model.load("default", version).predict_amplitude_phase(f, batch, options=options).phase
+        for version in ("2.0.0", "1.0.0")
+    )
+    assert np.abs(new - old)[:, 0].max() < 1e-3  # of some 1e6 radians
+    times = [slope(f, row) / (2.0 * np.pi) for row in new - old]
+    assert np.abs(times).max() < 1.5e-5
+    assert np.median(np.abs(times)) < 2e-6
+
+
+@pytest.mark.parametrize(("inclination", "orbital_phase"), DIRECTIONS)
+@pytest.mark.parametrize("alignment", ["merger", "post_newtonian"])
+def test_a_model_at_a_reference_frequency_is_lals(inclination, orbital_phase, alignment):
+    """``reference_phase`` is twice ``phiRef``, also beyond 2 pi; only the time is fitted, as above."""
+    model, reference = Model.load("default", "2.0.0"), 60.0
+    f = np.arange(40.0, 80.0, 0.005)
+    one = replace(ONE, inclination=inclination, reference_phase=2.0 * orbital_phase)
+    options = EvaluationOptions(alignment=alignment, modes=IN_LAL, reference_frequency=reference)
+    found = model.predict_modes(f, one, options=options)
+    theirs = strain_of_lal(f, one, "IMRPhenomXHM", orbital_phase, reference=reference)
+    face_on = strain_of_lal(f, replace(one, inclination=0.0), "IMRPhenomXHM", orbital_phase, reference=reference)[0]
+    time = slope(f, np.unwrap(np.angle(face_on / found.h[0, 0]))) / (2.0 * np.pi)
+    orders = np.array([order for _, order in found.modes])
+    moved = found.h[0] * np.exp(2j * np.pi * time * (f - 0.5 * reference * orders[:, None]))
+    assert mismatch((found.plus[0] @ moved, found.cross[0] @ moved), theirs) < 1e-4
+    for (degree, order), plus, cross in zip(found.modes, found.plus[0], found.cross[0], strict=True):
+        np.testing.assert_allclose([plus, cross], harmonics(inclination)[degree, order], atol=1e-14)
+    summed = model.predict(f, one, options=options)
+    for part, counts in ((summed.plus, found.plus[0]), (summed.cross, found.cross[0])):
+        np.testing.assert_allclose(part, counts @ found.h[0], atol=1e-12 * np.abs(part).max())
+
+
+def test_a_reference_phase_has_a_period_of_four_pi():
+    model, f = Model.load("default", "2.0.0"), np.geomspace(20.0, 1000.0, 50)
+    odd = [mode for mode in MODES if mode[1] % 2]
+    for modes, sign in ((odd, -1.0), ([(2, 2), (4, 4), (3, 2)], 1.0)):
+        options = EvaluationOptions(modes=modes, reference_frequency=50.0)
+        h = [
+            model.predict(f, replace(ONE, reference_phase=turn), options=options).plus
+            for turn in (0.3, 0.3 + 2.0 * np.pi)
+        ]
+        np.testing.assert_allclose(h[1], sign * h[0], rtol=1e-9)
