@@ -28,6 +28,7 @@ from bnserve_protocol import (
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
+    TimeSeries,
 )
 
 
@@ -136,6 +137,19 @@ class AsyncModel(ConnectedModel):
     async def time_until_merger(self, frequency: GridLike, parameters: BatchLike) -> float | NDArray[np.float64]:
         """Seconds from frequencies to the merger; see :meth:`.Model.time_until_merger`."""
         return await self._connections.run(self._remote.time_until_merger(frequency, parameters))
+
+    async def predict_time_domain(
+        self,
+        parameters: BatchLike,
+        *,
+        sampling_rate: float = 8192.0,
+        f_min: float | None = None,
+        duration: float | None = None,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+    ) -> TimeSeries:
+        """h_plus(t) and h_cross(t) on a time axis; see :meth:`.Model.predict_time_domain`."""
+        how = {"sampling_rate": sampling_rate, "f_min": f_min, "duration": duration, "options": options}
+        return await self._connections.run(self._remote.predict_time_domain(parameters, **how))
 
     async def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> AsyncLikelihood:
         """The likelihood of an analysis; see :meth:`.Model.likelihood`."""

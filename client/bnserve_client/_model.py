@@ -28,6 +28,7 @@ from bnserve_protocol import (
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
+    TimeSeries,
 )
 
 
@@ -224,6 +225,21 @@ class Model(ConnectedModel):
             A frequency is above the band at the mass of a binary.
         """
         return self._connections.run(self._remote.time_until_merger(frequency, parameters))
+
+    def predict_time_domain(
+        self,
+        parameters: BatchLike,
+        *,
+        sampling_rate: float = 8192.0,
+        f_min: float | None = None,
+        duration: float | None = None,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+    ) -> TimeSeries:
+        """h_plus(t) and h_cross(t), real ``(T,)`` or ``(N, T)``, on a time axis; see
+        :func:`bnserve_protocol.predict_time_domain`.
+        """
+        how = {"sampling_rate": sampling_rate, "f_min": f_min, "duration": duration, "options": options}
+        return self._connections.run(self._remote.predict_time_domain(parameters, **how))
 
     def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:
         """The likelihood of an analysis, evaluated where the model is: eight bytes per sample travel back.

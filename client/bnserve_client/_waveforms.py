@@ -35,6 +35,7 @@ from bnserve_protocol import (
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
+    TimeSeries,
     TooLarge,
     UniformGrid,
     check_dtype,
@@ -42,6 +43,7 @@ from bnserve_protocol import (
     chosen_modes,
     plain_options,
     the_mode,
+    time_domain_steps,
 )
 from bnserve_protocol.wire import OutputName, WaveformRequest, decode_answer, encode_request
 
@@ -197,6 +199,21 @@ class RemoteModel:
         answer = yield from self.predict_amplitude_phase(times.grid, times.batch, times.options)
         seconds = times.seconds(answer.phase)
         return seconds if seconds.ndim else float(seconds)
+
+    def predict_time_domain(self, parameters: BatchLike, **how: Any) -> Conversation[TimeSeries]:
+        """Signals in time; ``how`` are the keywords of :func:`bnserve_protocol.predict_time_domain`."""
+        steps = time_domain_steps(self.pinned.description, parameters, limits=self.pinned.limits, **how)
+        answer: AmplitudePhase | Modes | None = None
+        while True:
+            try:
+                asked = steps.send(answer)
+            except StopIteration as finished:
+                series: TimeSeries = finished.value
+                return series
+            if asked.method == "predict_modes":
+                answer = yield from self.predict_modes(asked.frequencies, asked.batch, asked.options, "complex128")
+            else:
+                answer = yield from self.predict_amplitude_phase(asked.frequencies, asked.batch, asked.options)
 
     def _question(
         self, frequencies: GridLike, batch: BatchLike, result: OutputName, options: EvaluationOptions, dtype: DTypeLike

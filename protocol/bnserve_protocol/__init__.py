@@ -115,7 +115,16 @@ from bnserve_protocol._parameters import (
 )
 from bnserve_protocol._printable import printable
 from bnserve_protocol._prior_checks import PRIOR_NAMES, check_prior
-from bnserve_protocol._results import AmplitudePhase, ComplexArray, Factored, Modes, Polarizations, RowStatus
+from bnserve_protocol._results import (
+    AmplitudePhase,
+    ComplexArray,
+    Factored,
+    Modes,
+    Polarizations,
+    RowStatus,
+    TimeSeries,
+)
+from bnserve_protocol._time_domain import predict_time_domain, time_domain_steps
 from bnserve_protocol._version import __version__
 
 __all__ = [
@@ -132,13 +141,13 @@ __all__ = [
     "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded", "PackageMissing",
     "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown", "Polarizations",
     "ProcessorDescription", "QuotaExceeded", "RowStatus", "RunManifest", "SchemaUnknown", "StoreUnknown", "TimeGrid",
-    "TimeMarginalisation", "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid",
+    "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid",
     "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies",
     "as_numbers", "as_real_number", "as_real_numbers", "check_dtype", "check_invalid_rows", "check_location",
     "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert",
     "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid",
-    "plain_options", "printable", "refuse_rows", "require", "the_mode", "time_steps", "time_until_merger",
-    "turn_to_reference",
+    "plain_options", "predict_time_domain", "printable", "refuse_rows", "require", "the_mode", "time_domain_steps",
+    "time_steps", "time_until_merger", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

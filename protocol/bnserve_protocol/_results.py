@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Generic, Self, TypeAlias, TypeVar, overload
 
 import numpy as np
@@ -159,3 +159,26 @@ class AmplitudePhase(LikeTuple[NDArray[np.float64]]):
     estimated_mismatch: NDArray[np.float64] | None = None
 
     parts: ClassVar[tuple[str, ...]] = ("amplitude", "phase")
+
+
+@dataclass(frozen=True, slots=True)
+class TimeSeries(LikeTuple[NDArray[np.float64]]):
+    """Signals in time: plus and cross polarisation, dimensionless; unpacks as ``hp, hc = ...``.
+
+    float64, ``(T,)`` for one waveform, ``(N, T)`` for a batch, at the ``times`` ``(T,)`` in seconds, one of which is 0.
+    ``f_min``, Hz, ``(N,)``, is where the (2, 2) mode of each is complete: before, the signal fades in. ``status`` and
+    ``estimated_mismatch`` as in :class:`Polarizations`.
+    """
+
+    plus: NDArray[np.float64]
+    cross: NDArray[np.float64]
+    times: NDArray[np.float64]
+    f_min: NDArray[np.float64]
+    status: NDArray[np.uint8]
+    estimated_mismatch: NDArray[np.float64] | None = None
+
+    parts: ClassVar[tuple[str, ...]] = ("plus", "cross")
+
+    def first(self) -> TimeSeries:
+        """The first of a batch as that of one waveform."""
+        return replace(self, plus=self.plus[0], cross=self.cross[0])

@@ -24,8 +24,10 @@ from bnserve_protocol import (
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
+    TimeSeries,
     check_dtype,
     check_options,
+    predict_time_domain,
     the_mode,
     time_until_merger,
 )
@@ -292,6 +294,22 @@ class Model:
             A frequency is above the band at the mass of a binary.
         """
         return time_until_merger(self, frequency, parameters)
+
+    def predict_time_domain(
+        self,
+        parameters: BatchLike,
+        *,
+        sampling_rate: float = 8192.0,
+        f_min: float | None = None,
+        duration: float | None = None,
+        options: EvaluationOptions = DEFAULT_OPTIONS,
+    ) -> TimeSeries:
+        """h_plus(t) and h_cross(t), real ``(T,)`` or ``(N, T)``, on a time axis; see
+        :func:`bnserve_protocol.predict_time_domain`.
+        """
+        return predict_time_domain(
+            self, parameters, sampling_rate=sampling_rate, f_min=f_min, duration=duration, options=options
+        )
 
     def warm_up(self) -> None:
         """Compile everything, so that the first request is as fast as the next."""
