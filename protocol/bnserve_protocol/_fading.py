@@ -1,7 +1,8 @@
 """Where a signal in time begins: how low its spectrum goes, and over which time it fades in.
 
 As LALSimulation does, with half a cosine in time over a tenth of the time from ``f_min`` to the merger and three more
-cycles. So that nothing rings there, the spectrum is continued below by as much again, and fades in over that.
+cycles. So that nothing rings there, the spectrum is whole from earlier on, and fades in before: a frequency belongs to
+a moment only to (df/dt)^(-1/2), which is (8 t / 3 f)^(1/2) for a signal that merges in t.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 
 _MORE_TIME, _MORE_CYCLES = 0.1, 3.0
 """What is added to the time from ``f_min`` to the merger to fade the signal in: LALSimulation's."""
+_BLUR = 3.0
+"""How many times as long as that are the time over which the spectrum fades in, and that between it and the signal."""
 _OCTAVES, _TABLE = 3.0, 64
 """Below ``f_min``, and frequencies there between which the time until the merger is interpolated as a power law."""
 
@@ -38,12 +41,11 @@ class Asked(NamedTuple):
 
 
 class Beginning(NamedTuple):
-    """Of each row, (N,): its spectrum fades in between two frequencies of (2, 2), ``low`` and ``start`` (Hz), and the
-    signal between two times before the merger, ``fades`` and ``complete`` (s), when (2, 2) passes ``start`` and
-    ``f_min``."""
+    """Of each row, (N,): its spectrum fades in between two frequencies of (2, 2), ``low`` and ``whole`` (Hz), and later
+    the signal between two times before the merger, ``fades`` and ``complete`` (s), when (2, 2) passes ``f_min``."""
 
     low: NDArray[np.float64]
-    start: NDArray[np.float64]
+    whole: NDArray[np.float64]
     f_min: NDArray[np.float64]
     lowest: NDArray[np.float64]
     """Seconds before the merger at which (2, 2) passes ``low``."""
@@ -54,11 +56,12 @@ class Beginning(NamedTuple):
     def of(cls, f: NDArray[np.float64], seconds: NDArray[np.float64], fades: NDArray[np.float64]) -> Beginning:
         """From times until the merger, (N, M), at M frequencies, for signals that begin to fade in ``fades`` seconds
         before it, (N,)."""
-        earlier = (1.0 + _MORE_TIME) * seconds + _MORE_CYCLES / f
-        start, f_min = _where(fades, seconds, f), _where(fades, earlier, f)
-        lowest = (1.0 + _MORE_TIME) * fades + _MORE_CYCLES / start
+        f_min = _where(fades, (1.0 + _MORE_TIME) * seconds + _MORE_CYCLES / f, f)
         complete = (fades - _MORE_CYCLES / f_min) / (1.0 + _MORE_TIME)
-        return cls(_where(lowest, seconds, f), start, f_min, lowest, fades, complete)
+        whole = _where(fades, seconds, f)
+        moment = _BLUR * np.sqrt(8.0 / 3.0 * fades / whole)
+        whole, low = (_where(fades + times * moment, seconds, f) for times in (1.0, 2.0))
+        return cls(low, whole, f_min, fades + 2.0 * moment, fades, complete)
 
     def rows(self, which: slice) -> Beginning:
         """Of some rows."""
@@ -88,7 +91,8 @@ def from_frequency(
     """For signals that are complete from a frequency of (2, 2) on."""
     f = np.append(f_min * np.exp2(np.linspace(-_OCTAVES, 0.0, _TABLE)[:-1]), f_min)
     seconds = yield from _seconds(description, batch, f, options)
-    return Beginning.of(f, seconds, (1.0 + _MORE_TIME) * seconds[:, -1] + _MORE_CYCLES / f_min)
+    found = Beginning.of(f, seconds, (1.0 + _MORE_TIME) * seconds[:, -1] + _MORE_CYCLES / f_min)
+    return found._replace(f_min=np.full(len(batch), f_min), complete=seconds[:, -1])
 
 
 def from_duration(

@@ -35,7 +35,7 @@ _MOST_LENGTH = 2.0**32
 """Samples to transform: 96 GiB with their spectra."""
 _TOP = 0.15
 """Below the top of the band the spectrum, which is nearly nothing there, fades out over this part of it."""
-_LEAKAGE = 4.0
+_LEAKAGE = 8.0
 """How many times the inverse of its width in frequency a fading is away from what the transform wraps around to it."""
 _MOST_SAMPLES = 2**22
 """Numbers of one question to the model: 64 MiB."""
@@ -121,7 +121,7 @@ def _axis(rate: float, batch: ParameterBatch, begin: Beginning) -> _Axis:
     sound = np.isfinite(begin.lowest + earlier)
     before, low = (np.max(seconds + earlier, initial=0.0, where=sound) for seconds in (begin.fades, begin.lowest))
     after = np.max(_AFTER * batch["total_mass"] - earlier, initial=0.0, where=sound)
-    room = (low - before) + _LEAKAGE / np.min(begin.start - begin.low, initial=rate, where=sound)
+    room = (low - before) + _LEAKAGE / np.min(begin.whole - begin.low, initial=rate, where=sound)
     if not (before + after + room) * rate < _MOST_LENGTH:
         raise TooLarge(
             f"A signal of {before + after:.4g} s at {rate:g} Hz has more samples than there is memory for; ask for one "
@@ -160,6 +160,8 @@ def _series(
     step = axis.rate / axis.length
     top = description.training_band[1] * description.reference_mass / batch["total_mass"]
     sound = np.isfinite(begin.low)
+    if not sound.any():  # the model says of each why it is NaN
+        top, begin, sound = np.full(len(batch), axis.rate), Beginning(*np.ones((6, len(batch)))), ~sound
     lowest = 0.5 * min(order for _, order in modes) * np.min(begin.low, initial=axis.rate, where=sound)
     first = max(1, int(lowest / step))
     last = min((axis.length - 1) // 2, int(np.max(top, initial=0.0, where=sound) / step))
@@ -201,13 +203,13 @@ def _add(
 ) -> None:
     """Add the modes of n rows at M frequencies to the polarisations, (2, n, M), faded in and out."""
     fading = slice(int(np.searchsorted(f, (1.0 - _TOP) * np.fmin.reduce(top, initial=np.inf))), None)
-    out = _half_cosine((top[:, None] - f[fading]) / (_TOP * top[:, None]))
+    out = _smoothly((top[:, None] - f[fading]) / (_TOP * top[:, None]))
     for place, (_, order) in enumerate(answer.modes):
         own = answer.h[:, place]
         own[:, fading] *= out
-        below = int(np.searchsorted(f, 0.5 * order * np.max(begin.start, initial=0.0)))
-        begins, start = begin.low[:, None], begin.start[:, None]
-        own[:, :below] *= _half_cosine((2.0 / order * f[:below] - begins) / (start - begins))
+        below = int(np.searchsorted(f, 0.5 * order * np.max(begin.whole, initial=0.0)))
+        begins, whole = begin.low[:, None], begin.whole[:, None]
+        own[:, :below] *= _smoothly((2.0 / order * f[:below] - begins) / (whole - begins))
         spectra[0] += answer.plus[:, place, None] * own
         spectra[1] += answer.cross[:, place, None] * own
 
@@ -219,6 +221,13 @@ def _fade_in(
     begins, complete = -begin.fades - shift, -begin.complete - shift
     last = int(np.searchsorted(times, np.max(complete, initial=-np.inf)))
     signals[:, :, :last] *= _half_cosine((times[:last] - begins[:, None]) / (complete - begins)[:, None])
+
+
+def _smoothly(position: NDArray[np.float64]) -> NDArray[np.float64]:
+    """From 0 at 0 to 1 at 1 with three continuous derivatives, so that a signal soon ends where its spectrum does."""
+    x = np.clip(position, 0.0, 1.0)
+    rising: NDArray[np.float64] = x**4 * (35.0 + x * (-84.0 + x * (70.0 - 20.0 * x)))
+    return rising
 
 
 def _half_cosine(position: NDArray[np.float64]) -> NDArray[np.float64]:

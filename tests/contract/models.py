@@ -12,6 +12,7 @@ METHODS = (
     "predict_factored",
     "predict_amplitude_phase",
     "time_until_merger",
+    "predict_time_domain",
 )
 
 

@@ -42,6 +42,24 @@ def strain_of_teobresums(frequencies, one):
     return parts[0] - 1j * parts[1], parts[2] - 1j * parts[3]
 
 
+def signal_of_teobresums(one, f_start, rate, modes=((2, 2),)):
+    """Times in s, of which 0 is the end of its dynamics, and h_plus and h_cross of TEOBResumS in the time domain, which
+    are minus LALSimulation's at azimuth zero but for the orbital phase at its start."""
+    teobresums = pytest.importorskip("EOBRun_module")
+    from bnserve_surrogate.training.data.generators._teobresums import MODE_NUMBERS
+
+    request = {
+        "M": one.total_mass, "q": one.mass_ratio, "distance": one.distance_mpc, "inclination": one.inclination,
+        "chi1": one.chi_1, "chi2": one.chi_2, "chi1z": one.chi_1, "chi2z": one.chi_2,
+        "LambdaAl2": one.lambda_1, "LambdaBl2": one.lambda_2, "coalescence_angle": np.pi / 2.0,
+        "use_geometric_units": "no", "domain": 0, "srate_interp": rate, "output_hpc": "no", "ode_tmax": 1e12,
+        "initial_frequency": f_start, "use_mode_lm": sorted(MODE_NUMBERS[mode] for mode in modes), "arg_out": "no",
+    }  # fmt: skip
+    end = teobresums.EOBRunPy(request | {"interp_uniform_grid": "no"})[0][-1]
+    times, plus, cross = teobresums.EOBRunPy(request | {"interp_uniform_grid": "yes"})
+    return times - end, plus, cross
+
+
 MODES = ((2, 2), (2, 1), (3, 3), (4, 4), (3, 2), (3, 1), (4, 3))
 """Those of TEOBResumS that count."""
 
