@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 import pytest
 
-from bnserve_protocol import PARAMETER_NAMES, ParametersWithExtrinsic, UniformGrid
+from bnserve_protocol import PARAMETER_NAMES, EvaluationOptions, ParametersWithExtrinsic, UniformGrid
 from bnserve_protocol._conversion import _CONVERTED
 from bnserve_protocol._foreign import FORMULAS, SAME
 from bnserve_service import BackgroundServer, Settings
@@ -53,8 +53,25 @@ def test_its_names_are_those_of_the_protocol():
 def test_without_options_it_is_like_gw170817(waveform):
     said = waveform()
     assert ParametersWithExtrinsic(**said["parameters"]) == USUAL
-    assert (said["model"], said["version"], said["server"], said["output"]) == ("default", "1.0.0", None, None)
+    assert (said["model"], said["version"], said["server"], said["output"]) == (
+        "default",
+        Model.default().description.version,
+        None,
+        None,
+    )
     assert said["seconds_until_merger"] == Model.default().time_until_merger(20.0, USUAL)
+
+
+def test_modes_may_be_chosen(waveform, refused, tmp_path):
+    """As (l, m) of two digits each; without, all count."""
+    known = [list(mode) for mode in Model.default().description.modes]
+    assert waveform()["modes"] == known
+    assert waveform("--modes", "33, 22", *SHORT, "--output", tmp_path / "h.npz")["modes"] == [[3, 3], [2, 2]]
+    expected = Model.default().predict(GRID, USUAL, options=EvaluationOptions(modes=[(3, 3), (2, 2)]))
+    assert read(tmp_path / "h.npz")[1].tobytes() == expected.plus.tobytes()
+    for modes in ("2,2", "222", "", "22,", "2x"):
+        assert "such as 22,33" in refused("--modes", modes)
+    assert "no mode (5, 5); it has (2, 2)" in refused("--modes", "22,55")
 
 
 def read(path):

@@ -21,17 +21,20 @@ def add_parser(subparsers: Any) -> None:
         "--output", type=Path, default=Path("bnserve-demo.png"), metavar="FILE", help="the picture (bnserve-demo.png)"
     )
     parser.add_argument("--binaries", type=int, default=256, metavar="N", help="size of the batch (256)")
+    parser.add_argument("--modes", metavar="LM,LM", help="modes that the picture shows, such as 22,33 (all)")
     parser.set_defaults(run=run)
 
 
 def run(options: argparse.Namespace) -> int:
     """Run the demonstration; whatever ends it, the server is stopped."""
     from bnserve_protocol import require
+    from bnserve_service.cli.places import modes_of
 
+    modes = modes_of(options.modes)
     demonstration = require("bnserve_service.demo.demonstration", "The demonstration")
     for number in (signal.SIGTERM, signal.SIGHUP):  # so that the server does not stay behind
         signal.signal(number, _leave)
-    return 0 if demonstration.demonstrate(options.output, options.binaries, _say) else 1
+    return 0 if demonstration.demonstrate(options.output, options.binaries, _say, modes) else 1
 
 
 def _leave(number: int, _: object) -> NoReturn:

@@ -43,6 +43,24 @@ def name_and_version(model: str) -> tuple[str, str]:
     return name, version or "stable"
 
 
+def modes_of(text: str | None) -> tuple[tuple[int, int], ...] | None:
+    """From ``22,33``, degree and order of each mode; None, for all, where nothing is given.
+
+    Raises
+    ------
+    InvalidRequest
+        It is no such list.
+    """
+    from bnserve_protocol import EvaluationOptions, InvalidRequest
+
+    if text is None:
+        return None
+    parts = text.replace(" ", "").split(",")
+    if not all(len(part) == 2 and part.isascii() and part.isdigit() for part in parts):
+        raise InvalidRequest(f"--modes is a list of l and m of each mode, such as 22,33; got {text[:40]!r}.")
+    return EvaluationOptions(modes=tuple((int(part[0]), int(part[1])) for part in parts)).modes
+
+
 def print_json(document: object) -> None:
     """For machines, on standard output."""
     print(json.dumps(document, indent=2, ensure_ascii=False))

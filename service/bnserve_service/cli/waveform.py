@@ -7,7 +7,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from bnserve_protocol import Polarizations, UniformGrid, WaveformModel
+    from collections.abc import Sequence
+
+    from bnserve_protocol import EvaluationOptions, Polarizations, UniformGrid, WaveformModel
 
 OURS = {
     "mass_ratio": "heavier over lighter star (1.2)",
@@ -72,6 +74,7 @@ def add_parser(subparsers: Any) -> None:
     add("--f-min", type=float, default=20.0, metavar="HZ", help="lowest frequency of the numbers (20)")
     add("--f-max", type=float, metavar="HZ", help="highest (2048, or where the model ends)")
     add("--delta-f", type=float, default=0.25, metavar="HZ", help="between two (0.25)")
+    add("--modes", metavar="LM,LM", help="modes that count, such as 22,33 (all that the model has)")
     add("--json", action="store_true", help="print what it is as one JSON object")
     binary = parser.add_argument_group("the binary")
     for name, text in OURS.items():
@@ -92,40 +95,43 @@ def _add_parameter(group: Any, name: str, text: str) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Evaluate, write, say."""
-    from bnserve_protocol import InvalidRequest, UniformGrid
+    from bnserve_protocol import EvaluationOptions, InvalidRequest, UniformGrid, chosen_modes
+    from bnserve_service.cli.places import modes_of
 
     ending = options.output.suffix.lower() if options.output else None
     if ending is not None:
         _check(options.output, ending)
     if options.url and options.store:
         raise InvalidRequest("--store is for models here; a server has its own stores. Leave out one of the two.")
+    chosen = EvaluationOptions(modes=modes_of(options.modes))
     parameters = _parameters(options)
     model = _model(options)
+    modes = chosen_modes(chosen, model.description.modes)
     f_max = _end(model, parameters) if options.f_max is None else options.f_max
     grid = UniformGrid(f_min=options.f_min, f_max=f_max, delta_f=options.delta_f)
-    answer = _predict(model, grid, parameters)
+    answer = _predict(model, grid, parameters, chosen)
     if ending in PICTURES:
         from bnserve_service.demo.chirp import evaluate_chirp
         from bnserve_service.demo.picture import save_picture
 
         where = f"at {options.url}" if options.url else "evaluated here"
         save_picture(
-            options.output, evaluate_chirp(model, parameters), model.description, "A binary neutron star", where
+            options.output, evaluate_chirp(model, parameters, modes), model.description, "A binary neutron star", where
         )
     elif ending is not None:
         from bnserve_service.cli.places import save_numbers
 
         arrays = {"frequencies": grid.frequencies(), "h_plus": answer.plus, "h_cross": answer.cross}
-        save_numbers(options.output, arrays, _summary(options, model, parameters, grid))
-    _say(options, model, parameters, grid)
+        save_numbers(options.output, arrays, _summary(options, model, parameters, grid, modes))
+    _say(options, _summary(options, model, parameters, grid, modes))
     return 0
 
 
-def _predict(model: WaveformModel, grid: UniformGrid, parameters: Any) -> Polarizations:
+def _predict(model: WaveformModel, grid: UniformGrid, parameters: Any, options: EvaluationOptions) -> Polarizations:
     from bnserve_protocol import OutOfDomain
 
     try:
-        return model.predict(grid, parameters)
+        return model.predict(grid, parameters, options=options)
     except OutOfDomain as error:  # it speaks of rows and of Python's options
         reasons = "; ".join(f"{each.parameter} = {each.value}: {each.reason}" for each in error.errors)
         raise OutOfDomain(f"The model was not trained on this binary. {reasons}.", errors=error.errors) from error
@@ -185,7 +191,9 @@ def _end(model: WaveformModel, parameters: Any) -> float:
     return float(min(2048.0, end))
 
 
-def _summary(options: argparse.Namespace, model: WaveformModel, parameters: Any, grid: UniformGrid) -> dict[str, Any]:
+def _summary(
+    options: argparse.Namespace, model: WaveformModel, parameters: Any, grid: UniformGrid, modes: Sequence[Any]
+) -> dict[str, Any]:
     import dataclasses
 
     known = model.description
@@ -193,6 +201,7 @@ def _summary(options: argparse.Namespace, model: WaveformModel, parameters: Any,
         "model": known.name,
         "version": known.version,
         "digest": known.digest,
+        "modes": [list(mode) for mode in modes],
         "server": options.url,
         "parameters": {name: float(value) for name, value in dataclasses.asdict(parameters).items()},
         "grid": {"f_min": grid.f_min, "f_max": grid.f_max, "delta_f": grid.delta_f, "frequencies": len(grid)},
@@ -201,15 +210,16 @@ def _summary(options: argparse.Namespace, model: WaveformModel, parameters: Any,
     }
 
 
-def _say(options: argparse.Namespace, model: WaveformModel, parameters: Any, grid: UniformGrid) -> None:
+def _say(options: argparse.Namespace, summary: dict[str, Any]) -> None:
     from bnserve_service.cli.places import print_json
 
-    summary = _summary(options, model, parameters, grid)
     if options.json:
         print_json(summary)
         return
     print(f"model    {summary['model']} {summary['version']} ({summary['digest']}), {options.url or 'evaluated here'}")
     print("binary   " + ", ".join(f"{name} {value:g}" for name, value in summary["parameters"].items()))
-    print(f"grid     {grid.f_min:g} to {grid.f_max:g} Hz in steps of {grid.delta_f:g} Hz: {len(grid)} frequencies")
-    print(f"merger   {summary['seconds_until_merger']:.6g} s after it passes {grid.f_min:g} Hz")
+    print("modes    " + " ".join(f"({degree}, {order})" for degree, order in summary["modes"]))
+    f_min, f_max, delta_f, count = summary["grid"].values()
+    print(f"grid     {f_min:g} to {f_max:g} Hz in steps of {delta_f:g} Hz: {count} frequencies")
+    print(f"merger   {summary['seconds_until_merger']:.6g} s after it passes {f_min:g} Hz")
     print(f"output   {options.output or 'none: --output FILE.npz, .csv, .h5 or .png takes it'}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -30,7 +30,9 @@ UNIFORM = UniformGrid(f_min=20.0, f_max=2048.0, delta_f=0.25)
 ONE = ParametersWithExtrinsic.gw170817()
 
 
-def demonstrate(output: Path, binaries: int, say: Callable[[str], None]) -> bool:
+def demonstrate(
+    output: Path, binaries: int, say: Callable[[str], None], modes: Sequence[tuple[int, int]] | None = None
+) -> bool:
     """Serve, evaluate, compare, measure, draw.
 
     Parameters
@@ -41,6 +43,8 @@ def demonstrate(output: Path, binaries: int, say: Callable[[str], None]) -> bool
         Size of the batch.
     say
         Gets every line of the report as soon as it is known.
+    modes
+        Those that the picture shows; None for all.
 
     Returns
     -------
@@ -66,7 +70,7 @@ def demonstrate(output: Path, binaries: int, say: Callable[[str], None]) -> bool
         report.model(remote.description)
         same = _compare(report, remote, local, batch)
         _measure(report, remote, local, batch)
-        chirp = evaluate_chirp(remote, ONE)
+        chirp = evaluate_chirp(remote, ONE, modes)
         report.chirp(chirp)
         save_picture(output, chirp, remote.description)
         report.line("picture", str(output))

@@ -13,6 +13,8 @@ from bnserve_surrogate.training.data.noise import advanced_ligo_design, einstein
 
 INK, PALE, FAINT = "#1f2933", "#5f6c7b", "#e4e8ee"
 SIGNAL, MERGER, NOISE = "#17508f", "#c8452d", "#7a8b99"
+MODES = {1: "#2a8c6f", 2: "#5b8cc4", 3: "#b5652a", 4: "#8a4fa3"}
+"""Of the further modes, by their order m."""
 
 STYLE: dict[str, Any] = {
     "font.size": 10.5,
@@ -67,27 +69,46 @@ def strain_panel(axes: Axes, chirp: Chirp) -> None:
 
 
 def amplitude_panel(axes: Axes, chirp: Chirp) -> None:
-    """2 sqrt(f) abs(h_plus(f)) against the amplitude spectral densities of noise.
+    """2 sqrt(f) abs(h_plus(f)), mode by mode, against the amplitude spectral densities of noise.
 
-    The squared signal-to-noise ratio is the integral of (their ratio)^2 over ln f.
+    The squared signal-to-noise ratio of a mode is the integral of (their ratio)^2 over ln f.
     """
     frequencies = chirp.frequencies
     effective = 2.0 * np.sqrt(frequencies) * chirp.amplitude
     telescope = np.sqrt(einstein_telescope_d(frequencies))
     above_20 = frequencies[frequencies >= LIGO_FROM]
-    axes.set_title("Amplitude against noise")
+    axes.set_title("Amplitude against noise" if len(chirp.amplitudes) == 1 else "Modes against noise")
     axes.fill_between(frequencies, telescope, effective, where=(effective > telescope).tolist(), color=SIGNAL,
                       alpha=0.07, linewidth=0)  # fmt: skip
     axes.loglog(frequencies, effective, color=SIGNAL, linewidth=2.0)
     axes.loglog(above_20, np.sqrt(advanced_ligo_design(above_20)), color=NOISE, linewidth=1.4)
     axes.loglog(frequencies, telescope, color=NOISE, linewidth=1.4, linestyle=(0, (5, 2)))
-    axes.set(xlim=(frequencies[0], 3000.0), ylim=(1.2e-25, max(4e-21, 2.0 * float(effective.max()))))
+    lowest = 1.2e-25 if len(chirp.amplitudes) == 1 else 3e-28
+    axes.set(xlim=(frequencies[0], 3000.0), ylim=(lowest, max(4e-21, 2.0 * float(effective.max()))))
     axes.set(xlabel="frequency (Hz)", ylabel=r"spectral amplitude  (Hz$^{-1/2}$)")
     axes.annotate(r"$2\sqrt{f}\,|h_+(f)|$", (10.0, float(np.interp(10.0, frequencies, effective))), (6, 8),
                   textcoords="offset points", color=SIGNAL)  # fmt: skip
     axes.text(58.0, 6.0e-24, "Advanced LIGO", color=PALE, fontsize=9.5)
-    axes.text(6.5, 2.1e-25, "Einstein Telescope (D)", color=PALE, fontsize=9.5)
+    axes.text(6.5 if len(chirp.amplitudes) == 1 else 40.0, 2.1e-25, "Einstein Telescope (D)", color=PALE, fontsize=9.5,
+              bbox={"facecolor": "white", "alpha": 0.75, "linewidth": 0.0, "pad": 0.5})  # fmt: skip
+    _further_modes(axes, chirp)
     _plain_frequencies(axes.xaxis)
+
+
+def _further_modes(axes: Axes, chirp: Chirp) -> None:
+    """All but the first, each with its (l, m) near the left, side by side, so that none hides another."""
+    frequencies, bottom = chirp.frequencies, axes.get_ylim()[0]
+    for place, ((degree, order), amplitude) in enumerate(list(chirp.amplitudes.items())[1:]):
+        effective = 2.0 * np.sqrt(frequencies) * amplitude
+        seen = effective > bottom
+        if not seen.any():  # in this direction
+            continue
+        axes.loglog(frequencies[seen], effective[seen], color=MODES[order], linewidth=1.3)
+        at = int(np.searchsorted(frequencies[seen], 5.2 * 1.55 ** (place % 4)))
+        axes.annotate(
+            f"({degree}, {order})", (float(frequencies[seen][at]), float(effective[seen][at])), (0, 3),
+            textcoords="offset points", color=MODES[order], fontsize=8.5,
+        )  # fmt: skip
 
 
 def track_panel(axes: Axes, chirp: Chirp) -> None:

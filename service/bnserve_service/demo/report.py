@@ -34,6 +34,7 @@ class Report:
         """Which model answers, and how good it was found to be."""
         self.line("model", f"{description.name} {description.version}")
         self.line("digest", description.digest)
+        self.line("modes", " ".join(f"({degree}, {order})" for degree, order in description.modes))
         generator = _within(description.provenance, "generator")
         waveforms = description.provenance.get("waveforms")
         if generator and waveforms:
