@@ -52,7 +52,9 @@ def waveform_requests() -> list[bytes]:
     batch = ParameterBatch.coerce(binaries(3))
     options = EvaluationOptions(out_of_domain="flag", below_band="error", above_band="error", alignment="merger")
     ours = [encode_request(WaveformRequest(batch=batch, grid=grid, options=options)) for grid in grids]
-    by_hand = question(GW170817 | {"chi_1": [0.0, 0.1]}, output="modes", dtype="complex64")
+    options = msgspec.structs.replace(options, modes=[(2, 2), (3, 3)], reference_frequency=20.0)
+    ours.append(encode_request(WaveformRequest(batch=batch, grid=FREQUENCIES, output="modes", options=options)))
+    by_hand = question(GW170817 | {"chi_1": [0.0, 0.1]}, output="modes", dtype="complex64", modes=[[2, 2]])
     rows = question([list(GW170817.values())] * 2, {"frequencies": [20.0, 30.0]}, names=list(GW170817))
     return [*ours, msgspec.msgpack.encode(by_hand), msgspec.msgpack.encode(rows)]
 

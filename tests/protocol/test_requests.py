@@ -53,13 +53,24 @@ def same_grid(one, other):
 @pytest.mark.parametrize("output", ["polarizations", "factored", "amplitude_phase", "modes"])
 def test_what_our_client_sends_comes_back(grid, output):
     options = EvaluationOptions(
-        out_of_domain="flag", below_band="error", above_band="error", alignment="merger"
-    )  # none of the defaults
+        out_of_domain="flag", below_band="error", above_band="error", alignment="merger", modes=[(3, 3), (2, 2)],
+        reference_frequency=20.0,
+    )  # fmt: skip  # none of the defaults
     sent = WaveformRequest(batch=BATCH, grid=grid, output=output, dtype="complex64", options=options)
     received = decode_request(encode_request(sent))
     np.testing.assert_array_equal(received.batch.values, BATCH.values)
     assert same_grid(received.grid, grid)
     assert (received.output, received.dtype, received.options) == (output, "complex64", options)
+
+
+def test_options_travel_only_where_they_are_others():
+    """A service of before refuses only what it cannot do."""
+    options = {"modes": [(2, 2)], "reference_frequency": 20.0, "alignment": "merger", "out_of_domain": "flag"}
+    for name in (None, *options):
+        chosen = EvaluationOptions(**({} if name is None else {name: options[name]}))
+        body = encode_request(WaveformRequest(batch=BATCH, grid=GRIDS["uniform"], options=chosen))
+        sent = msgpack.unpackb(body).keys() - {"parameters", "names", "grid", "output"}
+        assert sent == ({name} if name else set())
 
 
 @pytest.mark.parametrize("grid", GRIDS.values(), ids=GRIDS)

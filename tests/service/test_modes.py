@@ -137,7 +137,7 @@ def test_every_mode_that_comes_back_counts_towards_the_samples(server):
 
 
 def test_every_mode_counts_towards_the_queue_and_the_memory(start):
-    gate, work = threading.Event(), (21 + 1000) * 3
+    gate, work = threading.Event(), (21 + 1000) * 2
 
     class Gated(ModesModel):
         def predict_modes(self, *given, **options):

@@ -37,7 +37,7 @@ def like_gw170817(count: int, seed: int = SEED) -> ParameterBatch:
             "lambda_2": random.uniform(50.0, 1200.0, count),
             "distance_mpc": random.uniform(30.0, 50.0, count),
             "inclination": random.uniform(2.2, 3.0, count),
-            "reference_phase": random.uniform(0.0, 2.0 * np.pi, count),
+            "reference_phase": random.uniform(0.0, 4.0 * np.pi, count),  # its period, where odd m count
             "time_shift": random.uniform(-5e-3, 5e-3, count),
         }
     )

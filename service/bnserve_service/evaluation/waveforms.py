@@ -110,7 +110,7 @@ class Waveforms(Kind[WaveformQuestion]):
             the_mode(options, known)
         arrays = _ARRAYS.get(asked.output, count)
         _check_sizes(rows, points, count if asked.output == "modes" else 1, self._limits, request.answer_type)
-        work = rows * (points + ROW_COST) * (1 + (count - 1) * FURTHER_MODE)
+        work = int(rows * (points + ROW_COST) * (1.0 + (count - 1) * FURTHER_MODE))
         return WaveformQuestion(
             kind=self,
             model=model,
