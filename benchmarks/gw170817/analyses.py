@@ -27,6 +27,7 @@ def build(kind: str, event: setting.Event, model: WaveformModel) -> Analysis:
         phase_marginalisation=True,
         distance_marginalisation=None if kind == "distance" else priors.DISTANCE,
         calibration=CALIBRATION if kind == "calibration" else None,
+        modes=setting.MODES,
     )
     if kind == "full":
         return full_analysis(

@@ -23,6 +23,8 @@ from bnserve_surrogate.training.data.generators import TEOBResumSPA
 
 DATA = Path(__file__).parents[1] / "data" / "gw170817"
 DETECTORS = ("H1", "L1", "V1")
+MODES = ((2, 2),)
+"""Of signals and likelihoods: the bases hold no other."""
 DURATION, SAMPLING = 128.0, 4096.0
 POINTS = int(DURATION * SAMPLING / 2) + 1
 F_MIN, F_MAX = 23.0, 2000.0
@@ -122,7 +124,7 @@ def simulated(
     """The network's data with that signal in seeded Gaussian noise; without a seed there is no noise."""
     return simulate_data(
         DETECTORS, asds, model=generator, parameters=signal, trigger_time=TRIGGER, start_time=START,
-        duration=DURATION, seed=seed, f_min=F_MIN,
+        duration=DURATION, seed=seed, f_min=F_MIN, modes=MODES,
     )  # fmt: skip
 
 

@@ -24,7 +24,7 @@ ROWS = 4096
 
 def plain_analyses(event: setting.Event, model: WaveformModel) -> dict[str, Analysis]:
     """The three kinds for the same data, with the phase integrated over as samplers like it, and nothing else."""
-    options = LikelihoodOptions(prior=priors.RANGES, phase_marginalisation=True)
+    options = LikelihoodOptions(prior=priors.RANGES, phase_marginalisation=True, modes=setting.MODES)
     band: dict[str, Any] = {"trigger_time": setting.TRIGGER, "f_min": setting.F_MIN, "f_max": setting.F_MAX}
     basis = load_shipped_basis(analyses.BASIS)
     return {

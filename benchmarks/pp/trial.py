@@ -40,6 +40,7 @@ OPTIONS = LikelihoodOptions(
     prior=priors.RANGES | {"coalescence_time": TIMES},
     phase_marginalisation=True,
     distance_marginalisation=DistanceMarginalisation(minimum=DISTANCES[0], maximum=DISTANCES[1], power=2.0),
+    modes=setting.MODES,
 )
 
 

@@ -18,7 +18,7 @@ from tests.inference.bases import CHIRP_MASS, RANGES, WIDTH, made_basis
 from tests.inference.networks import F_MAX, F_MIN, PRIOR, TRIGGER, TRUTH, columns, full, network, without
 from tests.inference.test_kinds_agree import binned, errors
 
-PHASELESS = LikelihoodOptions(prior=priors.RANGES, phase_marginalisation=True)
+PHASELESS = LikelihoodOptions(prior=priors.RANGES, phase_marginalisation=True, modes=setting.MODES)
 BAND = {"trigger_time": setting.TRIGGER, "f_min": setting.F_MIN, "f_max": setting.F_MAX}
 
 

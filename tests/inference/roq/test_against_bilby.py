@@ -18,7 +18,7 @@ with warnings.catch_warnings():  # of the packages that bilby imports
 pytestmark = pytest.mark.filterwarnings("default")  # of bilby and what it imports
 
 START, DURATION, SAMPLING, MERGER = 1187008880.0, 4.0, 2048.0, 1187008882.4
-OPTIONS = EvaluationOptions(alignment="merger")
+OPTIONS = EvaluationOptions(alignment="merger", modes=[(2, 2)])
 SKY = {"ra": 3.44616, "dec": -0.408084, "psi": 0.7, "geocent_time": MERGER + 0.0031}
 ROQ_PARAMS = np.array((60.0, 400.0, 4.0), dtype=[("flow", float), ("fhigh", float), ("seglen", float)])
 """What bilby 2.8.2 would take from the file itself, in a form that numpy 2.4 no longer converts to a number."""
@@ -157,7 +157,9 @@ def test_bilby_gives_our_log_likelihood(bilbys, basis, model, detectors, binary)
 @pytest.mark.parametrize("binary", BINARIES, ids=["injected", "another"])
 def test_the_basis_gives_the_log_likelihood_of_the_full_grid(basis, model, detectors, binary):
     ours = direct_log_likelihood_ratio(basis, model, detectors, binary)
-    assert ours == pytest.approx(full_log_likelihood_ratio(model, detectors, binary), abs=0.05)
+    assert ours == pytest.approx(
+        full_log_likelihood_ratio(model, detectors, binary), abs=0.1
+    )  # the root of its tolerance times the signal-to-noise ratio
 
 
 def test_the_signal_is_loud_enough_to_tell(model, detectors):
@@ -192,7 +194,7 @@ def test_its_likelihood_takes_the_source_model_of_the_client(basis, model, bilby
         "frequency_domain_source_model": binary_neutron_star,
         "parameter_conversion": bilby.gw.conversion.convert_to_lal_binary_neutron_star_parameters,
     }
-    arguments = {"reference_frequency": 60.0, "minimum_frequency": 60.0}
+    arguments = {"reference_frequency": 60.0, "minimum_frequency": 60.0, "mode_array": [[2, 2]]}
     ours = ROQGravitationalWaveTransient(
         detectors, bilby.gw.WaveformGenerator(**generator, waveform_arguments=dict(arguments)), bilbys.priors,
         linear_matrix=str(path), quadratic_matrix=str(path), roq_params=ROQ_PARAMS,

@@ -194,8 +194,15 @@ def test_validation_finds_a_basis_that_is_not_good_enough(basis, model):
     assert validate_basis(dataclasses.replace(basis, linear=worse), model, 20)["linear"]["outliers"] == 20
 
 
-def test_a_description_names_what_matters(basis):
+def test_a_description_names_what_matters(basis, model):
     text = describe(basis)
-    for expected in ("default 1.0.0", "60 to 400 Hz", f"{len(basis.linear_nodes)} elements", "chirp_mass 1.18 to 1.2"):
+    version = f"default {model.description.version}"
+    for expected in (
+        version,
+        "modes       (2, 2)",
+        "60 to 400 Hz",
+        f"{len(basis.linear_nodes)} elements",
+        "chirp_mass 1.18 to 1.2",
+    ):
         assert expected in text
     assert "0 of 1000 fresh binaries above 1e-05" in text
