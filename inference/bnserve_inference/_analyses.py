@@ -189,6 +189,8 @@ def _reduced(kind: AnalysisKind, weighted: Weighted, fitting: Fitting, model_dig
     """The analysis of a basis with its sums; ``fitting.fiducial`` is a typical binary, or None."""
     basis, quadratic, band = weighted.basis, weighted.quadratic, fitting.band
     grid, table, _ = time_table(weighted.weights, _amplitudes(weighted, fitting), TIME_TOLERANCE)
+    if quadratic.ndim == 3 and quadratic.shape[1] == 1:  # modes of one order have the weights of one mode
+        quadratic = quadratic[:, 0].real
     arrays = band.arrays(list(table), list(quadratic))
     arrays |= {"linear_nodes": basis.linear_nodes, "quadratic_nodes": basis.quadratic_nodes}
     settings = band.settings(kind, fitting.alignment, fitting.options, grid, model_digest)
@@ -199,7 +201,7 @@ def _amplitudes(weighted: Weighted, fitting: Fitting) -> NDArray[np.float64]:
     """Size of a typical strain at the linear nodes, ``(D, L)``, of norm one in every detector; of every order."""
     basis, quadratic, reference, model = weighted.basis, weighted.quadratic, fitting.fiducial, fitting.model
     f, q = basis.linear_nodes, basis.quadratic_nodes
-    if isinstance(basis, FiducialBasis) and len(basis.orders) > 1:
+    if isinstance(basis, FiducialBasis) and quadratic.ndim == 3:
         return _amplitudes_of_orders(basis, quadratic, model)
     if reference is None:
         at_linear, at_quadratic = f ** (-7.0 / 6.0), q ** (-7.0 / 6.0)

@@ -85,7 +85,7 @@ class LikelihoodOptions:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "prior", real_ranges(self.prior))
-        object.__setattr__(self, "modes", EvaluationOptions(modes=self.modes).modes)  # type: ignore[arg-type]
+        object.__setattr__(self, "modes", EvaluationOptions(modes=self.modes).modes)  # type: ignore[arg-type]  # lists become tuples
 
 
 class Band:

@@ -83,7 +83,7 @@ class Fitting:
         low, high = self.options.prior["coalescence_time"]
         arrivals = TimeRange(low - ARRIVAL_MARGIN, high + ARRIVAL_MARGIN)
         quadratic: NDArray[Any]
-        if isinstance(basis, FiducialBasis) and len(basis.orders) > 1:
+        if isinstance(basis, FiducialBasis) and len(self.modes) > 1:
             quadratic, nodes = basis.pair_weights(self.model, self.band.densities), basis.all_nodes
         else:
             quadratic, nodes = self.quadratic(basis), basis.linear_nodes

@@ -30,7 +30,8 @@ _SPARE_STEPS = 32
 """Beside them, for what is hardly curved."""
 _MOST_HALVINGS = 24
 """A signal-to-noise ratio of a hundred million."""
-_ROWS_AT_ONCE = 512
+_ROWS_AT_ONCE = 64
+"""Arrays of a hundred kilobytes: larger ones are new pages every time, which cost more than what is done with them."""
 _LEAST_NORM = 1e-9
 """Of the largest <h|h>: bounds of what is positive are no smaller."""
 

@@ -21,6 +21,7 @@ from bnserve_protocol import (
     FieldError,
     LikelihoodBatch,
     LikelihoodParameters,
+    Mode,
     WaveformModel,
 )
 
@@ -62,6 +63,7 @@ def detector_strain(
     trigger_time: float,
     alignment: Alignment = "merger",
     calibration: Calibration | None = None,
+    modes: Sequence[Mode] | None = None,
 ) -> NDArray[np.complex128]:
     """The signal in one detector, complex ``(M,)`` in 1/Hz, whose time zero is the trigger.
 
@@ -70,10 +72,12 @@ def detector_strain(
     frequencies
         In Hz, ``(M,)``.
     calibration
-        The nodes of the errors in ``parameters``, if it has any. Other parameters as :func:`simulate_data`.
+        The nodes of the errors in ``parameters``, if it has any.
+    modes
+        Those of the signal; None for all that the model has. Other parameters as :func:`simulate_data`.
     """
     batch = LikelihoodBatch.coerce(parameters)
-    options = EvaluationOptions(alignment=alignment)
+    options = EvaluationOptions(alignment=alignment, modes=modes)  # type: ignore[arg-type]  # lists become tuples
     strain = model.predict_batch(frequencies, batch.waveform_batch(), options=options)
     now, rate = sidereal_time(trigger_time)
     sidereal = now + rate * parameters.coalescence_time
@@ -114,6 +118,7 @@ def simulate_data(
     seed: int | None,
     f_min: float,
     alignment: Alignment = "merger",
+    modes: Sequence[Mode] | None = None,
 ) -> list[DetectorData]:
     """Data of a network with one signal in Gaussian noise.
 
@@ -130,6 +135,8 @@ def simulate_data(
         Of the noise; None for no noise.
     f_min
         Hz from where the signal is added.
+    modes
+        ``(l, m)`` of those of the signal; None for all that the model has.
 
     Raises
     ------
@@ -147,7 +154,7 @@ def simulate_data(
         band = np.flatnonzero((frequencies >= f_min - 1e-9) & np.isfinite(asd) & (frequencies > 0.0))
         strain = np.zeros(len(asd), dtype=np.complex128)
         signal = detector_strain(
-            site, frequencies[band], model, parameters, trigger_time=trigger_time, alignment=alignment
+            site, frequencies[band], model, parameters, trigger_time=trigger_time, alignment=alignment, modes=modes
         )
         strain[band] = signal * np.exp(-2j * np.pi * frequencies[band] * (trigger_time - start_time))
         if generator is not None:

@@ -8,7 +8,8 @@ from tests.inference.networks import network
 
 @pytest.fixture(scope="session")
 def model():
-    return Model.load("fast")
+    """Of one mode; likelihoods of several are in :mod:`tests.inference.test_modes`."""
+    return Model.load("fast", "1.0.0")
 
 
 @pytest.fixture(scope="session")

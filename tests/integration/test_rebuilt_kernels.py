@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import bnserve_inference.kernel._contraction as contraction
+import bnserve_inference.modes_kernel._contraction as contraction_of_modes
 import bnserve_surrogate.kernel._evaluate as surrogate
 import bnserve_surrogate.kernel._loader as loader
 import bnserve_surrogate.precession._twist as precession
@@ -84,7 +85,7 @@ def test_the_precession_is_what_its_sources_compile_to(tmp_path, monkeypatch):
 def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):
     file = rebuilt("bnserve_inference.kernel.build", contraction.ASSEMBLY, tmp_path)
     again = loader.load_assembly(file, contraction.ENTRY_POINT)
-    model = Model.load("fast")
+    model = Model.load("fast", "1.0.0")
     data, batch = network(model), columns(20)
     calibration = Calibration(nodes=5, f_min=F_MIN, f_max=F_MAX)
     for analysis in (full(data, calibration=calibration), binned(model, data, calibration=calibration)):
@@ -92,4 +93,18 @@ def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):
         shipped = ours.log_likelihood(given)
         with monkeypatch.context() as patch:
             patch.setattr(contraction, "load_contraction", lambda: again)
+            assert_close(shipped, ours.log_likelihood(given))
+
+
+def test_the_contraction_of_several_modes_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_inference.modes_kernel.build", contraction_of_modes.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, contraction_of_modes.ENTRY_POINT)
+    model = Model.default()
+    data, batch = network(model), columns(20)
+    options = {"calibration": Calibration(nodes=5, f_min=F_MIN, f_max=F_MAX), "phase_marginalisation": True}
+    for analysis in (full(data, **options), binned(model, data, **options)):
+        ours, given = likelihood(model, analysis), batch | errors(batch)
+        shipped = ours.log_likelihood(given)
+        with monkeypatch.context() as patch:
+            patch.setattr(contraction_of_modes, "load_contraction", lambda: again)
             assert_close(shipped, ours.log_likelihood(given))
