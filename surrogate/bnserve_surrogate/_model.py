@@ -75,6 +75,9 @@ class Model:
     """Rows times (frequencies + 1000) that are evaluated in less than 100 us: a server need not hand them to a
     thread."""
 
+    precesses = True
+    """Whether spins in the orbital plane count; a server does not hand them to a model that does not say so."""
+
     def __init__(
         self,
         metadata: SurrogateMetadata,

@@ -5,8 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 
+from bnserve_client import Model as RemoteModel
 from bnserve_protocol import EvaluationOptions, InvalidRequest, OutOfBand, OutOfDomain, ParameterBatch, RowStatus
+from bnserve_service import BackgroundServer, Settings
 from tests.contract.test_waveform_model import ONE, SHORT, binaries, bits, failure
+from tests.service.chirp import MemorySource, as_it_is
+from tests.service.modes_chirp import ModesModel
 
 pytestmark = pytest.mark.filterwarnings("ignore:This process .* is multi-threaded, use of fork:DeprecationWarning")
 
@@ -47,6 +51,16 @@ def test_rows_that_are_refused_are_flagged(model, local):
 
 def test_the_time_until_merger_is_that_of_the_orbit(model, local):
     assert model.time_until_merger(30.0, PRECESSING) == local.time_until_merger(30.0, ONE)
+
+
+def test_a_model_that_does_not_say_that_it_precesses_is_not_asked_to():
+    source = MemorySource().add(ModesModel())
+    with (
+        BackgroundServer(Settings(port=0), source=source, factory=as_it_is) as server,
+        RemoteModel.connect(server.address, "modes") as model,
+        pytest.raises(InvalidRequest, match="does not say that it has precession"),
+    ):
+        model.predict(SHORT, PRECESSING, options=AT_20_HZ)
 
 
 ERRORS = {

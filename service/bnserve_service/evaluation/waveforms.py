@@ -12,6 +12,7 @@ from bnserve_protocol import (
     EvaluationOptions,
     Factored,
     GridLike,
+    InvalidRequest,
     Modes,
     ParameterBatch,
     Polarizations,
@@ -194,6 +195,11 @@ def evaluate_output(model: ServedModel, question: WaveformQuestion, batch: Param
 def _evaluate_output(
     model: ServedModel, question: WaveformQuestion, batch: ParameterBatch
 ) -> tuple[Arrays, AmplitudePhase | Polarizations | Factored | Modes]:
+    if batch.in_plane is not None and not getattr(model, "precesses", False):
+        raise InvalidRequest(
+            f"The model '{model.description.name}' does not say that it has precession: leave out chi_1x, chi_1y, "
+            "chi_2x and chi_2y."
+        )
     if question.output == "amplitude_phase":
         curves = model.predict_amplitude_phase(question.grid, batch, options=question.options)
         return {"amplitude": curves.amplitude, "phase": curves.phase}, curves

@@ -4,7 +4,7 @@
 
 where L is the direction of the orbital angular momentum, v^3 = M omega, spins are in units of M^2 and kappa is the
 quadrupole that a spin induces, 1 for black holes. Spin-orbit terms: Bohe, Marsat, Faye, Blanchet 2013
-(arXiv:1212.5520), eq. (4.5); spin-spin: Racine 2008 (arXiv:0803.1820). L follows from the conservation of J on this
+(arXiv:1212.5520); spin-spin: Racine 2008 (arXiv:0803.1820). L follows from the conservation of J on this
 time scale, with 1PN, 2PN and the spins' share of it: Akcay, Gamba, Bernuzzi 2021 (arXiv:2005.05338), eqs. (4) and (7).
 d omega / dt is TaylorT4's to 3.5PN with the leading tides: Chatziioannou, Klein, Yunes, Cornish 2013 (arXiv:1307.4418),
 appendix A, and Damour, Nagar, Villain 2012 (arXiv:1203.4352). These are TEOBResumS's equations; there, kappa is 1.

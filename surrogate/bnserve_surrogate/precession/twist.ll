@@ -1,4 +1,4 @@
-; sources: c2e1018b6381727f5627fa579733c9b4445e79da5a1cc175b02c5772906a2654
+; sources: f37ef641eb1bcb0e1a26f102aeaf601ed75d2351fd89d25251fc407992a08fb4
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

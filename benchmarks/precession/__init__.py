@@ -1,0 +1,1 @@
+"""Waveforms that precess, against TEOBResumS's and LALSimulation's."""
