@@ -55,6 +55,29 @@ def find_ends(
 
 
 @njit(**JIT_OPTIONS)
+def find_ends_apart(
+    grid: tuple[Floats, int, Integers, int, float], edges: Floats, cells: int, shift: float, stop: int, out: Integers
+) -> None:
+    """:func:`find_ends`, each on its own: quicker where lists of several masses take turns, whose steps no processor
+    guesses."""
+    log_f, _, table, bins, density = grid
+    first = at(log_f, 0)
+    for cell in range(cells - 1):
+        bound = at(edges, cell) - shift
+        end = 0
+        if bound >= first:
+            end = at(table, min(int((bound - first) * density), bins))
+            # Nearly always within three steps, which are taken without a branch that could be guessed wrongly.
+            end += at(log_f, end) <= bound
+            end += at(log_f, end) <= bound
+            end += at(log_f, end) <= bound
+            while end < stop and at(log_f, end) <= bound:
+                end += 1
+        out[cell] = min(end, stop)
+    out[cells - 1] = stop
+
+
+@njit(**JIT_OPTIONS)
 def first_not_below(values: Floats, bound: float, size: int) -> int:
     """The first of increasing values that is not below ``bound``."""
     low, high = 0, size

@@ -1,4 +1,4 @@
-; sources: 900e37ae39e4a0a1b925162fcf6ee1eb371a9c52c788e2b1fb70ecb7d08c6b87
+; sources: a52897710845a11aee23577094e5b520567f8e460ca6207002c48a582f926c56
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -1537,28 +1537,28 @@ B1258:                                            ; preds = %B1246
   %cond = icmp eq i32 %.4996, 0
   br i1 %cond, label %B1258.endif, label %B1258.if, !prof !0
 
-B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
-  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
+B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
+  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
   store double 0.000000e+00, ptr %.5198, align 8
   %.5212 = call fastcc i32 @inner_11(ptr nonnull %.5198, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
   %.5222 = load double, ptr %.5198, align 8
   %cond1 = icmp eq i32 %.5212, 0
   br i1 %cond1, label %B1390.endif, label %B1390.if, !prof !0
 
-B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
   %.5634 = load i64, ptr %.770, align 8
   %.135.i542 = load double, ptr %.402, align 8, !noalias !15
   %.143.i543 = add nsw i64 %.5634, -2
   %.181.i544 = icmp slt i64 %.5634, 3
   %..143.i545 = select i1 %.181.i544, i64 0, i64 %.143.i543
   %.225207.i546 = icmp sgt i64 %..143.i545, 0
-  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
+  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
 
-B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
   %7 = add nuw i64 %.126, 1023
   %.5849 = lshr i64 %7, 10
   %.5828.inv = icmp slt i64 %.126, 1
@@ -2178,7 +2178,7 @@ B1258.endif:                                      ; preds = %B1258
   %.181.i = icmp slt i64 %.5078, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B92.if.preheader.i:                               ; preds = %B1258.endif
   %69 = add i64 %.4017, -1
@@ -2223,7 +2223,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %73 = getelementptr i64, ptr %.1529, i64 %.231203208.i
   store i64 %.13.i.i490, ptr %73, align 8, !noalias !33
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -2235,7 +2235,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i488 = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i488, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
   %.586.inv.i = icmp sgt i64 %.5078, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.973
   %74 = getelementptr i64, ptr %.1529, i64 %.143.i
@@ -2256,7 +2256,7 @@ B1390.endif:                                      ; preds = %B1390
   %.181.i500 = icmp slt i64 %.5439, 3
   %..143.i501 = select i1 %.181.i500, i64 0, i64 %.143.i499
   %.225207.i502 = icmp sgt i64 %..143.i501, 0
-  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
 
 B92.if.preheader.i506:                            ; preds = %B1390.endif
   %75 = add i64 %.4017, -1
@@ -2301,7 +2301,7 @@ B386.i524:                                        ; preds = %B346.i535, %B324.i5
   %79 = getelementptr i64, ptr %.1466, i64 %.231203208.i509
   store i64 %.13.i.i526, ptr %79, align 8, !noalias !36
   %exitcond216.not.i527 = icmp eq i64 %.238.i510, %..143.i501
-  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
+  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
 
 B92.if.i507:                                      ; preds = %B386.i524, %B92.if.preheader.i506
   %end.3.0210.i508 = phi i64 [ %end.4.1.i525, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
@@ -2315,7 +2315,7 @@ B92.if.i507:                                      ; preds = %B386.i524, %B92.if.
   %.287.i514 = fcmp contract ult double %.281.i513, %.135.i498
   br i1 %.287.i514, label %B386.i524, label %B146.i515
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
   %.586.inv.i503 = icmp sgt i64 %.5439, 1
   %.587.i504 = select i1 %.586.inv.i503, i64 0, i64 %.888
   %80 = getelementptr i64, ptr %.1466, i64 %.143.i499
@@ -2368,7 +2368,7 @@ B386.i568:                                        ; preds = %B346.i579, %B324.i5
   %85 = getelementptr i64, ptr %.1403, i64 %.231203208.i553
   store i64 %.13.i.i570, ptr %85, align 8, !noalias !15
   %exitcond216.not.i571 = icmp eq i64 %.238.i554, %..143.i545
-  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
+  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
 
 B92.if.i551:                                      ; preds = %B386.i568, %B92.if.preheader.i550
   %end.3.0210.i552 = phi i64 [ %end.4.1.i569, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
@@ -2382,7 +2382,7 @@ B92.if.i551:                                      ; preds = %B386.i568, %B92.if.
   %.287.i558 = fcmp contract ult double %.281.i557, %.135.i542
   br i1 %.287.i558, label %B386.i568, label %B146.i559
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
   %.586.inv.i547 = icmp sgt i64 %.5634, 1
   %.587.i548 = select i1 %.586.inv.i547, i64 0, i64 %.814
   %86 = getelementptr i64, ptr %.1403, i64 %.143.i543
@@ -10956,11 +10956,11 @@ B408:                                             ; preds = %B404
   %.1737 = getelementptr i8, ptr %arg.contents.4, i64 144
   %.1738 = load i64, ptr %.1737, align 8
   %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !197
-  %.143.i = add nsw i64 %.1738, -1
-  %.181.i = icmp slt i64 %.1738, 2
-  %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
-  %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.140.i = add nsw i64 %.1738, -1
+  %.178.i = icmp slt i64 %.1738, 2
+  %..140.i = select i1 %.178.i, i64 0, i64 %.140.i
+  %.222229.i = icmp sgt i64 %..140.i, 0
+  br i1 %.222229.i, label %B88.if.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B556:                                             ; preds = %B404
   %.1831 = getelementptr i8, ptr %arg.contents.4, i64 120
@@ -10970,14 +10970,14 @@ B556:                                             ; preds = %B404
   %.1929 = getelementptr i8, ptr %arg.contents.4, i64 64
   %.1930 = load i64, ptr %.1929, align 8
   %.135.i12 = load double, ptr %arg.grid_places.0.4, align 8, !noalias !200
-  %.143.i13 = add nsw i64 %.1930, -2
-  %.181.i14 = icmp slt i64 %.1930, 3
-  %..143.i15 = select i1 %.181.i14, i64 0, i64 %.143.i13
-  %.225207.i16 = icmp sgt i64 %..143.i15, 0
-  br i1 %.225207.i16, label %B92.if.preheader.i20, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55
+  %.140.i13 = add nsw i64 %.1930, -2
+  %.178.i14 = icmp slt i64 %.1930, 3
+  %..140.i15 = select i1 %.178.i14, i64 0, i64 %.140.i13
+  %.222229.i16 = icmp sgt i64 %..140.i15, 0
+  br i1 %.222229.i16, label %B88.if.i20, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67
 
-common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
-  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55 ]
+common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
+  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67 ]
   ret i32 %common.ret.op
 
 B356.if:                                          ; preds = %B356
@@ -10990,125 +10990,145 @@ B356.endif:                                       ; preds = %B356
   store double %.1498, ptr %.1206, align 8
   br label %B404
 
-B92.if.preheader.i:                               ; preds = %B408
-  %2 = add i64 %.683, -1
-  br label %B92.if.i
+B146.i:                                           ; preds = %B88.if.i
+  %.287.i = fsub contract double %.274.i, %.135.i
+  %.289.i = fmul contract double %arg.grid_places.4, %.287.i
+  %.5.i.i = fptosi double %.289.i to i64
+  %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
+  %.350.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i3.i
+  %.351.i = load i64, ptr %.350.i, align 8, !noalias !197
+  %.359.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.351.i
+  %.360.i = load double, ptr %.359.i, align 8, !noalias !197
+  %.362.i = fcmp contract ole double %.360.i, %.274.i
+  %.364.i = zext i1 %.362.i to i64
+  %.365.i = add nsw i64 %.351.i, %.364.i
+  %.373.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.365.i
+  %.374.i = load double, ptr %.373.i, align 8, !noalias !197
+  %.376.i = fcmp contract ole double %.374.i, %.274.i
+  %.378.i = zext i1 %.376.i to i64
+  %.379.i = add nsw i64 %.365.i, %.378.i
+  %.387.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.379.i
+  %.388.i = load double, ptr %.387.i, align 8, !noalias !197
+  %.390.i = fcmp contract ole double %.388.i, %.274.i
+  %.392.i = zext i1 %.390.i to i64
+  %.393.i = add nsw i64 %.379.i, %.392.i
+  %.402.i = icmp slt i64 %.393.i, %.683
+  br i1 %.402.i, label %B394.i, label %B496.i
 
-B146.i:                                           ; preds = %B92.if.i
-  %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %arg.grid_places.4, %.291.i
-  %.5.i.i = fptosi double %.293.i to i64
-  %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
-  %.354.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i
-  %.355.i = load i64, ptr %.354.i, align 8, !noalias !197
-  %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
-  %.395.i = icmp slt i64 %.13.i6.i, %.683
-  br i1 %.395.i, label %B284.i, label %B386.i
+B394.i:                                           ; preds = %B146.i
+  %.419.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.393.i
+  %.420.i = load double, ptr %.419.i, align 8, !noalias !197
+  %.424.i = fcmp contract ugt double %.420.i, %.274.i
+  br i1 %.424.i, label %B496.i, label %B434.i
 
-B284.i:                                           ; preds = %B146.i
-  %.412.i = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !197
-  %.417.i = fcmp contract ugt double %.413.i, %.281.i
-  br i1 %.417.i, label %B386.i, label %B324.i
+B434.i:                                           ; preds = %B394.i, %B456.i
+  %lsr.iv5 = phi i64 [ %2, %B456.i ], [ %.393.i, %B394.i ]
+  %2 = add nsw i64 %lsr.iv5, 1
+  %.441.i = icmp slt i64 %2, %.683
+  br i1 %.441.i, label %B456.i, label %B496.i
 
-B324.i:                                           ; preds = %B284.i, %B346.i
-  %end.5.2.i = phi i64 [ %.423.i, %B346.i ], [ %.13.i6.i, %B284.i ]
-  %exitcond.not.i = icmp eq i64 %2, %end.5.2.i
-  br i1 %exitcond.not.i, label %B386.i, label %B346.i
+B456.i:                                           ; preds = %B434.i
+  %sunkaddr7 = shl i64 %lsr.iv5, 3
+  %sunkaddr8 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr7
+  %sunkaddr9 = getelementptr i8, ptr %sunkaddr8, i64 8
+  %.458.i = load double, ptr %sunkaddr9, align 8, !noalias !197
+  %.462.i = fcmp contract ugt double %.458.i, %.274.i
+  br i1 %.462.i, label %B496.i, label %B434.i
 
-B346.i:                                           ; preds = %B324.i
-  %.423.i = add i64 %end.5.2.i, 1
-  %sunkaddr4 = shl i64 %.423.i, 3
-  %sunkaddr5 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr4
-  %.451.i = load double, ptr %sunkaddr5, align 8, !noalias !197
-  %.455.i = fcmp contract ugt double %.451.i, %.281.i
-  br i1 %.455.i, label %B386.i, label %B324.i
-
-B386.i:                                           ; preds = %B346.i, %B324.i, %B92.if.i, %B284.i, %B146.i
-  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.683, %B324.i ], [ %.423.i, %B346.i ]
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.4.1.i)
-  %3 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i
+B496.i:                                           ; preds = %B456.i, %B434.i, %B88.if.i, %B394.i, %B146.i
+  %end.7.1.i = phi i64 [ %.393.i, %B146.i ], [ 0, %B88.if.i ], [ %.393.i, %B394.i ], [ %.683, %B434.i ], [ %2, %B456.i ]
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.7.1.i)
+  %3 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.228226230.i
   store i64 %.13.i.i, ptr %3, align 8, !noalias !197
-  %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  %exitcond.not.i = icmp eq i64 %.235.i, %..140.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B88.if.i
 
-B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
-  %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
-  %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
-  %.238.i = add nuw nsw i64 %.231203208.i, 1
-  %.278.i = getelementptr inbounds nuw double, ptr %.1658, i64 %.231203208.i
-  %.279.i = load double, ptr %.278.i, align 8, !noalias !197
-  %.281.i = fsub contract double %.279.i, %.271.le
-  %.287.i = fcmp contract ult double %.281.i, %.135.i
-  br i1 %.287.i, label %B386.i, label %B146.i
+B88.if.i:                                         ; preds = %B408, %B496.i
+  %.228226230.i = phi i64 [ %.235.i, %B496.i ], [ 0, %B408 ]
+  %.235.i = add nuw nsw i64 %.228226230.i, 1
+  %.271.i = getelementptr inbounds nuw double, ptr %.1658, i64 %.228226230.i
+  %.272.i = load double, ptr %.271.i, align 8, !noalias !197
+  %.274.i = fsub contract double %.272.i, %.271.le
+  %.283.i = fcmp contract ult double %.274.i, %.135.i
+  br i1 %.283.i, label %B496.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B408
-  %.586.inv.i = icmp sgt i64 %.1738, 0
-  %.587.i = select i1 %.586.inv.i, i64 0, i64 %arg.carrier.3.5.0
-  %4 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i
-  %.601.i = getelementptr i64, ptr %4, i64 %.587.i
-  store i64 %.683, ptr %.601.i, align 8, !noalias !197
+_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B408
+  %.588.inv.i = icmp sgt i64 %.1738, 0
+  %.589.i = select i1 %.588.inv.i, i64 0, i64 %arg.carrier.3.5.0
+  %4 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.140.i
+  %.603.i = getelementptr i64, ptr %4, i64 %.589.i
+  store i64 %.683, ptr %.603.i, align 8, !noalias !197
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B92.if.preheader.i20:                             ; preds = %B556
-  %5 = add i64 %.683, -1
-  br label %B92.if.i21
+B146.i27:                                         ; preds = %B88.if.i20
+  %.287.i28 = fsub contract double %.274.i25, %.135.i12
+  %.289.i29 = fmul contract double %arg.grid_places.4, %.287.i28
+  %.5.i.i30 = fptosi double %.289.i29 to i64
+  %.13.i3.i31 = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i30)
+  %.350.i32 = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i3.i31
+  %.351.i33 = load i64, ptr %.350.i32, align 8, !noalias !200
+  %.359.i34 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.351.i33
+  %.360.i35 = load double, ptr %.359.i34, align 8, !noalias !200
+  %.362.i36 = fcmp contract ole double %.360.i35, %.274.i25
+  %.364.i37 = zext i1 %.362.i36 to i64
+  %.365.i38 = add nsw i64 %.351.i33, %.364.i37
+  %.373.i39 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.365.i38
+  %.374.i40 = load double, ptr %.373.i39, align 8, !noalias !200
+  %.376.i41 = fcmp contract ole double %.374.i40, %.274.i25
+  %.378.i42 = zext i1 %.376.i41 to i64
+  %.379.i43 = add nsw i64 %.365.i38, %.378.i42
+  %.387.i44 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.379.i43
+  %.388.i45 = load double, ptr %.387.i44, align 8, !noalias !200
+  %.390.i46 = fcmp contract ole double %.388.i45, %.274.i25
+  %.392.i47 = zext i1 %.390.i46 to i64
+  %.393.i48 = add nsw i64 %.379.i43, %.392.i47
+  %.402.i49 = icmp slt i64 %.393.i48, %.683
+  br i1 %.402.i49, label %B394.i54, label %B496.i50
 
-B146.i29:                                         ; preds = %B92.if.i21
-  %.291.i30 = fsub contract double %.281.i27, %.135.i12
-  %.293.i31 = fmul contract double %arg.grid_places.4, %.291.i30
-  %.5.i.i32 = fptosi double %.293.i31 to i64
-  %.13.i5.i33 = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i32)
-  %.354.i34 = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i33
-  %.355.i35 = load i64, ptr %.354.i34, align 8, !noalias !200
-  %.13.i6.i36 = tail call i64 @llvm.smax.i64(i64 %.355.i35, i64 %end.3.0210.i22)
-  %.395.i37 = icmp slt i64 %.13.i6.i36, %.683
-  br i1 %.395.i37, label %B284.i42, label %B386.i38
+B394.i54:                                         ; preds = %B146.i27
+  %.419.i55 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.393.i48
+  %.420.i56 = load double, ptr %.419.i55, align 8, !noalias !200
+  %.424.i57 = fcmp contract ugt double %.420.i56, %.274.i25
+  br i1 %.424.i57, label %B496.i50, label %B434.i58
 
-B284.i42:                                         ; preds = %B146.i29
-  %.412.i43 = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i36
-  %.413.i44 = load double, ptr %.412.i43, align 8, !noalias !200
-  %.417.i45 = fcmp contract ugt double %.413.i44, %.281.i27
-  br i1 %.417.i45, label %B386.i38, label %B324.i46
+B434.i58:                                         ; preds = %B394.i54, %B456.i61
+  %lsr.iv1 = phi i64 [ %5, %B456.i61 ], [ %.393.i48, %B394.i54 ]
+  %5 = add nsw i64 %lsr.iv1, 1
+  %.441.i60 = icmp slt i64 %5, %.683
+  br i1 %.441.i60, label %B456.i61, label %B496.i50
 
-B324.i46:                                         ; preds = %B284.i42, %B346.i49
-  %end.5.2.i47 = phi i64 [ %.423.i50, %B346.i49 ], [ %.13.i6.i36, %B284.i42 ]
-  %exitcond.not.i48 = icmp eq i64 %5, %end.5.2.i47
-  br i1 %exitcond.not.i48, label %B386.i38, label %B346.i49
+B456.i61:                                         ; preds = %B434.i58
+  %sunkaddr10 = shl i64 %lsr.iv1, 3
+  %sunkaddr11 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr10
+  %sunkaddr12 = getelementptr i8, ptr %sunkaddr11, i64 8
+  %.458.i65 = load double, ptr %sunkaddr12, align 8, !noalias !200
+  %.462.i66 = fcmp contract ugt double %.458.i65, %.274.i25
+  br i1 %.462.i66, label %B496.i50, label %B434.i58
 
-B346.i49:                                         ; preds = %B324.i46
-  %.423.i50 = add i64 %end.5.2.i47, 1
-  %sunkaddr6 = shl i64 %.423.i50, 3
-  %sunkaddr7 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr6
-  %.451.i53 = load double, ptr %sunkaddr7, align 8, !noalias !200
-  %.455.i54 = fcmp contract ugt double %.451.i53, %.281.i27
-  br i1 %.455.i54, label %B386.i38, label %B324.i46
+B496.i50:                                         ; preds = %B456.i61, %B434.i58, %B88.if.i20, %B394.i54, %B146.i27
+  %end.7.1.i51 = phi i64 [ %.393.i48, %B146.i27 ], [ 0, %B88.if.i20 ], [ %.393.i48, %B394.i54 ], [ %.683, %B434.i58 ], [ %5, %B456.i61 ]
+  %.13.i.i52 = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.7.1.i51)
+  %6 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.228226230.i21
+  store i64 %.13.i.i52, ptr %6, align 8, !noalias !200
+  %exitcond.not.i53 = icmp eq i64 %.235.i22, %..140.i15
+  br i1 %exitcond.not.i53, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67, label %B88.if.i20
 
-B386.i38:                                         ; preds = %B346.i49, %B324.i46, %B92.if.i21, %B284.i42, %B146.i29
-  %end.4.1.i39 = phi i64 [ %.13.i6.i36, %B146.i29 ], [ %end.3.0210.i22, %B92.if.i21 ], [ %.13.i6.i36, %B284.i42 ], [ %.683, %B324.i46 ], [ %.423.i50, %B346.i49 ]
-  %.13.i.i40 = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.4.1.i39)
-  %6 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.231203208.i23
-  store i64 %.13.i.i40, ptr %6, align 8, !noalias !200
-  %exitcond216.not.i41 = icmp eq i64 %.238.i24, %..143.i15
-  br i1 %exitcond216.not.i41, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55, label %B92.if.i21
+B88.if.i20:                                       ; preds = %B556, %B496.i50
+  %.228226230.i21 = phi i64 [ %.235.i22, %B496.i50 ], [ 0, %B556 ]
+  %.235.i22 = add nuw nsw i64 %.228226230.i21, 1
+  %.271.i23 = getelementptr inbounds nuw double, ptr %.1849, i64 %.228226230.i21
+  %.272.i24 = load double, ptr %.271.i23, align 8, !noalias !200
+  %.274.i25 = fsub contract double %.272.i24, %.271.le
+  %.283.i26 = fcmp contract ult double %.274.i25, %.135.i12
+  br i1 %.283.i26, label %B496.i50, label %B146.i27
 
-B92.if.i21:                                       ; preds = %B386.i38, %B92.if.preheader.i20
-  %end.3.0210.i22 = phi i64 [ %end.4.1.i39, %B386.i38 ], [ 0, %B92.if.preheader.i20 ]
-  %.231203208.i23 = phi i64 [ %.238.i24, %B386.i38 ], [ 0, %B92.if.preheader.i20 ]
-  %.238.i24 = add nuw nsw i64 %.231203208.i23, 1
-  %.278.i25 = getelementptr inbounds nuw double, ptr %.1849, i64 %.231203208.i23
-  %.279.i26 = load double, ptr %.278.i25, align 8, !noalias !200
-  %.281.i27 = fsub contract double %.279.i26, %.271.le
-  %.287.i28 = fcmp contract ult double %.281.i27, %.135.i12
-  br i1 %.287.i28, label %B386.i38, label %B146.i29
-
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit55: ; preds = %B386.i38, %B556
-  %.586.inv.i17 = icmp sgt i64 %.1930, 1
-  %.587.i18 = select i1 %.586.inv.i17, i64 0, i64 %arg.carrier.3.5.0
-  %7 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.143.i13
-  %.601.i19 = getelementptr i64, ptr %7, i64 %.587.i18
-  store i64 %.683, ptr %.601.i19, align 8, !noalias !200
+_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67: ; preds = %B496.i50, %B556
+  %.588.inv.i17 = icmp sgt i64 %.1930, 1
+  %.589.i18 = select i1 %.588.inv.i17, i64 0, i64 %arg.carrier.3.5.0
+  %7 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.140.i13
+  %.603.i19 = getelementptr i64, ptr %7, i64 %.589.i18
+  store i64 %.683, ptr %.603.i19, align 8, !noalias !200
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
@@ -11153,13 +11173,13 @@ entry:
 
 B578:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
   %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !203
-  %.143.i = add nsw i64 %.287, -2
-  %.181.i = icmp slt i64 %.287, 3
-  %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
-  %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.140.i = add nsw i64 %.287, -2
+  %.178.i = icmp slt i64 %.287, 3
+  %..140.i = select i1 %.178.i, i64 0, i64 %.140.i
+  %.222229.i = icmp sgt i64 %..140.i, 0
+  br i1 %.222229.i, label %B88.if.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
-common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -11182,37 +11202,37 @@ B94.if.lr.ph.i:                                   ; preds = %entry
   %11 = shl i64 %.360, 3
   %12 = getelementptr i8, ptr %arg.ratios.4, i64 %10
   %13 = getelementptr i8, ptr %12, i64 %11
-  %scevgep247 = getelementptr i8, ptr %13, i64 8
+  %scevgep250 = getelementptr i8, ptr %13, i64 8
   %14 = mul i64 %arg.lane, -256
   %.neg = mul i64 %14, %7
   %15 = getelementptr i8, ptr %arg.ratios.4, i64 %11
   %16 = getelementptr i8, ptr %15, i64 8
-  %scevgep251 = getelementptr i8, ptr %16, i64 %.neg
-  %smin17 = tail call i64 @llvm.smin.i64(i64 %2, i64 1073741824)
-  %17 = add i64 %smin17, %.728
+  %scevgep254 = getelementptr i8, ptr %16, i64 %.neg
+  %smin19 = tail call i64 @llvm.smin.i64(i64 %2, i64 1073741824)
+  %17 = add i64 %smin19, %.728
   %18 = shl i64 %17, 3
-  %scevgep18 = getelementptr i8, ptr %.204, i64 %18
+  %scevgep20 = getelementptr i8, ptr %.204, i64 %18
   %19 = add i64 %.88.sroa.0.3.i, %.728
   %20 = shl i64 %19, 3
-  %scevgep20 = getelementptr i8, ptr %.204, i64 %20
+  %scevgep22 = getelementptr i8, ptr %.204, i64 %20
   %21 = add nuw nsw i64 %.486.i, 7
   br label %B94.if.i
 
 B94.if.i:                                         ; preds = %B94.if.i, %B94.if.lr.ph.i
-  %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B94.if.i ], [ %21, %B94.if.lr.ph.i ]
+  %lsr.iv6 = phi i64 [ %lsr.iv.next7, %B94.if.i ], [ %21, %B94.if.lr.ph.i ]
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
-  %scevgep253 = getelementptr i8, ptr %scevgep251, i64 %lsr.iv53.i
-  %scevgep254 = getelementptr i8, ptr %scevgep253, i64 -8
-  %.554.i = load <8 x double>, ptr %scevgep254, align 8, !noalias !206
-  %.565.i = load <8 x double>, ptr %scevgep253, align 8, !noalias !206
-  %scevgep249 = getelementptr i8, ptr %scevgep247, i64 %lsr.iv53.i
-  %scevgep250 = getelementptr i8, ptr %scevgep249, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep250, align 8, !noalias !206
-  %.586.i = load <8 x double>, ptr %scevgep249, align 8, !noalias !206
+  %scevgep256 = getelementptr i8, ptr %scevgep254, i64 %lsr.iv53.i
+  %scevgep257 = getelementptr i8, ptr %scevgep256, i64 -8
+  %.554.i = load <8 x double>, ptr %scevgep257, align 8, !noalias !206
+  %.565.i = load <8 x double>, ptr %scevgep256, align 8, !noalias !206
+  %scevgep252 = getelementptr i8, ptr %scevgep250, i64 %lsr.iv53.i
+  %scevgep253 = getelementptr i8, ptr %scevgep252, i64 -8
+  %.575.i = load <8 x double>, ptr %scevgep253, align 8, !noalias !206
+  %.586.i = load <8 x double>, ptr %scevgep252, align 8, !noalias !206
+  %scevgep23 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i
+  %.596.i = load <8 x double>, ptr %scevgep23, align 8, !noalias !206
   %scevgep21 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep21, align 8, !noalias !206
-  %scevgep19 = getelementptr i8, ptr %scevgep18, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep19, align 8, !noalias !206
+  %.606.i = load <8 x double>, ptr %scevgep21, align 8, !noalias !206
   %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
   %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
   %scevgep65.i = getelementptr i8, ptr %.377, i64 %lsr.iv53.i
@@ -11232,8 +11252,8 @@ B94.if.i:                                         ; preds = %B94.if.i, %B94.if.l
   %scevgep62.i = getelementptr i8, ptr %6, i64 %lsr.iv53.i
   store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !206
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
-  %lsr.iv.next5 = add nsw i64 %lsr.iv4, -1
-  %.507.i = icmp sgt i64 %lsr.iv4, 8
+  %lsr.iv.next7 = add nsw i64 %lsr.iv6, -1
+  %.507.i = icmp sgt i64 %lsr.iv6, 8
   br i1 %.507.i, label %B94.if.i, label %B94.if.lr.ph.i86
 
 B94.if.lr.ph.i86:                                 ; preds = %B94.if.i
@@ -11244,28 +11264,28 @@ B94.if.lr.ph.i86:                                 ; preds = %B94.if.i
   %26 = mul i64 %7, %25
   %27 = getelementptr i8, ptr %arg.ratios.4, i64 %26
   %28 = getelementptr i8, ptr %27, i64 %11
-  %scevgep239 = getelementptr i8, ptr %28, i64 8
+  %scevgep240 = getelementptr i8, ptr %28, i64 8
   %29 = sub nuw nsw i64 -128, %8
   %30 = mul i64 %7, %29
   %31 = getelementptr i8, ptr %arg.ratios.4, i64 %30
   %32 = getelementptr i8, ptr %31, i64 %11
-  %scevgep243 = getelementptr i8, ptr %32, i64 8
+  %scevgep244 = getelementptr i8, ptr %32, i64 8
   br label %B94.if.i88
 
 B94.if.i88:                                       ; preds = %B94.if.i88, %B94.if.lr.ph.i86
-  %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B94.if.i88 ], [ %21, %B94.if.lr.ph.i86 ]
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B94.if.i88 ], [ %21, %B94.if.lr.ph.i86 ]
   %lsr.iv53.i89 = phi i64 [ %lsr.iv.next54.i118, %B94.if.i88 ], [ 0, %B94.if.lr.ph.i86 ]
-  %scevgep245 = getelementptr i8, ptr %scevgep243, i64 %lsr.iv53.i89
-  %scevgep246 = getelementptr i8, ptr %scevgep245, i64 -8
-  %.554.i92 = load <8 x double>, ptr %scevgep246, align 8, !noalias !209
-  %.565.i94 = load <8 x double>, ptr %scevgep245, align 8, !noalias !209
-  %scevgep241 = getelementptr i8, ptr %scevgep239, i64 %lsr.iv53.i89
-  %scevgep242 = getelementptr i8, ptr %scevgep241, i64 -8
-  %.575.i96 = load <8 x double>, ptr %scevgep242, align 8, !noalias !209
-  %.586.i98 = load <8 x double>, ptr %scevgep241, align 8, !noalias !209
-  %scevgep16 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i89
+  %scevgep246 = getelementptr i8, ptr %scevgep244, i64 %lsr.iv53.i89
+  %scevgep247 = getelementptr i8, ptr %scevgep246, i64 -8
+  %.554.i92 = load <8 x double>, ptr %scevgep247, align 8, !noalias !209
+  %.565.i94 = load <8 x double>, ptr %scevgep246, align 8, !noalias !209
+  %scevgep242 = getelementptr i8, ptr %scevgep240, i64 %lsr.iv53.i89
+  %scevgep243 = getelementptr i8, ptr %scevgep242, i64 -8
+  %.575.i96 = load <8 x double>, ptr %scevgep243, align 8, !noalias !209
+  %.586.i98 = load <8 x double>, ptr %scevgep242, align 8, !noalias !209
+  %scevgep16 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i89
   %.596.i100 = load <8 x double>, ptr %scevgep16, align 8, !noalias !209
-  %scevgep14 = getelementptr i8, ptr %scevgep18, i64 %lsr.iv53.i89
+  %scevgep14 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i89
   %.606.i102 = load <8 x double>, ptr %scevgep14, align 8, !noalias !209
   %.6.i.i103 = fsub contract <8 x double> %.565.i94, %.554.i92
   %.6.i46.i104 = fmul contract <8 x double> %.6.i.i103, %.606.i102
@@ -11286,8 +11306,8 @@ B94.if.i88:                                       ; preds = %B94.if.i88, %B94.if
   %scevgep62.i116 = getelementptr i8, ptr %24, i64 %lsr.iv53.i89
   store <8 x double> %.8.i52.i115, ptr %scevgep62.i116, align 8, !noalias !209
   %lsr.iv.next54.i118 = add i64 %lsr.iv53.i89, 64
-  %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
-  %.507.i119 = icmp sgt i64 %lsr.iv2, 8
+  %lsr.iv.next = add nsw i64 %lsr.iv, -1
+  %.507.i119 = icmp sgt i64 %lsr.iv, 8
   br i1 %.507.i119, label %B94.if.i88, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
 
 _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122: ; preds = %B94.if.i88, %entry
@@ -11313,66 +11333,76 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4Crv
   store i64 0, ptr %.1857, align 8
   br i1 %34, label %common.ret.sink.split, label %B578
 
-B92.if.preheader.i:                               ; preds = %B578
-  %35 = add i64 %.13.i123, -1
-  br label %B92.if.i
+B146.i:                                           ; preds = %B88.if.i
+  %.287.i = fsub contract double %.274.i, %.135.i
+  %.289.i = fmul contract double %arg.grid_places.4, %.287.i
+  %.5.i.i = fptosi double %.289.i to i64
+  %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
+  %.350.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i3.i
+  %.351.i = load i64, ptr %.350.i, align 8, !noalias !203
+  %.359.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.351.i
+  %.360.i = load double, ptr %.359.i, align 8, !noalias !203
+  %.362.i = fcmp contract ole double %.360.i, %.274.i
+  %.364.i = zext i1 %.362.i to i64
+  %.365.i = add nsw i64 %.351.i, %.364.i
+  %.373.i125 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.365.i
+  %.374.i = load double, ptr %.373.i125, align 8, !noalias !203
+  %.376.i = fcmp contract ole double %.374.i, %.274.i
+  %.378.i = zext i1 %.376.i to i64
+  %.379.i = add nsw i64 %.365.i, %.378.i
+  %.387.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.379.i
+  %.388.i = load double, ptr %.387.i, align 8, !noalias !203
+  %.390.i = fcmp contract ole double %.388.i, %.274.i
+  %.392.i = zext i1 %.390.i to i64
+  %.393.i = add nsw i64 %.379.i, %.392.i
+  %.402.i = icmp slt i64 %.393.i, %.13.i123
+  br i1 %.402.i, label %B394.i, label %B496.i
 
-B146.i:                                           ; preds = %B92.if.i
-  %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %arg.grid_places.4, %.291.i
-  %.5.i.i = fptosi double %.293.i to i64
-  %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
-  %.354.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i5.i
-  %.355.i = load i64, ptr %.354.i, align 8, !noalias !203
-  %.13.i6.i = tail call i64 @llvm.smax.i64(i64 %.355.i, i64 %end.3.0210.i)
-  %.395.i = icmp slt i64 %.13.i6.i, %.13.i123
-  br i1 %.395.i, label %B284.i, label %B386.i
+B394.i:                                           ; preds = %B146.i
+  %.419.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.393.i
+  %.420.i = load double, ptr %.419.i, align 8, !noalias !203
+  %.424.i = fcmp contract ugt double %.420.i, %.274.i
+  br i1 %.424.i, label %B496.i, label %B434.i
 
-B284.i:                                           ; preds = %B146.i
-  %.412.i = getelementptr inbounds nuw double, ptr %arg.grid_places.0.4, i64 %.13.i6.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !203
-  %.417.i = fcmp contract ugt double %.413.i, %.281.i
-  br i1 %.417.i, label %B386.i, label %B324.i
+B434.i:                                           ; preds = %B394.i, %B456.i
+  %lsr.iv2 = phi i64 [ %35, %B456.i ], [ %.393.i, %B394.i ]
+  %35 = add nsw i64 %lsr.iv2, 1
+  %.441.i = icmp slt i64 %35, %.13.i123
+  br i1 %.441.i, label %B456.i, label %B496.i
 
-B324.i:                                           ; preds = %B284.i, %B346.i
-  %end.5.2.i = phi i64 [ %.423.i, %B346.i ], [ %.13.i6.i, %B284.i ]
-  %exitcond.not.i = icmp eq i64 %35, %end.5.2.i
-  br i1 %exitcond.not.i, label %B386.i, label %B346.i
+B456.i:                                           ; preds = %B434.i
+  %sunkaddr = shl i64 %lsr.iv2, 3
+  %sunkaddr8 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr
+  %sunkaddr9 = getelementptr i8, ptr %sunkaddr8, i64 8
+  %.458.i = load double, ptr %sunkaddr9, align 8, !noalias !203
+  %.462.i = fcmp contract ugt double %.458.i, %.274.i
+  br i1 %.462.i, label %B496.i, label %B434.i
 
-B346.i:                                           ; preds = %B324.i
-  %.423.i = add i64 %end.5.2.i, 1
-  %sunkaddr = shl i64 %.423.i, 3
-  %sunkaddr6 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr
-  %.451.i = load double, ptr %sunkaddr6, align 8, !noalias !203
-  %.455.i = fcmp contract ugt double %.451.i, %.281.i
-  br i1 %.455.i, label %B386.i, label %B324.i
-
-B386.i:                                           ; preds = %B346.i, %B324.i, %B92.if.i, %B284.i, %B146.i
-  %end.4.1.i = phi i64 [ %.13.i6.i, %B146.i ], [ %end.3.0210.i, %B92.if.i ], [ %.13.i6.i, %B284.i ], [ %.13.i123, %B324.i ], [ %.423.i, %B346.i ]
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i123, i64 %end.4.1.i)
-  %36 = getelementptr i64, ptr %.647, i64 %.231203208.i
+B496.i:                                           ; preds = %B456.i, %B434.i, %B88.if.i, %B394.i, %B146.i
+  %end.7.1.i = phi i64 [ %.393.i, %B146.i ], [ 0, %B88.if.i ], [ %.393.i, %B394.i ], [ %.13.i123, %B434.i ], [ %35, %B456.i ]
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i123, i64 %end.7.1.i)
+  %36 = getelementptr i64, ptr %.647, i64 %.228226230.i
   store i64 %.13.i.i, ptr %36, align 8, !noalias !203
-  %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  %exitcond.not.i = icmp eq i64 %.235.i, %..140.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B88.if.i
 
-B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
-  %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
-  %.231203208.i = phi i64 [ %.238.i, %B386.i ], [ 0, %B92.if.preheader.i ]
-  %.238.i = add nuw nsw i64 %.231203208.i, 1
-  %sunkaddr259 = shl i64 %.231203208.i, 3
-  %sunkaddr260 = getelementptr inbounds i8, ptr %.741, i64 %sunkaddr259
-  %sunkaddr261 = getelementptr inbounds nuw i8, ptr %sunkaddr260, i64 8
-  %.279.i = load double, ptr %sunkaddr261, align 8, !noalias !203
-  %.281.i = fsub contract double %.279.i, %arg.shift
-  %.287.i = fcmp contract ult double %.281.i, %.135.i
-  br i1 %.287.i, label %B386.i, label %B146.i
+B88.if.i:                                         ; preds = %B578, %B496.i
+  %.228226230.i = phi i64 [ %.235.i, %B496.i ], [ 0, %B578 ]
+  %.235.i = add nuw nsw i64 %.228226230.i, 1
+  %sunkaddr260 = shl i64 %.228226230.i, 3
+  %sunkaddr261 = getelementptr inbounds i8, ptr %.741, i64 %sunkaddr260
+  %sunkaddr262 = getelementptr inbounds nuw i8, ptr %sunkaddr261, i64 8
+  %.272.i124 = load double, ptr %sunkaddr262, align 8, !noalias !203
+  %.274.i = fsub contract double %.272.i124, %arg.shift
+  %.283.i = fcmp contract ult double %.274.i, %.135.i
+  br i1 %.283.i, label %B496.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B578
-  %.586.inv.i = icmp sgt i64 %.287, 1
-  %.587.i = select i1 %.586.inv.i, i64 0, i64 %.330
-  %37 = getelementptr i64, ptr %.647, i64 %.143.i
-  %.601.i = getelementptr i64, ptr %37, i64 %.587.i
-  store i64 %.13.i123, ptr %.601.i, align 8, !noalias !203
+_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B578
+  %.588.inv.i = icmp sgt i64 %.287, 1
+  %.589.i = select i1 %.588.inv.i, i64 0, i64 %.330
+  %37 = getelementptr i64, ptr %.647, i64 %.140.i
+  %.603.i = getelementptr i64, ptr %37, i64 %.589.i
+  store i64 %.13.i123, ptr %.603.i, align 8, !noalias !203
   br label %common.ret.sink.split
 }
 
@@ -12667,14 +12697,14 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !13 = distinct !{!13, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v46B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
 !14 = !{!12}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !18 = !{!19}
 !19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
 !25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
@@ -12685,17 +12715,17 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !39 = !{!40}
 !40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!46}
 !46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
@@ -12784,11 +12814,11 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !132 = !{!133}
-!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v539B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v539B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v540B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v540B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
 !135 = !{!136}
-!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v545B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v545B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v546B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v546B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
 !138 = !{i32 1}
 !139 = distinct !{!139, !55}
 !140 = distinct !{!140, !55}
@@ -12849,14 +12879,14 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
 !196 = distinct !{!196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
 !197 = !{!198}
-!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !200 = !{!201}
-!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !203 = !{!204}
-!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !206 = !{!207}
 !207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !208 = distinct !{!208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}

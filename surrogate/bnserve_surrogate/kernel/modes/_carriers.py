@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from bnserve_surrogate.kernel._layout import ANY, EDGE, LANES, Entry
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import at, floats_in, integers_in, load, store
-from bnserve_surrogate.kernel._places import find_ends
+from bnserve_surrogate.kernel._places import find_ends_apart
 from bnserve_surrogate.kernel._points import extend_below, polynomials
 from bnserve_surrogate.kernel._row import add_baseline, edges_of_band, fill_residuals
 from bnserve_surrogate.kernel._series import fill_series
@@ -61,12 +61,12 @@ def prepare_carrier(
     if not dense or first > 0:
         numbers[2] = fill_series(row, mass, band, gauge, alignment, room, series)
     if dense:
-        find_ends(
+        find_ends_apart(
             grid_places, floats_in(weights, contents[Entry.CELLS_AT], ANY), contents[Entry.CELLS], shift, stop, ends
         )
     else:
         knots = floats_in(weights, contents[Entry.PHASE_KNOTS_AT] + 1, ANY)
-        find_ends(grid_places, knots, contents[Entry.PHASE_NODES] - 1, shift, stop, ends)
+        find_ends_apart(grid_places, knots, contents[Entry.PHASE_NODES] - 1, shift, stop, ends)
 
 
 @njit(**JIT_OPTIONS)

@@ -29,7 +29,7 @@ from bnserve_surrogate.kernel._memory import (
     integers_at,
     padded,
 )
-from bnserve_surrogate.kernel._places import find_ends, locate
+from bnserve_surrogate.kernel._places import find_ends_apart, locate
 from bnserve_surrogate.kernel._points import fill_cells
 from bnserve_surrogate.kernel._row import fill_cubics, fit_cells, prepared_grid
 from bnserve_surrogate.kernel.modes._blocks import strain_block, sum_block
@@ -55,7 +55,7 @@ def _prepare_mode(
     places[1] = min(locate(*grid_places, at(knots, nodes - 1) - shift), stop)
     places[2] = 0
     if ends:
-        find_ends(grid_places, floats_in(knots, 1, count), nodes - 1, shift, places[1], own_ends)
+        find_ends_apart(grid_places, floats_in(knots, 1, count), nodes - 1, shift, places[1], own_ends)
 
 
 @njit(**JIT_OPTIONS)
