@@ -102,7 +102,10 @@ class Application(FastAPI):
         self.front = _front(parts, self._routers(), parts.kinds, HostCheck.of(parts.settings), parts.tokens)
         """What a server calls: HTTP is served by ourselves, the rest (the lifespan) by FastAPI."""
         self.front.others = super().__call__
-        self.metrics = _front(parts, [metrics_router(parts.metrics)], (), HostCheck.of_metrics(parts.settings), None)
+        beside = [metrics_router(parts.metrics)]
+        if parts.settings.metrics_uds is not None:
+            beside.append(reload_router(parts.maintenance, parts.renewals))
+        self.metrics = _front(parts, beside, (), HostCheck.of_metrics(parts.settings), None)
         """The application of the metrics port, if there is one."""
         self.fast_path = FastPath(parts.kinds, parts.evaluation, parts.lifecycle, self.front)
 
@@ -121,13 +124,14 @@ class Application(FastAPI):
         receiver = Receiver(parts.bodies, quotas)
         routers = [
             model_router(parts.registry, limits),
-            reload_router(parts.maintenance, parts.renewals),
             grid_router(parts.grids, receiver, parts.settings),
             analysis_router(parts.analyses, receiver, parts.settings, parts.lifecycle),
             health_router(parts.health),
         ]
-        if parts.settings.metrics_port is None:
-            routers.append(metrics_router(parts.metrics))
+        if parts.settings.metrics_uds is None:
+            routers.insert(1, reload_router(parts.maintenance, parts.renewals))
+            if parts.settings.metrics_port is None:
+                routers.append(metrics_router(parts.metrics))
         for router in routers:
             self.include_router(router)
         operations = {path: kind.operation for kind in parts.kinds for path in kind.paths}

@@ -8,7 +8,7 @@ import threading
 from typing import Any, Self
 
 from bnserve_service.app import create_app
-from bnserve_service.process.listening import address_of, listening, open_metrics_listener
+from bnserve_service.process.listening import address_of, listening, listening_for_metrics
 from bnserve_service.server import BnserveServer, check_one_process
 from bnserve_service.settings import Settings
 
@@ -60,7 +60,7 @@ class BackgroundServer:
     def __enter__(self) -> Self:
         with contextlib.ExitStack() as stack:
             self._listener = stack.enter_context(listening(self.settings))
-            self._metrics_listener = open_metrics_listener(self.settings)
+            self._metrics_listener = stack.enter_context(listening_for_metrics(self.settings))
             self.address = address_of(self._listener, self.settings.speaks_tls)
             self._sockets = stack.pop_all()
         self._thread.start()

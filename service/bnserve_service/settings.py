@@ -70,6 +70,9 @@ class Settings(BaseModel):
     """Serve ``/metrics`` there and not beside the waveforms."""
     metrics_host: str = "127.0.0.1"
     """Address of the metrics port, which asks for no token: only this machine reaches it unless told otherwise."""
+    metrics_uds: Path | None = None
+    """A Unix socket for operators instead: `/metrics` and `POST /v1/reload` are answered there and not beside the
+    waveforms, without a token. `uds_mode` and `uds_group` say who may connect."""
     threads: int | None = Field(default=None, ge=1, le=1024)
     """Worker threads of each process; None takes its part of the CPU quota."""
     workers: int = Field(default=1, ge=1, le=256)

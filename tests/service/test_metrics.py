@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import subprocess
 import threading
 import urllib.request
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 from prometheus_client.parser import text_string_to_metric_families
 
+from bnserve_service import Token
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.telemetry.metrics import Metrics
 from tests.service.asking import GW170817, ask, evaluate, question, raw_connection, read_response
@@ -132,3 +134,23 @@ def test_the_content_type_is_prometheus(server):
 def test_looks_at_the_stores_are_counted(start, outcome):
     server = start(ChirpModel())
     until(lambda: (value(server, "bnserve_reloads_total", outcome=outcome) or 0) > 0, outcome)
+
+
+def test_operators_have_a_socket_of_their_own(start, tmp_path):
+    path = tmp_path / "operators.sock"
+    operator = Token.of("the token of somebody", "a", ("admin", "evaluate"))
+    server = start(ChirpModel(), metrics_uds=path, uds_mode="600", tokens=(operator,))
+
+    def curl(*arguments):
+        command = ["curl", "-sS", "--unix-socket", str(path), *arguments]
+        return subprocess.run(command, capture_output=True, text=True, check=True, timeout=60).stdout
+
+    assert path.stat().st_mode & 0o777 == 0o600
+    assert "bnserve_ready 1.0" in curl("http://localhost/metrics")
+    assert json.loads(curl("-X", "POST", "http://localhost/v1/reload"))["failures"] == {}
+    assert json.loads(curl("http://localhost/v1/models"))["status"] == 404
+    authorized = {"authorization": "Bearer the token of somebody"}
+    assert ask(server.address, "GET", "/metrics", **authorized).status == 404
+    assert ask(server.address, "POST", "/v1/reload", **authorized).status == 404
+    server.__exit__()
+    assert not path.exists()

@@ -34,6 +34,7 @@ def add_parser(subparsers: Any) -> None:
     add("--store", type=Path, action="append", metavar="DIR", help="model store, searched before the shipped models")
     add("--model", action="append", metavar="NAME[@VERSION]", help="serve only this model (repeatable)")
     add("--metrics-port", type=int, metavar="PORT", help="serve /metrics on a port of its own, without a token")
+    add("--metrics-uds", type=Path, metavar="PATH", help="or /metrics and /v1/reload on a Unix socket for operators")
     add("--metrics-host", metavar="HOST", help="address of the metrics port (127.0.0.1)")
     add("--workers", type=int, metavar="N", help="worker processes (1); with more, one that dies or hangs is replaced")
     add("--workers-threads", type=int, metavar="N", help="threads of each worker (its part of the processors)")
@@ -98,6 +99,7 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "models": options.model,
         "metrics_port": options.metrics_port,
         "metrics_host": options.metrics_host,
+        "metrics_uds": options.metrics_uds,
         "workers": options.workers,
         "threads": options.workers_threads,
         "tokens": _tokens(options) or None,

@@ -68,7 +68,8 @@ class HostCheck:
     @classmethod
     def of_metrics(cls, settings: Settings) -> HostCheck:
         """For the metrics port: by loopback names and ``allowed_hosts``, or every host where others can connect."""
-        everybody = ANY_HOST in settings.allowed_hosts or not is_loopback(settings.metrics_host)
+        apart = settings.metrics_uds is None and not is_loopback(settings.metrics_host)
+        everybody = ANY_HOST in settings.allowed_hosts or apart
         return cls(None if everybody else (settings.metrics_host, *settings.allowed_hosts))
 
     def check(self, headers: Mapping[bytes, bytes], method: str, route: str) -> None:

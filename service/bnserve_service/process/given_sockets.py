@@ -12,7 +12,7 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from bnserve_service.process.listening import CannotListen, listening, open_metrics_listener, warn_if_open
+from bnserve_service.process.listening import CannotListen, listening, listening_for_metrics, warn_if_open
 from bnserve_service.settings import Settings
 
 METRICS = "metrics"
@@ -80,10 +80,10 @@ def opened(settings: Settings, given: GivenSockets | None) -> Iterator[tuple[soc
         else:
             listener = stack.enter_context(given.listener)
             warn_if_open(settings, listener)
-        metrics = given.metrics if given is not None and given.metrics is not None else open_metrics_listener(settings)
-        if metrics is not None:
-            stack.enter_context(metrics)
-        yield listener, metrics
+        if given is not None and given.metrics is not None:
+            yield listener, stack.enter_context(given.metrics)
+        else:
+            yield listener, stack.enter_context(listening_for_metrics(settings))
 
 
 def _place(listener: socket.socket, host: str, port: str) -> dict[str, Any]:

@@ -78,6 +78,8 @@ def open_metrics_listener(settings: Settings) -> socket.socket | None:
     CannotListen
         As :func:`open_listener`, for the metrics port.
     """
+    if settings.metrics_uds is not None:
+        return listen_unix(settings.metrics_uds, settings.uds_mode, settings.uds_group)
     if settings.metrics_port is None:
         return None
     try:
@@ -87,6 +89,26 @@ def open_metrics_listener(settings: Settings) -> socket.socket | None:
             f"The metrics port {settings.metrics_port} cannot be used; choose another with --metrics-port. "
             f"{error.detail}"
         ) from error
+
+
+@contextmanager
+def listening_for_metrics(settings: Settings) -> Iterator[socket.socket | None]:
+    """:func:`open_metrics_listener`, until the context ends; then the file of a Unix socket is gone, too.
+
+    Raises
+    ------
+    CannotListen
+        As :func:`open_metrics_listener`.
+    """
+    listener = open_metrics_listener(settings)
+    file = None if settings.metrics_uds is None else SocketFile(settings.metrics_uds)
+    try:
+        yield listener
+    finally:
+        if listener is not None:
+            listener.close()
+        if file is not None:
+            file.remove()
 
 
 def listen_tcp(host: str, port: int) -> socket.socket:

@@ -275,6 +275,8 @@ def _supervise(descriptors: Descriptors) -> int:
     with contextlib.ExitStack() as stack:
         if settings["uds"] is not None and not descriptors.kept:
             stack.callback(SocketFile(Path(settings["uds"])).remove)
+        if settings["metrics_uds"] is not None:
+            stack.callback(SocketFile(Path(settings["metrics_uds"])).remove)
         try:
             become_subreaper()
             shared = SharedFolder.create(room_needed(settings))
