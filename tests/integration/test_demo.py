@@ -136,7 +136,7 @@ def chirp(local):
 
 
 def test_the_strain_is_the_inverse_transform_of_the_model(local, chirp):
-    for frequency in (100.0, 300.0, 1500.0):
+    for frequency in (200.0, 300.0, 1500.0):  # modes of m = 4 are whole from twice as high as (2, 2) on
         transform = (chirp.strain * np.exp(-2j * np.pi * frequency * chirp.times)).sum() / SAMPLING_RATE
         h_plus = local.predict([frequency], demonstration.ONE, options=MERGER_AT_ZERO).plus[0]
         assert abs(transform - h_plus) < 2e-3 * abs(h_plus)

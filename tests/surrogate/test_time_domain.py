@@ -18,7 +18,7 @@ from bnserve_protocol import (
     predict_time_domain,
 )
 from bnserve_surrogate import Model
-from tests.surrogate.other_codes import signal_of_teobresums
+from tests.surrogate.other_codes import MODES, signal_of_teobresums
 
 ONE = replace(ParametersWithExtrinsic.gw170817(), inclination=0.6)
 HEAVY = replace(ONE, mass_ratio=1.9, total_mass=3.6, chi_1=0.3, chi_2=-0.1, lambda_1=30.0)
@@ -50,7 +50,7 @@ def middle(times, begin, end=-0.02):
 @pytest.mark.parametrize("one", [ONE, HEAVY], ids=["like GW170817", "unequal, spinning"])
 def test_it_is_the_signal_of_teobresums(model, one):
     """From its own start on, amplitude and phase of h_plus and h_cross, but for one phase: that of its start."""
-    found = model.predict_time_domain(one, **FAST)
+    found = model.predict_time_domain(one, options=EvaluationOptions(modes=[(2, 2)]), **FAST)
     times, plus, cross = signal_of_teobresums(one, 50.0, 8192.0)
     inside = middle(found.times, -model.time_until_merger(62.0, one))
     turned = []
@@ -65,6 +65,28 @@ def test_it_is_the_signal_of_teobresums(model, one):
     assert np.ptp(turned[0][early]) < 5e-3
     assert np.ptp(turned[0]) < 0.03
     np.testing.assert_allclose(turned[0], turned[1], atol=0.02)
+
+
+@pytest.mark.parametrize("one", [ONE, HEAVY], ids=["like GW170817", "unequal, spinning"])
+def test_all_modes_are_the_signal_of_teobresums(model, one):
+    """Turned by one phase, that of (2, 2) at one moment, modulo 4 pi: what the other modes add is theirs."""
+    times, *theirs = signal_of_teobresums(one, 50.0, 8192.0, MODES)
+    _, *quadrupole = signal_of_teobresums(one, 50.0, 8192.0)
+    alone = model.predict_time_domain(one, options=EvaluationOptions(modes=[(2, 2)]), **FAST)
+    at = int(np.searchsorted(alone.times, -1.0))
+    phase = np.interp(alone.times[at], times, np.unwrap(np.angle(analytic(-quadrupole[0]))))
+    turn = phase - np.angle(analytic(alone.plus)[at])
+    left = []
+    for half_turns in (0.0, 2.0 * np.pi):
+        turned = replace(one, reference_phase=one.reference_phase + turn + half_turns)
+        all_modes = model.predict_time_domain(turned, **FAST)
+        own = model.predict_time_domain(turned, options=EvaluationOptions(modes=[(2, 2)]), **FAST)
+        inside = middle(own.times, -2.0, -0.3)
+        ours = np.array([all_modes.plus - own.plus, all_modes.cross - own.cross])[:, inside]
+        added = [np.interp(own.times[inside], times, two - one) for one, two in zip(quadrupole, theirs, strict=True)]
+        left.append(np.linalg.norm(ours + np.array(added)) / np.linalg.norm(added))
+    assert min(left) < 0.01
+    assert max(left) > 1.0  # half a turn of the orbit is seen in the modes of odd m
 
 
 def test_the_merger_is_at_zero_which_is_a_sample(series):
@@ -102,7 +124,7 @@ def test_another_rate_gives_the_same_numbers_at_common_times(model, series):
 
 def test_it_is_the_inverse_transform_of_the_strain(model, series):
     """h(f) = integral of h(t) exp(-2 pi i f t) dt, where it is complete: its signs are those of the strain."""
-    f = np.linspace(100.0, 1000.0, 50)
+    f = np.linspace(150.0, 1000.0, 50)  # modes of m = 4 are whole from twice as high as (2, 2) on
     kernel = np.exp(-2j * np.pi * f[:, None] * series.times) / 8192.0
     expected = model.predict(f, ONE, options=EvaluationOptions(alignment="merger"))
     for signal, strain in zip(series, expected, strict=True):

@@ -51,7 +51,7 @@ def strain_panel(axes: Axes, chirp: Chirp) -> None:
     """h_plus(t): the last seconds, and the last cycles in an inset."""
     shown = (chirp.times > -LAST_SECONDS) & (chirp.times < 0.04)
     strain = 1e22 * chirp.strain
-    largest = 1.08 * float(np.abs(strain[shown]).max())
+    largest = 1.08 * float(np.abs(strain[shown]).max()) or 1.0  # nothing, where no mode is seen from this direction
     axes.set_title("Strain")
     axes.plot(chirp.times[shown], strain[shown], color=SIGNAL, linewidth=0.35)
     axes.set(xlim=(-LAST_SECONDS, 0.04), ylim=(-largest, 1.9 * largest), xlabel="time from the merger (s)")
