@@ -14,7 +14,7 @@ from bnserve_client import InvalidRequest, _chosen
 from bnserve_client.bilby import ServiceLikelihood, binary_neutron_star
 from bnserve_client.bilby._ranges import prior_ranges
 from bnserve_protocol import PackageMissing
-from tests.integration.test_bilby_source import SIGNAL, generator, network
+from tests.integration.test_bilby_source import QUADRUPOLE, SIGNAL, generator, network
 
 pytestmark = pytest.mark.filterwarnings("default")  # of bilby and what it imports
 
@@ -83,7 +83,8 @@ def test_both_routes_agree(data, arguments, zero_points, fiducial):
 
 @pytest.mark.parametrize("what", ["phase", "distance"])
 def test_integrals_agree(data, arguments, what):
-    """With bilby's, over the distance up to its table."""
+    """With bilby's, over the distance up to its table; over the phase its rule is for m = 2."""
+    arguments = arguments | QUADRUPOLE
     prior = priors(luminosity_distance=PowerLaw(2.0, 20.0, 100.0))
     options = {f"{what}_marginalization": True}
     ours = ServiceLikelihood.from_bilby(
@@ -113,6 +114,7 @@ def test_the_integral_over_the_time_is_the_mean_over_its_prior(binned, data, arg
 
 
 def test_what_is_integrated_over_is_reconstructed_by_bilby(data, arguments):
+    arguments = arguments | QUADRUPOLE
     ours = ServiceLikelihood.from_bilby(
         data, priors(luminosity_distance=PowerLaw(2.0, 20.0, 100.0)), waveform_arguments=arguments,
         fiducial_parameters=SIGNAL, phase_marginalization=True, distance_marginalization=True,
@@ -182,7 +184,7 @@ def test_parameters_are_bilbys(binned, instead_of, given):
 @pytest.mark.parametrize("zero_points", [{}, LALS], ids=["own", "LAL's"])
 def test_a_sample_outside_is_as_in_bilby(data, arguments, zero_points):
     binned = ServiceLikelihood.from_bilby(data, priors(), waveform_arguments=arguments | zero_points)
-    outside = [SIGNAL | {"lambda_1": -1.0}, SIGNAL, SIGNAL | {"mass_1": 3.9}, SIGNAL | {"chi_1": np.nan}]
+    outside = [SIGNAL | {"lambda_1": -1.0}, SIGNAL, SIGNAL | {"mass_1": 4.9}, SIGNAL | {"chi_1": np.nan}]
     values = binned.log_likelihood_ratios(outside)
     assert abs(values[1]) < 1e4
     assert (values[[0, 2, 3]] == np.nan_to_num(-np.inf)).all()
