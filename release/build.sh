@@ -13,6 +13,7 @@ dist=$PWD/dist
 work=$(mktemp -d "${TMPDIR:-/tmp}/bnserve-release.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PYTHONDONTWRITEBYTECODE=1
+unset PYTHONPATH # or what is tried would be this checkout
 say() { printf '\n== %s\n' "$*"; }
 
 version=$(sed -n 's/^__version__ = "\(.*\)"/\1/p' protocol/bnserve_protocol/_version.py)
