@@ -24,6 +24,8 @@ FIGURES = {
     "mismatch_by_size": "distributions of the mismatch by number of training waveforms, the paper's recipe and ours",
     "reconstruction": "differences of 100 reconstructed waveforms to the generator's, best match",
     "parameter_space": "mismatch of the trained model across its parameters",
+    "modes": "the strain of every mode of one binary",
+    "higher_modes": "mismatch by inclination and mass ratio, with and without the higher modes",
 }
 _ROOT = Path(__file__).resolve().parents[2]
 _SHIPPED = Path(str(resources.files("bnserve_surrogate") / "data"))
