@@ -30,6 +30,8 @@ _ROWS = 32
 """Binaries at a time; a result is kept for each such piece."""
 _CARRIER: Mode = (2, 2)
 _EDGE = 1.0 + 1e-9
+_TAIL = 40
+"""Nodes above the last one of (2, 2)."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +66,26 @@ class Truth:
             dataset.psi_residual,
             ratios,
             total_mass,
+        ).extended()
+
+    def extended(self) -> Truth:
+        """To twice the last frequency, where m = 1 comes to the others' end.
+
+        TEOBResumS's own tail is this exactly: (2, 2) falls as x^(-10/3), its phase is a straight line, and the ratios
+        are constant (to 0.4 %, and 0.1 rad at the end).
+        """
+        more = np.geomspace(self.x[-1], 2.0 * self.x[-1], _TAIL + 1)[1:]
+        mf, phase = more * self.total_mass * SOLAR_MASS_SECONDS, self.phase()
+        slope = (phase[:, -1] - phase[:, -2]) / (self.x[-1] - self.x[-2])
+        line = phase[:, -1:] + slope[:, None] * (more - self.x[-1])
+        baseline = np.array([-baseline_phase(theta, mf) for theta in self.theta])
+        fall = self.log_amplitude[:, -1:] - 10.0 / 3.0 * np.log(more / self.x[-1])
+        return replace(
+            self,
+            x=np.concatenate([self.x, more]),
+            log_amplitude=np.hstack([self.log_amplitude, fall]),
+            residual=np.hstack([self.residual, baseline - line]),
+            ratios={mode: np.hstack([own, np.repeat(own[:, -1:], _TAIL, axis=1)]) for mode, own in self.ratios.items()},
         )
 
     @property

@@ -59,7 +59,7 @@ class Reference:
         beyond = twice > top * (1 + 1e-9)
         if beyond.any():
             last, _ = self.carrier.predict_amplitude_phase([top], batch, options=options)
-            amplitude = np.where(beyond, last[0, 0], amplitude)
+            amplitude = np.where(beyond, last[0, 0] * (top / twice) ** (10.0 / 3.0), amplitude)
         return amplitude, 0.5 * mode[1] * phase
 
     def mode(self, mode, values, f, alignment="post_newtonian"):

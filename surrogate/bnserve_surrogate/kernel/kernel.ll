@@ -1,4 +1,4 @@
-; sources: a52897710845a11aee23577094e5b520567f8e460ca6207002c48a582f926c56
+; sources: 455f3aaf860085be9ecdb0203fed92630d16bf874d1dad79ffb68bff0f21d110
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -11409,27 +11409,26 @@ _ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSg
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc void @inner_25(ptr noalias nonnull writeonly captures(none) %retptr, i64 %arg.start, i64 %arg.inside, i8 range(i8 0, 2) %arg.dense, ptr readonly captures(none) %arg.grid.4, i64 %arg.stride, ptr readonly captures(none) %arg.linear.4, i64 range(i64 40, 9) %arg.linear.5.0, ptr readonly captures(none) %arg.contents.4, ptr readonly captures(none) %arg.weights.4, i64 range(i64 8, 1) %arg.sizes.0, i64 range(i64 8, 1) %arg.sizes.1, ptr readonly captures(none) %arg.cubics.0.4, ptr readonly captures(none) %arg.cubics.1.4, ptr readonly captures(none) %arg.fitted.0.4, ptr readonly captures(none) %arg.fitted.1.4, double %arg.top.0, double %arg.top.1, double %arg.top.2, ptr readonly captures(none) %arg.carrier.0.4, ptr readonly captures(none) %arg.carrier.1.4, ptr captures(none) %arg.carrier.2.4, ptr readonly captures(none) %arg.carrier.3.4, ptr captures(none) %arg.a.4, ptr captures(none) %arg.p.4, ptr writeonly captures(none) %arg.amplitude.4, ptr writeonly captures(none) %arg.phase.4) unnamed_addr #4 {
 entry:
-  %.2483 = alloca ptr, align 8
-  store ptr null, ptr %.2483, align 8
+  %.2471 = alloca ptr, align 8
+  store ptr null, ptr %.2471, align 8
   %.405 = load double, ptr %arg.carrier.1.4, align 8
   %.434 = getelementptr i8, ptr %arg.carrier.1.4, i64 8
   %.435 = load double, ptr %.434, align 8
+  %.471 = getelementptr i8, ptr %arg.contents.4, i64 128
+  %.472 = load i64, ptr %.471, align 8
   %.647 = load i64, ptr %arg.carrier.2.4, align 8
-  %.13.i21 = tail call i64 @llvm.smax.i64(i64 %arg.start, i64 %.647)
-  %.13.i22 = tail call i64 @llvm.smin.i64(i64 %arg.inside, i64 %.13.i21)
+  %.13.i24 = tail call i64 @llvm.smax.i64(i64 %arg.start, i64 %.647)
+  %.13.i25 = tail call i64 @llvm.smin.i64(i64 %arg.inside, i64 %.13.i24)
   %.734 = getelementptr i8, ptr %arg.carrier.2.4, i64 8
   %.735 = load i64, ptr %.734, align 8
-  %.13.i23 = tail call i64 @llvm.smax.i64(i64 %arg.start, i64 %.735)
-  %.13.i24 = tail call i64 @llvm.smin.i64(i64 %arg.inside, i64 %.13.i23)
-  %.802 = icmp sgt i64 %.13.i22, %arg.start
+  %.13.i26 = tail call i64 @llvm.smax.i64(i64 %arg.start, i64 %.735)
+  %.13.i27 = tail call i64 @llvm.smin.i64(i64 %arg.inside, i64 %.13.i26)
+  %.802 = icmp sgt i64 %.13.i25, %arg.start
   br i1 %.802, label %B322, label %B476
 
 B322:                                             ; preds = %entry
   %.549.idx = shl nsw i64 %arg.sizes.0, 5
   %.549 = getelementptr inbounds i8, ptr %arg.linear.4, i64 %.549.idx
-  %.471 = getelementptr i8, ptr %arg.contents.4, i64 128
-  %.472 = load i64, ptr %.471, align 8
-  %.483 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.472
   %.833 = load double, ptr %arg.linear.4, align 8
   %.849 = icmp slt i64 %arg.sizes.0, 0
   %.850 = select i1 %.849, i64 %arg.linear.5.0, i64 0
@@ -11438,10 +11437,12 @@ B322:                                             ; preds = %entry
   %.864 = getelementptr double, ptr %0, i64 %.850
   %.865 = load double, ptr %.864, align 8
   %.888 = getelementptr double, ptr %arg.grid.4, i64 %arg.start
-  %.941 = sub nsw i64 %.13.i22, %arg.start
-  %.971 = load double, ptr %.483, align 8
-  %.1005 = getelementptr i8, ptr %.549, i64 8
-  %.1006 = load double, ptr %.1005, align 8
+  %.941 = sub nsw i64 %.13.i25, %arg.start
+  %sunkaddr = shl i64 %.472, 3
+  %sunkaddr333 = getelementptr inbounds i8, ptr %arg.weights.4, i64 %sunkaddr
+  %.971 = load double, ptr %sunkaddr333, align 8
+  %.1000 = getelementptr i8, ptr %.549, i64 8
+  %.1001 = load double, ptr %.1000, align 8
   %.145103.not.i = icmp slt i64 %.941, 1
   br i1 %.145103.not.i, label %B476, label %B34.if.i
 
@@ -11450,48 +11451,48 @@ B476:                                             ; preds = %B144.i, %B322, %ent
   br i1 %1, label %B480, label %B736
 
 B480:                                             ; preds = %B476
-  %.1100 = getelementptr i8, ptr %arg.contents.4, i64 120
-  %.1101 = load i64, ptr %.1100, align 8
-  %.1112 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1101
-  %.1221 = getelementptr i8, ptr %arg.carrier.2.4, i64 40
-  %.1222 = load i64, ptr %.1221, align 8
-  %.1245 = getelementptr double, ptr %arg.grid.4, i64 %arg.stride
-  %.126.i = icmp slt i64 %.13.i21, %.13.i24
+  %.1090 = getelementptr i8, ptr %arg.contents.4, i64 120
+  %.1091 = load i64, ptr %.1090, align 8
+  %.1102 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1091
+  %.1211 = getelementptr i8, ptr %arg.carrier.2.4, i64 40
+  %.1212 = load i64, ptr %.1211, align 8
+  %.1235 = getelementptr double, ptr %arg.grid.4, i64 %arg.stride
+  %.126.i = icmp slt i64 %.13.i24, %.13.i27
   br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
-  %.696..784 = phi i64 [ %.13.i22, %B476 ], [ %.13.i24, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
-  %.1877 = sub nsw i64 %.696..784, %arg.start
-  %.1884 = icmp sgt i64 %.1877, 0
-  br i1 %.1884, label %B1168, label %B1224
+  %.696..784 = phi i64 [ %.13.i25, %B476 ], [ %.13.i27, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %.1867 = sub nsw i64 %.696..784, %arg.start
+  %.1874 = icmp sgt i64 %.1867, 0
+  br i1 %.1874, label %B1168, label %B1270
 
 B1168:                                            ; preds = %B736
-  %.1914 = getelementptr i8, ptr %arg.carrier.2.4, i64 16
-  %.1915 = load i64, ptr %.1914, align 8
-  %.1944 = getelementptr i8, ptr %arg.carrier.2.4, i64 24
-  %.1945 = load i64, ptr %.1944, align 8
-  %.1979 = getelementptr i8, ptr %arg.carrier.1.4, i64 16
-  %.1980 = load double, ptr %.1979, align 8
-  %.2038 = sub nsw i64 %.1915, %arg.start
-  %.13.i = tail call i64 @llvm.smax.i64(i64 %.2038, i64 0)
-  %.13.i46 = tail call i64 @llvm.smin.i64(i64 %.1877, i64 %.13.i)
-  %.2098 = sub nsw i64 %.1945, %arg.start
-  %.13.i47 = tail call i64 @llvm.smax.i64(i64 %.2098, i64 0)
-  %.13.i48 = tail call i64 @llvm.smin.i64(i64 %.1877, i64 %.13.i47)
-  %.2171 = getelementptr double, ptr %arg.grid.4, i64 %arg.start
-  %.idx1791 = shl i64 %arg.stride, 4
-  %2 = getelementptr i8, ptr %arg.grid.4, i64 %.idx1791
-  %.2302 = getelementptr double, ptr %2, i64 %arg.start
-  %.idx1792 = mul i64 %arg.stride, 24
-  %.idx1793 = shl i64 %arg.stride, 5
-  %3 = getelementptr i8, ptr %arg.grid.4, i64 %.idx1793
-  %.2431 = getelementptr double, ptr %3, i64 %arg.start
-  store ptr null, ptr %.2483, align 8
-  call fastcc void @inner_12(ptr nonnull %.2483, ptr %.2171, ptr %.2302, ptr %.2431, i64 %.13.i46, i64 %.13.i48, i64 %.1877, double %.405, ptr %arg.carrier.0.4, double %.1980, ptr %arg.a.4, ptr %arg.amplitude.4)
-  %4 = add nuw i64 %.1877, 7
+  %.1904 = getelementptr i8, ptr %arg.carrier.2.4, i64 16
+  %.1905 = load i64, ptr %.1904, align 8
+  %.1934 = getelementptr i8, ptr %arg.carrier.2.4, i64 24
+  %.1935 = load i64, ptr %.1934, align 8
+  %.1969 = getelementptr i8, ptr %arg.carrier.1.4, i64 16
+  %.1970 = load double, ptr %.1969, align 8
+  %.2026 = sub nsw i64 %.1905, %arg.start
+  %.13.i = tail call i64 @llvm.smax.i64(i64 %.2026, i64 0)
+  %.13.i49 = tail call i64 @llvm.smin.i64(i64 %.1867, i64 %.13.i)
+  %.2086 = sub nsw i64 %.1935, %arg.start
+  %.13.i50 = tail call i64 @llvm.smax.i64(i64 %.2086, i64 0)
+  %.13.i51 = tail call i64 @llvm.smin.i64(i64 %.1867, i64 %.13.i50)
+  %.2159 = getelementptr double, ptr %arg.grid.4, i64 %arg.start
+  %.idx1807 = shl i64 %arg.stride, 4
+  %2 = getelementptr i8, ptr %arg.grid.4, i64 %.idx1807
+  %.2290 = getelementptr double, ptr %2, i64 %arg.start
+  %.idx1808 = mul i64 %arg.stride, 24
+  %.idx1809 = shl i64 %arg.stride, 5
+  %3 = getelementptr i8, ptr %arg.grid.4, i64 %.idx1809
+  %.2419 = getelementptr double, ptr %3, i64 %arg.start
+  store ptr null, ptr %.2471, align 8
+  call fastcc void @inner_12(ptr nonnull %.2471, ptr %.2159, ptr %.2290, ptr %.2419, i64 %.13.i49, i64 %.13.i51, i64 %.1867, double %.405, ptr %arg.carrier.0.4, double %.1970, ptr %arg.a.4, ptr %arg.amplitude.4)
+  %4 = add nuw i64 %.1867, 7
   %.1167.i = lshr i64 %4, 3
-  %.2608 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 192
-  %.2544 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 64
+  %.2596 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 192
+  %.2532 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 64
   %.1012.i = getelementptr i8, ptr %arg.carrier.0.4, i64 264
   %.1013.i = load double, ptr %.1012.i, align 8, !noalias !212
   %.983.i = getelementptr i8, ptr %arg.carrier.0.4, i64 256
@@ -11510,7 +11511,7 @@ B1168:                                            ; preds = %B736
   %.810.i = load double, ptr %.809.i, align 8, !noalias !212
   %.780.i = getelementptr i8, ptr %arg.carrier.0.4, i64 200
   %.781.i = load double, ptr %.780.i, align 8, !noalias !212
-  %.752.i = load double, ptr %.2608, align 8, !noalias !212
+  %.752.i = load double, ptr %.2596, align 8, !noalias !212
   %.647.i = getelementptr i8, ptr %arg.carrier.0.4, i64 184
   %.648.i = load double, ptr %.647.i, align 8, !noalias !212
   %.618.i = getelementptr i8, ptr %arg.carrier.0.4, i64 176
@@ -11529,19 +11530,19 @@ B1168:                                            ; preds = %B736
   %.445.i = load double, ptr %.444.i, align 8, !noalias !212
   %.343.i = getelementptr i8, ptr %arg.carrier.0.4, i64 120
   %.344.i = load double, ptr %.343.i, align 8, !noalias !212
-  %.314.i84 = getelementptr i8, ptr %arg.carrier.0.4, i64 112
-  %.315.i85 = load double, ptr %.314.i84, align 8, !noalias !212
+  %.314.i87 = getelementptr i8, ptr %arg.carrier.0.4, i64 112
+  %.315.i88 = load double, ptr %.314.i87, align 8, !noalias !212
   %.285.i = getelementptr i8, ptr %arg.carrier.0.4, i64 104
   %.286.i = load double, ptr %.285.i, align 8, !noalias !212
-  %.256.i86 = getelementptr i8, ptr %arg.carrier.0.4, i64 96
-  %.257.i = load double, ptr %.256.i86, align 8, !noalias !212
+  %.256.i89 = getelementptr i8, ptr %arg.carrier.0.4, i64 96
+  %.257.i = load double, ptr %.256.i89, align 8, !noalias !212
   %.227.i = getelementptr i8, ptr %arg.carrier.0.4, i64 88
-  %.228.i87 = load double, ptr %.227.i, align 8, !noalias !212
+  %.228.i90 = load double, ptr %.227.i, align 8, !noalias !212
   %.198.i = getelementptr i8, ptr %arg.carrier.0.4, i64 80
   %.199.i = load double, ptr %.198.i, align 8, !noalias !212
   %.169.i = getelementptr i8, ptr %arg.carrier.0.4, i64 72
-  %.170.i88 = load double, ptr %.169.i, align 8, !noalias !212
-  %.141.i = load double, ptr %.2544, align 8, !noalias !212
+  %.170.i91 = load double, ptr %.169.i, align 8, !noalias !212
+  %.141.i = load double, ptr %.2532, align 8, !noalias !212
   %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
   %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
@@ -11558,7 +11559,7 @@ B1168:                                            ; preds = %B736
   %.1305.i = shufflevector <8 x double> %.1304.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1308.i = insertelement <8 x double> poison, double %.474.i, i64 0
   %.1309.i = shufflevector <8 x double> %.1308.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1312.i = insertelement <8 x double> poison, double %.315.i85, i64 0
+  %.1312.i = insertelement <8 x double> poison, double %.315.i88, i64 0
   %.1313.i = shufflevector <8 x double> %.1312.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1315.i = insertelement <8 x double> poison, double %.257.i, i64 0
   %.1316.i = shufflevector <8 x double> %.1315.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -11570,9 +11571,9 @@ B1168:                                            ; preds = %B736
   %.1328.i = shufflevector <8 x double> %.1327.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1330.i = insertelement <8 x double> poison, double %.286.i, i64 0
   %.1331.i = shufflevector <8 x double> %.1330.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1334.i = insertelement <8 x double> poison, double %.228.i87, i64 0
+  %.1334.i = insertelement <8 x double> poison, double %.228.i90, i64 0
   %.1335.i = shufflevector <8 x double> %.1334.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1338.i = insertelement <8 x double> poison, double %.170.i88, i64 0
+  %.1338.i = insertelement <8 x double> poison, double %.170.i91, i64 0
   %.1339.i = shufflevector <8 x double> %.1338.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1342.i = insertelement <8 x double> poison, double %.926.i, i64 0
   %.1343.i = shufflevector <8 x double> %.1342.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -11595,48 +11596,57 @@ B1168:                                            ; preds = %B736
   %.1448.i = insertelement <8 x double> poison, double %.984.i, i64 0
   %.1449.i = shufflevector <8 x double> %.1448.i, <8 x double> poison, <8 x i32> zeroinitializer
   %5 = add nuw nsw i64 %.1167.i, 7
-  %sunkaddr17 = shl i64 %arg.stride, 3
+  %sunkaddr18 = shl i64 %arg.stride, 3
   br label %B484.if.i
 
-B1224:                                            ; preds = %B484.if.i, %B736
-  br i1 %1, label %B1456, label %B1226
+B1270:                                            ; preds = %B484.if.i, %B736
+  br i1 %1, label %B1552, label %B1272
 
-B1226:                                            ; preds = %B1224
-  %.2788 = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.2789 = load i64, ptr %.2788, align 8
-  %6 = getelementptr double, ptr %arg.weights.4, i64 %.2789
-  %.2812 = getelementptr double, ptr %6, i64 %arg.sizes.1
-  %.2942 = getelementptr inbounds double, ptr %.2812, i64 %arg.sizes.1
-  %.3174 = getelementptr i8, ptr %arg.carrier.2.4, i64 40
-  %.3175 = load i64, ptr %.3174, align 8
-  %.137.i = icmp slt i64 %.13.i21, %.13.i24
-  br i1 %.137.i, label %B22.preheader.i114, label %B1226.endif.endif.endif.endif.endif.endif
+B1272:                                            ; preds = %B1270
+  %.2774 = getelementptr i8, ptr %arg.contents.4, i64 152
+  %.2775 = load i64, ptr %.2774, align 8
+  %6 = getelementptr double, ptr %arg.weights.4, i64 %.2775
+  %.2798 = getelementptr double, ptr %6, i64 %arg.sizes.1
+  %.2928 = getelementptr inbounds double, ptr %.2798, i64 %arg.sizes.1
+  %.3160 = getelementptr i8, ptr %arg.carrier.2.4, i64 40
+  %.3161 = load i64, ptr %.3160, align 8
+  %.137.i = icmp slt i64 %.13.i24, %.13.i27
+  br i1 %.137.i, label %B22.preheader.i117, label %B1272.endif.endif.endif.endif.endif.endif
 
-B1456:                                            ; preds = %B1226.endif.endif.endif.endif.endif.endif, %B1224
-  %.3621 = sub i64 %arg.inside, %.13.i24
-  %7 = add i64 %.3621, 7
-  %.3643 = lshr i64 %7, 3
-  %.3622.inv = icmp slt i64 %.3621, 1
-  %.36641797.not1801 = icmp eq i64 %.3643, 0
-  %.36641797.not = or i1 %.3622.inv, %.36641797.not1801
-  br i1 %.36641797.not, label %B76706, label %B76400.if.lr.ph
+B1552:                                            ; preds = %B1272.endif.endif.endif.endif.endif.endif, %B1270
+  %.3654 = sub i64 %arg.inside, %.13.i27
+  %7 = add i64 %.3654, 7
+  %.3676 = lshr i64 %7, 3
+  %.3655.inv = icmp slt i64 %.3654, 1
+  %.36971817.not1821 = icmp eq i64 %.3676, 0
+  %.36971817.not = or i1 %.3655.inv, %.36971817.not1821
+  br i1 %.36971817.not, label %B76706, label %B76400.if.lr.ph
 
-B76400.if.lr.ph:                                  ; preds = %B1456
-  %.3704 = insertelement <8 x double> poison, double %arg.top.0, i64 0
-  %.3705 = shufflevector <8 x double> %.3704, <8 x double> poison, <8 x i32> zeroinitializer
-  %.3731 = fmul contract double %arg.top.2, %.405
-  %.3734 = insertelement <8 x double> poison, double %arg.top.1, i64 0
-  %.3735 = shufflevector <8 x double> %.3734, <8 x double> poison, <8 x i32> zeroinitializer
-  %.3736 = insertelement <8 x double> poison, double %.3731, i64 0
-  %.3737 = shufflevector <8 x double> %.3736, <8 x double> poison, <8 x i32> zeroinitializer
-  %8 = shl i64 %.13.i24, 3
+B76400.if.lr.ph:                                  ; preds = %B1552
+  %sunkaddr334 = shl i64 %.472, 3
+  %sunkaddr335 = getelementptr i8, ptr %arg.weights.4, i64 %sunkaddr334
+  %sunkaddr336 = getelementptr i8, ptr %sunkaddr335, i64 8
+  %.3592 = load double, ptr %sunkaddr336, align 8
+  %.3602 = fdiv contract double %.3592, %.405
+  %.3603 = tail call contract double @llvm.pow.f64(double %.3602, double 0x400AAAAAAAAAAAAB)
+  %.3604 = fmul contract double %arg.top.0, %.3603
+  %.idx1811 = mul i64 %arg.stride, 24
+  %.3751 = insertelement <8 x double> poison, double %.3604, i64 0
+  %.3752 = shufflevector <8 x double> %.3751, <8 x double> poison, <8 x i32> zeroinitializer
+  %.3826 = fmul contract double %arg.top.2, %.405
+  %.3829 = insertelement <8 x double> poison, double %arg.top.1, i64 0
+  %.3830 = shufflevector <8 x double> %.3829, <8 x double> poison, <8 x i32> zeroinitializer
+  %.3831 = insertelement <8 x double> poison, double %.3826, i64 0
+  %.3832 = shufflevector <8 x double> %.3831, <8 x double> poison, <8 x i32> zeroinitializer
+  %8 = shl i64 %.13.i27, 3
+  %scevgep306 = getelementptr i8, ptr %arg.grid.4, i64 %.idx1811
   %9 = mul i64 %arg.start, -8
-  %scevgep302 = getelementptr i8, ptr %arg.phase.4, i64 %9
-  %scevgep304 = getelementptr i8, ptr %arg.amplitude.4, i64 %9
-  %10 = add nuw nsw i64 %.3643, 6
+  %scevgep308 = getelementptr i8, ptr %arg.phase.4, i64 %9
+  %scevgep310 = getelementptr i8, ptr %arg.amplitude.4, i64 %9
+  %10 = add nuw nsw i64 %.3676, 6
   br label %B76400.if
 
-B76706:                                           ; preds = %B76400.if, %B1456
+B76706:                                           ; preds = %B76400.if, %B1552
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -11691,7 +11701,7 @@ B144.i:                                           ; preds = %B34.if.i, %_ZN17bns
   %scevgep14 = getelementptr i8, ptr %arg.a.4, i64 %13
   store double %"$phi144.1.2.1.i", ptr %scevgep14, align 8, !noalias !215
   %.314.i = fsub contract double %.218.i, %.971
-  %12 = fmul contract double %.1006, %.314.i
+  %12 = fmul contract double %.1001, %.314.i
   %.319.i = fsub contract double %.865, %12
   %scevgep13 = getelementptr i8, ptr %arg.p.4, i64 %13
   store double %.319.i, ptr %scevgep13, align 8, !noalias !215
@@ -11713,19 +11723,19 @@ B34.if.i:                                         ; preds = %B322, %B144.i
   br i1 %.234.i, label %B94.i, label %B144.i
 
 B22.preheader.i:                                  ; preds = %B480
-  %.1508 = sub i64 %.13.i22, %arg.start
-  %.1587 = getelementptr double, ptr %arg.p.4, i64 %.1508
-  %.1521 = getelementptr double, ptr %arg.a.4, i64 %.1508
+  %.1498 = sub i64 %.13.i25, %arg.start
+  %.1577 = getelementptr double, ptr %arg.p.4, i64 %.1498
+  %.1511 = getelementptr double, ptr %arg.a.4, i64 %.1498
   %.264.i = shl nsw i64 %arg.sizes.0, 1
   %.277.i = mul nsw i64 %arg.sizes.0, 3
-  %14 = mul i64 %.13.i22, -8
-  %scevgep7.i = getelementptr i8, ptr %.1587, i64 %14
-  %scevgep11.i = getelementptr i8, ptr %.1521, i64 %14
+  %14 = mul i64 %.13.i25, -8
+  %scevgep7.i = getelementptr i8, ptr %.1577, i64 %14
+  %scevgep11.i = getelementptr i8, ptr %.1511, i64 %14
   br label %B22.i
 
 B22.i:                                            ; preds = %B926.i, %B22.preheader.i
-  %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %.1222, %B22.preheader.i ]
-  %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i22, %B22.preheader.i ]
+  %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %.1212, %B22.preheader.i ]
+  %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i25, %B22.preheader.i ]
   %.149.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i
   %.150.i = load i64, ptr %.149.i, align 8, !noalias !218
   %.154.not.i = icmp sgt i64 %.150.i, %start.2.0.i
@@ -11734,9 +11744,9 @@ B22.i:                                            ; preds = %B926.i, %B22.prehea
 B62.i:                                            ; preds = %B22.i, %B62.i
   %cell.4.1.i = phi i64 [ %.157.i, %B62.i ], [ %cell.2.0.i, %B22.i ]
   %.157.i = add i64 %cell.4.1.i, 1
-  %sunkaddr = shl i64 %.157.i, 3
-  %sunkaddr15 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr
-  %.170.i = load i64, ptr %sunkaddr15, align 8, !noalias !218
+  %sunkaddr15 = shl i64 %.157.i, 3
+  %sunkaddr16 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr15
+  %.170.i = load i64, ptr %sunkaddr16, align 8, !noalias !218
   %.172.not.i = icmp sgt i64 %.170.i, %start.2.0.i
   br i1 %.172.not.i, label %B112.i, label %B62.i
 
@@ -11744,7 +11754,7 @@ B112.i:                                           ; preds = %B62.i, %B22.i
   %cell.3.2.i = phi i64 [ %cell.2.0.i, %B22.i ], [ %.157.i, %B62.i ]
   %.184.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i
   %.185.i = load i64, ptr %.184.i, align 8, !noalias !218
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i24, i64 %.185.i)
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i27, i64 %.185.i)
   %.395.i = sub i64 %.13.i.i, %start.2.0.i
   %15 = add i64 %.395.i, 7
   %.417.i = lshr i64 %15, 3
@@ -11754,18 +11764,18 @@ B112.i:                                           ; preds = %B62.i, %B22.i
   br i1 %.438305.not.i, label %B926.i, label %B570.if.lr.ph.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
-  %.602.i = icmp slt i64 %.185.i, %.13.i24
+  %.602.i = icmp slt i64 %.185.i, %.13.i27
   br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
-  %.228.i40 = getelementptr inbounds double, ptr %.1112, i64 %cell.3.2.i
-  %.229.i41 = load double, ptr %.228.i40, align 8, !noalias !218
-  %.231.i = fsub contract double %.435, %.229.i41
+  %.228.i43 = getelementptr inbounds double, ptr %.1102, i64 %cell.3.2.i
+  %.229.i44 = load double, ptr %.228.i43, align 8, !noalias !218
+  %.231.i = fsub contract double %.435, %.229.i44
   %.279.i = add nsw i64 %cell.3.2.i, %.277.i
   %.347.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.279.i
   %.348.i = load double, ptr %.347.i, align 8, !noalias !218
-  %.266.i42 = add nsw i64 %cell.3.2.i, %.264.i
-  %.334.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.266.i42
+  %.266.i45 = add nsw i64 %cell.3.2.i, %.264.i
+  %.334.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.266.i45
   %.335.i = load double, ptr %.334.i, align 8, !noalias !218
   %.247.i = add nsw i64 %cell.3.2.i, %arg.sizes.0
   %.315.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.247.i
@@ -11774,7 +11784,7 @@ B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.304.i = load double, ptr %.303.i, align 8, !noalias !218
   %.287.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.279.i
   %.288.i = load double, ptr %.287.i, align 8, !noalias !218
-  %.274.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.266.i42
+  %.274.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.266.i45
   %.275.i = load double, ptr %.274.i, align 8, !noalias !218
   %.255.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.247.i
   %.256.i = load double, ptr %.255.i, align 8, !noalias !218
@@ -11796,8 +11806,8 @@ B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.549.i = shufflevector <8 x double> %.548.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.552.i = insertelement <8 x double> poison, double %.304.i, i64 0
   %.553.i = shufflevector <8 x double> %.552.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i.i43 = insertelement <8 x double> poison, double %.231.i, i64 0
-  %.7.i.i44 = shufflevector <8 x double> %.6.i.i43, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i.i46 = insertelement <8 x double> poison, double %.231.i, i64 0
+  %.7.i.i47 = shufflevector <8 x double> %.6.i.i46, <8 x double> poison, <8 x i32> zeroinitializer
   %16 = shl i64 %start.2.0.i, 3
   %17 = add nuw nsw i64 %.417.i, 7
   br label %B570.if.i
@@ -11805,17 +11815,17 @@ B570.if.lr.ph.i:                                  ; preds = %B112.i
 B570.if.i:                                        ; preds = %B570.if.i, %B570.if.lr.ph.i
   %lsr.iv11 = phi i64 [ %lsr.iv.next12, %B570.if.i ], [ %17, %B570.if.lr.ph.i ]
   %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %16, %B570.if.lr.ph.i ]
-  %scevgep13.i = getelementptr i8, ptr %.1245, i64 %lsr.iv8.i
+  %scevgep13.i = getelementptr i8, ptr %.1235, i64 %lsr.iv8.i
   %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !218
-  %.8.i.i45 = fadd contract <8 x double> %.7.i.i44, %.485.i
-  %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.515.i, <8 x double> %.518.i)
-  %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.519.i, <8 x double> %.522.i)
-  %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.523.i, <8 x double> %.526.i)
+  %.8.i.i48 = fadd contract <8 x double> %.7.i.i47, %.485.i
+  %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.515.i, <8 x double> %.518.i)
+  %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.519.i, <8 x double> %.522.i)
+  %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.523.i, <8 x double> %.526.i)
   %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %lsr.iv8.i
   store <8 x double> %.527.i, ptr %scevgep12.i, align 8, !noalias !218
-  %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.542.i, <8 x double> %.545.i)
-  %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.546.i, <8 x double> %.549.i)
-  %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i45, <8 x double> %.550.i, <8 x double> %.553.i)
+  %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.542.i, <8 x double> %.545.i)
+  %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.546.i, <8 x double> %.549.i)
+  %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.550.i, <8 x double> %.553.i)
   %scevgep10.i = getelementptr i8, ptr %scevgep7.i, i64 %lsr.iv8.i
   store <8 x double> %.554.i, ptr %scevgep10.i, align 8, !noalias !218
   %lsr.iv.next9.i = add i64 %lsr.iv8.i, 64
@@ -11824,41 +11834,41 @@ B570.if.i:                                        ; preds = %B570.if.i, %B570.if
   br i1 %.438.i, label %B570.if.i, label %B926.i
 
 _ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
-  %cell.5.1.i = phi i64 [ %.1222, %B480 ], [ %cell.3.2.i, %B926.i ]
-  store i64 %cell.5.1.i, ptr %.1221, align 8
+  %cell.5.1.i = phi i64 [ %.1212, %B480 ], [ %cell.3.2.i, %B926.i ]
+  store i64 %cell.5.1.i, ptr %.1211, align 8
   br label %B736
 
 B484.if.i:                                        ; preds = %B484.if.i, %B1168
   %lsr.iv6 = phi i64 [ %lsr.iv.next7, %B484.if.i ], [ %5, %B1168 ]
   %lsr.iv9 = phi ptr [ %scevgep11, %B484.if.i ], [ %arg.p.4, %B1168 ]
   %lsr.iv = phi ptr [ %scevgep8, %B484.if.i ], [ %arg.phase.4, %B1168 ]
-  %lsr.iv314 = phi ptr [ %scevgep315, %B484.if.i ], [ %.2171, %B1168 ]
-  %scevgep318 = getelementptr i8, ptr %lsr.iv314, i64 %.idx1791
-  %.1236.i = load <8 x double>, ptr %scevgep318, align 8, !noalias !212
-  %.1246.i = load <8 x double>, ptr %lsr.iv314, align 8, !noalias !212
-  %sunkaddr18 = getelementptr i8, ptr %lsr.iv314, i64 %sunkaddr17
-  %.1256.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !212
-  %.6.i.i90 = fmul contract <8 x double> %.1236.i, %.1236.i
-  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1283.i, <8 x double> %.1286.i)
-  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1287.i, <8 x double> %.1290.i)
-  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1291.i, <8 x double> %.1294.i)
-  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1298.i, <8 x double> %.1301.i)
-  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1302.i, <8 x double> %.1305.i)
-  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1306.i, <8 x double> %.1309.i)
-  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1313.i, <8 x double> %.1316.i)
-  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1317.i, <8 x double> %.1320.i)
-  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1321.i, <8 x double> %.1324.i)
-  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1328.i, <8 x double> %.1331.i)
-  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1332.i, <8 x double> %.1335.i)
-  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1336.i, <8 x double> %.1339.i)
-  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1343.i, <8 x double> %.1346.i)
-  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1347.i, <8 x double> %.1350.i)
-  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1351.i, <8 x double> %.1354.i)
-  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1358.i, <8 x double> %.1361.i)
-  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i90, <8 x double> %.1362.i, <8 x double> %.1365.i)
+  %lsr.iv320 = phi ptr [ %scevgep321, %B484.if.i ], [ %.2159, %B1168 ]
+  %scevgep324 = getelementptr i8, ptr %lsr.iv320, i64 %.idx1807
+  %.1236.i = load <8 x double>, ptr %scevgep324, align 8, !noalias !212
+  %.1246.i = load <8 x double>, ptr %lsr.iv320, align 8, !noalias !212
+  %sunkaddr19 = getelementptr i8, ptr %lsr.iv320, i64 %sunkaddr18
+  %.1256.i = load <8 x double>, ptr %sunkaddr19, align 8, !noalias !212
+  %.6.i.i93 = fmul contract <8 x double> %.1236.i, %.1236.i
+  %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1283.i, <8 x double> %.1286.i)
+  %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1287.i, <8 x double> %.1290.i)
+  %.1295.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1291.i, <8 x double> %.1294.i)
+  %.1302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1298.i, <8 x double> %.1301.i)
+  %.1306.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1302.i, <8 x double> %.1305.i)
+  %.1310.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1306.i, <8 x double> %.1309.i)
+  %.1317.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1313.i, <8 x double> %.1316.i)
+  %.1321.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1317.i, <8 x double> %.1320.i)
+  %.1325.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1321.i, <8 x double> %.1324.i)
+  %.1332.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1328.i, <8 x double> %.1331.i)
+  %.1336.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1332.i, <8 x double> %.1335.i)
+  %.1340.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1336.i, <8 x double> %.1339.i)
+  %.1347.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1343.i, <8 x double> %.1346.i)
+  %.1351.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1347.i, <8 x double> %.1350.i)
+  %.1355.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1351.i, <8 x double> %.1354.i)
+  %.1362.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1358.i, <8 x double> %.1361.i)
+  %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
-  %scevgep316 = getelementptr i8, ptr %lsr.iv314, i64 %.idx1792
-  %.1377.i = load <8 x double>, ptr %scevgep316, align 8, !noalias !212
+  %scevgep322 = getelementptr i8, ptr %lsr.iv320, i64 %.idx1808
+  %.1377.i = load <8 x double>, ptr %scevgep322, align 8, !noalias !212
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
   %.1426.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1366.i, <8 x double> %.1355.i)
@@ -11871,45 +11881,45 @@ B484.if.i:                                        ; preds = %B484.if.i, %B1168
   %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
   %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
   store <8 x double> %.6.i19.i, ptr %lsr.iv, align 8, !noalias !212
-  %scevgep315 = getelementptr i8, ptr %lsr.iv314, i64 64
+  %scevgep321 = getelementptr i8, ptr %lsr.iv320, i64 64
   %scevgep8 = getelementptr i8, ptr %lsr.iv, i64 64
   %scevgep11 = getelementptr i8, ptr %lsr.iv9, i64 64
   %lsr.iv.next7 = add nsw i64 %lsr.iv6, -1
   %.1189.i = icmp sgt i64 %lsr.iv6, 8
-  br i1 %.1189.i, label %B484.if.i, label %B1224
+  br i1 %.1189.i, label %B484.if.i, label %B1270
 
-B22.preheader.i114:                               ; preds = %B1226
-  %.3002 = sub i64 %.13.i22, %arg.start
-  %.3078 = getelementptr double, ptr %arg.phase.4, i64 %.3002
-  %.3013 = getelementptr double, ptr %arg.amplitude.4, i64 %.3002
-  %18 = mul i64 %.13.i22, -8
-  %scevgep4.i = getelementptr i8, ptr %.3078, i64 %18
-  %scevgep8.i = getelementptr i8, ptr %.3013, i64 %18
-  br label %B22.i115
+B22.preheader.i117:                               ; preds = %B1272
+  %.2988 = sub i64 %.13.i25, %arg.start
+  %.3064 = getelementptr double, ptr %arg.phase.4, i64 %.2988
+  %.2999 = getelementptr double, ptr %arg.amplitude.4, i64 %.2988
+  %18 = mul i64 %.13.i25, -8
+  %scevgep4.i = getelementptr i8, ptr %.3064, i64 %18
+  %scevgep8.i = getelementptr i8, ptr %.2999, i64 %18
+  br label %B22.i118
 
-B22.i115:                                         ; preds = %B1344.i, %B22.preheader.i114
-  %cell.2.0.i116 = phi i64 [ %cell.3.2.i122, %B1344.i ], [ %.3175, %B22.preheader.i114 ]
-  %start.2.0.i117 = phi i64 [ %.13.i.i123, %B1344.i ], [ %.13.i22, %B22.preheader.i114 ]
-  %.160.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i116
+B22.i118:                                         ; preds = %B1344.i, %B22.preheader.i117
+  %cell.2.0.i119 = phi i64 [ %cell.3.2.i125, %B1344.i ], [ %.3161, %B22.preheader.i117 ]
+  %start.2.0.i120 = phi i64 [ %.13.i.i126, %B1344.i ], [ %.13.i25, %B22.preheader.i117 ]
+  %.160.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i119
   %.161.i = load i64, ptr %.160.i, align 8, !noalias !221
-  %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i117
-  br i1 %.165.not.i, label %B112.i121, label %B62.i118
+  %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i120
+  br i1 %.165.not.i, label %B112.i124, label %B62.i121
 
-B62.i118:                                         ; preds = %B22.i115, %B62.i118
-  %cell.4.1.i119 = phi i64 [ %.168.i, %B62.i118 ], [ %cell.2.0.i116, %B22.i115 ]
-  %.168.i = add i64 %cell.4.1.i119, 1
-  %sunkaddr19 = shl i64 %.168.i, 3
-  %sunkaddr20 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr19
-  %.181.i = load i64, ptr %sunkaddr20, align 8, !noalias !221
-  %.183.not.i = icmp sgt i64 %.181.i, %start.2.0.i117
-  br i1 %.183.not.i, label %B112.i121, label %B62.i118
+B62.i121:                                         ; preds = %B22.i118, %B62.i121
+  %cell.4.1.i122 = phi i64 [ %.168.i, %B62.i121 ], [ %cell.2.0.i119, %B22.i118 ]
+  %.168.i = add i64 %cell.4.1.i122, 1
+  %sunkaddr20 = shl i64 %.168.i, 3
+  %sunkaddr21 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr20
+  %.181.i = load i64, ptr %sunkaddr21, align 8, !noalias !221
+  %.183.not.i = icmp sgt i64 %.181.i, %start.2.0.i120
+  br i1 %.183.not.i, label %B112.i124, label %B62.i121
 
-B112.i121:                                        ; preds = %B62.i118, %B22.i115
-  %cell.3.2.i122 = phi i64 [ %cell.2.0.i116, %B22.i115 ], [ %.168.i, %B62.i118 ]
-  %.195.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i122
+B112.i124:                                        ; preds = %B62.i121, %B22.i118
+  %cell.3.2.i125 = phi i64 [ %cell.2.0.i119, %B22.i118 ], [ %.168.i, %B62.i121 ]
+  %.195.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i125
   %.196.i = load i64, ptr %.195.i, align 8, !noalias !221
-  %.13.i.i123 = tail call i64 @llvm.smin.i64(i64 %.13.i24, i64 %.196.i)
-  %.529.i = sub i64 %.13.i.i123, %start.2.0.i117
+  %.13.i.i126 = tail call i64 @llvm.smin.i64(i64 %.13.i27, i64 %.196.i)
+  %.529.i = sub i64 %.13.i.i126, %start.2.0.i120
   %19 = add i64 %.529.i, 7
   %.551.i = lshr i64 %19, 3
   %.530.inv.i = icmp slt i64 %.529.i, 1
@@ -11917,12 +11927,12 @@ B112.i121:                                        ; preds = %B62.i118, %B22.i115
   %.573363.not.i = or i1 %.530.inv.i, %.573363.not375.i
   br i1 %.573363.not.i, label %B1344.i, label %B808.if.lr.ph.i
 
-B1344.i:                                          ; preds = %B808.if.i, %B112.i121
-  %.751.i = icmp slt i64 %.196.i, %.13.i24
-  br i1 %.751.i, label %B22.i115, label %B1226.endif.endif.endif.endif.endif.endif
+B1344.i:                                          ; preds = %B808.if.i, %B112.i124
+  %.751.i = icmp slt i64 %.196.i, %.13.i27
+  br i1 %.751.i, label %B22.i118, label %B1272.endif.endif.endif.endif.endif.endif
 
-B808.if.lr.ph.i:                                  ; preds = %B112.i121
-  %.261.i = shl nsw i64 %cell.3.2.i122, 3
+B808.if.lr.ph.i:                                  ; preds = %B112.i124
+  %.261.i = shl nsw i64 %cell.3.2.i125, 3
   %20 = getelementptr double, ptr %arg.fitted.1.4, i64 %.261.i
   %.478.i = getelementptr i8, ptr %20, i64 48
   %.479.i = load double, ptr %.478.i, align 8, !noalias !221
@@ -11942,22 +11952,22 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i121
   %.392.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.271.i
   %.393.i = load double, ptr %.392.i, align 8, !noalias !221
   %.383.i = load double, ptr %20, align 8, !noalias !221
-  %.319.i124 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.311.i
-  %.320.i = load double, ptr %.319.i124, align 8, !noalias !221
+  %.319.i127 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.311.i
+  %.320.i = load double, ptr %.319.i127, align 8, !noalias !221
   %.309.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.301.i
   %.310.i = load double, ptr %.309.i, align 8, !noalias !221
   %.299.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.291.i
   %.300.i = load double, ptr %.299.i, align 8, !noalias !221
   %.289.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.281.i
   %.290.i = load double, ptr %.289.i, align 8, !noalias !221
-  %.279.i125 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.271.i
-  %.280.i = load double, ptr %.279.i125, align 8, !noalias !221
+  %.279.i128 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.271.i
+  %.280.i = load double, ptr %.279.i128, align 8, !noalias !221
   %.269.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.261.i
   %.270.i = load double, ptr %.269.i, align 8, !noalias !221
-  %.251.i = getelementptr inbounds double, ptr %.2942, i64 %cell.3.2.i122
+  %.251.i = getelementptr inbounds double, ptr %.2928, i64 %cell.3.2.i125
   %.252.i = load double, ptr %.251.i, align 8, !noalias !221
   %.253.i = fsub contract double 0.000000e+00, %.252.i
-  %.239.i = getelementptr inbounds double, ptr %.2812, i64 %cell.3.2.i122
+  %.239.i = getelementptr inbounds double, ptr %.2798, i64 %cell.3.2.i125
   %.240.i = load double, ptr %.239.i, align 8, !noalias !221
   %.242.i = fmul contract double %.405, %.240.i
   %.623.i = insertelement <8 x double> poison, double %.242.i, i64 0
@@ -11973,7 +11983,7 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i121
   %.642.i = insertelement <8 x double> poison, double %.290.i, i64 0
   %.643.i = shufflevector <8 x double> %.642.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.646.i = insertelement <8 x double> poison, double %.280.i, i64 0
-  %.647.i126 = shufflevector <8 x double> %.646.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.647.i129 = shufflevector <8 x double> %.646.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.650.i = insertelement <8 x double> poison, double %.270.i, i64 0
   %.651.i = shufflevector <8 x double> %.650.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.664.i = insertelement <8 x double> poison, double %.479.i, i64 0
@@ -11990,21 +12000,21 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i121
   %.686.i = shufflevector <8 x double> %.685.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.689.i = insertelement <8 x double> poison, double %.383.i, i64 0
   %.690.i = shufflevector <8 x double> %.689.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %21 = shl i64 %start.2.0.i117, 3
+  %21 = shl i64 %start.2.0.i120, 3
   %22 = add nuw nsw i64 %.551.i, 7
   br label %B808.if.i
 
 B808.if.i:                                        ; preds = %B808.if.i, %B808.if.lr.ph.i
   %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B808.if.i ], [ %22, %B808.if.lr.ph.i ]
   %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %21, %B808.if.lr.ph.i ]
-  %scevgep10.i128 = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv5.i
-  %.620.i = load <8 x double>, ptr %scevgep10.i128, align 8, !noalias !221
+  %scevgep10.i131 = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv5.i
+  %.620.i = load <8 x double>, ptr %scevgep10.i131, align 8, !noalias !221
   %.627.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.620.i, <8 x double> %.624.i, <8 x double> %.626.i)
   %.636.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.632.i, <8 x double> %.635.i)
   %.640.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.636.i, <8 x double> %.639.i)
   %.644.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.640.i, <8 x double> %.643.i)
-  %.648.i129 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.644.i, <8 x double> %.647.i126)
-  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i129, <8 x double> %.651.i)
+  %.648.i132 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.644.i, <8 x double> %.647.i129)
+  %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i132, <8 x double> %.651.i)
   %scevgep9.i = getelementptr i8, ptr %scevgep8.i, i64 %lsr.iv5.i
   store <8 x double> %.652.i, ptr %scevgep9.i, align 8, !noalias !221
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.665.i, <8 x double> %.668.i)
@@ -12013,32 +12023,36 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %.683.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.677.i, <8 x double> %.682.i)
   %.687.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.683.i, <8 x double> %.686.i)
   %.691.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.687.i, <8 x double> %.690.i)
-  %scevgep7.i130 = getelementptr i8, ptr %scevgep4.i, i64 %lsr.iv5.i
-  store <8 x double> %.691.i, ptr %scevgep7.i130, align 8, !noalias !221
+  %scevgep7.i133 = getelementptr i8, ptr %scevgep4.i, i64 %lsr.iv5.i
+  store <8 x double> %.691.i, ptr %scevgep7.i133, align 8, !noalias !221
   %lsr.iv.next6.i = add i64 %lsr.iv5.i, 64
   %lsr.iv.next5 = add nsw i64 %lsr.iv4, -1
   %.573.i = icmp sgt i64 %lsr.iv4, 8
   br i1 %.573.i, label %B808.if.i, label %B1344.i
 
-B1226.endif.endif.endif.endif.endif.endif:        ; preds = %B1344.i, %B1226
-  %cell.5.1.i113 = phi i64 [ %.3175, %B1226 ], [ %cell.3.2.i122, %B1344.i ]
-  store i64 %cell.5.1.i113, ptr %.3174, align 8
-  br label %B1456
+B1272.endif.endif.endif.endif.endif.endif:        ; preds = %B1344.i, %B1272
+  %cell.5.1.i116 = phi i64 [ %.3161, %B1272 ], [ %cell.3.2.i125, %B1344.i ]
+  store i64 %cell.5.1.i116, ptr %.3160, align 8
+  br label %B1552
 
 B76400.if:                                        ; preds = %B76400.if, %B76400.if.lr.ph
   %lsr.iv1 = phi i64 [ %lsr.iv.next, %B76400.if ], [ %10, %B76400.if.lr.ph ]
-  %lsr.iv300 = phi i64 [ %lsr.iv.next301, %B76400.if ], [ %8, %B76400.if.lr.ph ]
-  %scevgep305 = getelementptr i8, ptr %scevgep304, i64 %lsr.iv300
-  store <8 x double> %.3705, ptr %scevgep305, align 8
-  %scevgep = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv300
-  %.3727 = load <8 x double>, ptr %scevgep, align 8
-  %.3738 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.3727, <8 x double> %.3737, <8 x double> %.3735)
-  %scevgep303 = getelementptr i8, ptr %scevgep302, i64 %lsr.iv300
-  store <8 x double> %.3738, ptr %scevgep303, align 8
-  %lsr.iv.next301 = add i64 %lsr.iv300, 64
+  %lsr.iv304 = phi i64 [ %lsr.iv.next305, %B76400.if ], [ %8, %B76400.if.lr.ph ]
+  %scevgep307 = getelementptr i8, ptr %scevgep306, i64 %lsr.iv304
+  %.3749 = load <8 x double>, ptr %scevgep307, align 8
+  %.6.i = fmul contract <8 x double> %.3752, %.3749
+  %.6.i135 = fmul contract <8 x double> %.3749, %.6.i
+  %scevgep311 = getelementptr i8, ptr %scevgep310, i64 %lsr.iv304
+  store <8 x double> %.6.i135, ptr %scevgep311, align 8
+  %scevgep = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv304
+  %.3822 = load <8 x double>, ptr %scevgep, align 8
+  %.3833 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.3822, <8 x double> %.3832, <8 x double> %.3830)
+  %scevgep309 = getelementptr i8, ptr %scevgep308, i64 %lsr.iv304
+  store <8 x double> %.3833, ptr %scevgep309, align 8
+  %lsr.iv.next305 = add i64 %lsr.iv304, 64
   %lsr.iv.next = add nsw i64 %lsr.iv1, -1
-  %.3664 = icmp sgt i64 %lsr.iv1, 7
-  br i1 %.3664, label %B76400.if, label %B76706
+  %.3697 = icmp sgt i64 %lsr.iv1, 7
+  br i1 %.3697, label %B76400.if, label %B76706
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)

@@ -4,7 +4,8 @@ Everything that the (2, 2) does at M f a carrier does at x, so it is the same co
 dense grid all carriers have one set of polynomials, because these are functions of x.
 
 Where the (2, 2) ends, at the upper end of the band, that of m = 1 is at half its frequency. Its phase goes on from
-there as a straight line and its amplitude as it is, to the upper end of the band in M f.
+there as a straight line and its amplitude falls as f^(-10/3), both as TEOBResumS's own, to the upper end of the band in
+M f.
 """
 
 from __future__ import annotations
@@ -104,8 +105,10 @@ def fill_carrier(
         scales, offsets = floats_in(own, 0, n_c), floats_in(own, n_c, n_c)
         out = (floats_in(amplitude, below - start, ANY), floats_in(phase, below - start, ANY))
         places[5] = polynomials(grid, below, line, mass, scales, offsets, ends, places[5], *fitted, *out)
+    falling = top[0] * (band[1] / mass) ** (10.0 / 3.0)
     for j in range(line - start, inside - start, LANES):
-        store(amplitude, j, splat(top[0]))
+        power = load(grid, 3 * stride + start + j)  # f^(-5/3)
+        store(amplitude, j, splat(falling) * power * power)
         store(phase, j, fma(load(grid, start + j), top[2] * mass, splat(top[1])))
 
 
