@@ -11,7 +11,7 @@ from pathlib import Path
 
 from benchmarks.figures import style
 from benchmarks.figures.drawing import DataMissing, Drawing, save
-from benchmarks.figures.workspace import Workspace
+from benchmarks.figures.workspace import VALIDATION_SEED, Workspace
 from benchmarks.page import fill
 from bnserve_protocol import BnserveError
 from bnserve_store import ModelStore
@@ -69,7 +69,7 @@ def _drawn(name: str, workspace: Workspace, options: argparse.Namespace) -> bool
 def _command(name: str, options: argparse.Namespace) -> str:
     """What to type for the same numbers; where files lie does not matter."""
     parser = _parser()
-    chosen = {option: getattr(options, option) for option in ("fresh", "largest", "paper_largest")}
+    chosen = {option: getattr(options, option) for option in ("fresh", "largest", "paper_largest", "seed")}
     given = [f"--{k.replace('_', '-')} {v}" for k, v in chosen.items() if v != parser.get_default(k)]
     return " ".join(["python -m benchmarks.figures", name, *(["--short"] if options.short else given)])
 
@@ -87,6 +87,7 @@ def _workspace(options: argparse.Namespace) -> Workspace:
         paper_largest=options.paper_largest,
         fresh=options.fresh,
         jobs=options.jobs,
+        seed=options.seed,
         again=options.again,
     )
 
@@ -107,6 +108,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--largest", type=int, default=2**14, metavar="N", help="most waveforms to train on (2^14)")
     parser.add_argument("--paper-largest", type=int, default=2**15, metavar="N", help="with the paper's recipe (2^15)")
     parser.add_argument("--fresh", type=int, default=4096, metavar="N", help="waveforms to measure on (4096)")
+    parser.add_argument("--seed", type=int, default=VALIDATION_SEED, metavar="N", help="of higher_modes (2024)")
     parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="processes at once (all cores)")
     parser.add_argument("--again", action="store_true", help="compute anew what is kept")
     return parser

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from benchmarks.figures import style
 from benchmarks.figures.drawing import DataMissing, Drawing, quantile_row, quantiles, table
-from benchmarks.figures.workspace import VALIDATION_SEED, Workspace
+from benchmarks.figures.workspace import Workspace
 from benchmarks.whole_waveform.rows import measured_whole
 
 _DEGREES = np.array([0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0])
@@ -23,7 +23,7 @@ def draw(workspace: Workspace) -> Drawing:
     if len(workspace.metadata.modes) < 2:
         raise DataMissing(f"{workspace.model_name} has the (2, 2) mode alone; take one with more (--model).")
     count = workspace.count(workspace.fresh, 64)
-    found = measured_whole(workspace.artifact, "uniform", count, VALIDATION_SEED, workspace.directory, workspace.jobs)
+    found = measured_whole(workspace.artifact, "uniform", count, workspace.seed, workspace.directory, workspace.jobs)
     tilt = np.degrees(np.minimum(found["inclination"], np.pi - found["inclination"]))
     figure = style.figure(13.0, 6.0)
     left, right = figure.subplots(1, 2)
@@ -35,7 +35,7 @@ def draw(workspace: Workspace) -> Drawing:
             left.plot(middle, values, line, color=colour, label=f"{label}: {'median' if level == 0.5 else '99 %'}")
     left.set(yscale="log", xlabel="inclination to the orbital axis  [degrees]", ylabel="mismatch  (ET-D)")
     left.set_ylim(1e-12, 0.3)
-    left.legend(loc="lower right", fontsize=11)
+    left.legend(loc="center right", fontsize=11, bbox_to_anchor=(1.0, 0.52))
     cells: Any = right.hexbin(
         tilt, found["mass_ratio"], C=found["without"], reduce_C_function=np.median, gridsize=(16, 10),
         norm=LogNorm(1e-5, 1e-2), cmap=style.SEQUENTIAL, linewidths=0.1,

@@ -59,6 +59,8 @@ class Workspace:
         Waveforms to measure on, uniform in the box; a quarter as many on its faces, edges and corners.
     jobs:
         Processes at once.
+    seed:
+        Of the waveforms to measure on, where a figure has its own.
     again:
         Compute anew what is kept.
     """
@@ -73,6 +75,7 @@ class Workspace:
     paper_largest: int = 2**15
     fresh: int = 4096
     jobs: int = -1
+    seed: int = VALIDATION_SEED
     again: bool = False
 
     def count(self, full: int, short: int) -> int:

@@ -14,6 +14,8 @@ from bnserve_surrogate.training.config import parse_configuration
 from bnserve_surrogate.training.pipeline import train
 from bnserve_surrogate.training.publication import publish
 
+OF_MODES = ("modes", "higher_modes")
+"""Figures of models with several."""
 FUNCTION = "tests.integration.figure_waveforms:waveform"
 GENERATOR = """
 [generator]
@@ -107,9 +109,10 @@ def arguments(place: Path) -> list[str]:
 
 @pytest.mark.slow
 def test_one_command_draws_all_figures_and_writes_their_numbers(place, capsys):
-    assert figures(["all", *arguments(place), "--page", str(place / "page.md")]) == 0
+    names = [name for name in FIGURES if name not in OF_MODES]
+    assert figures([*names, *arguments(place), "--page", str(place / "page.md")]) == 0
     printed = capsys.readouterr().out
-    for name in FIGURES:
+    for name in names:
         assert (place / "images" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
         record = json.loads((place / "images" / f"{name}.json").read_text())
         assert record["setup"]["command"] == f"python -m benchmarks.figures {name} --short"
@@ -121,7 +124,7 @@ def test_one_command_draws_all_figures_and_writes_their_numbers(place, capsys):
             in (place / "page.md").read_text()
         )
 
-    numbers = {name: json.loads((place / "images" / f"{name}.json").read_text())["numbers"] for name in FIGURES}
+    numbers = {name: json.loads((place / "images" / f"{name}.json").read_text())["numbers"] for name in names}
     before, after = (numbers["residuals"][when]["phase_radians"]["all"] for when in ("before", "after"))
     assert after < before / 10
     by_size = numbers["mismatch_by_size"]["mismatch"]
@@ -129,6 +132,19 @@ def test_one_command_draws_all_figures_and_writes_their_numbers(place, capsys):
     assert by_size["ours"]["256"]["median"] < by_size["baseline alone"]["0"]["median"] / 10
     points = numbers["sampling"]["points"]
     assert points["uniform"]["phase"] > points["multibanded"]["phase"] > points["greedy on residuals"]["phase"]
+
+
+@pytest.mark.parametrize("name", OF_MODES)
+def test_a_figure_of_modes_says_which_models_have_some(place, capsys, name):
+    assert figures([name, *arguments(place)]) == 1
+    assert "has the (2, 2) mode alone; take one with more" in capsys.readouterr().err
+
+
+def test_the_modes_of_the_shipped_model_are_drawn(place, tmp_path, capsys):
+    assert figures(["modes", *common(place), "--model", "default@2.0.0", "--output", str(tmp_path)]) == 0
+    printed = capsys.readouterr().out
+    assert all(str(mode) in printed for mode in [(2, 2), (2, 1), (3, 3), (4, 4), (3, 2), (3, 1), (4, 3)])
+    assert (tmp_path / "modes.png").exists()
 
 
 def test_drawing_again_generates_nothing(place, capsys):
