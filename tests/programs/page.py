@@ -23,7 +23,7 @@ ROOT = Path(__file__).parents[2]
 NOT_RUN = re.compile(r"<!-- not run: \S.*-->")
 COMMAND = re.compile(
     r"(\.venv(-test)?/bin/)?(apt-get|bajes_pipe|bash|bnserve|cp|curl|deploy/batch|docker|echo|export|install"
-    r"|kubectl|mkdir|mypy|pip|pycbc_inference|python3?|ruff|sed|serve|sudo|uv)\b|[A-Za-z0-9]+=\S"
+    r"|kubectl|mkdir|mypy|pip|pycbc_inference|python3?|ruff|sbatch|sed|serve|sudo|uv)\b|[A-Za-z0-9]+=\S"
 )
 """How a command begins; an indented block is one of a shell where its first line does."""
 OTHER = re.compile(r"\S.* = |\[|def ")
