@@ -254,6 +254,7 @@ examples() {
         check "$file" "$python" "$file" "$address" "${extra[@]}"
     done
     check "with_dynesty.py --batches" "$python" examples/samplers/with_dynesty.py "$address" --short --batches
+    page docs/guides/samplers.md # it takes minutes
     stop
 }
 

@@ -15,7 +15,7 @@ from tests.programs import page
 PAGES = {str(path): (ROOT / path).read_text(encoding="utf-8") for path in tracked_files() if path.suffix == ".md"}
 RUN_BY = re.compile(r"^<!-- run by: tests/programs\.sh (\w+) -->$", re.MULTILINE)
 RUN = [name for name, text in PAGES.items() if not RUN_BY.search(text) and any(b.is_run for b in page.blocks(text))]
-WARNINGS = {"docs/tutorial.md": "default", "docs/guides/samplers.md": "default"}
+WARNINGS = {"docs/tutorial.md": "default"}
 """Of samplers and what they import; on all other pages warnings are errors."""
 
 
