@@ -1,6 +1,6 @@
 """bnserve itself, in process: ``Model.predict`` and ``Model.predict_batch`` of a shipped model, h+ and hx, complex128.
 
-Arguments: the model's name, and ``all`` for all its modes; else the (2, 2) alone, as its peers have it.
+Arguments: the model's name, and which modes: ``all`` or such as ``22,33``; else the (2, 2), as its peers have it.
 
 Install: it is what this checkout installs; the benchmarks run it with their own interpreter.
 
@@ -25,10 +25,11 @@ class Bnserve(Peer):
 
     packages = ("bnserve-surrogate",)
 
-    def __init__(self, name: str, modes: str = "") -> None:
+    def __init__(self, name: str, modes: str = "22") -> None:
         self.name = f"bnserve {name}"
         self._model = Model.load(name)
-        self._options = EvaluationOptions() if modes == "all" else EvaluationOptions(modes=((2, 2),))
+        chosen = None if modes == "all" else tuple((int(mode[0]), int(mode[1])) for mode in modes.split(","))
+        self._options = EvaluationOptions(modes=chosen)
         self.f_min = self._model.description.frequency_band[0]
         self._model.warm_up()
 

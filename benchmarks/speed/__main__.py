@@ -18,6 +18,7 @@ from typing import Any
 from benchmarks.environments import folder_from_environment
 from benchmarks.page import fill
 from benchmarks.speed.bars import BARS
+from benchmarks.speed.four_modes import four_modes
 from benchmarks.speed.fresh import first_waveform, worker_memory
 from benchmarks.speed.local import local_cases, local_figures, local_workers, two_cores
 from benchmarks.speed.remote import remote_cases, remote_figures
@@ -73,6 +74,7 @@ def measure(setup: Setup) -> dict[str, dict[str, Any]]:
     cores = two_cores(setup, 7 * few)
     os.sched_setaffinity(0, setup.cpus)
     try:
+        of_four = four_modes(setup)
         figures = {"first_waveform": first_waveform(setup, few), "memory": worker_memory(setup)}
         with local_workers(setup) as workers, remote_cases(setup) as remote:
             seconds = shuffled(local_cases(workers) | remote, setup.epochs, after_epoch=_progress(setup.epochs))
@@ -80,7 +82,7 @@ def measure(setup: Setup) -> dict[str, dict[str, Any]]:
     finally:
         os.sched_setaffinity(0, setup.all_cpus)
     figures |= local_figures(medians) | remote_figures(medians) | serving_figures(setup)
-    return figures | ({"two_cores": cores} if cores else {})
+    return figures | ({"two_cores": cores} if cores else {}) | ({"four_modes": of_four} if of_four else {})
 
 
 def _progress(epochs: int) -> Any:

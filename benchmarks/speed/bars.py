@@ -30,6 +30,7 @@ BARS = (
     Bar("batch_1000", "batch of 256, per waveform, 1,000 points", 8, 20, "us"),
     Bar("batch_10000", "batch of 256, per waveform, 10,000 points", 35, 80, "us"),
     Bar("all_modes", "the same of all modes, 1,000 points, against the (2, 2) alone", 4, 7, "of floor"),
+    Bar("four_modes", "four modes, batch of 256 x 1,000, against mlgw_bns 2.0.1", 40, 20, "x"),
     Bar("two_cores", "two cores against one, batches of 256 x 1,000", 1.9, 1.7, "x"),
     Bar("first_waveform", "first waveform in a fresh process (import, load)", 0.5, 1.2, "s"),
     Bar("memory", "memory of a worker serving `default`", 150, 250, "MB"),
