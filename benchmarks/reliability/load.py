@@ -149,6 +149,7 @@ def waveforms_request(
             "parameters": {k: v if len(v) > 1 else v[0] for k, v in parameters.items()},
             "grid": grid,
             "output": "factored",
+            "modes": [[2, 2]],
         }
     )
     given = {name.replace("_", "-"): value for name, value in headers.items()}

@@ -30,6 +30,8 @@ _SPARE_STEPS = 32
 """Beside them, for what is hardly curved."""
 _MOST_HALVINGS = 24
 """A signal-to-noise ratio of a hundred million."""
+_LOST = 1e13
+"""ln L of this size is rounded to 2e-3, and of more to what no step of the phase changes: nothing is there to divide."""
 _ROWS_AT_ONCE = 64
 """Arrays of a hundred kilobytes: larger ones are new pages every time, which cost more than what is done with them."""
 _LEAST_NORM = 1e-9
@@ -139,7 +141,8 @@ class PhaseIntegral:
         u = np.minimum(1.1 * (nearest + reach), self._distances.most)  # the tenth: between places it may be larger
         curvature = u * (series.bends[0] + 0.5 * u * series.bends[1])
         steps = _STEPS * np.sqrt(curvature) + _SPARE_STEPS
-        return np.clip(np.ceil(np.log2(steps / self._first)), 0, _MOST_HALVINGS).astype(np.int64)
+        needed = np.clip(np.ceil(np.log2(steps / self._first)), 0, _MOST_HALVINGS)
+        return np.where(u * (series.sizes[0] + u * series.sizes[1]) < _LOST, needed, 0).astype(np.int64)
 
 
 class _Series:
@@ -149,6 +152,8 @@ class _Series:
     ----------
     bends
         Bounds of the second derivatives of both, ``(N,)`` each.
+    sizes
+        Bounds of both.
     """
 
     def __init__(
@@ -157,6 +162,7 @@ class _Series:
         self._terms = (products, orders), (norms, differences)
         self._most = max(*orders, *differences)
         self._largest = np.abs(norms).sum(axis=0)
+        self.sizes = np.abs(products).sum(axis=0), self._largest
         self.bends = [
             np.sum([m * m * np.abs(term) for m, term in zip(multiples, terms, strict=True)], axis=0)
             for terms, multiples in self._terms

@@ -44,7 +44,7 @@ def small_analysis(model=None, detectors=("H1", "L1"), seed=20170817, f_max=F_MA
     random = np.random.default_rng(seed)
     signal = {name: value for name, value in SIGNAL.items() if name in ("mass_ratio", "lambda_1", "lambda_2", "chi_1",
               "chi_2", "inclination", "total_mass", "distance_mpc")}  # fmt: skip
-    h = model.predict_factored(frequencies, signal, options=EvaluationOptions()).h[0]
+    h = model.predict_factored(frequencies, signal, options=EvaluationOptions(modes=[(2, 2)])).h[0]
     arrays = {}
     for name, response, location in sites(detectors):
         noise = random.normal(size=(2, len(frequencies))) * ASD * np.sqrt(DURATION) / 2.0
