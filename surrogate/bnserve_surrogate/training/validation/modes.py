@@ -43,6 +43,8 @@ def mode_errors(
     noise
         Name of a noise curve.
     """
+    if not dataset.modes.modes:
+        return {}
     mx, total_mass = dataset.modes.mx, float(batch["total_mass"][0])
     x = mx / mass_seconds(total_mass)
     size, psi = np.exp(truth[0]) * strain_scale(batch), truth[1]
