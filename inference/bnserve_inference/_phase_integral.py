@@ -31,7 +31,7 @@ _SPARE_STEPS = 32
 _MOST_HALVINGS = 24
 """A signal-to-noise ratio of a hundred million."""
 _LOST = 1e13
-"""ln L of this size is rounded to 2e-3, and of more to what no step of the phase changes: there is nothing to divide."""
+"""ln L of this size is rounded to 2e-3, and of more to what no step of the phase changes: nothing to divide."""
 _ROWS_AT_ONCE = 64
 """Arrays of a hundred kilobytes: larger ones are new pages every time, which cost more than what is done with them."""
 _LEAST_NORM = 1e-9
