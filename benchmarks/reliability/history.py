@@ -81,7 +81,7 @@ def _disturb(seconds: float, servers: list[Replica], store: Versions, log: Log) 
             log(f"replica {servers.index(victim) + 1} was killed and started again")
         elif versions < _VERSIONS:
             versions += 1
-            store.publish(f"1.0.{versions}", shipped=("fast", "default", "paper")[versions % 3])
+            store.publish(f"1.0.{versions}", shipped=("fast", "default", "wide")[versions % 3])
             log(f"version 1.0.{versions} was published")
     while not any(server.is_ready() for server in servers):
         time.sleep(0.1)
