@@ -77,7 +77,8 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
         that the model has.
     reference_frequency
         Hz; the frequency of the (2, 2) mode at which ``reference_phase`` is twice the orbital phase, as ``f_ref`` and
-        ``phiRef`` of LAL. None: ``reference_phase`` is added to the phase of the alignment.
+        ``phiRef`` of LAL. None: ``reference_phase`` is added to the phase of the alignment. Above a binary's band it is
+        an error (``OutOfBand``).
 
     Raises
     ------

@@ -23,7 +23,7 @@ from bnserve_protocol import (
     RowStatus,
 )
 from bnserve_surrogate._artifact import limits_of
-from bnserve_surrogate.kernel import LEAST_MF, MOST_PHASE
+from bnserve_surrogate.kernel import EDGE, LEAST_MF, MOST_PHASE
 
 _MAX_ERRORS = 20
 """Individual problems listed in one exception; the sentence gives their total."""
@@ -99,6 +99,25 @@ def refuse_rows(
             errors=problems,
         )
     raise _out_of_band(int(np.argmax(status == RowStatus.OUT_OF_BAND)), values, frequencies, mf_band, least_mf)
+
+
+def refuse_reference_above(batch: ParameterBatch, evaluated: NDArray[np.bool_], frequency: float, top: float) -> None:
+    """Refuse a reference ``frequency`` (Hz) above the band, which ends at the M f ``top``: no phase was learnt there.
+
+    Raises
+    ------
+    OutOfBand
+        It is above that of a row that is ``evaluated``, (N,).
+    """
+    masses = batch["total_mass"]
+    above = evaluated & (frequency * masses * SOLAR_MASS_SECONDS > top * (1.0 + EDGE))
+    if above.any():
+        row = int(np.argmax(above))
+        raise OutOfBand(
+            f"Row {row}: reference_frequency = {frequency:g} Hz is above the model's band, which ends at "
+            f"{top / (masses[row] * SOLAR_MASS_SECONDS):.6g} Hz at total mass {masses[row]:g} Msun; use a lower one.",
+            errors=[FieldError(reason="above the band", parameter="reference_frequency", row=row, value=frequency)],
+        )
 
 
 def _out_of_band(

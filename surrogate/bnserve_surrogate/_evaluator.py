@@ -34,7 +34,7 @@ from bnserve_protocol import (
     turn_to_reference,
 )
 from bnserve_protocol.wire import address_of, result_memory
-from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_rows
+from bnserve_surrogate._domain import NEAR, refuse_overflow, refuse_reference_above, refuse_rows
 from bnserve_surrogate._mode_phases import ModePhases
 from bnserve_surrogate._one_row import FEW, OneRow
 from bnserve_surrogate.kernel import (
@@ -281,18 +281,19 @@ class Evaluator:
 
         Rows that are not evaluated are left as they are.
         """
+        frequency = float(options.reference_frequency or 0.0)
         values = batch.values.copy()
         values[:, [_PHASE, _TIME]] = 0.0
-        grid = self._grids.prepare(np.array([options.reference_frequency]))
+        grid = self._grids.prepare(np.array([frequency]))
         kept = EvaluationOptions(out_of_domain="flag", alignment=options.alignment)
         there = self._batch(grid, ParameterBatch(values), kept, Output.AMPLITUDE_PHASE)
         values[:, [_PHASE, _TIME]] = batch.values[:, [_PHASE, _TIME]]
         found = there.status == RowStatus.OK
         if (there.status == RowStatus.OUT_OF_BAND).any():
             raise InvalidRequest(
-                f"At a reference_frequency of {options.reference_frequency:g} Hz a phase exceeds double precision; use "
-                "a higher one."
+                f"At a reference_frequency of {frequency:g} Hz a phase exceeds double precision; use a higher one."
             )
+        refuse_reference_above(batch, found, frequency, self._mode.mf_band[1])
         # A period of 4 pi, so that the phases of all modes keep their digits.
         values[found, _PHASE] += np.remainder(turn_to_reference(there.second[found, 0]), 4.0 * np.pi)
         return ParameterBatch(values)

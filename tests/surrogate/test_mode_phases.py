@@ -4,13 +4,17 @@ import numpy as np
 import pytest
 
 from bnserve_protocol import (
+    PARAMETER_NAMES,
     SOLAR_MASS_SECONDS,
     EvaluationOptions,
     InvalidRequest,
+    OutOfBand,
     OutOfDomain,
     ParameterBatch,
+    ParametersWithExtrinsic,
     RowStatus,
 )
+from bnserve_surrogate import Model
 from bnserve_surrogate._artifact import MODES
 from tests.surrogate.conftest import random_batch
 from tests.surrogate.seven_modes import chosen, seven_mode_metadata, seven_mode_model
@@ -111,3 +115,16 @@ def test_a_reference_frequency_leaves_bad_rows_bad(model):
         )
     with pytest.raises(InvalidRequest, match="higher one"):
         model.predict_batch(BAND, ParameterBatch(random_batch(1)), options=EvaluationOptions(reference_frequency=1e-6))
+
+
+def test_a_reference_frequency_above_the_band_is_refused_for_the_rows_that_are_evaluated():
+    """There the phase is a line on which nothing was learnt."""
+    model, one = Model.default(), ParametersWithExtrinsic.gw170817()
+    top = model.description.mf_band[1] / (one.total_mass * SOLAR_MASS_SECONDS)
+    model.predict(BAND, one, options=EvaluationOptions(reference_frequency=top))
+    with pytest.raises(OutOfBand, match=r"Row 0: reference_frequency = .* is above the model's band, which ends at"):
+        model.predict(BAND, one, options=EvaluationOptions(reference_frequency=1.01 * top))
+    values = ParameterBatch.coerce([one, one]).values.copy()
+    values[1, PARAMETER_NAMES.index("total_mass")] = 1e6
+    flagged = EvaluationOptions(reference_frequency=0.99 * top, out_of_domain="flag")
+    assert model.predict_batch(BAND, ParameterBatch(values), options=flagged).status.tolist() == [0, 2]

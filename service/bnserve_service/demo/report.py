@@ -42,7 +42,7 @@ class Report:
         mismatch = _within(description.accuracy, "uniform", "mismatch")
         if mismatch:
             quantiles = ", ".join(f"{name} {mismatch[name]:.1e}" for name in QUANTILES if name in mismatch)
-            self.line("mismatch", f"{quantiles}, as published with it")
+            self.line("mismatch", f"{quantiles}, of (2, 2), as published with it")
 
     def times_header(self) -> None:
         """What the columns of :meth:`times` are."""
