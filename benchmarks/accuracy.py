@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.page import fill
-from benchmarks.whole_waveform.rows import whole_rows, whole_table
+from benchmarks.whole_waveform.rows import mismatch_table, whole_rows
 from bnserve_protocol import BnserveError, ModelUnknown
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate.training.validation.fresh import validate_artifact
-from bnserve_surrogate.training.validation.measurement import QUANTILES, Validation
+from bnserve_surrogate.training.validation.measurement import Validation
 
 Row = dict[str, Any]
 PREDECESSORS: tuple[Row, ...] = (
@@ -72,7 +72,10 @@ def main(arguments: list[str] | None = None) -> int:
 
 
 def _say(rows: list[Row], whole: list[Row], options: argparse.Namespace) -> None:
-    tables = {"accuracy": table(rows) if rows else [], "whole waveforms": whole_table(whole) if whole else []}
+    tables = {
+        "accuracy": table(rows) if rows else [],
+        "whole waveforms": mismatch_table(whole, "what") if whole else [],
+    }
     if options.json:
         print(json.dumps({"rows": rows, "whole": whole, "predecessors": PREDECESSORS}))
     else:
@@ -107,15 +110,7 @@ def measured(artifact: Artifact, options: argparse.Namespace) -> list[Row]:
 
 def table(rows: list[Row]) -> list[str]:
     """Lines of two tables in Markdown: mismatches, and the alignment of the merger."""
-    lines = [
-        f"| model | binaries | detector | {' | '.join(QUANTILES)} | above 3 x its estimate |",
-        f"|---|---|---|{'---|' * len(QUANTILES)}---|",
-    ]
-    for row in rows:
-        share = row["above_three_times_estimate"]
-        values = " | ".join(f"{value:.1e}" for value in row["mismatch"].values())
-        estimate = "" if share is None else f"{share:.2%}"
-        lines.append(f"| {row['model']} | {row['count']:,} {row['where']} | {row['case']} | {values} | {estimate} |")
+    lines = mismatch_table(rows, "detector")
     for row in PREDECESSORS:
         values = " | ".join(f"{value:.1e}" for value in row["values"])
         lines.append(f"| {row['model']} | {row['where']} | M = 2.8, ET-D | {values} | |")

@@ -81,10 +81,10 @@ def whole_rows(artifact: Artifact, counts: dict[str, int], seed: int, work: Path
     return rows
 
 
-def whole_table(rows: list[Row]) -> list[str]:
-    """Lines in Markdown."""
+def mismatch_table(rows: list[Row], case: str) -> list[str]:
+    """Lines in Markdown; ``case`` is the heading of what tells rows of the same binaries apart."""
     lines = [
-        f"| model | binaries | what | {' | '.join(QUANTILES)} | above 3 x its estimate |",
+        f"| model | binaries | {case} | {' | '.join(QUANTILES)} | above 3 x its estimate |",
         f"|---|---|---|{'---|' * len(QUANTILES)}---|",
     ]
     for row in rows:

@@ -59,19 +59,23 @@ class Contraction:
         self.frequencies = linear if settings.kind == "full" else np.union1d(linear, quadratic)
         self._calibration_nodes = 0 if calibration is None else calibration.nodes
         weights = [arrays[f"linear_weights/{name}"] for name in detectors]
-        tables = _padded(np.array([np.stack([table.real, table.imag], axis=1) for table in weights]))
+        tables = in_lanes(np.array([np.stack([table.real, table.imag], axis=1) for table in weights]))
         grid = settings.time_grid
         self._held = [
             np.array([0.0, 1.0] if grid is None else [grid.start, grid.step]),
             np.array([settings.sidereal_time, settings.sidereal_rate]),
             np.array([arrays[f"response/{name}"] for name in detectors]),
             np.array([arrays[f"location/{name}"] for name in detectors]),
-            _padded(linear),
+            in_lanes(linear),
             np.searchsorted(self.frequencies, linear).astype(np.int64),
             np.searchsorted(self.frequencies, quadratic).astype(np.int64),
             tables,
-            _padded(np.array([arrays[f"quadratic_weights/{name}"] for name in detectors])),
-            *((_NONE, _NONE) if calibration is None else (_padded(calibration_splines(calibration, f)) for f in nodes)),
+            in_lanes(np.array([arrays[f"quadratic_weights/{name}"] for name in detectors])),
+            *(
+                (_NONE, _NONE)
+                if calibration is None
+                else (in_lanes(calibration_splines(calibration, f)) for f in nodes)
+            ),
         ]
         counts = len(detectors), len(self.frequencies), len(linear), len(quadratic), tables.shape[1]
         self._arguments = [*counts, *map(address_of, self._held)]
@@ -117,7 +121,7 @@ class Contraction:
         return InnerProducts(data=products, norm=norms, spectrum=terms)
 
 
-def _padded(array: Floats) -> Floats:
+def in_lanes(array: Floats) -> Floats:
     """A C-contiguous copy, its last axis filled with zeros up to whole lanes."""
     size = array.shape[-1]
     return np.ascontiguousarray(np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, padded(size) - size)]))

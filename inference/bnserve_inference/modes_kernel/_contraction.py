@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._calibration import calibration_splines
+from bnserve_inference.kernel._contraction import in_lanes
 from bnserve_inference.modes_kernel._layout import Argument, scratch_size
 from bnserve_protocol import Analysis
 from bnserve_protocol.wire import address_of
-from bnserve_surrogate.kernel import Workspace, load_assembly, padded
+from bnserve_surrogate.kernel import Workspace, load_assembly
 
 ASSEMBLY = Path(__file__).with_name("contraction.ll")
 ENTRY_POINT = "bnserve_contract_modes"
@@ -71,11 +72,11 @@ class ModesContraction:
             np.array([settings.sidereal_time, settings.sidereal_rate]),
             np.array([arrays[f"response/{name}"] for name in settings.detectors]),
             np.array([arrays[f"location/{name}"] for name in settings.detectors]),
-            _padded(f),
+            in_lanes(f),
             np.array(group_of, np.int64),
-            _padded(_parts(tables)),
-            _padded(np.array(quadratic) if shared else _parts(np.array(quadratic))),
-            _NONE if calibration is None else _padded(calibration_splines(calibration, f)),
+            in_lanes(_parts(tables)),
+            in_lanes(np.array(quadratic) if shared else _parts(np.array(quadratic))),
+            _NONE if calibration is None else in_lanes(calibration_splines(calibration, f)),
         ]
         counts = self._detectors, self._modes, self._groups, len(f), tables.shape[2], int(shared)
         self._arguments = [*counts, *map(address_of, self._held)]
@@ -121,9 +122,3 @@ class ModesContraction:
 def _parts(array: Complex) -> Floats:
     """Real parts and imaginary parts along a new axis before the last."""
     return np.stack([array.real, array.imag], axis=-2)
-
-
-def _padded(array: Floats) -> Floats:
-    """A C-contiguous copy, its last axis filled with zeros up to whole lanes."""
-    size = array.shape[-1]
-    return np.ascontiguousarray(np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, padded(size) - size)]))
