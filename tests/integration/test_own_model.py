@@ -20,12 +20,12 @@ CHANGES = {
     'name = "default"': 'name = "mine"',
     "mass_ratio = [1.0, 3.0]": "mass_ratio = [1.0, 1.5]",
     "frequency_band = [5.0,": "frequency_band = [20.0,",
-    "count = 160\n": "count = 60\n",
+    "count = 170 #": "count = 60 #",
     "count = 16384": "count = 150",
     "edge_count = 1024 #": "edge_count = 30 #",
     "components = 27": "components = 10",
-    "degree = 9": "degree = 3",
-    "terms = 640": "terms = 60",
+    "degree = 10\n": "degree = 3\n",
+    "terms = 760": "terms = 60",
     "\ncount = 1024\nedge_count = 1024": "\ncount = 8\nedge_count = 4",
 }
 """What is changed in the copy; the guide changes the first two, the number of waveforms, and of those to measure on."""

@@ -1,6 +1,7 @@
 """Tokens come, end and go while a server runs: by their date, by their file, without a restart."""
 
 import logging
+import threading
 import time
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -86,6 +87,31 @@ def test_a_file_that_cannot_be_used_changes_nothing(start, file, caplog, spoil, 
     assert [status(server, text) for text in (ALICE, CAROL)] == [200, 401]
     write(file, Token.of(CAROL))
     until(lambda: status(server, CAROL) == 200, "it is mended")
+
+
+def test_a_file_that_is_written_where_it_lies_counts_when_it_is_whole(file):
+    """Empty, then with half of its tokens, all of it valid: nobody is turned away meanwhile."""
+    book = TokenBook(load_settings(file).token_files())
+    whole, stop = file.read_text() + "# again\n", threading.Event()
+    half = whole[: whole.index("[[tokens]]", 1)]
+
+    def rewrite():
+        while not stop.is_set():
+            for text in ("", half, whole):
+                file.write_text(text)
+                time.sleep(0.002)
+            time.sleep(0.1)
+
+    writer = threading.Thread(target=rewrite)
+    writer.start()
+    try:
+        for _ in range(60):
+            book.renew()
+            assert len(book.entries) == 2
+            time.sleep(0.005)
+    finally:
+        stop.set()
+        writer.join()
 
 
 def test_without_a_token_in_it_nobody_is_let_in(start, file, caplog):

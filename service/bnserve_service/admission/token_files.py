@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 import tomllib
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,6 +15,8 @@ from bnserve_service.errors import SettingsInvalid
 from bnserve_service.guarded_files import Content, read_text
 
 _TOKENS = TypeAdapter(tuple[Token, ...])
+_SETTLED_SECONDS = 0.02
+"""A changed file counts when it has been the same for so long: editors write in a few milliseconds."""
 
 
 def tokens_of_toml(content: Content) -> tuple[Token, ...]:
@@ -88,11 +91,14 @@ class TokenFiles:
         SettingsInvalid
             A file cannot be read, or not be used; or two tokens are the same.
         """
-        tables = None if self._tables is None else read_text(self._tables, "file of tokens")
-        lines = None if self._lines is None else read_text(self._lines, "token file")
-        seen = [content.text for content in (tables, lines) if content is not None]
+        tables, lines, seen = self._read()
         if seen == self._seen:
             return None
+        before = None if self._seen is not None else seen
+        while seen != before:  # a file that is written where it lies is empty first, and then half of it
+            before = seen
+            time.sleep(_SETTLED_SECONDS)
+            tables, lines, seen = self._read()
         found = (
             *(self._given if tables is None else tokens_of_toml(tables)),
             *(tokens_of_list(lines) if lines else ()),
@@ -100,6 +106,11 @@ class TokenFiles:
         refuse_the_same_twice(found)
         self._seen = seen
         return found
+
+    def _read(self) -> tuple[Content | None, Content | None, list[str]]:
+        tables = None if self._tables is None else read_text(self._tables, "file of tokens")
+        lines = None if self._lines is None else read_text(self._lines, "token file")
+        return tables, lines, [content.text for content in (tables, lines) if content is not None]
 
 
 def refuse_the_same_twice(tokens: Sequence[Token]) -> None:
