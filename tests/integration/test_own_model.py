@@ -18,14 +18,17 @@ pytest.importorskip("EOBRun_module")
 CONFIGURATION = Path(__file__).parents[2] / "configs" / "default.toml"
 CHANGES = {
     'name = "default"': 'name = "mine"',
+    'version = "2.0.0"': 'version = "1.0.0"',
     "mass_ratio = [1.0, 3.0]": "mass_ratio = [1.0, 1.5]",
     "frequency_band = [5.0,": "frequency_band = [20.0,",
     "count = 170 #": "count = 60 #",
-    "count = 16384": "count = 150",
+    "count = 16384": "count = 250",
     "edge_count = 1024 #": "edge_count = 30 #",
     "components = 27": "components = 10",
-    "degree = 10\n": "degree = 3\n",
-    "terms = 760": "terms = 60",
+    "degree = 10\n": "degree = 4.5\n",
+    "terms = 760": "terms = 80",
+    "degree = 6, terms = 120": "degree = 3, terms = 12",
+    "degree = 7, terms = 200": "degree = 3, terms = 12",
     "\ncount = 1024\nedge_count = 1024": "\ncount = 8\nedge_count = 4",
 }
 """What is changed in the copy; the guide changes the first two, the number of waveforms, and of those to measure on."""

@@ -15,7 +15,7 @@ from bnserve_surrogate.training.reduction.metric import MismatchMetric
 from bnserve_surrogate.training.reduction.reductions import SCALARS
 from bnserve_surrogate.training.regressors.combined import Beside, Sum
 from bnserve_surrogate.training.regressors.mlp import MLP
-from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial, weighted_exponents
+from bnserve_surrogate.training.regressors.polynomial import ChebyshevPolynomial, weighted_exponents, with_parity
 from bnserve_surrogate.training.sections import ModeSection, NetworkSection, PolynomialSection, TrainingConfiguration
 
 FEWEST_FOR_A_NETWORK = 8
@@ -82,7 +82,8 @@ def check_regressor(configuration: TrainingConfiguration, waveforms: int, descri
     if section.kind != "polynomial":
         _check_network(section.network, waveforms, described)
     if section.kind != "network":
-        _check_polynomial(section.polynomial, waveforms, described)
+        parity = 0 if symmetric else None
+        _check_polynomial(section.polynomial, "[regressor.polynomial]", parity, waveforms, described)
 
 
 def _check_network(network: NetworkSection, waveforms: int, described: str) -> None:
@@ -112,20 +113,22 @@ def _check_modes(configuration: TrainingConfiguration, symmetric: bool, waveform
             mode.components <= min(waveforms, numbers),
             f"{mode.components} components of the mode {name} cannot be found in {numbers} numbers of {described}",
         )
-        _check_polynomial(mode, waveforms, described)
+        _check_polynomial(mode, f"[modes] {name}", int(name[1]) % 2, waveforms, described)
 
 
-def _check_polynomial(polynomial: PolynomialSection | ModeSection, waveforms: int, described: str) -> None:
+def _check_polynomial(
+    polynomial: PolynomialSection | ModeSection, where: str, parity: int | None, waveforms: int, described: str
+) -> None:
     degree, weights = polynomial.degree, polynomial.weights
     # As many as the simplex of the degrees has volume, at the least: where these are very many, they are not listed.
     possible = min(weights) > 0.0 and degree <= MAX_DEGREE * min(weights)
     least = math.prod((degree / weight for weight in weights), start=1.0 / math.factorial(5)) if possible else 0.0
     listed = least <= max(waveforms, _MOST_LISTED)
-    terms = len(weighted_exponents(degree, weights)) if listed else least
+    terms = len(with_parity(weighted_exponents(degree, weights), parity)) if listed else least
     demand(
         terms <= waveforms,
-        f"{terms:.0f} terms of the polynomial cannot be determined by {described}; lower 'degree' in "
-        "[regressor.polynomial] or raise 'count' in [dataset]",
+        f"{terms:.0f} terms of the polynomial cannot be determined by {described}; lower 'degree' in {where} or raise "
+        "'count' in [dataset]",
     )
 
 
