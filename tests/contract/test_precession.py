@@ -79,9 +79,9 @@ ERRORS = {
     "too low": (
         lambda it: it.predict(np.array([0.01, 20.0]), PRECESSING, options=AT_20_HZ), OutOfBand, "turns are followed",
     ),
-    "merged": (
+    "above the band": (
         lambda it: it.predict(SHORT, PRECESSING, options=EvaluationOptions(reference_frequency=6000.0)),
-        OutOfBand, "has merged",
+        OutOfBand, "above the model's band",
     ),
 }  # fmt: skip
 
