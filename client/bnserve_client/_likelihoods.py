@@ -31,6 +31,7 @@ from bnserve_protocol import (
     encode_analysis,
     likelihood_samples,
     refuse_rows,
+    samples_of,
 )
 from bnserve_protocol.wire import MSGPACK, decode_likelihood_answer, encode_likelihood_request
 
@@ -166,7 +167,7 @@ class _Remote:
             yield from self._evaluator.upload(LogLikelihoods(self._analysis, self._samples, nothing), retries)
 
     def _evaluating(self, batch: LikelihoodBatchLike) -> Conversation[LikelihoodValues]:
-        question = LogLikelihoods(self._analysis, self._samples, LikelihoodBatch.coerce(batch))
+        question = LogLikelihoods(self._analysis, self._samples, samples_of(batch, self._analysis.settings))
         arrays = yield from self._evaluator.evaluate(question)
         self._counter.add(arrays["status"])
         return LikelihoodValues(arrays["log_likelihood"], arrays["status"])

@@ -28,6 +28,7 @@ from bnserve_protocol import (
     check_invalid_rows,
     check_model_of,
     refuse_rows,
+    samples_of,
 )
 
 Complex = NDArray[np.complex128]
@@ -108,7 +109,7 @@ class LocalLikelihood:
         Raises
         ------
         InvalidParameters
-            Names, shapes or calibration nodes that do not fit the analysis.
+            Names, shapes or calibration nodes that do not fit the analysis; :func:`.samples_of` says which may be.
         OutOfDomain
             With ``invalid_rows="error"``: rows outside the prior's or the model's range.
         """
@@ -119,7 +120,7 @@ class LocalLikelihood:
 
     def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
         """As :meth:`log_likelihood`, with the status of every row; rows that cannot be evaluated never raise."""
-        coerced = LikelihoodBatch.coerce(batch)
+        coerced = samples_of(batch, self._analysis.settings)
         check_batch(coerced, self._analysis.settings)
         status = row_statuses(coerced, self._analysis.settings)
         result = np.full(len(coerced), -np.inf)

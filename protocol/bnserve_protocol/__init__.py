@@ -124,6 +124,7 @@ from bnserve_protocol._results import (
     RowStatus,
     TimeSeries,
 )
+from bnserve_protocol._sample_names import samples_of
 from bnserve_protocol._time_domain import predict_time_domain, time_domain_steps
 from bnserve_protocol._version import __version__
 
@@ -146,8 +147,8 @@ __all__ = [
     "as_numbers", "as_real_number", "as_real_numbers", "check_dtype", "check_invalid_rows", "check_location",
     "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert",
     "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid",
-    "plain_options", "predict_time_domain", "printable", "refuse_rows", "require", "the_mode", "time_domain_steps",
-    "time_steps", "time_until_merger", "turn_to_reference",
+    "plain_options", "predict_time_domain", "printable", "refuse_rows", "require", "samples_of", "the_mode",
+    "time_domain_steps", "time_steps", "time_until_merger", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
-from bnserve_protocol._given import NotNumbers, as_real_numbers, nearest
+from bnserve_protocol._given import NotNumbers, Table, as_columns, as_real_numbers, nearest
 from bnserve_protocol._parameters import (
     ALL_PARAMETER_NAMES,
     IN_PLANE_NAMES,
@@ -78,8 +78,8 @@ class ParameterBatch:
         ----------
         batch
             A :class:`ParameterBatch`, one or a sequence of :class:`ParametersWithExtrinsic`, or a mapping from names
-            to scalars and vectors of one common length N (a scalar counts for all rows). Those that carry a unit are
-            converted to the parameter's.
+            to scalars and vectors of one common length N (a scalar counts for all rows), a data frame, or a structured
+            array. Those that carry a unit are converted to the parameter's.
 
         Raises
         ------
@@ -90,8 +90,9 @@ class ParameterBatch:
             return batch
         if isinstance(batch, ParametersWithExtrinsic):
             batch = [batch]
-        if isinstance(batch, Mapping):
-            return cls._of_columns(batch)
+        columns = as_columns(batch)
+        if columns is not None:
+            return cls._of_columns(columns)
         if isinstance(batch, Sequence) and all(isinstance(row, ParametersWithExtrinsic) for row in batch):
             spins = table_of_rows(batch, IN_PLANE_NAMES)
             return cls.unchecked(table_of_rows(batch, PARAMETER_NAMES), _precessing(spins))
@@ -161,7 +162,7 @@ def _precessing(in_plane: NDArray[np.float64]) -> NDArray[np.float64] | None:
 
 
 BatchLike: TypeAlias = (
-    ParameterBatch | ParametersWithExtrinsic | Sequence[ParametersWithExtrinsic] | Mapping[str, ArrayLike]
+    ParameterBatch | ParametersWithExtrinsic | Sequence[ParametersWithExtrinsic] | Mapping[str, ArrayLike] | Table
 )
 """What ``predict_batch`` accepts."""
 

@@ -20,12 +20,16 @@ _CONVERTED = {
     "lambda_tilde": "1", "delta_lambda_tilde": "1",
     "a_1": "1", "a_2": "1", "tilt_1": "rad", "tilt_2": "rad", "cos_tilt_1": "1", "cos_tilt_2": "1",
 }  # fmt: skip
+_LARGEST_ETA = 0.25 * (1.0 + 1e-12)
+"""Of equal masses, and rounding; more is no binary."""
 _MOST_IN_PLANE = 1e-5
 """Of a spin: what an angle written with six digits leaves of one that is aligned."""
 
 
 def convert(given: Mapping[str, Any]) -> dict[str, Any]:
     """Parameters by our names, from those of bilby, PyCBC and LAL, as far as that is exact.
+
+    Likelihoods do so by themselves with samples.
 
     Masses may be two component masses (the stars change places where the second is the heavier one), or one of
     ``chirp_mass`` and ``total_mass`` with one of ``mass_ratio`` (also bilby's, which is at most 1) and
@@ -128,7 +132,9 @@ def _masses(taken: dict[str, Floats], named: dict[str, Any]) -> tuple[Any, dict[
         eta = taken.pop("symmetric_mass_ratio", taken.pop("eta", None))
         if eta is None:
             return None, found, None
-        given = (1.0 - 2.0 * eta + np.sqrt(np.maximum(0.0, 1.0 - 4.0 * eta))) / (2.0 * eta)
+        root = np.sqrt(np.maximum(0.0, np.where(eta > _LARGEST_ETA, np.nan, 1.0 - 4.0 * eta)))
+        with np.errstate(divide="ignore", invalid="ignore"):
+            given = (1.0 - 2.0 * eta + root) / (2.0 * eta)
     else:
         given = as_real_numbers(named["mass_ratio"], "1")
     with np.errstate(divide="ignore"):

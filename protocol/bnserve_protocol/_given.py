@@ -11,8 +11,8 @@ from __future__ import annotations
 import difflib
 import functools
 import inspect
-from collections.abc import Collection
-from typing import Any, TypeVar
+from collections.abc import Collection, Mapping
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -150,6 +150,30 @@ def _unmasked(value: Any) -> Any:
     if np.any(mask):
         raise NotNumbers("has masked entries: leave them out or fill them")
     return data
+
+
+class Table(Protocol):
+    """What has columns by name: a pandas data frame or one of its rows, an astropy table."""
+
+    def keys(self) -> Any:
+        """The names."""
+
+    def __getitem__(self, name: str, /) -> Any:
+        """A column, or a number."""
+
+
+def as_columns(value: Any) -> Mapping[str, Any] | None:
+    """The columns of a table by their names: of a mapping, a data frame or one of its rows, a structured array, and
+    whatever else has ``keys`` and entries by key; None for what is no table.
+    """
+    if isinstance(value, Mapping):
+        return value
+    names = getattr(getattr(value, "dtype", None), "names", None)
+    if names:
+        return {name: value[name] for name in names}
+    if hasattr(value, "keys") and hasattr(value, "__getitem__"):
+        return {name: value[name] for name in value.keys()}  # noqa: SIM118  (a data frame iterates over them, a row not)
+    return None
 
 
 class UnknownKeyword(InvalidParameters, TypeError):

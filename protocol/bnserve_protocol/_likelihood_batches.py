@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._batches import ParameterBatch, column_of_numbers, table_of, table_of_columns, table_of_rows
 from bnserve_protocol._errors import FieldError, InvalidParameters
+from bnserve_protocol._given import Table, as_columns
 from bnserve_protocol._likelihood_parameters import (
     CALIBRATION_NAMES,
     LIKELIHOOD_DEFAULTS,
@@ -94,7 +95,8 @@ class LikelihoodBatch:
         batch
             A :class:`LikelihoodBatch`, one or a sequence of :class:`LikelihoodParameters`, or a mapping from names to
             scalars and vectors of one common length N (a scalar counts for all rows), with ``calibration_amplitude``
-            and ``calibration_phase`` as mappings from detectors to arrays ``(N, nodes)`` or ``(nodes,)``.
+            and ``calibration_phase`` as mappings from detectors to arrays ``(N, nodes)`` or ``(nodes,)``; also a data
+            frame or a structured array with these names.
 
         Raises
         ------
@@ -105,8 +107,9 @@ class LikelihoodBatch:
             return batch
         if isinstance(batch, LikelihoodParameters):
             batch = [batch]
-        if isinstance(batch, Mapping):
-            return cls._from_columns(batch)
+        columns = as_columns(batch)
+        if columns is not None:
+            return cls._from_columns(columns)
         if isinstance(batch, Sequence) and all(isinstance(row, LikelihoodParameters) for row in batch):
             absent = [name for name in _OPTIONAL if batch and all(math.isnan(getattr(row, name)) for row in batch)]
             amplitude, phase = (_stacked(batch, name) for name in CALIBRATION_NAMES)
@@ -127,7 +130,7 @@ class LikelihoodBatch:
 
 
 LikelihoodBatchLike: TypeAlias = (
-    LikelihoodBatch | LikelihoodParameters | Sequence[LikelihoodParameters] | Mapping[str, Any]
+    LikelihoodBatch | LikelihoodParameters | Sequence[LikelihoodParameters] | Mapping[str, Any] | Table
 )
 """What ``log_likelihood`` accepts."""
 

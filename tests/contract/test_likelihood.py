@@ -5,12 +5,14 @@ import functools
 
 import astropy.units as u
 import numpy as np
+import pandas as pd
 import pytest
 
 from bnserve_client import AsyncModel
 from bnserve_client import Model as RemoteModel
 from bnserve_inference import likelihood
 from bnserve_protocol import (
+    LIKELIHOOD_NAMES,
     Analysis,
     AnalysisSettings,
     BnserveError,
@@ -26,6 +28,7 @@ from bnserve_protocol import (
     RowStatus,
     TimeGrid,
     TimeMarginalisation,
+    convert,
 )
 from tests.service.injections import SIGNAL, samples, sites, small_analysis
 
@@ -142,6 +145,25 @@ def test_values_are_equal_in_bits_and_finite(reach, analysis, local):
     assert (values.dtype, values.shape, values.tobytes()) == (here.dtype, here.shape, here.tobytes())
     assert np.isfinite(values).all()
     assert len(set(values.tolist())) == len(values)
+
+
+def test_a_table_by_the_names_of_bilby(reach, local):
+    analysis = small_analysis(local, alignment="merger")
+    batch = samples(5, reference_phase=0.0)
+    ours = pd.DataFrame({name: batch[name] for name in LIKELIHOOD_NAMES if name != "reference_phase"})
+    theirs = ours.rename(
+        columns={"distance_mpc": "luminosity_distance", "inclination": "theta_jn", "right_ascension": "ra"}
+    )
+    masses = convert({"total_mass": theirs.pop("total_mass"), "mass_ratio": theirs["mass_ratio"]})
+    q, total = masses["mass_ratio"], masses["total_mass"]
+    theirs["mass_1"], theirs["mass_2"] = total * q / (1.0 + q), total / (1.0 + q)
+    theirs["geocent_time"] = theirs.pop("coalescence_time") + analysis.settings.trigger_time
+    bound = reach(analysis)
+    assert bound.log_likelihood(ours).tobytes() == bound.log_likelihood(batch).tobytes()
+    found = bound.log_likelihood(theirs.drop(columns=["mass_ratio"]))
+    np.testing.assert_allclose(found, bound.log_likelihood(batch), rtol=1e-5)  # of 0.2 us in a GPS time
+    with pytest.raises(InvalidParameters, match="phase"):
+        bound.log_likelihood(theirs.assign(phase=0.0))
 
 
 def test_a_row_has_the_same_bits_alone_and_in_a_batch(reach, analysis):
