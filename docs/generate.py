@@ -34,7 +34,7 @@ from settings_pages import HEAD, sample, settings_page, table  # as above
 
 ROOT = Path(__file__).parents[1]
 REFERENCE = Path("docs/reference")
-ROOMS = ("protocol", "client", "model_store", "surrogate", "inference", "service")
+ROOMS = ("protocol", "client", "model_store", "surrogate", "inference", "posterior", "service")
 SAMPLE = Path("examples/bnserve.toml")
 
 
@@ -170,7 +170,8 @@ def errors_page() -> str:
 
 All derive from `BnserveError`. Those with a status a server answers with ([how](wire.md#errors)); they are in
 `bnserve_protocol`, and local and remote models raise the same ones. Those without are raised where you are: by the
-client, by model stores, by `bnserve_inference.roq`, by training and by the commands.
+client, by model stores, by `bnserve_inference.roq`, by
+`bnserve_posterior`, by training and by the commands.
 
 {table("Code | Status | Class | Is also a | Ask again? | Meaning", rows)}"""
 

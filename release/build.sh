@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-rooms=(protocol model_store surrogate inference service client)
+rooms=(protocol model_store surrogate inference posterior service client)
 dist=$PWD/dist
 work=$(mktemp -d "${TMPDIR:-/tmp}/bnserve-release.XXXXXX")
 trap 'rm -rf "$work"' EXIT
@@ -41,7 +41,7 @@ requirements=$("$python" - "$dist" <<'PYTHON_END'
 import sys
 from importlib.metadata import distributions
 ours = [found for found in distributions() if found.name.startswith("bnserve-")]
-assert len(ours) == 6, ours
+assert len(ours) == 7, ours
 for found in ours:
     for needed in found.requires or []:
         if not needed.startswith("bnserve-") and ("extra ==" not in needed or "demo" in needed.partition(";")[2]):

@@ -9,6 +9,7 @@ ROOMS = (
     "bnserve_store",
     "bnserve_surrogate",
     "bnserve_inference",
+    "bnserve_posterior",
     "bnserve_service",
     "bnserve_client",
 )

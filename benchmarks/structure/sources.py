@@ -16,6 +16,7 @@ PACKAGES = {
     "model_store": "bnserve_store",
     "surrogate": "bnserve_surrogate",
     "inference": "bnserve_inference",
+    "posterior": "bnserve_posterior",
     "service": "bnserve_service",
     "client": "bnserve_client",
 }

@@ -18,7 +18,7 @@ TRAINING = {
     "sklearn",
 }
 NUMERICS = {"llvmlite", "safetensors"}
-OTHER_ROOMS = {"bnserve_inference", "bnserve_service", "bnserve_store", "bnserve_surrogate"}
+OTHER_ROOMS = {"bnserve_inference", "bnserve_posterior", "bnserve_service", "bnserve_store", "bnserve_surrogate"}
 
 EVALUATE_DEFAULT_MODEL = """
 from bnserve_surrogate import Model, ParametersWithExtrinsic

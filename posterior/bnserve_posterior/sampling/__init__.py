@@ -1,0 +1,27 @@
+"""Posteriors and evidences of likelihoods over the unit cube, in batches of thousands, with honest errors."""
+
+from bnserve_posterior.sampling._errors import (
+    CheckpointMismatch,
+    LikelihoodEmpty,
+    LikelihoodNotFinite,
+    PosteriorUnreliable,
+    SamplingError,
+)
+from bnserve_posterior.sampling._posterior import Posterior
+from bnserve_posterior.sampling._problem import PLAIN, Coordinates, Problem, Progress, Settings
+from bnserve_posterior.sampling._sample import sample
+
+__all__ = [
+    "PLAIN",
+    "CheckpointMismatch",
+    "Coordinates",
+    "LikelihoodEmpty",
+    "LikelihoodNotFinite",
+    "Posterior",
+    "PosteriorUnreliable",
+    "Problem",
+    "Progress",
+    "SamplingError",
+    "Settings",
+    "sample",
+]

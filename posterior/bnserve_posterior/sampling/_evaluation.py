@@ -1,0 +1,53 @@
+"""Likelihoods in batches, with what is no number refused."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_posterior.sampling._errors import LikelihoodNotFinite
+from bnserve_posterior.sampling._problem import Coordinates, Problem
+
+Floats = NDArray[np.float64]
+
+
+class Evaluator:
+    """A problem's likelihood, ``batch`` points in a call at most; how many were evaluated is counted."""
+
+    def __init__(self, problem: Problem, batch: int, likelihoods: int = 0) -> None:
+        self._problem, self._batch = problem, batch
+        self.dimensions = problem.dimensions
+        self.components = 25
+        self.likelihoods = likelihoods
+
+    @property
+    def coordinates(self) -> Coordinates:
+        """In which moves are made."""
+        return self._problem.coordinates
+
+    def __call__(self, points: Floats) -> Floats:
+        """ln of the likelihood, ``(N,)``.
+
+        Raises
+        ------
+        LikelihoodNotFinite
+            One is NaN or +inf, or there are fewer or more than points.
+        """
+        parts = [self._part(points[start : start + self._batch]) for start in range(0, len(points), self._batch)]
+        return np.concatenate([np.empty(0), *parts])
+
+    def _part(self, points: Floats) -> Floats:
+        found = np.asarray(self._problem.log_likelihood(points), dtype=np.float64)
+        self.likelihoods += len(points)
+        if found.shape != (len(points),):
+            raise LikelihoodNotFinite(
+                f"The likelihood of {len(points)} points is an array {found.shape}: return one number for each."
+            )
+        wrong = np.flatnonzero(np.isnan(found) | (found == np.inf))
+        if len(wrong):
+            where = np.array2string(points[wrong[0]], separator=", ", max_line_width=10_000)
+            raise LikelihoodNotFinite(
+                f"ln of the likelihood is {found[wrong[0]]} at the point {where} of the unit cube, and at "
+                f"{len(wrong) - 1} others of {len(points)}: return -inf where it is zero, and a number elsewhere."
+            )
+        return found

@@ -1,0 +1,97 @@
+"""A mixture of multivariate Student distributions that follows weighted points: proposals from all of them at once."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import gammaln, logsumexp
+
+Floats = NDArray[np.float64]
+
+FREEDOM = 8.0
+"""Degrees of freedom: tails heavier than a posterior's, so that no importance weight is large."""
+_RIDGE = 1e-4
+"""Added to the variances, in units of all points' own: a component may not collapse on a point."""
+
+
+class Mixture(NamedTuple):
+    """Components of shares ``(K,)`` around means ``(K, D)`` with lower triangular scales ``(K, D, D)``."""
+
+    shares: Floats
+    means: Floats
+    scales: Floats
+
+    @classmethod
+    def fit(
+        cls, points: Floats, weights: Floats, components: int, random: np.random.Generator, iterations: int = 20
+    ) -> Mixture:
+        """By expectation and maximisation, from ``points`` ``(N, D)`` with weights ``(N,)`` that sum to one.
+
+        The number of components is less where the effective points are too few for their shapes.
+        """
+        dimensions = points.shape[1]
+        effective = 1.0 / np.sum(weights**2)
+        components = max(1, min(components, int(effective / (4 * dimensions))))
+        centre = weights @ points
+        width = np.sqrt(weights @ (points - centre) ** 2)
+        width = np.where(width > 0.0, width, 1.0)
+        x = (points - centre) / width
+        ridge = _RIDGE * np.eye(dimensions)
+        start = (x.T * weights) @ x / components ** (2.0 / dimensions) + ridge
+        now = cls(
+            np.full(components, 1.0 / components),
+            x[random.choice(len(x), components, p=weights)],
+            np.repeat(np.linalg.cholesky(start)[None], components, axis=0),
+        )
+        fewest = 2 * dimensions / effective
+        products = (x[:, :, None] * x[:, None, :]).reshape(len(x), -1)
+        for _ in range(iterations):
+            now = now._step(x, products, weights, (start, fewest), ridge)
+        return cls(now.shares, now.means * width + centre, now.scales * width[:, None])
+
+    def _step(self, x: Floats, products: Floats, weights: Floats, poor: tuple[Floats, float], ridge: Floats) -> Mixture:
+        """One expectation and maximisation; a component of fewer points than ``poor[1]`` has the shape ``poor[0]``."""
+        squares, volumes = self._squares(x)
+        components, dimensions = self.means.shape
+        half = 0.5 * (FREEDOM + dimensions)
+        each = np.log(self.shares)[:, None] - volumes[:, None] - half * np.log1p(squares / FREEDOM)
+        held_by = np.exp(each - logsumexp(each, axis=0)) * weights
+        shares = held_by.sum(axis=1) + 1e-12
+        pulled = held_by * ((FREEDOM + dimensions) / (FREEDOM + squares))  # far points count less
+        pull = pulled.sum(axis=1)[:, None] + 1e-12
+        means = (pulled @ x) / pull
+        moments = (pulled @ products).reshape(components, dimensions, dimensions)
+        outer = means[:, :, None] * means[:, None, :]
+        covariances = (moments - pull[:, :, None] * outer) / shares[:, None, None] + ridge
+        covariances[shares < poor[1]] = poor[0]
+        return Mixture(shares / shares.sum(), means, np.linalg.cholesky(covariances))
+
+    def widened(self, factor: float) -> Mixture:
+        """All scales larger by that factor."""
+        return self._replace(scales=self.scales * factor)
+
+    def draw(self, count: int, random: np.random.Generator) -> Floats:
+        """Points ``(count, D)``."""
+        chosen = random.choice(len(self.shares), size=count, p=self.shares)
+        normal = random.standard_normal((count, self.means.shape[1]))
+        normal *= np.sqrt(FREEDOM / random.chisquare(FREEDOM, count))[:, None]
+        return self.means[chosen] + np.einsum("nij,nj->ni", self.scales[chosen], normal)
+
+    def log_density(self, points: Floats) -> Floats:
+        """ln of the density at ``points`` ``(N, D)``."""
+        dimensions = points.shape[1]
+        half = 0.5 * (FREEDOM + dimensions)
+        constant = gammaln(half) - gammaln(0.5 * FREEDOM) - 0.5 * dimensions * np.log(FREEDOM * np.pi)
+        squares, volumes = self._squares(points)
+        each = constant - volumes[:, None] - half * np.log1p(squares / FREEDOM)
+        return np.asarray(logsumexp(each, axis=0, b=self.shares[:, None]))
+
+    def _squares(self, x: Floats) -> tuple[Floats, Floats]:
+        """Squared distances in units of every component ``(K, N)``, and ln of their volumes ``(K,)``."""
+        unscaled = np.linalg.inv(self.scales)
+        columns = unscaled.reshape(-1, x.shape[1]).T
+        centres = np.einsum("kij,kj->ki", unscaled, self.means).ravel()
+        squares = np.square(x @ columns - centres).reshape(len(x), *self.means.shape).sum(axis=2).T
+        return squares, np.log(np.diagonal(self.scales, axis1=1, axis2=2)).sum(axis=1)

@@ -1,0 +1,100 @@
+"""What is sampled: a likelihood over the unit cube, and coordinates in which its posterior is simple."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtr, ndtri
+
+Floats = NDArray[np.float64]
+LogLikelihood = Callable[[Floats], Floats]
+Transform = Callable[[Floats], tuple[Floats, Floats]]
+_EDGE = 1e-15
+"""Nearer than this to an edge of the cube a point is where it is this far away: the edge itself is at infinity."""
+
+
+class Coordinates(NamedTuple):
+    """From the unit cube and back; each also gives ln of the volume ``abs(du / dy)``, ``(N,)``."""
+
+    from_cube: Transform
+    to_cube: Transform
+
+
+def normal_quantiles(points: Floats) -> tuple[Floats, Floats]:
+    """Where a normal distribution reaches each column, ``(N, D)``, and ln of the volume, ``(N,)``."""
+    y = ndtri(np.clip(points, _EDGE, 1.0 - _EDGE))
+    return y, _log_normal(y)
+
+
+def normal_probabilities(y: Floats) -> tuple[Floats, Floats]:
+    """The way back."""
+    return ndtr(y), _log_normal(y)
+
+
+def _log_normal(y: Floats) -> Floats:
+    return np.asarray(-0.5 * np.sum(y**2 + np.log(2.0 * np.pi), axis=1))
+
+
+PLAIN = Coordinates(normal_quantiles, normal_probabilities)
+"""Where a normal distribution reaches each column of the cube: posteriors at an edge of the prior have none there."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A likelihood over the unit cube.
+
+    Parameters
+    ----------
+    log_likelihood:
+        ln of the likelihood at points ``(N, D)`` of the cube, ``(N,)``; -inf is allowed. It may raise: a run with a
+        checkpoint goes on from there.
+    dimensions:
+        D, 1 to 20.
+    coordinates:
+        In which the posterior is nearly a mixture of few normal distributions.
+    periodic:
+        Columns whose ends, 0 and 1, are the same place; in coordinates they stand for themselves.
+    """
+
+    log_likelihood: LogLikelihood
+    dimensions: int
+    coordinates: Coordinates = PLAIN
+    periodic: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True)
+class Settings:
+    """Of the sampler.
+
+    Parameters
+    ----------
+    effective:
+        Effective samples that the posterior must have.
+    particles:
+        Of the population that finds it.
+    batch:
+        Points in one call of the likelihood, at most.
+    seed:
+        Of all that is random.
+    """
+
+    effective: int = 10_000
+    particles: int = 4000
+    batch: int = 4000
+    seed: int = 1
+
+
+class Progress(NamedTuple):
+    """How far a run is: what it does now, as a word; the step; the power of the likelihood (1 at the end); ln of the
+    evidence and effective samples so far; and likelihoods evaluated by this process."""
+
+    stage: str
+    step: int
+    power: float
+    log_evidence: float
+    effective: float
+    likelihoods: int
