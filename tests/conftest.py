@@ -1,11 +1,14 @@
 """Settings for every test."""
 
 import atexit
+import logging
 import os
 import shutil
 import signal
 import tempfile
+from collections.abc import Iterator
 
+import pytest
 from hypothesis import settings
 
 # As the commands do: with several, sums have other last bits from run to run. numpy reads it when it is imported.
@@ -23,3 +26,14 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 # Tests never assert on time: shared machines pause.
 settings.register_profile("bnserve", deadline=None, derandomize=True)
 settings.load_profile("bnserve")
+
+
+@pytest.fixture(autouse=True)
+def log_goes_where_it_went() -> Iterator[None]:
+    """A command that a test calls logs to what is standard error then, which is closed when the next test logs."""
+    root = logging.getLogger()
+    before, level = list(root.handlers), root.level
+    yield
+    for handler in [handler for handler in root.handlers if handler not in before]:
+        root.removeHandler(handler)
+    root.setLevel(level)
