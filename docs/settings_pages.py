@@ -120,6 +120,7 @@ Each is a table `[[issuers]]` ([guide](../guides/tokens.md#openid-connect-and-sc
 EXAMPLES = {"uds": "/run/bnserve/http.sock", "uds_mode": "660", "uds_group": "gw", "max_connections_per_address": 64,
             "metrics_port": 9090, "metrics_uds": "/run/bnserve/operators.sock",
             "threads": 4, "max_incoming_bytes": 268_435_456,
+            "otlp_endpoint": "http://127.0.0.1:4318",
             "tls_cert": "/etc/bnserve/tls.pem", "tls_key": "/etc/bnserve/tls.key",
             "tokens_file": "/etc/bnserve/tokens.toml", "token_list": "/etc/bnserve/tokens.txt"}  # fmt: skip
 """Of settings that are not set."""

@@ -12,6 +12,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextvars import copy_context
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
@@ -289,7 +290,7 @@ def _run_together(effect: Together, send: Callable[[Send], HttpResponse]) -> lis
     if effect.at_once == 1:
         return [run(conversation, send) for conversation in effect.conversations]
     with ThreadPoolExecutor(max_workers=effect.at_once, thread_name_prefix="bnserve") as threads:
-        running = [threads.submit(run, conversation, send) for conversation in effect.conversations]
+        running = [threads.submit(copy_context().run, run, conversation, send) for conversation in effect.conversations]
         try:
             return [future.result() for future in running]
         finally:

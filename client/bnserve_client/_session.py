@@ -14,6 +14,7 @@ from bnserve_client._answers import problem_of, read_description, stranger
 from bnserve_client._messages import Conversation, HttpRequest, HttpResponse, LookUp, Send, Sleep
 from bnserve_client._replicas import Replicas, Resolver, names_to_resolve
 from bnserve_client._settings import Settings
+from bnserve_client._trace import trace_headers
 from bnserve_client._trust import warn_of_token_in_clear
 from bnserve_protocol import (
     AnswerCorrupted,
@@ -264,7 +265,7 @@ class Session:
         self, request: HttpRequest, read: Callable[[HttpResponse, str], _T], max_bytes: int, retries: RetryPolicy
     ) -> Conversation[_T]:
         """Ask until there is an answer that can be used, or the retries end."""
-        named = (*request.headers, ("X-Request-ID", os.urandom(16).hex()))
+        named = (*request.headers, *trace_headers(), ("X-Request-ID", os.urandom(16).hex()))
         several = self._replicas.only is None
         while True:
             if several:

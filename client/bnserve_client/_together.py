@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
+from contextvars import copy_context
 from threading import Lock
 from typing import Any
 
@@ -57,7 +58,8 @@ class Together:
         for first in range(0, len(todo), self.size):
             group = todo[first : first + self.size]
             self._at_work = len(group)
-            done += self._threads.map(lambda item: self._work(function, item), group)
+            contexts = [copy_context() for _ in group]  # with the trace that this thread is in
+            done += self._threads.map(lambda context, item: context.run(self._work, function, item), contexts, group)
         return done
 
     def close(self) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
@@ -27,7 +28,8 @@ from bnserve_service.http.access import HostCheck, TokenCheck
 from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.cors import CrossOrigin
-from bnserve_service.http.front import Front, places_of
+from bnserve_service.http.front import Front, Listener, places_of
+from bnserve_service.http.tracing import Tracing
 from bnserve_service.models.loading import loader_of
 from bnserve_service.models.maintenance import Health, Maintenance
 from bnserve_service.models.registry import ModelFactory, ModelSource, Registry, SharedModels
@@ -63,6 +65,7 @@ class Parts:
     bodies: BodyReader
     tokens: TokenBook | None
     renewals: Renewals
+    tracing: Tracing | None
     shared: Path | None = None
     """What all worker processes of one server share, and which of them this is, as :func:`create_app` says."""
     worker: int = 0
@@ -148,6 +151,9 @@ def _front(
         for path in kind.paths
     }
     routes = [route for router in routers for route in router.routes if isinstance(route, Route)]
+    listeners: list[Listener] = [AccessLog()] if parts.settings.access_log else []
+    if parts.tracing is not None and kinds:  # of what callers ask, not of the metrics beside it
+        listeners.append(parts.tracing)
     return Front(
         places_of(evaluations, routes),
         hosts,
@@ -155,7 +161,7 @@ def _front(
         parts.queue.turns.turn,
         parts.metrics,
         parts.lifecycle,
-        AccessLog() if parts.settings.access_log else None,
+        listeners,
         CrossOrigin(parts.settings.cors_origins) if parts.settings.cors_origins else None,
     )
 
@@ -165,6 +171,8 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
     parts: Parts = app.parts
     parts.queue.start()
     parts.renewals.start()
+    if parts.tracing is not None:
+        parts.tracing.start()
     if app.follow:
         parts.maintenance.start()
     if app.wait_for_models:
@@ -176,6 +184,8 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
         await parts.renewals.stop()
         parts.queue.stop(timeout=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
         parts.bodies.close()
+        if parts.tracing is not None and parts.lifecycle.phase is not Phase.ABORTING:
+            await asyncio.to_thread(parts.tracing.stop)
 
 
 def create_app(
@@ -241,6 +251,7 @@ def create_app(
         bodies=bodies,
         tokens=TokenBook(settings.token_files(), shared, settings.issuers) if settings.asks_for_tokens else None,
         renewals=Renewals(settings.poll_seconds),
+        tracing=Tracing.of(settings),
         shared=shared,
         worker=worker,
     )

@@ -91,6 +91,11 @@ class Settings(BaseModel):
     """One line per request on standard error."""
     log_format: Literal["text", "json"] = "text"
     """For people, or one JSON object a line for programs; of a request, that has all that auditors ask for."""
+    otlp_endpoint: str | None = Field(default=None, pattern="^https?://[^/?#]+[^?#]*$")
+    """URL of a collector of OpenTelemetry (OTLP over HTTP, `http://127.0.0.1:4318`) that is told of requests, as spans
+    of their callers' traces; needs the extra `otel`. None for nobody."""
+    traces_ratio: float = Field(default=1.0, ge=0.0, le=1.0)
+    """The part of requests without `traceparent` that begin a trace of their own; others follow what theirs says."""
 
     max_body_bytes: int = Field(default=16 * 2**20, ge=1024)
     """A full grid (8 MiB) and a full batch (320 KiB) fit twice."""

@@ -47,6 +47,7 @@ def add_parser(subparsers: Any) -> None:
         help="require one of the bearer tokens in this file, one a line; read again when it changes",
     )
     add("--access-log", action="store_true", default=None, help="write one line per request")
+    add("--otlp-endpoint", metavar="URL", help="tell this collector of OpenTelemetry of requests, as spans")
     add("--log-format", choices=("text", "json"), help="the log for people, or in lines of JSON (text)")
     parser.set_defaults(run=run)
 
@@ -64,10 +65,13 @@ def run(options: argparse.Namespace) -> int:
     if given is not None:
         settings = type(settings).model_validate(settings.model_dump() | given.settings())
     if settings.workers > 1:
+        from bnserve_service.http.tracing import Tracing
         from bnserve_service.models.loading import loader_of
         from bnserve_service.models.registry import Registry
 
-        loader_of(settings, Registry()).list_source()  # what is not there is said before anybody can connect
+        # What is not there is said before anybody can connect.
+        loader_of(settings, Registry()).list_source()
+        Tracing.of(settings)
         from bnserve_service.workers.supervisor import become_supervisor
 
         become_supervisor(settings, announce, given)
@@ -106,6 +110,7 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "token_list": options.token_file,
         "access_log": options.access_log,
         "log_format": options.log_format,
+        "otlp_endpoint": options.otlp_endpoint,
     }
 
 

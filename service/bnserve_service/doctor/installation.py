@@ -24,6 +24,7 @@ EXTRAS: dict[str, tuple[tuple[str, ...], str]] = {
     "progress": (("tqdm",), "progress bars of the client"),
     "buckets": (("fsspec",), "model stores behind a URL"),
     "oidc": (("jwt", "cryptography"), "tokens of OpenID providers and SciTokens"),
+    "otel": (("opentelemetry.sdk", "opentelemetry.exporter.otlp.proto.http"), "spans of requests (otlp_endpoint)"),
     "ray": (("ray",), "serving and training on a Ray cluster"),
     "lal": (("lalsimulation",), "training on waveforms of LAL"),
 }

@@ -74,8 +74,10 @@ class EvaluationEndpoint:
         request.model = question.model.identity
         with request.paying(len(question.batch)), self._service.reserve(question, request.owner) as give_back:
             jobs = self._service.submit(question, deadline, request.owner)
+            request.submitted = jobs[0].submitted
             outcomes = [await jobs[0].result] if question.quick else await wait_for(jobs, receive, self._service)
             packed = join(question, outcomes)
+            request.started, request.evaluated = packed.started, packed.evaluated
             request.rows = len(question.batch)
             headers = answer_headers(packed, question.answer_type, jobs[0].submitted)
             await send_answer(send, 200, headers, packed.parts, give_back)
@@ -217,6 +219,7 @@ class FastPath:
         def deliver(outcome: Outcome | BaseException) -> None:
             if isinstance(outcome, Packed):
                 context.rows = len(question.batch)
+                context.started, context.evaluated = outcome.started, outcome.evaluated
             if quota is not None:
                 quota.end()
             self._finish(context, outcome, finish)
@@ -226,7 +229,7 @@ class FastPath:
         try:
             with context.paying(len(question.batch)):
                 [job] = self._service.submit(question, context.deadline, context.owner)
-            job.deliver = deliver
+            context.submitted, job.deliver = job.submitted, deliver
         except BaseException:
             if quota is not None:
                 quota.end()

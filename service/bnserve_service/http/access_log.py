@@ -33,12 +33,12 @@ class AccessLog:
         logger.info(
             "%s %s %s %d %.1f ms caller=%s traceparent=%s",
             context.request_id, method, context.route, context.status, seconds * 1e3, context.caller, traceparent,
-            extra={FIELDS: _fields(method, context, seconds, traceparent)},
+            extra={FIELDS: fields_of(method, context, seconds)},
         )  # fmt: skip
 
 
-def _fields(method: str, context: RequestContext, seconds: float, traceparent: str) -> dict[str, Any]:
-    """What auditors ask for; what there is not is left out."""
+def fields_of(method: str, context: RequestContext, seconds: float | None = None) -> dict[str, Any]:
+    """What auditors ask for, of :meth:`AccessLog.tell`; what there is not is left out."""
     model = context.model
     found = {
         "request_id": context.request_id,
@@ -55,9 +55,9 @@ def _fields(method: str, context: RequestContext, seconds: float, traceparent: s
         "rows": context.rows,
         "bytes_in": context.bytes_in,
         "bytes_out": context.bytes_out,
-        "seconds": round(seconds, 6),
+        "seconds": "" if seconds is None else round(seconds, 6),
         "status": context.status,
         "error": context.error,
-        "traceparent": "" if traceparent == "-" else traceparent,
+        "traceparent": log_word(context.headers.get(b"traceparent", b"")),
     }
     return {name: value for name, value in found.items() if value != ""}

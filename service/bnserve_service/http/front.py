@@ -13,6 +13,7 @@ import re
 import time
 from collections.abc import Awaitable, Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 from fastapi.exceptions import RequestValidationError
 from fastapi.middleware.asyncexitstack import AsyncExitStackMiddleware
@@ -25,7 +26,6 @@ from bnserve_protocol.wire import PROBLEM_JSON
 from bnserve_service.admission.control import Lifecycle
 from bnserve_service.errors import ClientDisconnected, from_http_status, internal_error, problem_body, problem_headers
 from bnserve_service.http.access import HostCheck, TokenCheck, is_public
-from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.answers import body_headers, send_answer
 from bnserve_service.http.cors import CrossOrigin
 from bnserve_service.http.requests import CONTEXT, Header, RequestContext, header_fields, new_context
@@ -76,6 +76,13 @@ def _pattern(template: str) -> re.Pattern[str]:
     return re.compile("".join(f"(?P<{text}>[^/]+)" if i % 2 else re.escape(text) for i, text in enumerate(literals)))
 
 
+class Listener(Protocol):
+    """Who is told of requests that have been answered."""
+
+    def tell(self, method: str, context: RequestContext, seconds: float) -> None:
+        """One took so many seconds, from its headers to the end of its answer."""
+
+
 class Front:
     """Attaches a :class:`~bnserve_service.http.requests.RequestContext` to each request; lets it in and hands it on;
     adds the common headers, answers errors, counts.
@@ -90,8 +97,8 @@ class Front:
         Waits until it is the turn of a token, by its digest.
     metrics, lifecycle
         Where to count, and whether connections are still kept open.
-    access_log
-        Who is told of every request; None for nobody.
+    listeners
+        Who is told of every request: the access log, and whoever makes spans of them.
     cross_origin
         Pages of other sites that may ask; None for none.
     """
@@ -104,7 +111,7 @@ class Front:
         turn: Callable[[str], Awaitable[None]],
         metrics: Metrics,
         lifecycle: Lifecycle,
-        access_log: AccessLog | None,
+        listeners: Sequence[Listener] = (),
         cross_origin: CrossOrigin | None = None,
     ) -> None:
         self._places = places
@@ -115,7 +122,7 @@ class Front:
         self._turn = turn
         self._metrics = metrics
         self._lifecycle = lifecycle
-        self._access_log = access_log
+        self._listeners = listeners
         self._cross_origin = cross_origin
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -231,5 +238,5 @@ class Front:
         self._metrics.observe_request(context.route, method, context.status, seconds)
         if context.owner:
             self._metrics.callers.count(context.caller, context.rows, context.bytes_out, seconds)
-        if self._access_log is not None:
-            self._access_log.tell(method, context, seconds)
+        for listener in self._listeners:
+            listener.tell(method, context, seconds)

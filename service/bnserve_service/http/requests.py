@@ -59,6 +59,11 @@ class RequestContext:
     """The model that was asked."""
     rows: int = 0
     """Rows that were evaluated."""
+    submitted: float = 0.0
+    """``time.monotonic()`` when an evaluation was asked for, and when it began; 0 before."""
+    started: float = 0.0
+    evaluated: float = 0.0
+    """Seconds that it took."""
     bytes_in: int = 0
     bytes_out: int = 0
     """Of the bodies."""
