@@ -31,6 +31,7 @@ missing_packages() {
     command -v pkg-config >/dev/null || echo pkg-config
     [ -e /usr/include/gsl/gsl_version.h ] || pkg-config --exists gsl 2>/dev/null || echo libgsl-dev
     PATH="$PATH:/usr/sbin:/usr/local/sbin" command -v haproxy >/dev/null || echo haproxy
+    PATH="$PATH:/usr/sbin:/usr/local/sbin" command -v nginx >/dev/null || echo nginx
     command -v curl >/dev/null || echo curl
     command -v openssl >/dev/null || echo openssl
     [ -x /lib/systemd/systemd ] || echo systemd

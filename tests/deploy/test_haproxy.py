@@ -1,10 +1,8 @@
 """The HAProxy configuration that ships: servers die, hang or drain behind it, and callers do not notice."""
 
-import json
 import re
 import signal
 import subprocess
-import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
@@ -19,13 +17,12 @@ from bnserve_service.reference.openapi import openapi_document
 from bnserve_surrogate import Model as LocalModel
 from tests.certificates import certificates
 from tests.deploy.fake_servers import FakeServer, break_off, reply
-from tests.deploy.proxies import CONFIGURATION, haproxy, proxy_before, proxy_environment
+from tests.deploy.proxies import CONFIGURATION, Callers, haproxy, proxy_before, proxy_environment
 from tests.integration.conftest import serving
-from tests.service.asking import GW170817, JSON, ask, ask_on, closing_connection, question
+from tests.service.asking import ask
 
 ONE = ParametersWithExtrinsic.gw170817()
 FREQUENCIES = np.geomspace(20.0, 2000.0, 1000)
-QUESTION = json.dumps(question(GW170817, {"f_min": 20, "f_max": 2048, "delta_f": 16}))
 
 
 @pytest.fixture(scope="module")
@@ -53,43 +50,6 @@ def before(tmp_path):
             return stack.enter_context(proxy_before(tmp_path, addresses, list(states)))
 
         yield start
-
-
-class Callers:
-    """Threads that ask through the proxy without ever asking twice, and keep what they see."""
-
-    def __init__(self, address, count=4):
-        self.statuses, self.failures = [], []
-        self._address, self._stopping = address, threading.Event()
-        self._threads = [threading.Thread(target=self._ask) for _ in range(count)]
-
-    def __enter__(self):
-        for thread in self._threads:
-            thread.start()
-        return self
-
-    def __exit__(self, *error):
-        self._stopping.set()
-        for thread in self._threads:
-            thread.join()
-
-    def wait_for(self, count):
-        """Until so many more answers have come."""
-        wanted, end = len(self.statuses) + count, time.monotonic() + 60.0
-        while len(self.statuses) < wanted and not self.failures:
-            assert time.monotonic() < end, "the callers do not come forward"
-            time.sleep(0.01)
-
-    def _ask(self):
-        try:
-            with closing_connection(self._address) as connection:
-                while not self._stopping.is_set():
-                    answer = ask_on(
-                        connection, "POST", "/v1/models/default/waveforms", QUESTION, content_type=JSON, accept=JSON
-                    )
-                    self.statuses.append(answer.status)
-        except Exception as error:
-            self.failures.append(repr(error))
 
 
 def until_down(proxy, number):
@@ -180,16 +140,22 @@ def test_bodies_beyond_its_buffer_pass(proxy):
     assert plus.tobytes() == LocalModel.default().predict(grid, ONE).plus.tobytes()
 
 
-def test_what_callers_use_passes(before):
+def what_callers_use():
     """Every path of the OpenAPI document but those of operators."""
     document = openapi_document(create_app(Settings()), dict.fromkeys(Waveforms.paths, Waveforms.operation), False)
     paths = {re.sub(r"{\w+}", "a.b_c-1", path) for path in document["paths"]} - {"/metrics", "/v1/reload"}
     assert len(paths) > 10
+    more = ["/", "/docs", "/openapi.json", "/v1/models/default/versions/sha256%3Aab/waveforms?x=/metrics"]
+    return [*paths, *more]
+
+
+def test_what_callers_use_passes(before):
     server = FakeServer(reply(200))
     proxy = before(server, states=("UP", "DOWN", "DOWN"))
-    for path in [*paths, "/", "/docs", "/openapi.json", "/v1/models/default/versions/sha256%3Aab/waveforms?x=/metrics"]:
+    paths = what_callers_use()
+    for path in paths:
         assert ask(proxy.address, "GET", path).status == 200, path
-    assert {path for _, path in server.requests} > paths - {"/v2/health/ready"}  # which a fake server does not count
+    assert {path for _, path in server.requests} >= set(paths) - {"/v2/health/ready"}  # which it does not count
 
 
 OPERATORS = [

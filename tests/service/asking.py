@@ -3,7 +3,9 @@
 import http.client
 import json
 import socket
+import ssl
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
@@ -41,9 +43,11 @@ class Answer:
         return problem["code"]
 
 
-def ask(address: str, method: str, path: str, body: Any = None, **headers: str) -> Answer:
+def ask(
+    address: str, method: str, path: str, body: Any = None, *, trusted: Path | None = None, **headers: str
+) -> Answer:
     """One request on a connection of its own; underscores in header names become dashes."""
-    with closing_connection(address) as connection:
+    with closing_connection(address, trusted) as connection:
         return ask_on(connection, method, path, body, **headers)
 
 
@@ -56,9 +60,13 @@ def ask_on(connection, method: str, path: str, body: Any = None, **headers: str)
 
 
 class closing_connection:  # noqa: N801  # used like contextlib.closing
-    def __init__(self, address: str) -> None:
+    def __init__(self, address: str, trusted: Path | None = None) -> None:
         parts = urlsplit(address)
-        self.connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=60)
+        if trusted is None:
+            self.connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=60)
+        else:  # the authority of its certificate
+            context = ssl.create_default_context(cafile=trusted)
+            self.connection = http.client.HTTPSConnection(parts.hostname, parts.port, timeout=60, context=context)
 
     def __enter__(self) -> http.client.HTTPConnection:
         return self.connection
