@@ -2,31 +2,40 @@
 
 from __future__ import annotations
 
+import functools
 import threading
+from collections.abc import Callable
 from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._draws import Draws
 from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
 from bnserve_inference._modes import modes_of, orders
 from bnserve_inference._phase_integral import FIXED, PhaseIntegral
+from bnserve_inference._products import ProductsByDetector
 from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference._signals import Tile, signals_of
 from bnserve_inference._time_integral import TimeIntegral
 from bnserve_protocol import (
     Analysis,
+    DetectorProducts,
     InvalidRows,
     Likelihood,
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodCounts,
     LikelihoodValues,
+    MarginalisedDraws,
     RowStatus,
+    Seed,
     WaveformModel,
     check_invalid_rows,
     check_model_of,
+    integrated_names,
+    random_numbers,
     refuse_rows,
     samples_of,
 )
@@ -80,6 +89,10 @@ class LocalLikelihood:
         if settings.time_marginalisation is not None:
             self._times = TimeIntegral(settings, len(self._signals.frequencies))
             self._tile = min(self._tile, max(1, _TILE_TIMES // (self._times.times * self._signals.groups)))
+        turned = self._phases
+        if settings.phase_marginalisation and turned is None:
+            turned = PhaseIntegral(orders(modes))
+        self._draws = Draws(self._times, turned, self._distance, self._marginalised, self._at_one_phase)
         self._counts = LikelihoodCounts()
         self._lock = threading.Lock()
 
@@ -121,29 +134,82 @@ class LocalLikelihood:
     def evaluate(self, batch: LikelihoodBatchLike) -> LikelihoodValues:
         """As :meth:`log_likelihood`, with the status of every row; rows that cannot be evaluated never raise."""
         coerced = samples_of(batch, self._analysis.settings)
-        check_batch(coerced, self._analysis.settings)
-        status = row_statuses(coerced, self._analysis.settings)
         result = np.full(len(coerced), -np.inf)
-        good = np.flatnonzero(status == RowStatus.OK)
-        for start in range(0, len(good), self._tile):
-            rows = good[start : start + self._tile]
-            result[rows], status[rows] = self._evaluate_tile(coerced.rows(rows))
-        self._count(status)
+
+        def keep(rows: NDArray[np.intp], tile: Tile) -> Floats:
+            result[rows] = self._combine(tile)
+            return result[rows]
+
+        status = self._by_tiles(coerced, keep)
+        result[status != RowStatus.OK] = -np.inf
         return LikelihoodValues(result, status)
+
+    def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
+        """Inner products, signal-to-noise ratios and ln L by detector, of the signals that samples describe.
+
+        Raises
+        ------
+        InvalidParameters
+            As :meth:`log_likelihood`; also where what the analysis integrates over is left out.
+        """
+        coerced = samples_of(batch, self._by_detector.settings)
+        found = self._by_detector(coerced)
+        self._count(found.status)
+        return found
+
+    def draw_marginalised(self, batch: LikelihoodBatchLike, *, seed: Seed) -> MarginalisedDraws:
+        """One draw for each sample of what is integrated over, by its posterior given the rest.
+
+        Raises
+        ------
+        InvalidParameters
+            As :meth:`log_likelihood`.
+        InvalidRequest
+            Nothing is integrated over, or the seed is none.
+        """
+        settings = self._analysis.settings
+        coerced = samples_of(batch, settings)
+        uniforms = random_numbers(coerced, settings, seed)
+        drawn = {name: np.full(len(coerced), np.nan) for name in integrated_names(settings)}
+        values = np.full(len(coerced), -np.inf)
+
+        def keep(rows: NDArray[np.intp], tile: Tile) -> Floats:
+            found, values[rows] = self._draws.of(tile, uniforms[rows])
+            for name, numbers in found.items():
+                drawn[name][rows] = numbers
+            return values[rows]
+
+        status = self._by_tiles(coerced, keep)
+        for numbers in drawn.values():
+            numbers[status != RowStatus.OK] = np.nan
+        values[status != RowStatus.OK] = -np.inf
+        return MarginalisedDraws(drawn, values, status)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _bind_again, (type(self), self._model, self._analysis, self._invalid_rows)
 
-    def _evaluate_tile(self, batch: LikelihoodBatch) -> tuple[Floats, NDArray[np.uint8]]:
-        tile = self._signals.tile(batch, self._fixed)
-        status = np.array(tile.status)
-        status[tile.empty & (status == RowStatus.OK)] = RowStatus.OUT_OF_BAND
-        # Rows that the model flagged are NaN, and so is what numbers without end make of others.
-        with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
-            values = self._combine(tile)
-        status[(status == RowStatus.OK) & ~np.isfinite(values)] = RowStatus.NOT_FINITE
-        values[status != RowStatus.OK] = -np.inf
-        return values, status
+    @functools.cached_property
+    def _by_detector(self) -> ProductsByDetector:
+        return ProductsByDetector(self._model, self._analysis)
+
+    def _by_tiles(self, batch: LikelihoodBatch, keep: Callable[[NDArray[np.intp], Tile], Floats]) -> NDArray[np.uint8]:
+        """The status of every row; ``keep`` is given the signals of those that can be evaluated, a tile at a time, and
+        returns numbers that are finite where all of a row is."""
+        check_batch(batch, self._analysis.settings)
+        status = row_statuses(batch, self._analysis.settings)
+        good = np.flatnonzero(status == RowStatus.OK)
+        for start in range(0, len(good), self._tile):
+            rows = good[start : start + self._tile]
+            tile = self._signals.tile(batch.rows(rows), self._fixed)
+            found = np.array(tile.status)
+            found[tile.empty & (found == RowStatus.OK)] = RowStatus.OUT_OF_BAND
+            # Rows that the model flagged are NaN, and so is what numbers without end make of others.
+            with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+                values = keep(rows, tile)
+            found[(found == RowStatus.OK) & ~np.isfinite(values)] = RowStatus.NOT_FINITE
+            status[rows] = found
+        self._count(status)
+        return status
 
     def _combine(self, tile: Tile) -> Floats:
         if self._times is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -28,25 +28,27 @@ _MOST_PANELS = 4096
 with the error that it has: its F is noise."""
 
 
-def _clenshaw_curtis(order: int) -> tuple[Floats, Floats]:
-    """Nodes in [0, 1] and weights that sum to one, ``(order + 1,)``."""
+def clenshaw_curtis(order: int) -> tuple[Floats, Floats]:
+    """Increasing nodes in [0, 1] and weights that sum to one, ``(order + 1,)``."""
     nodes = np.cos(np.pi * np.arange(order + 1) / order)
     moments = np.array([0.0 if n % 2 else 1.0 / (1.0 - n * n) for n in range(order + 1)])
     return 0.5 * (1.0 - nodes), np.linalg.solve(np.polynomial.chebyshev.chebvander(nodes, order).T, moments)
 
 
 class _Panels(NamedTuple):
-    """Panels that are done, ``(K,)`` each: rows, widths, highest F, integrals of exp(F - highest) per width, errors."""
+    """Panels that are done, ``(K,)`` each: rows, starts, widths, highest F, integrals of exp(F - highest) per width,
+    errors."""
 
     rows: NDArray[np.int64]
+    starts: Floats
     widths: Floats
     highest: Floats
     integrals: Floats
     errors: Floats
 
 
-_NODES, _WEIGHTS = _clenshaw_curtis(8)
-_FEWER = _clenshaw_curtis(4)[1]
+_NODES, _WEIGHTS = clenshaw_curtis(8)
+_FEWER = clenshaw_curtis(4)[1]
 
 
 def log_mean_exponential(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Floats]:
@@ -67,12 +69,8 @@ def log_mean_exponential(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Fl
     ``(N,)`` both; NaN where F is not finite.
     """
     top = knots.max(axis=1)
-    smooth, bound = _smoothness(knots)
-    parts = np.exp(knots - top[:, None])
-    cells = np.where(smooth, _cells(parts), 0.0)
+    cells, found = _parts(knots, top, values_at)
     sums = np.array([row.sum() for row in cells])
-    rows, at = np.nonzero(~smooth & (bound > top[:, None] - _DEPTH))
-    found = _panels(rows, at.astype(np.float64), top, values_at)
     highest = top.copy()
     for panels in found:
         np.maximum.at(highest, panels.rows, panels.highest)
@@ -82,6 +80,40 @@ def log_mean_exponential(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Fl
         total += np.bincount(panels.rows, scale * panels.integrals, len(total))
         error += np.bincount(panels.rows, scale * panels.errors, len(total))
     return highest + np.log(total / (knots.shape[1] - 1)), error / total
+
+
+def masses(knots: Floats, values_at: ValuesAt) -> Iterator[tuple[Floats, Floats, Floats]]:
+    """Of each row, the pieces that hold all of the integral of exp(F): starts and widths in steps, and what each holds.
+
+    Parameters are as of :func:`log_mean_exponential`; pieces come in their order, and F is finite.
+    """
+    top = knots.max(axis=1)
+    cells, found = _parts(knots, top, values_at)
+    rows, starts, widths, highest, integrals = (
+        np.concatenate([panels[field] for panels in found] or [np.zeros(0)]) for field in range(5)
+    )
+    for row in range(len(knots)):
+        smooth, here = np.flatnonzero(cells[row] > 0.0), np.flatnonzero(rows == row)
+        most = max(top[row], highest[here].max(initial=-np.inf))
+        start = np.concatenate([smooth, starts[here]])
+        width = np.concatenate([np.ones(len(smooth)), widths[here]])
+        mass = np.concatenate(
+            [
+                cells[row, smooth] * np.exp(top[row] - most),
+                widths[here] * integrals[here] * np.exp(highest[here] - most),
+            ]
+        )
+        order = np.argsort(start, kind="stable")
+        yield start[order], width[order], mass[order]
+
+
+def _parts(knots: Floats, top: Floats, values_at: ValuesAt) -> tuple[Floats, list[_Panels]]:
+    """Integrals of exp(F - top) over the cells where it is smooth, ``(N, n - 1)``, and panels that cover the others."""
+    smooth, bound = _smoothness(knots)
+    parts = np.exp(knots - top[:, None])
+    cells = np.where(smooth, _cells(parts), 0.0)
+    rows, at = np.nonzero(~smooth & (bound > top[:, None] - _DEPTH))
+    return cells, _panels(rows, at.astype(np.float64), top, values_at)
 
 
 def _smoothness(knots: Floats) -> tuple[NDArray[np.bool_], Floats]:
@@ -139,7 +171,7 @@ def _panels(rows: NDArray[np.int64], start: Floats, top: Floats, values_at: Valu
         pieces = np.clip(np.ceil(0.5 * spread), 2, _MOST_PIECES)
         wanted = np.bincount(rows, np.where(matters & ~good, pieces, 0.0), len(top))
         good |= matters & (wanted > most)[rows]
-        found.append(_Panels(rows[good], width[good], highest[good], integral[good], unsure[good]))
+        found.append(_Panels(rows[good], start[good], width[good], highest[good], integral[good], unsure[good]))
         poor = matters & ~good
         pieces = pieces[poor].astype(np.int64)
         rows, width = np.repeat(rows[poor], pieces), np.repeat(width[poor] / pieces, pieces)

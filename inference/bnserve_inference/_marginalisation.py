@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._drawing import draw
 from bnserve_inference._phase_integral import Distances
 from bnserve_protocol import DistanceMarginalisation
 
@@ -17,6 +18,8 @@ _WIDEST_PIECE = 32.0
 """Ratio of the ends of a piece: the nodes follow the power of u, which has a pole at zero, to rounding."""
 _FLAT = 1e-6
 """A norm at the nearest distance below which the likelihood does not fall with u."""
+_CELLS = 32
+"""Of the distances that matter, in equal steps of the logarithm, from which a draw begins."""
 _ROWS_AT_ONCE = 1024
 """Each with 64 numbers of several arrays: what fits the cache."""
 
@@ -96,6 +99,23 @@ class DistanceIntegral:
             rows = slice(start, start + _ROWS_AT_ONCE)
             result[rows] = self._of_rows(products[rows], norms[rows], phase)
         return result
+
+    def draw(self, products: Floats, norms: Floats, uniforms: Floats) -> Floats:
+        """Distances in Mpc, ``(N,)``, where their posterior's distribution function has the values ``uniforms``.
+
+        Parameters are Re <d|h> and <h|h> as of :meth:`log_likelihood`; NaN where they are.
+        """
+        start, stop = (np.log(end) for end in self._window(products, norms))
+        step = (stop - start) / _CELLS
+
+        def values_at(rows: NDArray[np.int64], places: Floats) -> Floats:
+            v = start[rows] + places * step[rows]
+            u = np.exp(v)
+            return np.asarray(products[rows] * u - 0.5 * norms[rows] * (u * u) - (self._power + 1.0) * v)
+
+        rows, places = np.divmod(np.arange(len(products) * (_CELLS + 1)), _CELLS + 1)
+        knots = values_at(rows, places.astype(np.float64)).reshape(len(products), -1)
+        return np.asarray(self.reference * np.exp(-(start + step * draw(knots, values_at, 1.0 - uniforms))))
 
     def _of_rows(self, products: Floats, norms: Floats, phase: bool) -> Floats:
         start, stop = self._window(products, norms)

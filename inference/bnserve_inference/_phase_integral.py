@@ -9,10 +9,12 @@ and again only where they may be.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+
+from bnserve_inference._drawing import InnerAt
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -82,6 +84,20 @@ class PhaseIntegral:
                 series[self.differences.index(other - one)] += (1.0 if other == one else 2.0) * pairs[:, at]
                 at += 1
         return series
+
+    def around(self, products: Complex, norms: NDArray[Any]) -> tuple[InnerAt, int, float]:
+        """Re <d|h> and <h|h> of rows at orbital phases, and the knots around the circle, by number and step, between
+        which ln L is as smooth as its harmonics. Parameters as of :meth:`log_likelihood`.
+
+        Without odd orders half of the circle is all of it.
+        """
+        series = _Series(products, norms, self._orders, self.differences)
+        circle = 2.0 * np.pi if any(order % 2 for order in self._orders) else np.pi
+
+        def inner_at(rows: Integers, phases: Floats) -> tuple[Floats, Floats]:
+            return series.at(rows, phases, 0.0)[:2]
+
+        return inner_at, self._first + 1, circle / self._first
 
     def log_likelihood(self, products: Complex, norms: Complex, value: Value) -> Floats:
         """ln of the mean over the phase, ``(N,)``; a row's bits depend on the row alone.
@@ -157,7 +173,7 @@ class _Series:
     """
 
     def __init__(
-        self, products: Complex, norms: Complex, orders: tuple[int, ...], differences: tuple[int, ...]
+        self, products: Complex, norms: NDArray[Any], orders: tuple[int, ...], differences: tuple[int, ...]
     ) -> None:
         self._terms = (products, orders), (norms, differences)
         self._most = max(*orders, *differences)

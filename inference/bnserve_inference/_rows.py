@@ -13,6 +13,7 @@ from bnserve_protocol import (
     LikelihoodBatch,
     ParameterBatch,
     RowStatus,
+    integrated_names,
 )
 
 _LARGEST_ANGLE = 1e6
@@ -20,16 +21,6 @@ _LARGEST_ANGLE = 1e6
 _ANGLES = ("right_ascension", "declination", "polarization_angle", "inclination", "reference_phase")
 _SLACK = 1e-12
 """Relative width by which a value may miss the end of its range through rounding, as a chirp mass does."""
-
-
-def ignored_parameters(settings: AnalysisSettings) -> frozenset[str]:
-    """What is integrated over, so that its value does not matter."""
-    marginalised = {
-        "reference_phase": settings.phase_marginalisation,
-        "coalescence_time": settings.time_marginalisation is not None,
-        "distance_mpc": settings.distance_marginalisation is not None,
-    }
-    return frozenset(name for name, ignored in marginalised.items() if ignored)
 
 
 def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
@@ -40,7 +31,7 @@ def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
     InvalidParameters
         It does.
     """
-    missing = sorted(batch.absent - ignored_parameters(settings))
+    missing = sorted(batch.absent.difference(integrated_names(settings)))
     if missing:
         raise InvalidParameters(
             f"Missing parameter{'s' if len(missing) > 1 else ''}: {', '.join(missing)}. They may be left out only "
@@ -61,7 +52,7 @@ def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
 
 def row_statuses(batch: LikelihoodBatch, settings: AnalysisSettings) -> NDArray[np.uint8]:
     """A :class:`RowStatus` of every row, before the model is asked: uint8 ``(N,)``."""
-    ignored = ignored_parameters(settings)
+    ignored = integrated_names(settings)
     used = [column for column, name in enumerate(LIKELIHOOD_NAMES) if name not in ignored]
     status = np.zeros(len(batch), dtype=np.uint8)
     inside = np.ones(len(batch), dtype=bool)

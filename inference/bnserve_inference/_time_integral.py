@@ -16,7 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._log_quadrature import TOLERANCE, log_mean_exponential
+from bnserve_inference._drawing import InnerAt, at_each, draw
+from bnserve_inference._log_quadrature import TOLERANCE, ValuesAt, log_mean_exponential
 from bnserve_inference._signals import Contract
 from bnserve_inference.kernel import Sky
 from bnserve_protocol import AnalysisSettings, time_steps
@@ -71,6 +72,24 @@ class TimeIntegral:
         marginal
             What is integrated, of <d|h> and <h|h>.
         """
+        knots, values_at, _ = self._integrand(contract, sky, marginal)
+        values, error = log_mean_exponential(knots, values_at)
+        return np.where(error <= TOLERANCE, values, np.nan)
+
+    def draw(
+        self, contract: Contract, sky: Floats, marginal: Marginal, uniforms: Floats
+    ) -> tuple[Floats, Complex, NDArray[Any]]:
+        """Times ``(N,)`` by their posterior, where its distribution function has the values ``uniforms``; and <d|h>
+        ``(G, N)`` and <h|h> ``(C, N)`` there. NaN where there are none. Other parameters are as of
+        :meth:`log_likelihood`.
+        """
+        knots, values_at, inner_at = self._integrand(contract, sky, marginal)
+        places = draw(knots, values_at, uniforms)
+        products, norms = at_each(inner_at, places)
+        return self._start + self._step * places, np.where(np.isfinite(places), products, np.nan), norms
+
+    def _integrand(self, contract: Contract, sky: Floats, marginal: Marginal) -> tuple[Floats, ValuesAt, InnerAt]:
+        """ln L at the knots, ``(N, times)``, and ln L, and <d|h> and <h|h>, of rows at places in units of the step."""
         slow, norms = self._at_knots_of(contract, sky)
         count, groups, _ = slow.shape
         rows = np.arange(count).repeat(self.times)
@@ -79,12 +98,14 @@ class TimeIntegral:
         products = self._turned(by_group.reshape(groups, -1), places)
         knots = marginal(products, self._norms(norms, rows, places)).reshape(count, self.times)
 
-        def values_at(which: NDArray[np.int64], at: Floats) -> Floats:
+        def inner_at(which: NDArray[np.int64], at: Floats) -> tuple[Complex, NDArray[Any]]:
             between = np.array([_interpolated(group, which, at) for group in by_group])
-            return marginal(self._turned(between, at), self._norms(norms, which, at))
+            return self._turned(between, at), self._norms(norms, which, at)
 
-        values, error = log_mean_exponential(knots, values_at)
-        return np.where(error <= TOLERANCE, values, np.nan)
+        def values_at(which: NDArray[np.int64], at: Floats) -> Floats:
+            return marginal(*inner_at(which, at))
+
+        return knots, values_at, inner_at
 
     def _at_knots_of(self, contract: Contract, sky: Floats) -> tuple[Complex, NDArray[Any]]:
         """<d|h> of each group at all times, without its fast oscillation, ``(N, G, times)``, and <h|h> with the Earth

@@ -82,6 +82,14 @@ from bnserve_protocol._likelihood import (
     refuse_rows,
 )
 from bnserve_protocol._likelihood_batches import LikelihoodBatch, LikelihoodBatchLike
+from bnserve_protocol._likelihood_details import (
+    DRAWN_NAMES,
+    DetectorProducts,
+    MarginalisedDraws,
+    Seed,
+    integrated_names,
+    random_numbers,
+)
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodParameters
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
 from bnserve_protocol._merger_time import MergerStencil, MergerTimes, time_until_merger
@@ -129,26 +137,27 @@ from bnserve_protocol._time_domain import predict_time_domain, time_domain_steps
 from bnserve_protocol._version import __version__
 
 __all__ = [
-    "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "ERRORS_BY_CODE", "INTRINSIC_NAMES", "IN_PLANE_NAMES", "LIKELIHOOD_NAMES",
-    "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS", "PARAMETER_NAMES", "PARAMETER_UNITS", "PHASE_AT_REFERENCE",
-    "PRIOR_NAMES", "SOLAR_MASS_SECONDS", "AccessDenied", "AmplitudePhase", "Analysis", "AnalysisInvalid",
-    "AnalysisKind", "AnalysisSettings", "AnalysisUnknown", "AnswerCorrupted", "ArtifactCorrupted", "ArtifactError",
-    "ArtifactIncomplete", "BatchLike", "BnserveError", "Calibration", "ComplexArray", "ConnectionFailed",
-    "DeadlineExceeded", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions",
-    "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies",
-    "InvalidParameters", "InvalidRequest", "InvalidRows", "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike",
-    "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MergerStencil",
-    "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown", "Modes",
-    "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded", "PackageMissing",
-    "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown", "Polarizations",
-    "ProcessorDescription", "QuotaExceeded", "RowStatus", "RunManifest", "SchemaUnknown", "StoreUnknown", "TimeGrid",
-    "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid",
-    "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies",
-    "as_numbers", "as_real_number", "as_real_numbers", "check_dtype", "check_invalid_rows", "check_location",
-    "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings", "chosen_modes", "convert",
-    "decode_analysis", "encode_analysis", "grid_digest", "likelihood_nodes", "likelihood_samples", "plain_grid",
-    "plain_options", "predict_time_domain", "printable", "refuse_rows", "require", "samples_of", "the_mode",
-    "time_domain_steps", "time_steps", "time_until_merger", "turn_to_reference",
+    "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "DRAWN_NAMES", "ERRORS_BY_CODE", "INTRINSIC_NAMES", "IN_PLANE_NAMES",
+    "LIKELIHOOD_NAMES", "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS", "PARAMETER_NAMES", "PARAMETER_UNITS",
+    "PHASE_AT_REFERENCE", "PRIOR_NAMES", "SOLAR_MASS_SECONDS", "AccessDenied", "AmplitudePhase", "Analysis",
+    "AnalysisInvalid", "AnalysisKind", "AnalysisSettings", "AnalysisUnknown", "AnswerCorrupted", "ArtifactCorrupted",
+    "ArtifactError", "ArtifactIncomplete", "BatchLike", "BnserveError", "Calibration", "ComplexArray",
+    "ConnectionFailed", "DeadlineExceeded", "DetectorProducts", "DigestUnknown", "DistanceMarginalisation", "Draining",
+    "DtypeName", "EvaluationOptions", "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError",
+    "InvalidFrequencies", "InvalidParameters", "InvalidRequest", "InvalidRows", "Likelihood", "LikelihoodBatch",
+    "LikelihoodBatchLike", "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel",
+    "MarginalisedDraws", "MergerStencil", "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading",
+    "ModelUnknown", "Modes", "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain",
+    "Overloaded", "PackageMissing", "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown",
+    "Polarizations", "ProcessorDescription", "QuotaExceeded", "RowStatus", "RunManifest", "SchemaUnknown", "Seed",
+    "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable",
+    "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel",
+    "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_dtype",
+    "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
+    "check_settings", "chosen_modes", "convert", "decode_analysis", "encode_analysis", "grid_digest",
+    "integrated_names", "likelihood_nodes", "likelihood_samples", "plain_grid", "plain_options", "predict_time_domain",
+    "printable", "random_numbers", "refuse_rows", "require", "samples_of", "the_mode", "time_domain_steps",
+    "time_steps", "time_until_merger", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

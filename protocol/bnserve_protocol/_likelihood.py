@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from bnserve_protocol._analyses import Analysis
 from bnserve_protocol._errors import FieldError, InvalidRequest, OutOfDomain
 from bnserve_protocol._likelihood_batches import LikelihoodBatchLike
+from bnserve_protocol._likelihood_details import DetectorProducts, MarginalisedDraws, Seed
 from bnserve_protocol._results import RowStatus
 
 InvalidRows: TypeAlias = Literal["flag", "error"]
@@ -71,6 +72,19 @@ class Likelihood(Protocol):
         """As :meth:`log_likelihood`, with the :class:`RowStatus` of every row, uint8 ``(N,)``; rows never raise.
 
         A row's bits depend on the row, the analysis and the model alone.
+        """
+
+    def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
+        """Inner products, signal-to-noise ratios and log-likelihoods by detector, of the signals that samples describe.
+
+        Samples are whole: nothing is integrated, and nothing may be left out.
+        """
+
+    def draw_marginalised(self, batch: LikelihoodBatchLike, *, seed: Seed) -> MarginalisedDraws:
+        """One draw for each sample of what the analysis integrates over, by its posterior given the rest.
+
+        A row's bits depend on the row, the analysis, the model and the seed, a whole number, alone; equal rows have
+        draws of their own. In its place there may be what draws are made of, ``(N, 3)`` numbers uniform in [0, 1).
         """
 
 

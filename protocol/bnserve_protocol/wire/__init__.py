@@ -8,7 +8,13 @@ from bnserve_protocol.wire._arrays import (
     encode_array,
     result_memory,
 )
-from bnserve_protocol.wire._bodies import LikelihoodAnswerBody, LikelihoodBody, OutputName, WaveformBody
+from bnserve_protocol.wire._bodies import (
+    LikelihoodAnswerBody,
+    LikelihoodBody,
+    LikelihoodOutput,
+    OutputName,
+    WaveformBody,
+)
 from bnserve_protocol.wire._envelope import (
     JSON,
     MSGPACK,
@@ -42,8 +48,9 @@ from bnserve_protocol.wire._waveforms import Grid, GridDigest, WaveformRequest, 
 
 __all__ = [
     "JSON", "MSGPACK", "MSGPACK_BYTES", "PROBLEM_JSON", "WANTED_DIGEST", "DigestName", "Grid", "GridDigest",
-    "LikelihoodAnswer", "LikelihoodAnswerBody", "LikelihoodBody", "LikelihoodRequest", "OutputName", "Problem",
-    "ResultMemory", "WaveformAnswer", "WaveformBody", "WaveformRequest", "address_of", "array_keys", "content_digest",
+    "LikelihoodAnswer", "LikelihoodAnswerBody", "LikelihoodBody", "LikelihoodOutput", "LikelihoodRequest", "OutputName",
+    "Problem", "ResultMemory", "WaveformAnswer", "WaveformBody", "WaveformRequest", "address_of", "array_keys",
+    "content_digest",
     "decode_answer", "decode_array", "decode_likelihood_answer", "decode_likelihood_request", "decode_request",
     "encode_answer", "encode_answer_json", "encode_array", "encode_likelihood_answer", "encode_likelihood_answer_json",
     "encode_likelihood_request", "encode_request", "mode_names", "refuse_repeated_keys", "request_digest",

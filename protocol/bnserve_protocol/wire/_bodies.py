@@ -11,6 +11,7 @@ from bnserve_protocol._modes import MOST_MODES, Mode
 from bnserve_protocol._options import DtypeName
 
 OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
+LikelihoodOutput: TypeAlias = Literal["log_likelihood", "products", "draws"]
 MOST_NAMES = 64
 """Parameters, or detectors: more than a request has, so that the answer can still say which of them is unknown; still
 more are a mistake or an attack, and would take a hundred times the memory of the body."""
@@ -74,6 +75,11 @@ class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=T
         Repeats the digest of the path, as 'sha256:...'.
     calibration_amplitude, calibration_phase
         By detector, [N, nodes]: errors at the calibration nodes of the analysis, relative and in radians.
+    output
+        'products': also inner products by detector, where all parameters have to be given and nothing is integrated.
+        'draws': also a draw of what is integrated over, made of 'uniforms'; 'log_likelihood' is the one there.
+    uniforms
+        [N, 3], with 'draws': numbers uniform in [0, 1), for the time, the phase and the distance.
     """
 
     parameters: msgspec.Raw
@@ -81,6 +87,8 @@ class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=T
     analysis: str | None = None
     calibration_amplitude: NamedArrays = {}
     calibration_phase: NamedArrays = {}
+    output: LikelihoodOutput = "log_likelihood"
+    uniforms: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
 
 
 class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
@@ -93,9 +101,19 @@ class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
         not 0.
     status
         [N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band, 4 out of the analysis' prior.
+    d_inner_h, h_inner_h
+        [N, D], with 'products': <d|h>, complex, and <h|h> in each detector, in the order of the analysis; NaN wherever
+        'status' is not 0.
+    coalescence_time, reference_phase, distance_mpc
+        [N], with 'draws': those that the analysis integrates over.
     """
 
     model: ModelIdentity
     analysis: str
     log_likelihood: msgspec.Raw
     status: msgspec.Raw
+    d_inner_h: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    h_inner_h: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    coalescence_time: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    reference_phase: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    distance_mpc: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET

@@ -1,28 +1,40 @@
-"""Log-likelihoods on the wire: parameters there, eight bytes and a status per sample back."""
+"""Log-likelihoods on the wire: parameters there, eight bytes and a status per sample back, and more if asked for."""
 
 from __future__ import annotations
 
-from types import ModuleType
+from collections.abc import Mapping
+from types import MappingProxyType, ModuleType
+from typing import Any
 
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._batches import check_names
-from bnserve_protocol._errors import InvalidParameters, TooLarge, UndecodableBody
+from bnserve_protocol._errors import FieldError, InvalidParameters, InvalidRequest, TooLarge, UndecodableBody
 from bnserve_protocol._likelihood_batches import LikelihoodBatch
+from bnserve_protocol._likelihood_details import DRAWN_NAMES, check_uniforms
 from bnserve_protocol._likelihood_parameters import CALIBRATION_NAMES, LIKELIHOOD_DEFAULTS, LIKELIHOOD_NAMES
 from bnserve_protocol._model import ModelIdentity
 from bnserve_protocol.wire._arrays import ArrayKeys, decode_array, decode_real, encode_array, is_array, raw_array
-from bnserve_protocol.wire._bodies import LikelihoodAnswerBody, LikelihoodBody, NamedArrays
-from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, read_map, undecodable
+from bnserve_protocol.wire._bodies import LikelihoodAnswerBody, LikelihoodBody, LikelihoodOutput, NamedArrays
+from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, map_header, read_map, undecodable
+from bnserve_protocol.wire._waveform_answers import json_value
+
+_FURTHER: dict[str, str] = {"d_inner_h": "<c16", "h_inner_h": "<f8"} | dict.fromkeys(DRAWN_NAMES, "<f8")
+_NOTHING: Mapping[str, NDArray[Any]] = MappingProxyType({})
 
 
 class LikelihoodRequest(msgspec.Struct, frozen=True, kw_only=True):
-    """A decoded request: a batch, and the digest of the analysis, where the request repeats it from its path."""
+    """A decoded request: a batch, and the digest of the analysis, where the request repeats it from its path.
+
+    ``uniforms``, float64 ``(N, 3)``, are there where ``output`` is ``"draws"``.
+    """
 
     batch: LikelihoodBatch
     analysis: str | None = None
+    output: LikelihoodOutput = "log_likelihood"
+    uniforms: NDArray[np.float64] | None = None
 
 
 class LikelihoodAnswer(msgspec.Struct, frozen=True, kw_only=True):
@@ -30,12 +42,14 @@ class LikelihoodAnswer(msgspec.Struct, frozen=True, kw_only=True):
 
     ``log_likelihood`` is float64 ``(N,)``, the logarithm of the ratio to the likelihood of no signal; -inf wherever
     ``status``, uint8 ``(N,)``, is not :attr:`RowStatus.OK`. ``model`` evaluated the analysis of digest ``analysis``.
+    ``further``: what else was asked for, as in :class:`.LikelihoodAnswerBody`.
     """
 
     log_likelihood: NDArray[np.float64]
     status: NDArray[np.uint8]
     model: ModelIdentity
     analysis: str
+    further: Mapping[str, NDArray[Any]] = _NOTHING
 
 
 _MOST_PLAIN_BYTES = 2**20
@@ -70,7 +84,12 @@ _READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspe
 _answer_decoder = msgspec.msgpack.Decoder(LikelihoodAnswerBody)
 
 
-def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
+def encode_likelihood_request(
+    analysis: str,
+    batch: LikelihoodBatch,
+    output: LikelihoodOutput = "log_likelihood",
+    uniforms: NDArray[np.float64] | None = None,
+) -> bytes:
     """Write a request as MessagePack.
 
     Parameters
@@ -79,6 +98,8 @@ def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
         The digest of the analysis.
     batch
         What to evaluate; its parameters travel as one ``[N, 13]`` array with names, without what was left out.
+    output, uniforms
+        What to return, and what draws are made of, ``(N, 3)``.
     """
     names = [name for name in LIKELIHOOD_NAMES if name not in batch.absent]
     values = batch.values
@@ -91,6 +112,8 @@ def encode_likelihood_request(analysis: str, batch: LikelihoodBatch) -> bytes:
             parameters=raw_array(values),
             calibration_amplitude={name: raw_array(array) for name, array in batch.calibration_amplitude.items()},
             calibration_phase={name: raw_array(array) for name, array in batch.calibration_phase.items()},
+            output=output,
+            uniforms=msgspec.UNSET if uniforms is None else raw_array(uniforms),
         )
     )
 
@@ -115,7 +138,9 @@ def decode_likelihood_request(
     UndecodableBody
         Not that media type, or fields that are unknown, missing or of a wrong type.
     InvalidParameters
-        Names or shapes that no likelihood could accept.
+        Names or shapes that no likelihood could accept, or numbers for draws that are not uniform in [0, 1).
+    InvalidRequest
+        Draws without numbers to make them of, or the reverse.
     TooLarge
         More rows than ``max_rows``, or too many numbers in lists.
     """
@@ -123,10 +148,24 @@ def decode_likelihood_request(
     try:
         wire: LikelihoodBody = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
+        uniforms = _uniforms(reader, wire, len(batch))
         check_keys(body, media_type, _MAPS if wire.names is None else CALIBRATION_NAMES)
     except UNREADABLE as error:
         raise undecodable(error, media_type) from error
-    return LikelihoodRequest(analysis=wire.analysis, batch=batch)
+    return LikelihoodRequest(analysis=wire.analysis, batch=batch, output=wire.output, uniforms=uniforms)
+
+
+def _uniforms(reader: _Reader, wire: LikelihoodBody, rows: int) -> NDArray[np.float64] | None:
+    raw = wire.uniforms
+    if isinstance(raw, msgspec.UnsetType) is (wire.output == "draws"):
+        raise InvalidRequest(
+            "Draws, and nothing else, are made of 'uniforms': send 'output': 'draws' with three numbers in [0, 1) for "
+            "each row, or neither.",
+            errors=[FieldError(reason="belongs to 'draws'", parameter="uniforms")],
+        )
+    if isinstance(raw, msgspec.UnsetType):
+        return None
+    return check_uniforms(reader.values(raw), rows)
 
 
 def _batch(reader: _Reader, wire: LikelihoodBody, max_rows: int) -> LikelihoodBatch:
@@ -164,10 +203,11 @@ def _rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> NDArray[np.flo
 
 def encode_likelihood_answer(answer: LikelihoodAnswer, keys: ArrayKeys = "text") -> list[bytes | memoryview]:
     """Write an answer as a list of buffers; array memory is not copied. Joined, they are one MessagePack map."""
-    head = b"\x84" + msgspec.msgpack.encode("model") + msgspec.msgpack.encode(answer.model)
+    head = map_header(4 + len(answer.further)) + msgspec.msgpack.encode("model") + msgspec.msgpack.encode(answer.model)
     head += msgspec.msgpack.encode("analysis") + msgspec.msgpack.encode(answer.analysis)
     parts: list[bytes | memoryview] = [head]
-    for name, array in (("log_likelihood", answer.log_likelihood), ("status", answer.status)):
+    always: dict[str, NDArray[Any]] = {"log_likelihood": answer.log_likelihood, "status": answer.status}
+    for name, array in (always | dict(answer.further)).items():
         header, data = encode_array(array, keys)
         parts += [msgspec.msgpack.encode(name) + bytes(header), data]
     return parts
@@ -182,6 +222,7 @@ def encode_likelihood_answer_json(answer: LikelihoodAnswer) -> bytes:
             "log_likelihood": answer.log_likelihood.tolist(),
             "status": answer.status.tolist(),
         }
+        | {name: json_value(array) for name, array in answer.further.items()}
     )
 
 
@@ -201,4 +242,17 @@ def decode_likelihood_answer(body: bytes | memoryview) -> LikelihoodAnswer:
     values, status = decode_array(wire.log_likelihood), decode_array(wire.status)
     if values.dtype != np.float64 or status.dtype != np.uint8 or values.ndim != 1 or values.shape != status.shape:
         raise UndecodableBody("The arrays of the answer do not fit together.")
-    return LikelihoodAnswer(log_likelihood=values, status=status, model=wire.model, analysis=wire.analysis)
+    raws = {name: getattr(wire, name) for name in _FURTHER}
+    further = {
+        name: _further(name, raw, len(values)) for name, raw in raws.items() if not isinstance(raw, msgspec.UnsetType)
+    }
+    return LikelihoodAnswer(
+        log_likelihood=values, status=status, model=wire.model, analysis=wire.analysis, further=further
+    )
+
+
+def _further(name: str, raw: msgspec.Raw, rows: int) -> NDArray[Any]:
+    array = decode_array(raw)
+    if array.dtype.str != _FURTHER[name] or array.ndim != (1 if name in DRAWN_NAMES else 2) or len(array) != rows:
+        raise UndecodableBody("The arrays of the answer do not fit together.")
+    return array

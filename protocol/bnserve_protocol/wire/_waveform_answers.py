@@ -132,10 +132,11 @@ def _padded(name: str, header: bytes | memoryview, position: int) -> bytes:
 
 def encode_answer_json(arrays: Mapping[str, NDArray[Any]], model: ModelIdentity) -> bytes:
     """Write an answer as JSON: complex arrays as ``{"re": ..., "im": ...}``, NaN as null."""
-    return msgspec.json.encode({"model": model} | {name: _json_value(array) for name, array in arrays.items()})
+    return msgspec.json.encode({"model": model} | {name: json_value(array) for name, array in arrays.items()})
 
 
-def _json_value(array: NDArray[Any]) -> Any:
+def json_value(array: NDArray[Any]) -> Any:
+    """Numbers in lists; of complex ones, a list of each part."""
     if np.iscomplexobj(array):
         return {"re": array.real.tolist(), "im": array.imag.tolist()}
     return array.tolist()
