@@ -16,6 +16,7 @@ from bnserve_protocol import (
     Analysis,
     AnalysisUnknown,
     AnswerCorrupted,
+    DetectorProducts,
     Forbidden,
     InvalidRows,
     LikelihoodBatch,
@@ -23,20 +24,27 @@ from bnserve_protocol import (
     LikelihoodCounts,
     LikelihoodValues,
     Limits,
+    MarginalisedDraws,
     ModelIdentity,
     RowStatus,
+    Seed,
     TooLarge,
     check_invalid_rows,
     check_model_of,
     encode_analysis,
+    integrated_names,
     likelihood_samples,
+    nothing_integrated,
+    random_numbers,
     refuse_rows,
     samples_of,
 )
-from bnserve_protocol.wire import MSGPACK, decode_likelihood_answer, encode_likelihood_request
+from bnserve_protocol.wire import MSGPACK, LikelihoodOutput, decode_likelihood_answer, encode_likelihood_request
 
 _BYTES_PER_ROW = 16
-"""The most that one row takes in an answer."""
+"""The most that one row takes in an answer of log-likelihoods alone."""
+_BYTES_OF_ARRAYS = 1024
+"""Of what says what the arrays of an answer are."""
 _HEAD_BYTES = 4096
 """Of a request beside its arrays."""
 
@@ -48,16 +56,26 @@ class _AnalysisDocument(msgspec.Struct, frozen=True):
 
 
 class LogLikelihoods(Question):
-    """The log-likelihoods of a batch."""
+    """The log-likelihoods of a batch, and what else ``output`` names."""
 
     unknown = AnalysisUnknown
     uploads = 16
     """In the end all replicas have it."""
 
-    def __init__(self, analysis: Analysis, samples: int, batch: LikelihoodBatch) -> None:
+    def __init__(
+        self,
+        analysis: Analysis,
+        samples: int,
+        batch: LikelihoodBatch,
+        output: LikelihoodOutput = "log_likelihood",
+        uniforms: NDArray[np.float64] | None = None,
+    ) -> None:
         self._analysis = analysis
         self._samples = samples
         self._batch = batch
+        self._output = output
+        self._uniforms = uniforms
+        self._further = _further(analysis, output)
         self.path = f"likelihoods/{analysis.digest.removeprefix('sha256:')}"
 
     def __len__(self) -> int:
@@ -65,17 +83,20 @@ class LogLikelihoods(Question):
 
     def rows_per_request(self, limits: Limits) -> int:
         """As :class:`Question`."""
-        fitting = max(1, (limits.max_body_bytes - _HEAD_BYTES) // _bytes_per_row(self._batch))
+        drawn = 0 if self._uniforms is None else 8 * self._uniforms.shape[1]
+        fitting = max(1, (limits.max_body_bytes - _HEAD_BYTES) // (_bytes_per_row(self._batch) + drawn))
         return min(limits.rows_per_request(self._samples), fitting)
 
     def encode(self, start: int, stop: int, address: Address | None) -> bytes:
         """As :class:`Question`."""
         part = self._batch if stop - start == len(self) else self._batch.rows(slice(start, stop))
-        return encode_likelihood_request(self._analysis.digest, part)
+        uniforms = None if self._uniforms is None else self._uniforms[start:stop]
+        return encode_likelihood_request(self._analysis.digest, part, self._output, uniforms)
 
     def max_bytes(self, rows: int) -> int:
         """As :class:`Question`."""
-        return rows * _BYTES_PER_ROW
+        further = sum(dtype.itemsize * (shape or 1) for dtype, shape in self._further.values())
+        return rows * (_BYTES_PER_ROW + further) + (_BYTES_OF_ARRAYS if further else 0)
 
     def decode(self, body: bytes | memoryview, rows: int, where: str, model: ModelIdentity) -> Arrays:
         """As :class:`Question`."""
@@ -83,7 +104,19 @@ class LogLikelihoods(Question):
         check_model(found.model, where, model)
         if found.analysis != self._analysis.digest or len(found.status) != rows:
             raise AnswerCorrupted(f"An answer from {where} belongs to another analysis or batch.")
-        return {"log_likelihood": found.log_likelihood.copy(), "status": found.status.copy()}
+        arrays: dict[str, NDArray[Any]] = {
+            "log_likelihood": found.log_likelihood.copy(),
+            "status": found.status.copy(),
+        }
+        for name, (dtype, columns) in self._further.items():
+            array = found.further.get(name)
+            shape = (rows, columns) if columns else (rows,)
+            if array is None or array.dtype != dtype or array.shape != shape:
+                raise AnswerCorrupted(
+                    f"An answer from {where} does not hold '{name}' as {dtype.name} of shape {shape}."
+                )
+            arrays[name] = array.copy()
+        return arrays
 
     def upload(self, limits: Limits) -> Upload:
         """As :class:`Question`: the analysis."""
@@ -101,6 +134,15 @@ class LogLikelihoods(Question):
         if isinstance(error, TooLarge):
             raise UploadTooLarge(error.detail, request_id=error.request_id) from error
         raise error
+
+
+def _further(analysis: Analysis, output: LikelihoodOutput) -> dict[str, tuple[np.dtype[Any], int]]:
+    """The arrays of an output beside the log-likelihoods: dtype, and columns, 0 for a vector."""
+    if output == "products":
+        detectors = len(analysis.settings.detectors)
+        return {"d_inner_h": (np.dtype("<c16"), detectors), "h_inner_h": (np.dtype("<f8"), detectors)}
+    names = integrated_names(analysis.settings) if output == "draws" else ()
+    return {name: (np.dtype("<f8"), 0) for name in names}
 
 
 def _path(analysis: Analysis) -> str:
@@ -166,11 +208,32 @@ class _Remote:
             nothing = LikelihoodBatch(np.empty((0, len(LIKELIHOOD_NAMES))))
             yield from self._evaluator.upload(LogLikelihoods(self._analysis, self._samples, nothing), retries)
 
-    def _evaluating(self, batch: LikelihoodBatchLike) -> Conversation[LikelihoodValues]:
-        question = LogLikelihoods(self._analysis, self._samples, samples_of(batch, self._analysis.settings))
-        arrays = yield from self._evaluator.evaluate(question)
+    def _asking(
+        self,
+        batch: LikelihoodBatch,
+        output: LikelihoodOutput = "log_likelihood",
+        uniforms: NDArray[np.float64] | None = None,
+    ) -> Conversation[Arrays]:
+        question = LogLikelihoods(self._analysis, self._samples, batch, output, uniforms)
+        arrays: Arrays = yield from self._evaluator.evaluate(question)
         self._counter.add(arrays["status"])
+        return arrays
+
+    def _evaluating(self, batch: LikelihoodBatchLike) -> Conversation[LikelihoodValues]:
+        arrays = yield from self._asking(samples_of(batch, self._analysis.settings))
         return LikelihoodValues(arrays["log_likelihood"], arrays["status"])
+
+    def _multiplying(self, batch: LikelihoodBatchLike) -> Conversation[DetectorProducts]:
+        arrays = yield from self._asking(samples_of(batch, nothing_integrated(self._analysis.settings)), "products")
+        detectors = self._analysis.settings.detectors
+        return DetectorProducts(detectors, arrays["d_inner_h"], arrays["h_inner_h"], arrays["status"])
+
+    def _drawing(self, batch: LikelihoodBatchLike, seed: Seed) -> Conversation[MarginalisedDraws]:
+        settings = self._analysis.settings
+        samples = samples_of(batch, settings)
+        arrays = yield from self._asking(samples, "draws", random_numbers(samples, settings, seed))
+        drawn = {name: arrays[name] for name in integrated_names(settings)}
+        return MarginalisedDraws(drawn, arrays["log_likelihood"], arrays["status"])
 
     def _in_range(self, values: LikelihoodValues) -> NDArray[np.float64]:
         if self._invalid_rows == "error":
@@ -207,6 +270,24 @@ class Likelihood(_Remote):
         values: LikelihoodValues = self._model._connections.run(self._evaluating(batch))
         return values
 
+    def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
+        """Inner products, signal-to-noise ratios and ln L by detector, of the signals that samples describe.
+
+        Samples are whole: what the analysis integrates over has to be given. Raises as :meth:`log_likelihood`; a server
+        before 0.2 refuses it.
+        """
+        found: DetectorProducts = self._model._connections.run(self._multiplying(batch))
+        return found
+
+    def draw_marginalised(self, batch: LikelihoodBatchLike, *, seed: Seed) -> MarginalisedDraws:
+        """One draw for each sample of what the analysis integrates over, by its posterior given the rest.
+
+        The numbers that draws are made of follow from the seed and the samples here, and travel with them. Raises as
+        :meth:`log_likelihood`, and InvalidRequest where nothing is integrated over; a server before 0.2 refuses it.
+        """
+        found: MarginalisedDraws = self._model._connections.run(self._drawing(batch, seed))
+        return found
+
 
 class AsyncLikelihood(_Remote):
     """As :class:`Likelihood`, for asyncio: every evaluation is awaited; made by :meth:`.AsyncModel.likelihood`."""
@@ -219,3 +300,13 @@ class AsyncLikelihood(_Remote):
         """As :meth:`Likelihood.evaluate`."""
         values: LikelihoodValues = await self._model._connections.run(self._evaluating(batch))
         return values
+
+    async def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
+        """As :meth:`Likelihood.products`."""
+        found: DetectorProducts = await self._model._connections.run(self._multiplying(batch))
+        return found
+
+    async def draw_marginalised(self, batch: LikelihoodBatchLike, *, seed: Seed) -> MarginalisedDraws:
+        """As :meth:`Likelihood.draw_marginalised`."""
+        found: MarginalisedDraws = await self._model._connections.run(self._drawing(batch, seed))
+        return found

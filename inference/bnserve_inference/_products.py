@@ -8,24 +8,17 @@ import numpy as np
 from bnserve_inference._modes import modes_of
 from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference._signals import signals_of
-from bnserve_protocol import Analysis, DetectorProducts, LikelihoodBatch, RowStatus, WaveformModel
+from bnserve_protocol import Analysis, DetectorProducts, LikelihoodBatch, RowStatus, WaveformModel, nothing_integrated
 
 _TILE_POINTS = 2**16
 _MOST_ROWS = 256
 
 
-def whole(analysis: Analysis) -> Analysis:
-    """The same analysis with nothing integrated."""
-    settings = msgspec.structs.replace(
-        analysis.settings, phase_marginalisation=False, time_marginalisation=None, distance_marginalisation=None
-    )
-    return Analysis(settings=settings, arrays=analysis.arrays)
-
-
 def of_detector(analysis: Analysis, name: str) -> Analysis:
-    """The same analysis of one of its detectors."""
+    """The same analysis of one of its detectors, with nothing integrated."""
     arrays = {key: array for key, array in analysis.arrays.items() if "/" not in key or key.endswith(f"/{name}")}
-    return Analysis(settings=msgspec.structs.replace(analysis.settings, detectors=(name,)), arrays=arrays)
+    settings = msgspec.structs.replace(nothing_integrated(analysis.settings), detectors=(name,))
+    return Analysis(settings=settings, arrays=arrays)
 
 
 class ProductsByDetector:
@@ -46,10 +39,9 @@ class ProductsByDetector:
     """
 
     def __init__(self, model: WaveformModel, analysis: Analysis) -> None:
-        alone = whole(analysis)
-        self.settings = alone.settings
-        self._signals = [signals_of(model, of_detector(alone, name), None) for name in alone.settings.detectors]
-        modes = len(modes_of(alone.settings, model.description))
+        self.settings = nothing_integrated(analysis.settings)
+        self._signals = [signals_of(model, of_detector(analysis, name), None) for name in self.settings.detectors]
+        modes = len(modes_of(self.settings, model.description))
         self._tile = min(_MOST_ROWS, max(1, _TILE_POINTS // (len(self._signals[0].frequencies) * modes)))
 
     def __call__(self, batch: LikelihoodBatch) -> DetectorProducts:

@@ -88,6 +88,7 @@ from bnserve_protocol._likelihood_details import (
     MarginalisedDraws,
     Seed,
     integrated_names,
+    nothing_integrated,
     random_numbers,
 )
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodParameters
@@ -155,9 +156,9 @@ __all__ = [
     "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_dtype",
     "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
     "check_settings", "chosen_modes", "convert", "decode_analysis", "encode_analysis", "grid_digest",
-    "integrated_names", "likelihood_nodes", "likelihood_samples", "plain_grid", "plain_options", "predict_time_domain",
-    "printable", "random_numbers", "refuse_rows", "require", "samples_of", "the_mode", "time_domain_steps",
-    "time_steps", "time_until_merger", "turn_to_reference",
+    "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid", "plain_options",
+    "predict_time_domain", "printable", "random_numbers", "refuse_rows", "require", "samples_of", "the_mode",
+    "time_domain_steps", "time_steps", "time_until_merger", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeAlias
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -33,6 +34,13 @@ def integrated_names(settings: AnalysisSettings) -> tuple[str, ...]:
         settings.distance_marginalisation is not None,
     )
     return tuple(name for name, there in zip(DRAWN_NAMES, integrated, strict=True) if there)
+
+
+def nothing_integrated(settings: AnalysisSettings) -> AnalysisSettings:
+    """The same settings with nothing integrated over: those that whole samples belong to."""
+    return msgspec.structs.replace(
+        settings, phase_marginalisation=False, time_marginalisation=None, distance_marginalisation=None
+    )
 
 
 @dataclass(frozen=True, eq=False)

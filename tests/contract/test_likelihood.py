@@ -29,6 +29,7 @@ from bnserve_protocol import (
     TimeGrid,
     TimeMarginalisation,
     convert,
+    integrated_names,
 )
 from tests.service.injections import SIGNAL, samples, sites, small_analysis
 
@@ -98,6 +99,12 @@ class _Waiting:
     def evaluate(self, batch):
         return self._loop.run_until_complete(self._likelihood.evaluate(batch))
 
+    def products(self, batch):
+        return self._loop.run_until_complete(self._likelihood.products(batch))
+
+    def draw_marginalised(self, batch, *, seed):
+        return self._loop.run_until_complete(self._likelihood.draw_marginalised(batch, seed=seed))
+
     def close(self):
         self._loop.run_until_complete(self._model.close())
         self._loop.close()
@@ -145,6 +152,32 @@ def test_values_are_equal_in_bits_and_finite(reach, analysis, local):
     assert (values.dtype, values.shape, values.tobytes()) == (here.dtype, here.shape, here.tobytes())
     assert np.isfinite(values).all()
     assert len(set(values.tolist())) == len(values)
+
+
+def test_products_are_equal_in_bits(reach, analysis, local):
+    batch = batch_for(analysis)
+    found, here = reach(analysis).products(batch), likelihood(local, analysis).products(batch)
+    assert found.detectors == analysis.settings.detectors
+    for name in ("d_inner_h", "h_inner_h", "status"):
+        one, other = getattr(found, name), getattr(here, name)
+        assert (one.dtype, one.shape, one.tobytes()) == (other.dtype, other.shape, other.tobytes())
+    assert np.isfinite(found.h_inner_h).all()
+
+
+def test_draws_are_equal_in_bits(reach, analysis, local):
+    batch, bound = batch_for(analysis), reach(analysis)
+    if not integrated_names(analysis.settings):
+        with pytest.raises(InvalidRequest, match="integrates over nothing"):
+            bound.draw_marginalised(batch, seed=3)
+        return
+    found, here = bound.draw_marginalised(batch, seed=3), likelihood(local, analysis).draw_marginalised(batch, seed=3)
+    assert tuple(found.parameters) == integrated_names(analysis.settings)
+    for name, values in here.parameters.items():
+        assert found.parameters[name].tobytes() == values.tobytes()
+    assert found.log_likelihood.tobytes() == here.log_likelihood.tobytes()
+    part = bound.draw_marginalised(batch.rows(slice(4, 9)), seed=3)
+    assert part.log_likelihood.tobytes() == here.log_likelihood[4:9].tobytes()
+    assert bound.counts.rows >= len(batch)
 
 
 def test_a_table_by_the_names_of_bilby(reach, local):

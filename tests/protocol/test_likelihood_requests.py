@@ -10,6 +10,7 @@ from bnserve_protocol import (
     LIKELIHOOD_NAMES,
     AnalysisInvalid,
     InvalidParameters,
+    InvalidRequest,
     LikelihoodBatch,
     ModelIdentity,
     OutOfDomain,
@@ -83,6 +84,11 @@ WRONG = {
     ),
     "more rows than are taken": ({"parameters": SIGNAL | {"chi_1": [0.0] * 9}}, TooLarge),
     "text": ({"parameters": SIGNAL | {"chi_1": "fast"}}, UndecodableBody),
+    "an output that is none": ({"parameters": SIGNAL, "output": "phases"}, UndecodableBody),
+    "draws of nothing": ({"parameters": SIGNAL, "output": "draws"}, InvalidRequest),
+    "numbers without draws": ({"parameters": SIGNAL, "uniforms": [[0.5] * 3]}, InvalidRequest),
+    "numbers for more": ({"parameters": SIGNAL, "output": "draws", "uniforms": [[0.5] * 3] * 2}, InvalidParameters),
+    "numbers beyond one": ({"parameters": SIGNAL, "output": "draws", "uniforms": [[0.5, 1.0, 0.5]]}, InvalidParameters),
 }  # fmt: skip
 
 
@@ -91,6 +97,38 @@ def test_what_is_wrong_is_refused_alike_in_both_media_types(message, kind):
     for body, media_type in ((msgpack.packb(message), MSGPACK), (json.dumps(message).encode(), JSON)):
         with pytest.raises(kind):
             decode_likelihood_request(body, media_type, max_rows=8)
+
+
+def test_what_is_asked_for_travels_and_is_left_out_where_it_is_the_log_likelihood_alone():
+    numbers = np.random.default_rng(1).random((5, 3))
+    for output, uniforms in (("products", None), ("draws", numbers)):
+        request = decode_likelihood_request(encode_likelihood_request("sha256:1", BATCH, output, uniforms))
+        assert request.output == output
+        assert same(request.batch)
+    assert request.uniforms.tobytes() == numbers.tobytes()
+    plain = encode_likelihood_request("sha256:1", BATCH)
+    assert b"output" not in plain  # as servers from before read it
+    assert b"uniforms" not in plain
+    assert decode_likelihood_request(plain).output == "log_likelihood"
+
+
+def test_what_else_was_asked_for_comes_back_in_both_media_types():
+    further = {"d_inner_h": np.array([[1.0 + 2.0j, np.nan]] * 2), "h_inner_h": np.array([[4.0, np.nan]] * 2)}
+    plain = {"log_likelihood": np.array([1.5, -np.inf]), "status": np.array([0, 4], np.uint8)}
+    answer = LikelihoodAnswer(**plain, model=MODEL, analysis="sha256:1", further=further)
+    back = decode_likelihood_answer(b"".join(encode_likelihood_answer(answer)))
+    assert {name: array.tobytes() for name, array in back.further.items()} == {
+        name: array.tobytes() for name, array in further.items()
+    }
+    told = json.loads(encode_likelihood_answer_json(answer))
+    assert told["d_inner_h"] == {"re": [[1.0, None]] * 2, "im": [[2.0, 0.0]] * 2}
+    assert told["h_inner_h"] == [[4.0, None]] * 2
+    drawn = LikelihoodAnswer(**plain, model=MODEL, analysis="x", further={"distance_mpc": np.array([40.0, np.nan])})
+    assert decode_likelihood_answer(b"".join(encode_likelihood_answer(drawn))).further["distance_mpc"][0] == 40.0
+    for wrong in ({"distance_mpc": np.zeros(3)}, {"h_inner_h": np.zeros(2)}, {"d_inner_h": np.zeros((2, 2))}):
+        answer = LikelihoodAnswer(**plain, model=MODEL, analysis="x", further=wrong)
+        with pytest.raises(UndecodableBody, match="do not fit together"):
+            decode_likelihood_answer(b"".join(encode_likelihood_answer(answer)))
 
 
 def test_arrays_that_are_not_real_are_refused():

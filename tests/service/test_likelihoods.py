@@ -88,6 +88,51 @@ def test_json_gives_the_same_numbers_and_null_for_minus_infinity(server):
     assert answer.document["status"] == [0, 0, RowStatus.OUT_OF_PRIOR]
 
 
+def test_products_and_draws_in_json(server):
+    body = json.dumps({"parameters": SIGNAL | {"mass_ratio": [1.2, 1.3, 9.0]}, "output": "products"})
+    told = ask(server.address, "POST", PATH, body, content_type=JSON).document
+    expected = LOCAL.products(SIGNAL | {"mass_ratio": [1.2, 1.3, 9.0]})
+    assert told["d_inner_h"]["im"][:2] == expected.d_inner_h.imag[:2].tolist()
+    assert told["h_inner_h"][2] == [None, None]
+    assert told["log_likelihood"] == [*expected.network_log_likelihood[:2].tolist(), None]
+
+    analysis = small_analysis(phase_marginalisation=True)
+    assert upload(server.address, analysis).status in (200, 201)
+    path, numbers = f"/v1/models/chirp/likelihoods/{name_of(analysis)}", [[0.1, 0.6, 0.9]]
+    body = json.dumps({"parameters": SIGNAL, "output": "draws", "uniforms": numbers})
+    told = ask(server.address, "POST", path, body, content_type=JSON).document
+    drawn = likelihood(ChirpModel(), analysis).draw_marginalised(SIGNAL, seed=np.array(numbers))
+    assert told["reference_phase"] == drawn.parameters["reference_phase"].tolist()
+    assert told["log_likelihood"] == drawn.log_likelihood.tolist()
+    assert "distance_mpc" not in told
+    nothing = ask(server.address, "POST", PATH, body, content_type=JSON)
+    assert (nothing.status, nothing.document["code"]) == (422, "request-invalid")
+    assert "integrates over nothing" in nothing.document["detail"]
+
+
+@pytest.mark.parametrize("output", ["products", "draws"])
+def test_large_requests_for_more_are_divided_and_grouped_without_a_trace(server, output):
+    analysis = small_analysis(phase_marginalisation=True)
+    upload(server.address, analysis)
+    batch, numbers = samples(64), np.random.default_rng(2).random((64, 3)) if output == "draws" else None
+    path = f"/v1/models/chirp/likelihoods/{name_of(analysis)}"
+
+    def asked(rows):
+        part = None if numbers is None else numbers[rows]
+        body = encode_likelihood_request(analysis.digest, batch.rows(rows), output, part)
+        answer = ask(server.address, "POST", path, body, content_type=MSGPACK)
+        assert answer.status == 200, answer.body
+        return read_msgpack(answer.body)
+
+    whole = asked(slice(0, 64))
+    pieces = [slice(start, start + 7) for start in range(0, 63, 7)]
+    with ThreadPoolExecutor(8) as threads:
+        for rows, part in zip(pieces, threads.map(asked, pieces), strict=True):
+            for name in ("log_likelihood", "reference_phase" if output == "draws" else "d_inner_h"):
+                assert part[name].tobytes() == whole[name][rows].tobytes()
+    assert all(len(array) == 0 for array in asked(slice(0, 0)).values() if isinstance(array, np.ndarray))
+
+
 def test_a_version_or_a_label_may_be_named(server):
     for middle in ("versions/1.0.0/", "versions/stable/"):
         answer = evaluate(server.address, BATCH, f"/v1/models/chirp/{middle}likelihoods/{NAME}")

@@ -1,4 +1,5 @@
-"""Questions for log-likelihoods of an uploaded analysis: parameters there, eight bytes and a status per row back."""
+"""Questions for log-likelihoods of an uploaded analysis: parameters there, eight bytes and a status per row back, and
+inner products by detector, or draws of what is integrated over, where they are asked for."""
 
 from __future__ import annotations
 
@@ -6,6 +7,7 @@ from collections.abc import Sequence
 
 import msgspec
 import numpy as np
+from numpy.typing import NDArray
 
 from bnserve_protocol import (
     Analysis,
@@ -15,11 +17,13 @@ from bnserve_protocol import (
     TooLarge,
     WaveformModel,
     check_model_of,
+    integrated_names,
     likelihood_samples,
 )
 from bnserve_protocol.wire import (
     JSON,
     LikelihoodAnswer,
+    LikelihoodOutput,
     array_keys,
     decode_likelihood_request,
     encode_likelihood_answer,
@@ -34,12 +38,19 @@ from bnserve_service.uploads.stores import AnalysisStore, LikelihoodFactory, Sto
 
 _BYTES_PER_ROW = 9
 """Of an answer: a float64 and a status."""
+_BYTES_OF_PRODUCTS = 24
+"""Of a row in each detector: a complex128 and a float64."""
+_WORK: dict[LikelihoodOutput, int] = {"log_likelihood": 1, "products": 2, "draws": 4}
+"""Of a row, in that of its log-likelihood: with products the model is asked for each detector, and a draw evaluates the
+likelihood at some more times, phases and distances."""
 
 
 class LikelihoodQuestion(Question, frozen=True, eq=False, kw_only=True):
-    """Log-likelihoods of one analysis; ``batch`` is a ``LikelihoodBatch``."""
+    """Log-likelihoods of one analysis; ``batch`` is a ``LikelihoodBatch``, ``uniforms`` ``(N, 3)`` are for draws."""
 
     stored: StoredAnalysis
+    output: LikelihoodOutput = "log_likelihood"
+    uniforms: NDArray[np.float64] | None = None
 
     def pieces(self, most: int, piece_cost: int) -> list[LikelihoodQuestion]:
         """The rows in at most ``most`` consecutive parts, each worth the hand-over to a worker."""
@@ -49,8 +60,14 @@ class LikelihoodQuestion(Question, frozen=True, eq=False, kw_only=True):
             return [self]
         row_cost = (self.cost - REQUEST_COST) // len(self.batch)
         return [
-            msgspec.structs.replace(self, batch=part, cost=len(part) * row_cost + REQUEST_COST, is_part=True)
-            for part in self.batch.split(rows)
+            msgspec.structs.replace(
+                self,
+                batch=part,
+                uniforms=None if self.uniforms is None else self.uniforms[place * rows : (place + 1) * rows],
+                cost=len(part) * row_cost + REQUEST_COST,
+                is_part=True,
+            )
+            for place, part in enumerate(self.batch.split(rows))
         ]
 
 
@@ -123,7 +140,9 @@ class Likelihoods(Kind[LikelihoodQuestion]):
         if asked.analysis not in (None, analysis.digest):
             raise InvalidRequest("The body names another analysis than the path; they must be the same.")
         check_model_of(analysis, model.model.description)
-        batch = asked.batch
+        batch, output = asked.batch, asked.output
+        if output == "draws" and not integrated_names(analysis.settings):
+            raise InvalidRequest("The analysis integrates over nothing that could be drawn: ask for its products.")
         samples = likelihood_samples(analysis)
         _check_sizes(len(batch), samples, self._limits)
         nodes = tuple((name, array.shape[1]) for name, array in batch.calibration_amplitude.items())
@@ -131,21 +150,27 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             kind=self,
             model=model,
             batch=batch,
-            key=(id(model), analysis.digest, batch.absent, nodes),
-            cost=len(batch) * (samples * _unnamed_modes(analysis, model) + ROW_COST) + REQUEST_COST,
-            answer_bytes=len(batch) * _BYTES_PER_ROW,
+            key=(id(model), analysis.digest, batch.absent, nodes, output),
+            cost=min(
+                len(batch) * (samples * _unnamed_modes(analysis, model) * _WORK[output] + ROW_COST) + REQUEST_COST,
+                self._limits.queue_samples,
+            ),
+            answer_bytes=len(batch) * _bytes_per_row(analysis, output),
             answer_type=request.answer_type,
             digest=request.digest,
             stored=stored,
+            output=output,
+            uniforms=asked.uniforms,
         )
 
     def evaluate(self, questions: Sequence[LikelihoodQuestion]) -> Arrays:
-        """``log_likelihood`` and ``status``."""
+        """``log_likelihood`` and ``status``, and what else all ask for."""
         first = questions[0]
         likelihood = first.stored.likelihood(first.model, self._bind)
-        values, status = likelihood.evaluate(_stack([question.batch for question in questions]))
-        self._metrics.likelihoods(first.model.identity.name, status)
-        return {"log_likelihood": values, "status": status}
+        batch = _stack([question.batch for question in questions])
+        arrays = _evaluated(likelihood, batch, first.output, [question.uniforms for question in questions])
+        self._metrics.likelihoods(first.model.identity.name, arrays["status"])
+        return arrays
 
     def encode(self, question: LikelihoodQuestion, arrays: Arrays) -> list[Buffer]:
         """The answer as buffers."""
@@ -154,10 +179,39 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             status=arrays["status"],
             model=question.model.identity,
             analysis=question.stored.analysis.digest,
+            further={name: array for name, array in arrays.items() if name not in ("log_likelihood", "status")},
         )
         if question.answer_type == JSON:
             return [encode_likelihood_answer_json(answer)]
         return encode_likelihood_answer(answer, array_keys(question.answer_type))
+
+
+def _evaluated(
+    likelihood: Likelihood,
+    batch: LikelihoodBatch,
+    output: LikelihoodOutput,
+    uniforms: Sequence[NDArray[np.float64] | None],
+) -> Arrays:
+    if output == "products":
+        found = likelihood.products(batch)
+        return {
+            "log_likelihood": found.network_log_likelihood,
+            "status": found.status,
+            "d_inner_h": found.d_inner_h,
+            "h_inner_h": found.h_inner_h,
+        }
+    if output == "draws":
+        numbers = np.concatenate([part for part in uniforms if part is not None])
+        drawn = likelihood.draw_marginalised(batch, seed=numbers)
+        return {"log_likelihood": drawn.log_likelihood, "status": drawn.status, **drawn.parameters}
+    values, status = likelihood.evaluate(batch)
+    return {"log_likelihood": values, "status": status}
+
+
+def _bytes_per_row(analysis: Analysis, output: LikelihoodOutput) -> int:
+    if output == "products":
+        return _BYTES_PER_ROW + _BYTES_OF_PRODUCTS * len(analysis.settings.detectors)
+    return _BYTES_PER_ROW + (8 * len(integrated_names(analysis.settings)) if output == "draws" else 0)
 
 
 def _unnamed_modes(analysis: Analysis, model: LoadedModel) -> int:

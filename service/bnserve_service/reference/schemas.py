@@ -12,6 +12,7 @@ from typing import Any
 import msgspec
 
 from bnserve_protocol import (
+    DRAWN_NAMES,
     IN_PLANE_NAMES,
     LIKELIHOOD_NAMES,
     PARAMETER_DEFAULTS,
@@ -131,9 +132,13 @@ def schemas() -> dict[str, Any]:
     optional = ("distance_mpc", "coalescence_time", "reference_phase")
     likelihoods = _parameter_forms(LIKELIHOOD_NAMES, optional, ParametersWithExtrinsic, LikelihoodParameters)
     likelihoods |= dict.fromkeys(("calibration_amplitude", "calibration_phase"), calibration)
+    likelihoods["uniforms"] = _array_or(_list(_list({"type": "number", "minimum": 0, "exclusiveMaximum": 1})))
     answers = {
         "log_likelihood": _array_or(_list({"type": ["number", "null"]})),
         "status": _array_or(_list({"enum": [0, 1, 2, 3, 4]})),
+        "d_inner_h": _COMPLEX,
+        "h_inner_h": _array_or(_PART),
+        **dict.fromkeys(DRAWN_NAMES, _array_or(_list({"type": ["number", "null"]}))),
     }
     return (
         made
