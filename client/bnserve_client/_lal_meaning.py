@@ -2,7 +2,7 @@
 
 Where the lighter star is named first, the stars change places and nothing else does: LAL's models of the frequency
 domain (IMRPhenomXHM, IMRPhenomXPHM) have the same waveform then, odd modes included, so that the phase is that of the
-heavier star.
+heavier star, and x points to it where spins are in the orbital plane.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 QUADRUPOLE: tuple[Mode, ...] = ((2, 2),)
+_EXCHANGED = str.maketrans("12", "21")
 
 
 class ByModes(NamedTuple):
@@ -56,6 +57,13 @@ def read_mode_array(modes: Iterable[Any] | None) -> tuple[Mode, ...] | None:
     except (TypeError, ValueError):
         raise InvalidRequest(f"'mode_array' is a list of pairs such as [[2, 2], [3, 3]]; got {modes!r:.80}.") from None
     return EvaluationOptions(modes=tuple(found)).modes
+
+
+def heavier_first(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Parameters of two stars by names with 1 and 2, ``mass_1`` and ``mass_2`` among them: exchanged where LAL does."""
+    if not given["mass_1"] < given["mass_2"]:
+        return dict(given)
+    return {name.translate(_EXCHANGED): value for name, value in given.items()}
 
 
 def modes_of(description: ModelDescription, modes: Iterable[Mode] | None) -> tuple[Mode, ...]:

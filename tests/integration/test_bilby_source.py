@@ -9,8 +9,10 @@ import bilby
 import numpy as np
 import pytest
 
-from bnserve_client import InvalidParameters, InvalidRequest, _chosen
-from bnserve_client.bilby import _source, binary_neutron_star
+from bnserve_client import InvalidRequest, _chosen
+from bnserve_client.bilby import binary_neutron_star
+from bnserve_client.bilby._arguments import read_choice
+from bnserve_client.bilby._waveforms import waveforms_of
 from bnserve_protocol import EvaluationOptions, PackageMissing
 from tests.architecture.rooms import room_environment, run_python
 
@@ -36,7 +38,7 @@ def generator(source, **arguments):
     )  # fmt: skip
 
 
-def network(source_of_signal, seed=1):
+def network(source_of_signal, seed=1, signal=SIGNAL):
     """Three detectors at design sensitivity with the signal in their noise."""
     bilby.core.utils.random.seed(seed)
     interferometers = bilby.gw.detector.InterferometerList(["H1", "L1", "V1"])
@@ -45,7 +47,7 @@ def network(source_of_signal, seed=1):
     interferometers.set_strain_data_from_power_spectral_densities(
         sampling_frequency=SAMPLING, duration=DURATION, start_time=SIGNAL["geocent_time"] + 2.0 - DURATION
     )
-    interferometers.inject_signal(parameters=SIGNAL, waveform_generator=source_of_signal, raise_error=False)
+    interferometers.inject_signal(parameters=signal, waveform_generator=source_of_signal, raise_error=False)
     return interferometers
 
 
@@ -167,13 +169,6 @@ def test_the_default_prior_can_be_drawn_from(ours):
     assert 2 < sum(one is not None for one in found) < 200
 
 
-def test_a_precessing_spin_is_refused_in_a_sentence(ours):
-    given = {name: value for name, value in SIGNAL.items() if not name.startswith("chi_")}
-    given |= {"a_1": 0.3, "a_2": 0.0, "tilt_1": 1.0, "tilt_2": 0.0, "phi_12": 0.0, "phi_jl": 0.0}
-    with pytest.raises(InvalidParameters, match=r"precessing.*: tilt_1"):
-        generator(binary_neutron_star, **ours).frequency_domain_strain(given)
-
-
 def test_a_spin_that_is_zero_may_point_anywhere(ours):
     assert strain(binary_neutron_star, {"chi_1": 0.0}, **ours) is not None  # bilby's tilt is then pi / 2
 
@@ -222,7 +217,7 @@ def test_an_address_in_the_environment_may_change(ours, monkeypatch):
     """Within a process, as in a notebook: the next waveform is that of the next server."""
     for address in (ours["bnserve_url"], ours["bnserve_url"].replace("127.0.0.1", "localhost")):
         monkeypatch.setenv("BNSERVE_URL", address)
-        model = _source._source(_source.read_choice({}))._model
+        model = waveforms_of(read_choice({}))._model
         assert model is _chosen.chosen_model(address)
 
 
@@ -325,7 +320,7 @@ class CountingModel:
 
 
 def test_another_distance_orientation_or_phase_of_the_last_binary_costs_no_evaluation(ours):
-    source = _source._source(_source.read_choice({"minimum_frequency": 40.0, "reference_frequency": 47.0, **ours}))
+    source = waveforms_of(read_choice({"minimum_frequency": 40.0, "reference_frequency": 47.0, **ours}))
     source._model = counting = CountingModel(source._model)
     for given in ({}, {"phase": 0.3}, {"theta_jn": 1.0, "luminosity_distance": 10.0}, {"geocent_time": 3.0}):
         strain(binary_neutron_star, given, reference_frequency=47.0, **ours)

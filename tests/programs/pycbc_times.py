@@ -10,7 +10,16 @@ import numpy as np
 from pycbc.waveform import get_fd_waveform, get_fd_waveform_sequence
 
 BINARY = {"mass2": 1.3, "spin1z": 0.02, "lambda1": 400.0, "lambda2": 450.0, "distance": 50.0, "f_ref": 50.0}
-PEERS = ("bnserve, server", "bnserve, here", "TaylorF2", "IMRPhenomD_NRTidalv2", "IMRPhenomXAS_NRTidalv3")
+PEERS = {
+    "server, all modes": ("bnserve", {}),
+    "server, (2, 2)": ("bnserve", {"mode_array": [(2, 2)]}),
+    "here, all modes": ("bnserve", {}),
+    "here, (2, 2)": ("bnserve", {"mode_array": [(2, 2)]}),
+    "TaylorF2": ("TaylorF2", {}),
+    "IMRPhenomD_NRTidalv2": ("IMRPhenomD_NRTidalv2", {}),
+    "IMRPhenomXAS_NRTidalv3": ("IMRPhenomXAS_NRTidalv3", {}),
+}
+"""Approximants; bnserve's from the server and in this process."""
 ROUNDS, CALLS = 4, 6
 
 
@@ -35,12 +44,12 @@ def main() -> None:
         seconds = {peer: [] for peer in PEERS}
         for turn in range(ROUNDS):
             for peer, found in seconds.items():
-                approximant, _, place = peer.partition(", ")
-                url = {"bnserve_url": address} if place == "server" else {}
+                approximant, more = PEERS[peer]
+                url = {"bnserve_url": address} if "server" in peer else {}
                 for call in range(CALLS):
                     mass1 = 1.5 + 0.001 * (turn * CALLS + call)
                     start = time.perf_counter()
-                    function(approximant=approximant, mass1=mass1, **BINARY, **grid, **url)
+                    function(approximant=approximant, mass1=mass1, **BINARY, **grid, **more, **url)
                     found.append(time.perf_counter() - start)
         print(f"{name:24}" + "".join(f"{1e3 * min(found):24.3g}" for found in seconds.values()))
 

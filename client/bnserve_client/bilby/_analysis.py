@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
@@ -10,9 +11,10 @@ from numpy.typing import NDArray
 
 from bnserve_client._chosen import local_part
 from bnserve_client._lal_meaning import has_one_order, is_single, modes_of
+from bnserve_client._lal_precession import MOST_IN_PLANE
 from bnserve_client.bilby._arguments import Choice, stated
 from bnserve_client.bilby._calibration import read_calibration
-from bnserve_client.bilby._ranges import distance_prior, prior_ranges
+from bnserve_client.bilby._ranges import distance_prior, ends, prior_ranges
 from bnserve_protocol import InvalidRequest, Likelihood, TimeMarginalisation, WaveformModel
 
 Floats = NDArray[np.float64]
@@ -45,6 +47,7 @@ def build_analysis(
     fiducial
         One binary, as ``binaries`` makes it: by relative binning around it; None for the full grid.
     """
+    _refuse_precession(priors)
     parts = local_part("analyses", "Building an analysis of bilby's data")
     modes = modes_of(model.description, choice.modes)
     if marginalised.phase and (marginalised.time or marginalised.distance) and not has_one_order(modes):
@@ -73,6 +76,21 @@ def build_analysis(
         analysis = parts.relative_binning_analysis(data, fiducial=binary, model=model, **common)
     bound: Likelihood = parts.likelihood(model, analysis)
     return bound
+
+
+def _refuse_precession(priors: Any) -> None:
+    for star in (1, 2):
+        sizes = ends(priors.get(f"a_{star}")) or (0.0, 1.0)
+        for name, aligned in ((f"tilt_{star}", (0.0, math.pi)), (f"cos_tilt_{star}", (-1.0, 1.0))):
+            if name not in priors or sizes == (0.0, 0.0):
+                continue
+            given = ends(priors[name])
+            if given is None or given[0] != given[1] or min(abs(given[0] - one) for one in aligned) > MOST_IN_PLANE:
+                raise InvalidRequest(
+                    f"The priors have spins in the orbital plane ('{name}'), and likelihoods in the service take "
+                    "aligned spins: give priors of chi_1 and chi_2, as in bilby.gw.prior.BNSPriorDict(); or use the "
+                    "source model binary_neutron_star in bilby's own likelihood, where binaries precess."
+                )
 
 
 def _trigger(priors: Any) -> float:

@@ -18,7 +18,8 @@ from bnserve_client.bilby._analysis import Marginalised, build_analysis
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._calibration import calibration_columns
 from bnserve_client.bilby._phase import draw_phase, with_the_phase
-from bnserve_client.bilby._source import binaries, binary_neutron_star
+from bnserve_client.bilby._source import binary_neutron_star
+from bnserve_client.bilby._waveforms import binaries
 from bnserve_protocol import DEFAULT_ERROR_BOUND, EvaluationOptions, Likelihood, WaveformModel
 
 Floats = NDArray[np.float64]

@@ -23,7 +23,7 @@ _LARGEST_SHIFT = 0.06
 
 def prior_ranges(priors: Mapping[str, Any], trigger_time: float) -> dict[str, Range]:
     """Ranges by our names: chirp and total mass, mass ratio, spins, tides, coalescence time from the trigger."""
-    given = {name: found for name, prior in priors.items() if (found := _ends(prior)) is not None}
+    given = {name: found for name, prior in priors.items() if (found := ends(prior)) is not None}
     ranges = _masses(given)
     ordered = "mass_ratio" in given and given["mass_ratio"][1] <= 1.0  # the first star is the heavier one
     for name in ("lambda_1", "lambda_2", "chi_1", "chi_2"):
@@ -52,7 +52,8 @@ def distance_prior(prior: Any) -> DistanceMarginalisation:
     return DistanceMarginalisation(minimum=float(prior.minimum), maximum=float(prior.maximum), power=float(power))
 
 
-def _ends(prior: Any) -> Range | None:
+def ends(prior: Any) -> Range | None:
+    """The lowest and the highest value of a prior, which may be a number; None where there are none."""
     if isinstance(prior, int | float):
         return float(prior), float(prior)
     low, high = getattr(prior, "minimum", None), getattr(prior, "maximum", None)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from bnserve_client._chosen import chosen_model
 from bnserve_client._lal_meaning import ByModes, by_modes, is_single, modes_of, phase_of_the_orbit, turned
+from bnserve_client._lal_precession import precessing
 from bnserve_protocol import InvalidParameters, Mode, WaveformModel, convert
 
 Floats = NDArray[np.float64]
@@ -75,6 +76,27 @@ class Neighbours:
             raise AssertionError("a waveform that was flagged is not refused")
         return found
 
+    def seen(self, angles: Mapping[str, float]) -> Complex:
+        """Both polarisations at 1 Mpc, ``(2, M)``, of a binary that precesses; one waveform at a time.
+
+        Parameters
+        ----------
+        angles
+            As of :func:`~bnserve_client._lal_precession.precessing`, which raises the same.
+        """
+        key = tuple(angles.values())
+        if key not in self._known:
+            found = precessing(
+                self._model, self.frequencies, angles, self.modes, self._reference, "f_ref", out_of_domain="error"
+            )
+            self._known[key] = np.stack([found.plus[0], found.cross[0]])
+            self._forget(1)
+        return self._known[key]
+
+    def _forget(self, new: int) -> None:
+        while len(self._known) > max(_MOST_KEPT, new):
+            del self._known[next(iter(self._known))]
+
     def _with(self, given: Mapping[str, Any]) -> list[Binary]:
         """What to evaluate beside a binary that is not known: all steps, where it is one."""
         shape = {name: value for name, value in given.items() if name not in _FACTORS}
@@ -98,8 +120,7 @@ class Neighbours:
                 self._known[binary] = turned(
                     found.h[row][:, self._places], self.modes, turn[row], 0.0, self.frequencies
                 )
-        while len(self._known) > max(_MOST_KEPT, len(asked)):
-            del self._known[next(iter(self._known))]
+        self._forget(len(asked))
 
     def _ask(self, binaries: list[Binary], out_of_domain: Literal["error", "flag"]) -> ByModes:
         columns = dict(zip(_NAMES, np.array(binaries).T, strict=True))

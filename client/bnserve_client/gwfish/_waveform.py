@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._lal_meaning import polarisation_factors
+from bnserve_client._lal_precession import precesses
 from bnserve_client.gwfish._neighbours import neighbours
 from bnserve_protocol import Mode
 
@@ -17,6 +18,7 @@ _DEFAULTS = dict.fromkeys(
      "phi_12", "a_2", "tilt_2", "phi_jl", "lambda_1", "lambda_2"), 0.0,
 )  # fmt: skip
 """GWFish's, of parameters that are not given."""
+_ANGLES = tuple(name for name in _DEFAULTS if name not in ("luminosity_distance", "redshift", "geocent_time"))
 _REFERENCE = 50.0
 """Hz; GWFish's ``DEFAULT_F_REF``."""
 
@@ -26,7 +28,8 @@ class Waveform:
 
     The derivatives of a Fisher matrix ask for waveforms one by one, most of them many times. Here the first step of a
     derivative brings all others in one batch, with the bits that each has alone, and they are kept until the next
-    binary. Distance, orientation, time and phase are factors.
+    binary. Distance, orientation, time and phase are factors, unless spins are in the orbital plane: such waveforms are
+    asked for one by one.
 
     Parameters
     ----------
@@ -78,18 +81,20 @@ class Waveform:
         ------
         OutOfDomain
             Outside the range of the model; GWFish's default, no tides, may be so.
-        InvalidParameters
-            A spin is not aligned.
         InvalidRequest
-            A mode that the model lacks.
+            A mode that the model lacks, or a spin in the orbital plane where it has no precession.
         PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
             As :func:`bnserve_client.Model.connect`, and without an address where no models are installed.
         """
         given = self.gw_params
         reference = float(self.data_params.get("f_ref", _REFERENCE))
         around = neighbours(self.name, self.modes, reference, self.frequencyvector)
-        factors = polarisation_factors(around.modes, float(given["theta_jn"]), float(given["phase"]))
-        strain = np.stack([factors["plus"], factors["cross"]]) @ around.strain(self._given)
+        angles = {name: float(given[name]) for name in _ANGLES}
+        if precesses(angles):
+            strain = around.seen(angles)
+        else:
+            factors = polarisation_factors(around.modes, angles["theta_jn"], angles["phase"])
+            strain = np.stack([factors["plus"], factors["cross"]]) @ around.strain(self._given)
         turn = np.exp(-2j * np.pi * given["geocent_time"] * self.frequencyvector) / given["luminosity_distance"]
         found: NDArray[np.complex128] = (strain * turn).conj().T
         return found

@@ -8,6 +8,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from bnserve_client._chosen import ARGUMENTS, chosen_model, read_arguments, unknown_argument
+from bnserve_client._lal_meaning import heavier_first
+from bnserve_client._lal_precession import MOST_IN_PLANE
 from bnserve_protocol import FieldError, InvalidParameters, ParametersWithExtrinsic, WaveformModel, convert
 
 _UNDERSTOOD = {
@@ -15,8 +17,6 @@ _UNDERSTOOD = {
     "distance", "coa_phase", "inclination", "f_lower", "f_ref", "f_final", "f_final_func", "delta_f", "delta_t",
     "mode_array",
 }  # fmt: skip
-_MOST_IN_PLANE = 1e-5
-"""Of a spin: what is left of one that is aligned where angles are written with six digits."""
 
 
 def read_model(parameters: Mapping[str, Any]) -> WaveformModel:
@@ -42,7 +42,7 @@ def read_binary(parameters: Mapping[str, Any], model: WaveformModel) -> Paramete
     Raises
     ------
     InvalidParameters
-        A spin is not aligned, a tide is missing, or a parameter is set that the model does not have.
+        A tide is missing, or a parameter is set that the model does not have.
     """
     for name, default in _without_meaning().items():
         value = parameters.get(name, default)
@@ -53,25 +53,19 @@ def read_binary(parameters: Mapping[str, Any], model: WaveformModel) -> Paramete
             )
     stars: dict[str, float] = {}
     for star in ("1", "2"):
-        _refuse_precession(star, parameters)
         stars[f"mass_{star}"] = parameters[f"mass{star}"]
         stars[f"chi_{star}"] = parameters.get(f"spin{star}z", 0.0)
         stars[f"lambda_{star}"] = _tide(f"lambda{star}", parameters, model)
+    in_plane = {
+        f"chi_{star}{axis}": float(parameters.get(f"spin{star}{axis}") or 0.0) for star in "12" for axis in "xy"
+    }
+    if any(math.hypot(in_plane[f"chi_{star}x"], in_plane[f"chi_{star}y"]) > MOST_IN_PLANE for star in "12"):
+        stars |= in_plane
     return ParametersWithExtrinsic(
         distance_mpc=float(parameters.get("distance", 1.0)),
         inclination=float(parameters.get("inclination", 0.0)),
-        **{name: float(value) for name, value in convert(stars).items()},
+        **{name: float(value) for name, value in convert(heavier_first(stars)).items()},
     )
-
-
-def _refuse_precession(star: str, parameters: Mapping[str, Any]) -> None:
-    in_plane = math.hypot(parameters.get(f"spin{star}x", 0.0), parameters.get(f"spin{star}y", 0.0))
-    if in_plane > _MOST_IN_PLANE:
-        raise InvalidParameters(
-            f"The model has spins along the orbital angular momentum alone, and spin {star} has {in_plane:.3g} in the "
-            f"orbital plane: leave out spin{star}x and spin{star}y, or make them zero.",
-            errors=[FieldError(reason="precessing", parameter=f"spin{star}x", value=in_plane)],
-        )
 
 
 def _tide(name: str, parameters: Mapping[str, Any], model: WaveformModel) -> float:

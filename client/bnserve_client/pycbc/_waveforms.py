@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from bnserve_client._lal_meaning import check_reference, is_single, modes_of, phase_of_the_orbit, read_mode_array
 from bnserve_client.pycbc._binary import read_binary, read_model
 from bnserve_protocol import (
+    IN_PLANE_NAMES,
     EvaluationOptions,
     InvalidFrequencies,
     OutOfDomain,
@@ -41,7 +42,7 @@ def frequency_series(**parameters: Any) -> tuple[Any, Any]:
     spin1z, spin2z, lambda1, lambda2
         Of the first and of the second star. There is no default for the tides: PyCBC's is a black hole.
     spin1x, spin1y, spin2x, spin2y
-        Zero: spins are aligned.
+        Where z is the orbital angular momentum at the reference frequency, and x points from star 2 to star 1.
     distance, inclination
         Mpc, radians.
     coa_phase, f_ref
@@ -66,12 +67,13 @@ def frequency_series(**parameters: Any) -> tuple[Any, Any]:
     Raises
     ------
     InvalidParameters
-        A spin is not aligned, a tide is missing, or a parameter is set that the model does not have.
+        A tide is missing, or a parameter is set that the model does not have.
     OutOfDomain
         The binary is outside the model's range. It is a ``NoWaveformError`` of PyCBC, too, whose likelihoods are -inf
         there.
     InvalidRequest
-        A mode that the model lacks, an unknown keyword that begins with ``bnserve_``, a value that is no number.
+        A mode that the model lacks, spins in the orbital plane where it has no precession, an unknown keyword that
+        begins with ``bnserve_``, a value that is no number.
     InvalidFrequencies
         No frequency is left between the first and the last.
     PackageMissing, ConnectionFailed, ModelUnknown, Unauthorized, ...
@@ -155,7 +157,7 @@ def _polarizations(model: WaveformModel, grid: Grid, parameters: dict[str, Any],
     chosen = read_mode_array(parameters.get("mode_array"))
     modes = modes_of(model.description, chosen)
     with _out_of_domain_is_no_waveform():
-        if _knows_references(model):
+        if _knows_references(model) or any(getattr(binary, name) for name in IN_PLANE_NAMES):  # which is younger
             check_reference(model.description, binary.total_mass, reference, "f_ref")
             options = EvaluationOptions(
                 alignment="merger", reference_frequency=reference, modes=None if chosen is None else modes
