@@ -35,6 +35,7 @@ CHANGES = {
 LEAST_FINITE = 0.01
 MOST_APART = 0.05
 NEAR_CHIRP_MASS = bilby.core.prior.Uniform(1.205, 1.225)
+SPINNING = {"a_1": 0.1, "tilt_1": 1.0, "phi_12": 0.5, "a_2": 0.05, "tilt_2": 0.8, "phi_jl": 1.0}
 NOTHING = -1e300
 """bilby's -inf is the largest negative number."""
 
@@ -92,6 +93,8 @@ def print_times(likelihood: object, injection: dict) -> None:
     lals = copy.deepcopy(likelihood)
     lals.waveform_generator.frequency_domain_source_model = bilby.gw.source.lal_binary_neutron_star
     plain = {name: value for name, value in waveforms.items() if name != "waveform_approximant"}
+    quadrupole = copy.deepcopy(likelihood)
+    quadrupole.waveform_generator.waveform_arguments["mode_array"] = [[2, 2]]
     narrow = bilby.gw.prior.BNSPriorDict(dictionary={**bilby.gw.prior.BNSPriorDict(), "chirp_mass": NEAR_CHIRP_MASS})
     narrow["geocent_time"] = injection["geocent_time"]
     binned = ServiceLikelihood.from_bilby(
@@ -99,10 +102,13 @@ def print_times(likelihood: object, injection: dict) -> None:
         phase_marginalization=True,
     )  # fmt: skip
     batch = [injection | {"lambda_1": injection["lambda_1"] + 0.01 * n} for n in range(1000)]
+    turning = [{name: value for name, value in row.items() if not name.startswith("chi_")} | SPINNING for row in batch]
     rows = {
         f"bilby, LAL's {waveforms['waveform_approximant']}": lambda n: value_of(lals, batch[n]),
         "bilby, bnserve_client.bilby.binary_neutron_star": lambda n: value_of(likelihood, batch[n]),
         "the same, another phase of the last binary": lambda n: value_of(likelihood, batch[n] | {"phase": 0.1 * n}),
+        "of the (2, 2) mode alone": lambda n: value_of(quadrupole, batch[n]),
+        "of all modes, spins in the orbital plane": lambda n: value_of(likelihood, turning[n]),
         "ServiceLikelihood, relative binning, one": lambda n: binned.log_likelihood_ratios(batch[n : n + 1]),
         "ServiceLikelihood, relative binning, in 1000": lambda n: binned.log_likelihood_ratios(batch),
     }
