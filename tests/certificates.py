@@ -1,6 +1,7 @@
 """Certificates for tests: an authority of our own, and what it makes for this machine."""
 
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 
 import trustme
@@ -35,9 +36,9 @@ class Certificates:
     def settings(self) -> dict[str, Path]:
         return {"tls_cert": self.chain, "tls_key": self.key}
 
-    def renew(self, *names: str) -> None:
+    def renew(self, *names: str, expires: datetime | None = None) -> None:
         """Write another certificate and its key, each in one step, as the programs do that renew them."""
-        made = self.authority.issue_cert(*(names or ("localhost", "127.0.0.1")))
+        made = self.authority.issue_cert(*(names or ("localhost", "127.0.0.1")), not_after=expires)
         for path, content in (
             (self.key, made.private_key_pem.bytes()),
             (self.chain, b"".join(pem.bytes() for pem in made.cert_chain_pems)),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -24,7 +24,7 @@ from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
 from bnserve_service.evaluation.questions import Kind, Question
 from bnserve_service.evaluation.service import EvaluationService, Outcome
 from bnserve_service.evaluation.waveforms import Waveforms
-from bnserve_service.http.access import HostCheck, TokenCheck
+from bnserve_service.http.access import METRICS, HostCheck, TokenCheck, is_public
 from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.body import BodyReader
 from bnserve_service.http.cors import CrossOrigin
@@ -102,13 +102,15 @@ class Application(FastAPI):
         self.parts = parts
         self.wait_for_models = wait_for_models
         self.follow = follow
-        self.front = _front(parts, self._routers(), parts.kinds, HostCheck.of(parts.settings), parts.tokens)
+        settings = parts.settings
+        self.front = _front(parts, self._routers(), parts.kinds, HostCheck.of(settings), parts.tokens)
         """What a server calls: HTTP is served by ourselves, the rest (the lifespan) by FastAPI."""
         self.front.others = super().__call__
         beside = [metrics_router(parts.metrics)]
-        if parts.settings.metrics_uds is not None:
+        if settings.reload_is_apart:
             beside.append(reload_router(parts.maintenance, parts.renewals))
-        self.metrics = _front(parts, beside, (), HostCheck.of_metrics(parts.settings), None)
+        tokens = None if settings.metrics_uds is not None else parts.tokens
+        self.metrics = _front(parts, beside, (), HostCheck.of_metrics(settings), tokens, lambda route: route == METRICS)
         """The application of the metrics port, if there is one."""
         self.fast_path = FastPath(parts.kinds, parts.evaluation, parts.lifecycle, self.front)
 
@@ -131,10 +133,10 @@ class Application(FastAPI):
             analysis_router(parts.analyses, receiver, parts.settings, parts.lifecycle),
             health_router(parts.health),
         ]
-        if parts.settings.metrics_uds is None:
+        if not parts.settings.reload_is_apart:
             routers.insert(1, reload_router(parts.maintenance, parts.renewals))
-            if parts.settings.metrics_port is None:
-                routers.append(metrics_router(parts.metrics))
+        if parts.settings.metrics_uds is None and parts.settings.metrics_port is None:
+            routers.append(metrics_router(parts.metrics))
         for router in routers:
             self.include_router(router)
         operations = {path: kind.operation for kind in parts.kinds for path in kind.paths}
@@ -143,7 +145,12 @@ class Application(FastAPI):
 
 
 def _front(
-    parts: Parts, routers: list[APIRouter], kinds: tuple[Kind[Any], ...], hosts: HostCheck, tokens: TokenBook | None
+    parts: Parts,
+    routers: list[APIRouter],
+    kinds: tuple[Kind[Any], ...],
+    hosts: HostCheck,
+    tokens: TokenBook | None,
+    public: Callable[[str], bool] = is_public,
 ) -> Front:
     evaluations = {
         path: EvaluationEndpoint(kind, parts.evaluation, parts.settings, parts.bodies)
@@ -163,6 +170,7 @@ def _front(
         parts.lifecycle,
         listeners,
         CrossOrigin(parts.settings.cors_origins) if parts.settings.cors_origins else None,
+        public,
     )
 
 
@@ -290,5 +298,11 @@ def _watch(parts: Parts) -> None:
         "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
     )
     metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: parts.bodies.held_bytes)
+    metrics.watch_each(
+        "bnserve_token_expires_timestamp_seconds",
+        "When a token of the settings or of a file ends, as Unix time, for those that do",
+        "token",
+        parts.tokens.ends if parts.tokens is not None else dict,
+    )
     if parts.shared is None:
         metrics.watch("bnserve_workers", "Worker processes", lambda: 1.0)

@@ -7,6 +7,7 @@ import contextlib
 import logging
 import signal
 import socket
+import ssl
 import threading
 from collections.abc import Callable, Coroutine
 from functools import partial
@@ -87,7 +88,9 @@ class BnserveServer:
         self._addresses = Addresses(most, parts.shared, parts.worker) if most is not None else None
         self._certificate = Certificate.of(self._settings)
         if self._certificate is not None:
-            app.parts.renewals.add(self._certificate.renew)
+            certificate = self._certificate
+            app.parts.renewals.add(certificate.renew)
+            app.parts.metrics.certificate_ends.set_function(lambda: certificate.ends)
         self._uvicorn = UvicornServer(_configuration(app.front, self._settings, app.fast_path))
 
     @property
@@ -115,7 +118,7 @@ class BnserveServer:
             Not one model could be loaded at start.
         """
         if metrics_listener is not None:
-            self.metrics_address = f"{address_of(metrics_listener)}/metrics"
+            self.metrics_address = f"{address_of(metrics_listener, self._settings.metrics_speak_tls)}/metrics"
         with asyncio.Runner(loop_factory=self._uvicorn.config.get_loop_factory()) as runner:
             runner.run(self._serve(listener, metrics_listener, with_signals))
         if self._failed is not None:
@@ -128,7 +131,7 @@ class BnserveServer:
                 loop.add_signal_handler(number, self.stop)
             loop.add_signal_handler(signal.SIGHUP, self._app.parts.look_again)
         self._uvicorn.acceptor = self._acceptor(self._intake(listener))
-        self._announce(f"bnserve listens on {address_of(listener, self._certificate is not None)}")
+        self._announce(f"bnserve listens on {address_of(listener, self._settings.speaks_tls)}")
         if self.metrics_address is not None:
             self._announce(f"bnserve metrics on {self.metrics_address}")
         others = [loop.create_task(self._watch_loading())]
@@ -136,7 +139,9 @@ class BnserveServer:
             others.append(loop.create_task(self._beside()))
         try:
             metrics = _configuration(self._app.metrics, self._settings, None)
-            async with serving_metrics(connections_beside(metrics), metrics_listener):
+            tls = self._context() if self._settings.metrics_speak_tls else None
+            timeout = self._settings.header_timeout
+            async with serving_metrics(connections_beside(metrics), metrics_listener, tls, timeout):
                 await self._uvicorn.serve(sockets=[listener])
             if self._uvicorn.force_exit:  # uvicorn leaves the lifespan as it is then, to be cancelled with a traceback
                 await self._uvicorn.lifespan.shutdown()
@@ -145,16 +150,19 @@ class BnserveServer:
                 task.cancel()
 
     def _intake(self, listener: socket.socket) -> Intake:
-        connections, tls = self._uvicorn.server_state.connections, self._certificate
+        connections = self._uvicorn.server_state.connections
         return Intake(
             listener,
             self._uvicorn.connection,
             lambda: len(connections),
-            tls.context if tls is not None else None,
+            self._context() if self._settings.speaks_tls else None,
             self._settings.header_timeout,
             self._enter if self._addresses is not None else None,
             self._kept,
         )
+
+    def _context(self) -> ssl.SSLContext | None:
+        return self._certificate.context if self._certificate is not None else None
 
     def _enter(self, address: str) -> Callable[[], None] | None:
         assert self._addresses is not None, "it is only asked where there is a limit"

@@ -73,6 +73,11 @@ class Settings(BaseModel):
     metrics_uds: Path | None = None
     """A Unix socket for operators instead: `/metrics` and `POST /v1/reload` are answered there and not beside the
     waveforms, without a token. `uds_mode` and `uds_group` say who may connect."""
+    metrics_reload: bool = False
+    """Answer `POST /v1/reload` on the metrics port, too, and not beside the waveforms; with a token of scope `admin`
+    where callers need tokens."""
+    metrics_tls: bool = False
+    """TLS on the metrics port, too, with the certificate of `tls_cert`."""
     threads: int | None = Field(default=None, ge=1, le=1024)
     """Worker threads of each process; None takes its part of the CPU quota."""
     workers: int = Field(default=1, ge=1, le=256)
@@ -182,6 +187,8 @@ class Settings(BaseModel):
     def _tls_is_whole(self) -> Settings:
         if self.tls_key is not None and self.tls_cert is None:
             raise ValueError("tls_key is the key of a certificate; tls_cert names its file")
+        if self.metrics_tls and self.tls_cert is None:
+            raise ValueError("metrics_tls needs a certificate; tls_cert names its file")
         return self
 
     @model_validator(mode="after")
@@ -225,6 +232,16 @@ class Settings(BaseModel):
     def speaks_tls(self) -> bool:
         """Whether connections are encrypted."""
         return self.tls_cert is not None and self.uds is None
+
+    @property
+    def metrics_speak_tls(self) -> bool:
+        """Whether connections to the metrics port are encrypted."""
+        return self.metrics_tls and self.metrics_port is not None and self.metrics_uds is None
+
+    @property
+    def reload_is_apart(self) -> bool:
+        """Whether looking at the stores is asked for where the metrics are, and not beside the waveforms."""
+        return self.metrics_uds is not None or (self.metrics_reload and self.metrics_port is not None)
 
     @property
     def incoming_bytes(self) -> int:

@@ -5,6 +5,7 @@ import json
 import subprocess
 import threading
 import urllib.request
+from datetime import UTC, datetime
 
 import numpy as np
 import pytest
@@ -154,3 +155,47 @@ def test_operators_have_a_socket_of_their_own(start, tmp_path):
     assert ask(server.address, "POST", "/v1/reload", **authorized).status == 404
     server.__exit__()
     assert not path.exists()
+
+
+def test_operators_may_have_an_address_of_their_own_where_tokens_count(start):
+    operator, alice = "the token of an operator", "the token of alice, who asks"
+    tokens = Token.of(operator, "operator", ("admin", "evaluate")), Token.of(alice, "alice")
+    server = start(ChirpModel(), metrics_port=0, metrics_reload=True, tokens=tokens)
+    apart = server.metrics_address.removesuffix("/metrics")
+
+    def status(method, path, token=None, address=apart, **headers):
+        return ask(address, method, path, **({"authorization": f"Bearer {token}"} if token else {}), **headers).status
+
+    assert status("GET", "/metrics") == 200, "a Prometheus needs no token"
+    assert [status("POST", "/v1/reload", token) for token in (None, alice, operator)] == [401, 403, 200]
+    assert status("POST", "/v1/reload", operator, origin="http://elsewhere.example") == 403
+    assert status("POST", "/v1/reload", operator, server.address) == 404, "it is not beside the waveforms"
+    assert status("GET", "/v1/models", operator) == 404
+
+
+def test_looking_at_the_stores_stays_beside_the_waveforms_unless_told_otherwise(start):
+    server = start(ChirpModel(), metrics_port=0)
+    assert ask(server.address, "POST", "/v1/reload").status == 200
+    assert ask(server.metrics_address.removesuffix("/metrics"), "POST", "/v1/reload").status == 404
+
+
+def test_when_tokens_end_is_told(start):
+    soon, late = datetime(2037, 1, 1, tzinfo=UTC), datetime(2038, 1, 1, tzinfo=UTC)
+    texts = [f"the token number {number} of several" for number in range(4)]
+    tokens = (
+        Token.of(texts[0], "alice", expires=late), Token.of(texts[1], "alice", expires=soon), Token.of(texts[2], "bob"),
+        Token.of(texts[3], "carol", ("metrics",), expires=late),
+    )  # fmt: skip
+    server = start(ChirpModel(), tokens=tokens)
+    page = ask(server.address, "GET", "/metrics", authorization=f"Bearer {texts[3]}").body.decode()
+    name = "bnserve_token_expires_timestamp_seconds"
+    told = {dict(labels)["token"]: seconds for (found, labels), seconds in samples(page).items() if found == name}
+    assert told == {"alice": soon.timestamp(), "carol": late.timestamp()}
+
+
+def test_of_what_several_workers_say_of_one_thing_the_largest_counts(tmp_path):
+    workers = [Metrics(SharedMetrics(tmp_path, place)) for place in range(2)]
+    for worker in workers:
+        worker.watch_each("ends", "When", "token", lambda: {"alice": 5.0})
+        worker.publish()
+    assert samples(workers[0].exposition().decode())["ends", frozenset({("token", "alice")})] == 5.0

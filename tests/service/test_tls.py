@@ -1,10 +1,12 @@
 """TLS: what is spoken, which certificate a connection gets, and that its renewal ends no connection."""
 
+import contextlib
 import shutil
 import socket
 import ssl
 import subprocess
 import time
+from datetime import UTC, datetime
 
 import httpx
 import pytest
@@ -167,3 +169,52 @@ def test_a_key_with_a_password_is_refused_and_nobody_is_asked_for_it(made, tmp_p
     subprocess.run(command, check=True, capture_output=True, timeout=60)
     with pytest.raises(SettingsInvalid, match="the key is encrypted"):
         Certificate(made.chain, encrypted)
+
+
+def test_when_the_certificate_ends_is_told_also_after_it_was_renewed(start, made):
+    server = start(ChirpModel(), **made.settings)
+    name = "bnserve_certificate_expires_timestamp_seconds"
+    with httpx.Client(base_url=server.address, verify=ssl.create_default_context(cafile=made.trusted)) as client:
+
+        def told():
+            [line] = [line for line in client.get("/metrics").text.splitlines() if line.startswith(f"{name} ")]
+            return float(line.split()[1])
+
+        def is_of(expires):
+            made.renew(expires=expires)
+            until(lambda: told() == expires.timestamp())
+
+        is_of(datetime(2049, 12, 31, 23, 59, 59, tzinfo=UTC))
+        is_of(datetime(2050, 1, 1, tzinfo=UTC))  # from then on, years have four digits (RFC 5280, 4.1.2.5)
+        is_of(datetime(2026, 1, 1, tzinfo=UTC))  # it has ended: the connection that is open tells it
+
+
+def test_the_metrics_may_have_tls_on_their_port_also_before_a_unix_socket(start, made, tmp_path):
+    server = start(ChirpModel(), uds=tmp_path / "http.sock", metrics_port=0, metrics_tls=True, **made.settings)
+    assert server.metrics_address.startswith("https://127.0.0.1:")
+    context = ssl.create_default_context(cafile=made.trusted)
+    with httpx.Client(verify=context) as client:
+        assert "bnserve_ready 1.0" in client.get(server.metrics_address).text
+    before = shown(server.metrics_address.removesuffix("/metrics"))
+    made.renew()
+    until(lambda: shown(server.metrics_address.removesuffix("/metrics"), made.trusted) != before)
+
+
+def test_peers_that_speak_no_tls_do_not_pile_up_at_the_metrics_port(start, made):
+    server = start(ChirpModel(), metrics_port=0, metrics_tls=True, header_timeout=0.2, **made.settings)
+    host, port = server.metrics_address.removeprefix("https://").removesuffix("/metrics").split(":")
+    silent = [socket.create_connection((host, int(port)), timeout=30) for _ in range(70)]
+    for connection in silent[::2]:
+        connection.sendall(b"GET /metrics HTTP/1.1\r\n\r\n")
+    for connection in silent:
+        with contextlib.suppress(OSError):
+            while connection.recv(1000):
+                pass  # until it is cut off
+        connection.close()
+    with httpx.Client(verify=ssl.create_default_context(cafile=made.trusted)) as client:
+        assert client.get(server.metrics_address).status_code == 200
+
+
+def test_tls_for_the_metrics_needs_a_certificate():
+    with pytest.raises(ValueError, match="metrics_tls needs a certificate"):
+        Settings(metrics_tls=True)

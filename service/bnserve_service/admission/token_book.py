@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import math
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Sequence
@@ -16,6 +17,9 @@ from bnserve_service.admission.tokens import Token
 from bnserve_service.errors import SettingsInvalid
 
 logger = logging.getLogger("bnserve.tokens")
+
+_MOST_TOLD = 256
+"""Tokens whose ends the metrics tell: each is a series."""
 
 
 class Entry(NamedTuple):
@@ -97,6 +101,14 @@ class TokenBook:
             now = self._named()
             logger.info("tokens were read again: %d are let in; new: %s; gone: %s", len(now), _names(now, before),
                         _names(before, now))  # fmt: skip
+
+    def ends(self) -> dict[str, float]:
+        """``time.time()`` at which tokens of the files end, those that do, by name; of one name, the first."""
+        known: dict[str, float] = {}
+        for each in self.entries[:_MOST_TOLD]:
+            if each.ends < math.inf:
+                known[each.token.name] = min(each.ends, known.get(each.token.name, math.inf))
+        return known
 
     def stored_bytes(self, owner: str) -> int | None:
         """How much an owner may keep uploaded; None where that is not limited, or he is not known."""

@@ -29,7 +29,8 @@ _HEALTH = "/v2/"
 _READING = frozenset({"GET", "HEAD", "OPTIONS"})
 PUBLIC_ROUTES = frozenset({"/", "/docs", "/openapi.json"})
 """Pages without data of their own; what they show, they ask for with the visitor's token."""
-_OF_ROUTES: dict[str, tuple[TokenScope, ...]] = {"/metrics": ("metrics", "admin"), "/v1/reload": ("admin",)}
+METRICS = "/metrics"
+_OF_ROUTES: dict[str, tuple[TokenScope, ...]] = {METRICS: ("metrics", "admin"), "/v1/reload": ("admin",)}
 """What concerns everybody who uses this server: each of these scopes lets a token do it."""
 _OF_METHODS: dict[str, tuple[TokenScope, ...]] = {"POST": ("evaluate",), "PUT": ("upload",), "DELETE": ("upload",)}
 """Of all other routes; what only reads needs a token, whatever its scopes."""

@@ -101,6 +101,8 @@ class Front:
         Who is told of every request: the access log, and whoever makes spans of them.
     cross_origin
         Pages of other sites that may ask; None for none.
+    public
+        Whether a route needs no token.
     """
 
     def __init__(
@@ -113,7 +115,9 @@ class Front:
         lifecycle: Lifecycle,
         listeners: Sequence[Listener] = (),
         cross_origin: CrossOrigin | None = None,
+        public: Callable[[str], bool] = is_public,
     ) -> None:
+        self._public = public
         self._places = places
         self.others: ASGIApp | None = None
         """Who serves what is not HTTP, if anybody."""
@@ -166,7 +170,7 @@ class Front:
             if preflight is not None:
                 await send_answer(send, 204, preflight, [])
                 return
-        if self.tokens is not None and not is_public(context.route):
+        if self.tokens is not None and not self._public(context.route):
             self.tokens.check(context, scope["headers"], method)
             await self._turn(context.owner)
             context.check_quota()  # before the body is read

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import socket
+import ssl
+import weakref
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 
@@ -16,7 +18,10 @@ _MOST_CONNECTIONS = 64
 
 @asynccontextmanager
 async def serving_metrics(
-    connection: Callable[[], BoundedProtocol], listener: socket.socket | None
+    connection: Callable[[], BoundedProtocol],
+    listener: socket.socket | None,
+    tls: ssl.SSLContext | None,
+    handshake_timeout: float,
 ) -> AsyncIterator[None]:
     """Answer on ``listener``, which several processes may share, until the context ends.
 
@@ -26,25 +31,36 @@ async def serving_metrics(
         Makes the protocol of a new connection, to an application that has the metrics alone.
     listener
         None where they have no port of their own.
+    tls
+        What connections are encrypted with; None for none that are.
+    handshake_timeout
+        Seconds that a peer has for its part of that.
     """
     if listener is None:
         yield
         return
-    there: list[BoundedProtocol] = []  # the oldest first
+    known: list[weakref.ref[BoundedProtocol]] = []  # the oldest first; who speaks no TLS is forgotten without a word
+
+    def there() -> list[BoundedProtocol]:
+        found = [each for reference in known if (each := reference()) is not None]
+        return [each for each in found if each.transport is not None and not each.transport.is_closing()]
 
     def connect() -> BoundedProtocol:
-        there[:] = [each for each in there if each.transport is None or not each.transport.is_closing()]
-        if len(there) >= _MOST_CONNECTIONS and there[0].transport is not None:
-            there.pop(0).transport.abort()
-        there.append(connection())
-        return there[-1]
+        present = there()
+        if len(present) >= _MOST_CONNECTIONS:
+            present[0].transport.abort()
+        known[:] = [reference for reference in known if reference() is not None]
+        made = connection()
+        known.append(weakref.ref(made))
+        return made
 
     listener.setblocking(False)  # another process may be faster
-    server = await asyncio.get_running_loop().create_server(connect, sock=listener, backlog=BACKLOG)
+    server = await asyncio.get_running_loop().create_server(
+        connect, sock=listener, backlog=BACKLOG, ssl=tls, ssl_handshake_timeout=handshake_timeout if tls else None
+    )
     try:
         yield
     finally:
         server.close()
-        for each in there:
-            if each.transport is not None:
-                each.transport.abort()
+        for each in there():
+            each.transport.abort()

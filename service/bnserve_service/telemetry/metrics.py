@@ -19,6 +19,7 @@ from prometheus_client import (
     ProcessCollector,
     generate_latest,
 )
+from prometheus_client.core import GaugeMetricFamily
 from prometheus_client.registry import Collector
 
 from bnserve_protocol import ModelIdentity, RowStatus, __version__
@@ -81,6 +82,12 @@ class Metrics:
         self.connections_refused = Counter(
             "bnserve_connections_refused", "Connections of addresses that have as many as they may", registry=registry
         )
+        self.certificate_ends = Gauge(
+            "bnserve_certificate_expires_timestamp_seconds",
+            "When the certificate that new connections get ends, as Unix time; 0 where there is none",
+            registry=registry,
+        )
+        self._largest.add("bnserve_certificate_expires_timestamp_seconds")
         self._models = Gauge("bnserve_model_info", "Models served", ["name", "version", "digest"], registry=registry)
         self.callers = Callers()
         registry.register(self.callers)
@@ -99,6 +106,11 @@ class Metrics:
         if is_common:
             self._largest.add(name)
         Gauge(name, description, registry=self.registry).set_function(value)
+
+    def watch_each(self, name: str, description: str, label: str, values: Callable[[], Mapping[str, float]]) -> None:
+        """A gauge for each of several things by their names, read when it is scraped; of several workers the most."""
+        self._largest.add(name)
+        self.registry.register(_Each(name, description, label, values))
 
     def observe_request(self, route: str, method: str, status: int, seconds: float) -> None:
         """Count one answered request; its route and method are of those that callers cannot invent."""
@@ -148,6 +160,20 @@ class Metrics:
         together = CollectorRegistry()
         together.register(_Merged(merged))
         return generate_latest(together)
+
+
+class _Each(Collector):
+    """One gauge with a label, whose values are there or not as they are asked for."""
+
+    def __init__(self, name: str, description: str, label: str, values: Callable[[], Mapping[str, float]]) -> None:
+        self._name, self._description, self._labelnames, self._values = name, description, (label,), values
+
+    def collect(self) -> Iterator[Metric]:
+        """What Prometheus reads."""
+        family = GaugeMetricFamily(self._name, self._description, labels=self._labelnames)
+        for label, value in self._values().items():
+            family.add_metric([label], value)
+        yield family
 
 
 class _Merged(Collector):

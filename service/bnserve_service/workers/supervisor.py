@@ -243,11 +243,11 @@ def become_supervisor(
     from bnserve_service.process.given_sockets import opened
     from bnserve_service.process.listening import address_of
 
-    tls = Certificate.of(settings) is not None  # what is wrong with it is said before anybody can connect
+    Certificate.of(settings)  # what is wrong with it is said before anybody can connect
     with opened(settings, given) as (listener, metrics):  # which ends only if this fails
-        announce(f"bnserve listens on {address_of(listener, tls)}")
+        announce(f"bnserve listens on {address_of(listener, settings.speaks_tls)}")
         if metrics is not None:
-            announce(f"bnserve metrics on {address_of(metrics)}/metrics")
+            announce(f"bnserve metrics on {address_of(metrics, settings.metrics_speak_tls)}/metrics")
         file = os.memfd_create("bnserve-settings")  # nobody else can read it, and it needs no name
         os.write(file, settings.model_dump_json().encode())
         numbers = Descriptors(
