@@ -1,7 +1,10 @@
 """A waveform model of your own as the generator of a training: ``own_generator.toml`` names the function below.
 
+    pip install '.[train]'
     PYTHONPATH=examples bnserve train examples/own_generator.toml --store my-models
     bnserve serve --store my-models
+
+The extra needs a C compiler and GSL, for TEOBResumS, which this generator does without.
 
 A generator is a function of one binary and a grid, in the convention h = amplitude * exp(-i psi). What it can depend on
 is ``theta`` = (mass ratio, chi_1, chi_2, Lambda_1, Lambda_2); ``mf`` is G M f / c^3. The value at a frequency may not
