@@ -7,8 +7,9 @@ import msgpack
 import msgspec
 import numpy as np
 
-from bnserve_protocol import AnalysisSettings
+from bnserve_protocol import IN_PLANE_NAMES, PARAMETER_NAMES, PARAMETER_UNITS, AnalysisSettings
 from bnserve_protocol.wire import JSON, Problem, decode_request, encode_array
+from bnserve_surrogate import Model
 
 PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "wire.md").read_text(encoding="utf-8")
 
@@ -31,6 +32,26 @@ def test_the_array_is_what_is_written():
     assert name == msgpack.packb("h_plus")
     real, imaginary = re.findall(r"# (-?[\d.]+e-\d+)$", PAGE, re.MULTILINE)
     assert array == b"".join(encode_array(np.array([[complex(float(real), float(imaginary))]])))
+
+
+def test_the_array_is_the_answer_to_the_request():
+    """Of the default model; other processors round otherwise."""
+    asked = decode_request(documented()[0])
+    found = Model.default().predict_batch(asked.grid, asked.batch).plus
+    real, imaginary = map(float, re.findall(r"# (-?[\d.]+e-\d+)$", PAGE, re.MULTILINE))
+    np.testing.assert_allclose(found, [[complex(real, imaginary)]], rtol=1e-9)
+
+
+def test_every_parameter_is_there_with_its_unit_and_the_range_of_the_default_model():
+    table = PAGE.partition("| Parameter | Unit |")[2].partition("\n\n")[0]
+    rows = {name: line for line in table.splitlines() for name in re.findall(r"`(\w+)`", line)}
+    units = {"Msun": "solar masses"}
+    for name in (*PARAMETER_NAMES, *IN_PLANE_NAMES):
+        unit = PARAMETER_UNITS[name]
+        assert rows[name].split(" | ")[1] == units.get(unit, unit), name
+    for parameter in Model.default().description.parameters:
+        if parameter.maximum is not None:
+            assert f"{parameter.minimum:g} to {parameter.maximum:g}" in rows[parameter.name]
 
 
 def test_every_field_of_a_problem_and_every_setting_of_an_analysis_is_there():
