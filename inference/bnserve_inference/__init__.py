@@ -9,6 +9,7 @@ from bnserve_inference._building import LikelihoodOptions
 from bnserve_inference._calibration import Envelope, calibration_nodes, read_envelope
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import Detector
+from bnserve_inference._distance_prior import tabulated_distance_prior
 from bnserve_inference._earth import sidereal_time
 from bnserve_inference._evaluation import LocalLikelihood, likelihood
 from bnserve_inference._gwosc import fourier_strain, gwosc_segment, read_gwosc
@@ -39,6 +40,7 @@ __all__ = [
     "roq_analysis",
     "sidereal_time",
     "simulate_data",
+    "tabulated_distance_prior",
     "time_delay",
 ]
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._distance_prior import DistancePrior
 from bnserve_inference._drawing import draw
 from bnserve_inference._phase_integral import Distances
-from bnserve_protocol import DistanceMarginalisation
+from bnserve_protocol import AnalysisInvalid, DistanceMarginalisation, FieldError
 
 Floats = NDArray[np.float64]
 
@@ -18,6 +19,8 @@ _WIDEST_PIECE = 32.0
 """Ratio of the ends of a piece: the nodes follow the power of u, which has a pole at zero, to rounding."""
 _FLAT = 1e-6
 """A norm at the nearest distance below which the likelihood does not fall with u."""
+_NORM_TOLERANCE = 1e-3
+"""Of the integral of a prior alone, which is the hardest that there is."""
 _CELLS = 32
 """Of the distances that matter, in equal steps of the logarithm, from which a draw begins."""
 _ROWS_AT_ONCE = 1024
@@ -78,9 +81,18 @@ class DistanceIntegral:
         self._power = prior.power
         self._ends = self.reference / prior.maximum, self.reference / prior.minimum
         power, ratio = prior.power + 1.0, float(np.log(prior.maximum / prior.minimum))
-        self._depth = _DEPTH + abs(power) * ratio  # what is left out has that much more, or less, of the prior
+        self._prior = DistancePrior(prior, self.reference)
+        # What is left out has that much more, or less, of the prior.
+        self._depth = _DEPTH + abs(power) * ratio + self._prior.spread
         self.factors = Distances(*self._ends, self._depth - _DEPTH)
-        self._log_norm = _log_integral_of_power(power, ratio)
+        self._log_norm = self._prior.log_norm
+        nothing = float(self.log_likelihood(np.zeros(1), np.zeros(1), False)[0])
+        if not abs(nothing) <= _NORM_TOLERANCE:
+            raise AnalysisInvalid(
+                f"The table of 'distance_marginalisation' changes too fast: integrated, its prior is wrong by "
+                f"{abs(nothing):.2g}. Smooth it.",
+                errors=[FieldError(reason="changes too fast", parameter="distance_marginalisation.table")],
+            )
 
     def log_likelihood(self, products: Floats, norms: Floats, phase: bool) -> Floats:
         """ln of the integral, ``(N,)``.
@@ -111,7 +123,8 @@ class DistanceIntegral:
         def values_at(rows: NDArray[np.int64], places: Floats) -> Floats:
             v = start[rows] + places * step[rows]
             u = np.exp(v)
-            return np.asarray(products[rows] * u - 0.5 * norms[rows] * (u * u) - (self._power + 1.0) * v)
+            beside = self._prior.beside_the_power(-v)
+            return np.asarray(products[rows] * u - 0.5 * norms[rows] * (u * u) - (self._power + 1.0) * v + beside)
 
         rows, places = np.divmod(np.arange(len(products) * (_CELLS + 1)), _CELLS + 1)
         knots = values_at(rows, places.astype(np.float64)).reshape(len(products), -1)
@@ -145,18 +158,13 @@ class DistanceIntegral:
         u = (start + half)[:, None] + half[:, None] * _NODES
         amplitude = products[:, None] * u
         exponent = log_bessel_i0(amplitude) if phase else amplitude
-        # p(D) dD = D^power dD / norm, in units of the reference distance: u^-(power + 2) du
-        exponent = exponent - 0.5 * norms[:, None] * (u * u) - (self._power + 2.0) * np.log(u)
+        # p(D) dD = D^power dD / norm, in units of the reference distance: u^-(power + 2) du; beside it the table's
+        log_u = np.log(u)
+        exponent = exponent - 0.5 * norms[:, None] * (u * u) - (self._power + 2.0) * log_u
+        if self._prior.spread:
+            exponent = exponent + self._prior.beside_the_power(-log_u)
         top = exponent.max(axis=1)
         total = np.zeros(len(top))
         for node in range(len(_NODES)):  # in a fixed order, whatever the number of rows
             total += _WEIGHTS[node] * np.exp(exponent[:, node] - top)
         return np.asarray(top + np.log(total * half))
-
-
-def _log_integral_of_power(power: float, log_ratio: float) -> float:
-    """ln of the integral of x^(power - 1) between two ends around one, whose ratio is given."""
-    reach = 0.5 * abs(power) * log_ratio
-    if reach < 1e-6:  # 2 sinh(reach) / power, to a part in 10^13
-        return float(np.log(log_ratio))
-    return float(reach + np.log(-np.expm1(-2.0 * reach) / abs(power)))

@@ -34,6 +34,10 @@ def _convert(struct: msgspec.Struct, **units: str) -> None:
             ) from error
 
 
+MOST_ENTRIES = 1024
+"""Of the table of a prior: enough for steps of a hundredth over four decades."""
+
+
 class TimeGrid(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
     """The knots of the quintic B-splines in time that linear weights are the coefficients of.
 
@@ -64,11 +68,17 @@ class TimeMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=Tru
 
 
 class DistanceMarginalisation(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """A prior of the distance proportional to ``distance ** power`` from ``minimum`` to ``maximum`` (Mpc)."""
+    """A prior of the distance proportional to ``distance ** power`` from ``minimum`` to ``maximum`` (Mpc).
+
+    With a ``table``, it is proportional to ``distance ** power * exp(g)``, where g is the cubic spline in ln(distance),
+    without knots next to the ends, through these values at equal steps from ln(minimum) to ln(maximum).
+    ``bnserve_inference.tabulated_distance_prior`` makes one of any density. It is not written where there is none.
+    """
 
     minimum: float
     maximum: float
     power: float = 2.0
+    table: Annotated[tuple[float, ...], msgspec.Meta(max_length=MOST_ENTRIES)] | msgspec.UnsetType = msgspec.UNSET
 
     def __post_init__(self) -> None:
         _convert(self, minimum="Mpc", maximum="Mpc", power="1")

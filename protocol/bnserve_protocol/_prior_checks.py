@@ -8,6 +8,7 @@ from collections.abc import Mapping
 import msgspec
 
 from bnserve_protocol._analysis_settings import (
+    MOST_ENTRIES,
     AnalysisSettings,
     DistanceMarginalisation,
     TimeMarginalisation,
@@ -39,6 +40,8 @@ _MOST_TIMES = 2**22
 _LARGEST_RATIO = 1e12
 """Of the largest to the smallest distance: from a part of a parsec to beyond the horizon."""
 _LARGEST_POWER = 10.0
+_FEWEST_ENTRIES, _LARGEST_SPREAD = 8, 100.0
+"""Of a table beside a power: what differs by more is no prior, and what is left out of an integral grows with it."""
 
 
 def check_prior(prior: Mapping[str, tuple[float, float]]) -> None:
@@ -118,6 +121,13 @@ def _check_distances(distances: DistanceMarginalisation) -> None:
     reason = f"must not span more than a factor of {_LARGEST_RATIO:g}"
     require(high <= _LARGEST_RATIO * low, "distance_marginalisation", high, reason)
     require(abs(power) <= _LARGEST_POWER, "distance_marginalisation.power", power, f"is at most {_LARGEST_POWER:g}")
+    if not isinstance(distances.table, msgspec.UnsetType):
+        name, table = "distance_marginalisation.table", distances.table
+        reason = f"has {_FEWEST_ENTRIES} to {MOST_ENTRIES} entries"
+        require(_FEWEST_ENTRIES <= len(table) <= MOST_ENTRIES, name, len(table), reason)
+        reason = f"holds finite logarithms that differ by {_LARGEST_SPREAD:g} at most"
+        require(max(table) - min(table) <= _LARGEST_SPREAD, name, max(table), reason)
+        require(all(map(math.isfinite, table)), name, max(table), reason)
 
 
 def require(condition: bool, name: str, value: float | None, reason: str) -> None:

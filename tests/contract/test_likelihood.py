@@ -10,7 +10,7 @@ import pytest
 
 from bnserve_client import AsyncModel
 from bnserve_client import Model as RemoteModel
-from bnserve_inference import likelihood
+from bnserve_inference import likelihood, tabulated_distance_prior
 from bnserve_protocol import (
     LIKELIHOOD_NAMES,
     Analysis,
@@ -61,6 +61,11 @@ ANALYSES = {
     "relative binning": lambda model: with_nodes("relative_binning"),
     "calibration": lambda model: with_nodes("roq", calibration=Calibration(nodes=6, f_min=20.0, f_max=1024.0)),
     "phase and distance": lambda model: with_nodes("roq", phase_marginalisation=True, distance_marginalisation=FAR),
+    "a table of distances": lambda model: with_nodes(
+        "roq",
+        phase_marginalisation=True,
+        distance_marginalisation=tabulated_distance_prior(np.sin, minimum=0.1, maximum=3.0),
+    ),
     "time": lambda model: with_nodes("relative_binning", time_marginalisation=SUMS),
     "time and phase on the full grid": lambda model: small_analysis(
         model, f_max=64.0, phase_marginalisation=True, time_marginalisation=SUMS

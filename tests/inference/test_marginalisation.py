@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from scipy import integrate, special
 
-from bnserve_inference import DetectorData, likelihood
+from bnserve_inference import DetectorData, likelihood, tabulated_distance_prior
 from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
 from bnserve_inference._time_integral import ChirpZ
-from bnserve_protocol import DistanceMarginalisation, LikelihoodBatch, TimeMarginalisation, time_steps
+from bnserve_protocol import AnalysisInvalid, DistanceMarginalisation, LikelihoodBatch, TimeMarginalisation, time_steps
 from tests.inference.networks import F_MAX, F_MIN, POINTS, columns, full, network, without
 from tests.inference.test_kinds_agree import binned
 
@@ -252,3 +252,53 @@ def test_a_chirp_z_transform_is_the_sum_it_stands_for():
     k = np.arange(70)
     expected = np.exp(-2j * np.pi * turn * np.outer(k, np.arange(300))) @ x
     np.testing.assert_allclose(ChirpZ(300, 70, turn)(x), expected, atol=1e-11)
+
+
+UNEVEN = {
+    "a power": lambda x: x**2,
+    "a step down, as of selection": lambda x: x**2 / (1.0 + (x / 300.0) ** 6),
+    "a Gaussian": lambda x: np.exp(-0.5 * ((x - 150.0) / 30.0) ** 2),
+}
+
+
+@pytest.mark.parametrize("phase", [False, True])
+@pytest.mark.parametrize("density", UNEVEN)
+def test_any_smooth_prior_of_the_distance_is_integrated_over(phase, density):
+    prior = tabulated_distance_prior(UNEVEN[density], minimum=20.0, maximum=500.0)
+    ours = DistanceIntegral(prior)
+    loudness, distances = np.array([1e-3, 0.5, 3.0, 20.0, 300.0]), np.array([40.0, 120.0, 300.0, 60.0, 450.0])
+    norms = (loudness * distances / ours.reference) ** 2
+    products = loudness**2 * distances / ours.reference * np.array([1.0, 0.9, 1.0, 1.1, 1.0])
+
+    def expected(product, norm):
+        def log_density(x):
+            sizes = product * ours.reference * np.exp(-x)
+            log_l = (log_i0(sizes) if phase else sizes) - 0.5 * norm * (ours.reference * np.exp(-x)) ** 2
+            return log_l + np.log(UNEVEN[density](np.exp(x))) + x
+
+        ends = np.log(20.0), np.log(500.0)
+        peak = np.clip(np.log(ours.reference * norm / product), *ends)
+        norm_of_it = integrated(lambda x: np.log(UNEVEN[density](np.exp(x))) + x, *ends, [ends[1]])
+        return integrated(log_density, *ends, [float(peak)]) - norm_of_it
+
+    values = ours.log_likelihood(products, norms, phase)
+    np.testing.assert_allclose(values, [expected(*row) for row in zip(products, norms, strict=True)], atol=1e-3)
+
+
+def test_a_table_of_a_power_is_that_power():
+    table = tabulated_distance_prior(lambda x: 7.0 * x**2, minimum=10.0, maximum=75.0)
+    assert len(table.table) == 32
+    plain = DistanceIntegral(DistanceMarginalisation(minimum=10.0, maximum=75.0))
+    products, norms = np.array([0.1, 30.0, 900.0]), np.array([0.2, 25.0, 950.0])
+    tabulated = DistanceIntegral(table).log_likelihood(products, norms, True)
+    np.testing.assert_allclose(tabulated, plain.log_likelihood(products, norms, True), rtol=1e-12, atol=1e-12)
+
+
+def test_a_prior_that_no_table_can_follow_is_refused():
+    with pytest.raises(AnalysisInvalid, match="too uneven for a table of 1024 entries"):
+        tabulated_distance_prior(lambda x: np.where(x > 40.0, 1.0, 2.0), minimum=10.0, maximum=75.0)
+    with pytest.raises(AnalysisInvalid, match="not at 10 Mpc"):
+        tabulated_distance_prior(lambda x: x - 10.0, minimum=10.0, maximum=75.0)
+    wild = tuple(np.random.default_rng(1).normal(scale=3.0, size=900))
+    with pytest.raises(AnalysisInvalid, match="changes too fast"):
+        DistanceIntegral(DistanceMarginalisation(minimum=10.0, maximum=75.0, table=wild))

@@ -8,7 +8,8 @@ import bilby
 import numpy as np
 import pandas as pd
 import pytest
-from bilby.core.prior import Constraint, PowerLaw, Uniform
+from bilby.core.prior import Constraint, PowerLaw, Sine, TruncatedGaussian, Uniform
+from bilby.gw.prior import UniformComovingVolume, UniformSourceFrame
 
 from bnserve_client import InvalidRequest, _chosen
 from bnserve_client.bilby import ServiceLikelihood, binary_neutron_star
@@ -81,16 +82,24 @@ def test_both_routes_agree(data, arguments, zero_points, fiducial):
     assert ours.log_likelihood(SIGNAL) == ours.log_likelihood_ratio(SIGNAL) + ours.noise_log_likelihood()
 
 
+DISTANCES = {
+    "a power": lambda: PowerLaw(2.0, 20.0, 100.0),
+    "uniform in the source frame": lambda: UniformSourceFrame(20.0, 100.0, name="luminosity_distance"),
+    "uniform in the comoving volume": lambda: UniformComovingVolume(20.0, 2000.0, name="luminosity_distance"),
+    "a Gaussian": lambda: TruncatedGaussian(45.0, 10.0, 20.0, 100.0, name="luminosity_distance"),
+}
+
+
 @pytest.mark.parametrize("what", ["phase", "distance"])
 def test_integrals_agree(data, arguments, what):
     """With bilby's, over the distance up to its table; over the phase its rule is for m = 2."""
     arguments = arguments | QUADRUPOLE
-    prior = priors(luminosity_distance=PowerLaw(2.0, 20.0, 100.0))
+    prior = priors(luminosity_distance=DISTANCES["uniform in the source frame"]())
     options = {f"{what}_marginalization": True}
     ours = ServiceLikelihood.from_bilby(
         data, prior, waveform_arguments=arguments, fiducial_parameters=SIGNAL, **options
     )
-    same = priors(luminosity_distance=PowerLaw(2.0, 20.0, 100.0))
+    same = priors(luminosity_distance=DISTANCES["uniform in the source frame"]())
     theirs = bilby.gw.GravitationalWaveTransient(
         data, generator(binary_neutron_star, **arguments), priors=same, jitter_time=False, **options
     )
@@ -98,6 +107,28 @@ def test_integrals_agree(data, arguments, what):
     assert float(prior[name]) == float(same[name])  # what is integrated over is fixed, in bilby's manner
     sample = SIGNAL | {name: float(prior[name])}
     assert ours.log_likelihood_ratio(sample) == pytest.approx(theirs.log_likelihood_ratio(sample), abs=0.05)
+
+
+@pytest.mark.parametrize("distances", DISTANCES)
+def test_a_prior_of_the_distance_is_bilbys(binned, data, arguments, distances):
+    """By sums over bilby's own density."""
+    prior = DISTANCES[distances]()
+    ours = ServiceLikelihood.from_bilby(
+        data, priors(luminosity_distance=DISTANCES[distances]()), waveform_arguments=arguments,
+        fiducial_parameters=SIGNAL, distance_marginalization=True,
+    )  # fmt: skip
+    at = np.geomspace(prior.minimum, prior.maximum, 3001)
+    values = binned.log_likelihood_ratios(SIGNAL | {"luminosity_distance": at})
+    expected = values.max() + np.log(np.trapezoid(np.exp(values - values.max()) * prior.prob(at), at))
+    assert ours.log_likelihood_ratio(SIGNAL) == pytest.approx(expected, abs=2e-3)
+
+
+def test_a_prior_of_the_distance_that_cannot_be_integrated_over_is_refused(data, arguments):
+    for prior in (PowerLaw(2.0, 0.0, 100.0), 40.0, Sine(name="luminosity_distance", minimum=0.0, maximum=np.pi)):
+        with pytest.raises(InvalidRequest, match="0 < minimum < maximum"):
+            ServiceLikelihood.from_bilby(
+                data, priors(luminosity_distance=prior), waveform_arguments=arguments, distance_marginalization=True
+            )
 
 
 def test_the_integral_over_the_time_is_the_mean_over_its_prior(binned, data, arguments):

@@ -163,6 +163,13 @@ def test_arrays_that_do_not_fit_are_refused(case):
 FAR = DistanceMarginalisation(minimum=10.0, maximum=75.0)
 AGES = TimeMarginalisation(minimum=-9e5, maximum=9e5)
 ENDLESS = TimeMarginalisation(minimum=-1e308, maximum=1e308)
+
+
+def tabulated(*entries, count=10):
+    table = (*entries, *[0.0] * (count - len(entries)))
+    return DistanceMarginalisation(minimum=10.0, maximum=75.0, table=table)
+
+
 BAD_SETTINGS = {
     "no detectors": ({"detectors": ()}, "1 to 16 detectors"),
     "a detector twice": ({"detectors": ("H1", "H1")}, "distinct names"),
@@ -178,6 +185,11 @@ BAD_SETTINGS = {
     "times": ({"time_marginalisation": TimeMarginalisation(minimum=0.1, maximum=0.0, step=1e-3)}, "minimum < maximum"),
     "many times": ({"time_marginalisation": TimeMarginalisation(minimum=0.0, maximum=0.1, step=1e-9)}, "more than"),
     "distance": ({"distance_marginalisation": DistanceMarginalisation(minimum=0.0, maximum=10.0)}, "0 < minimum"),
+    "a short table": ({"distance_marginalisation": tabulated(0.0, count=7)}, "has 8 to 1024 entries; got 7"),
+    "a long table": ({"distance_marginalisation": tabulated(0.0, count=1025)}, "length <= 1024"),
+    "a table of anything": ({"distance_marginalisation": tabulated(0.0, 101.0)}, "finite logarithms"),
+    "a table with NaN": ({"distance_marginalisation": tabulated(0.0, float("nan"))}, "finite logarithms"),
+    "a table without end": ({"distance_marginalisation": tabulated(0.0, float("-inf"))}, "finite logarithms"),
     "calibration": ({"calibration": Calibration(nodes=2, f_min=20.0, f_max=100.0)}, "'calibration.nodes'"),
     "a width of calibration errors": (
         {"calibration": Calibration(nodes=4, f_min=20.0, f_max=100.0, phase_width=float("nan"))},
@@ -323,3 +335,15 @@ def test_unknown_settings_and_narrow_arrays_are_refused():
     narrow = message["arrays"]["location/H1"] | {b"type": "<f4", b"data": bytes(12)}
     with pytest.raises(AnalysisInvalid, match="travels as <f8"):
         decode_analysis(msgpack.packb(message | {"arrays": message["arrays"] | {"location/H1": narrow}}))
+
+
+def test_a_table_of_distances_travels_and_is_not_written_where_there_is_none():
+    def analysis(distances):
+        return Analysis(msgspec.structs.replace(SETTINGS, distance_marginalisation=distances), arrays())
+
+    plain, written = analysis(FAR), b"".join(encode_analysis(analysis(FAR)))
+    assert b"table" not in written  # so that digests are those from before
+    other = analysis(tabulated(0.5))
+    back = decode_analysis(b"".join(encode_analysis(other)))
+    assert back.settings.distance_marginalisation.table == (0.5, *[0.0] * 9)
+    assert back.digest == other.digest != plain.digest

@@ -63,7 +63,9 @@ def build_analysis(
         prior=prior_ranges(priors, trigger) if fiducial is not None else {},
         phase_marginalisation=marginalised.phase,
         time_marginalisation=_times(priors, trigger, choice.zero_points.approximant) if marginalised.time else None,
-        distance_marginalisation=distance_prior(priors["luminosity_distance"]) if marginalised.distance else None,
+        distance_marginalisation=distance_prior(priors["luminosity_distance"], parts.tabulated_distance_prior)
+        if marginalised.distance
+        else None,
         calibration=read_calibration(interferometers, priors),
         error_bound=error_bound,
         modes=None if is_single(model.description) else modes,

@@ -73,8 +73,8 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         trigger_time
             GPS seconds near the merger; None for the middle of the prior of ``geocent_time``.
         time_marginalization, phase_marginalization, distance_marginalization
-            As in bilby. Time and distance are integrated exactly, over priors that are uniform and a power. Beside
-            modes of other m than 2, the phase alone.
+            As in bilby. Time and distance are integrated exactly, over priors that are uniform, and any smooth one of
+            the distance, such as ``UniformSourceFrame``. Beside modes of other m than 2, the phase alone.
         error_bound
             By how much ln L by relative binning may differ from that on the full grid.
         parameter_conversion

@@ -35,21 +35,33 @@ def prior_ranges(priors: Mapping[str, Any], trigger_time: float) -> dict[str, Ra
     return ranges
 
 
-def distance_prior(prior: Any) -> DistanceMarginalisation:
-    """The prior of the distance as what a likelihood can integrate over.
+def distance_prior(prior: Any, tabulated: Callable[..., DistanceMarginalisation]) -> DistanceMarginalisation:
+    """The prior of the distance as what a likelihood can integrate over: a power, or else a table of its density.
+
+    Parameters
+    ----------
+    tabulated
+        ``bnserve_inference.tabulated_distance_prior``.
 
     Raises
     ------
     InvalidRequest
-        It is no power of the distance.
+        It has no density, or reaches to 0 or without end.
+    AnalysisInvalid
+        As ``tabulated``.
     """
-    power = 0.0 if type(prior).__name__ == "Uniform" else getattr(prior, "alpha", None)
-    if power is None:
+    ends = _ends(prior)
+    if not hasattr(prior, "prob") or ends is None or not 0.0 < ends[0] < ends[1]:
         raise InvalidRequest(
-            f"The distance is integrated over a prior that is a power of it; got {type(prior).__name__}. Give "
-            "bilby.core.prior.PowerLaw(2, minimum, maximum), or sample in it (distance_marginalization=False)."
+            f"The distance is integrated over a prior with 0 < minimum < maximum; got {str(prior)[:200]}. Give such as "
+            "bilby.gw.prior.UniformSourceFrame(10, 500, name='luminosity_distance'), or sample in it "
+            "(distance_marginalization=False)."
         )
-    return DistanceMarginalisation(minimum=float(prior.minimum), maximum=float(prior.maximum), power=float(power))
+    kinds = {kind.__name__ for kind in type(prior).__mro__}
+    if not kinds & {"PowerLaw", "Uniform"}:
+        return tabulated(prior.prob, minimum=ends[0], maximum=ends[1])
+    power = 0.0 if "Uniform" in kinds else float(prior.alpha)
+    return DistanceMarginalisation(minimum=ends[0], maximum=ends[1], power=power)
 
 
 def ends(prior: Any) -> Range | None:
