@@ -50,8 +50,8 @@ def distance_prior(prior: Any, tabulated: Callable[..., DistanceMarginalisation]
     AnalysisInvalid
         As ``tabulated``.
     """
-    ends = _ends(prior)
-    if not hasattr(prior, "prob") or ends is None or not 0.0 < ends[0] < ends[1]:
+    found = ends(prior)
+    if not hasattr(prior, "prob") or found is None or not 0.0 < found[0] < found[1]:
         raise InvalidRequest(
             f"The distance is integrated over a prior with 0 < minimum < maximum; got {str(prior)[:200]}. Give such as "
             "bilby.gw.prior.UniformSourceFrame(10, 500, name='luminosity_distance'), or sample in it "
@@ -59,9 +59,9 @@ def distance_prior(prior: Any, tabulated: Callable[..., DistanceMarginalisation]
         )
     kinds = {kind.__name__ for kind in type(prior).__mro__}
     if not kinds & {"PowerLaw", "Uniform"}:
-        return tabulated(prior.prob, minimum=ends[0], maximum=ends[1])
+        return tabulated(prior.prob, minimum=found[0], maximum=found[1])
     power = 0.0 if "Uniform" in kinds else float(prior.alpha)
-    return DistanceMarginalisation(minimum=ends[0], maximum=ends[1], power=power)
+    return DistanceMarginalisation(minimum=found[0], maximum=found[1], power=power)
 
 
 def ends(prior: Any) -> Range | None:
