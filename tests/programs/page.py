@@ -49,7 +49,8 @@ HOSTS = {"127.0.0.1": "127.0.0.1", "one": "127.0.0.1", "two": "localhost", "thre
 """What the server stands for."""
 SHORT = {
     "bilby.run_sampler": "import bilby as _b; _run = _b.run_sampler; "
-    "_b.run_sampler = lambda *a, **k: _run(*a, **({'nlive': 50, 'maxiter': 20} | k | {'npool': 1}))",
+    "_few = {'nlive': 50, 'maxiter': 20, 'check_point': False}; "  # a run with checkpoints has such a limit each time
+    "_b.run_sampler = lambda *a, **k: _run(*a, **(_few | k | {'npool': 1}))",
     "emcee.EnsembleSampler": "import emcee as _e; _walk = _e.EnsembleSampler.run_mcmc; "
     "_e.EnsembleSampler.run_mcmc = lambda self, start, steps: _walk(self, start, 10)",
     "nautilus.Sampler": "import nautilus as _n; _more = _n.Sampler.run; "
