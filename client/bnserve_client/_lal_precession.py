@@ -9,11 +9,20 @@ import math
 from collections.abc import Mapping
 from typing import Literal
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._lal_meaning import check_reference, heavier_first
-from bnserve_protocol import SOLAR_MASS_SECONDS, EvaluationOptions, Mode, Polarizations, WaveformModel, convert
+from bnserve_protocol import (
+    SOLAR_MASS_SECONDS,
+    EvaluationOptions,
+    Mode,
+    Polarizations,
+    RowStatus,
+    WaveformModel,
+    convert,
+)
 
 Floats = NDArray[np.float64]
 
@@ -86,8 +95,8 @@ def precessing(
     Parameters
     ----------
     angles
-        As of :func:`components`, with ``phase``, ``lambda_1`` and ``lambda_2``. What is no
-        binary is as one outside the model's range.
+        As of :func:`components`, with ``phase``, ``lambda_1`` and ``lambda_2``. What is no binary is as one outside the
+        model's range.
     reference, name
         Hz, where spins and the phase are what they are, and what the program calls it.
 
@@ -108,7 +117,11 @@ def precessing(
     columns = convert(heavier_first(stars | seen))
     check_reference(model.description, columns["total_mass"], reference, name)
     columns |= {"distance_mpc": 1.0, "reference_phase": 2.0 * angles["phase"]}
-    return model.predict_batch(frequencies, columns, options=options)
+    found = model.predict_batch(frequencies, columns, options=options)
+    if found.status[0] == RowStatus.OUT_OF_BAND:  # of no binary but of the frequencies: the same error in any case
+        options = msgspec.structs.replace(options, out_of_domain="error")
+        found = model.predict_batch(frequencies, columns, options=options)
+    return found
 
 
 def _direction(polar: float, azimuth: float) -> Floats:

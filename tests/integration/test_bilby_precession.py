@@ -6,7 +6,7 @@ import lalsimulation
 import numpy as np
 import pytest
 
-from bnserve_client import InvalidRequest
+from bnserve_client import InvalidRequest, OutOfBand
 from bnserve_client._lal_precession import components
 from bnserve_client.bilby import ServiceLikelihood, binary_neutron_star
 from bnserve_client.bilby._arguments import read_choice
@@ -145,6 +145,13 @@ def test_outside_the_models_range_there_is_none(ours):
         assert waveform(outside, **ours) is None
     named = {"waveform_approximant": "IMRPhenomXP_NRTidalv3"}
     assert waveform({"lambda_1": -1.0}, **named, **ours) is None
+
+
+def test_what_cannot_be_at_this_reference_frequency_is_an_error_and_not_a_likelihood_of_nothing(ours):
+    with pytest.raises(OutOfBand, match="turns"):
+        waveform({}, **ours | {"reference_frequency": 1e-3})
+    with pytest.raises(InvalidRequest, match="end below the 'reference_frequency' of 9000 Hz"):
+        waveform({}, **ours | {"reference_frequency": 9000.0})
 
 
 def test_other_grids_have_the_same_waveform(ours):
