@@ -29,7 +29,6 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 QUADRUPOLE: tuple[Mode, ...] = ((2, 2),)
-_EXCHANGED = str.maketrans("12", "21")
 
 
 class ByModes(NamedTuple):
@@ -57,13 +56,6 @@ def read_mode_array(modes: Iterable[Any] | None) -> tuple[Mode, ...] | None:
     except (TypeError, ValueError):
         raise InvalidRequest(f"'mode_array' is a list of pairs such as [[2, 2], [3, 3]]; got {modes!r:.80}.") from None
     return EvaluationOptions(modes=tuple(found)).modes
-
-
-def heavier_first(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Parameters of two stars by names with 1 and 2, ``mass_1`` and ``mass_2`` among them: exchanged where LAL does."""
-    if not given["mass_1"] < given["mass_2"]:
-        return dict(given)
-    return {name.translate(_EXCHANGED): value for name, value in given.items()}
 
 
 def modes_of(description: ModelDescription, modes: Iterable[Mode] | None) -> tuple[Mode, ...]:

@@ -13,7 +13,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_client._lal_meaning import check_reference, heavier_first
+from bnserve_client._lal_meaning import check_reference
 from bnserve_protocol import (
     SOLAR_MASS_SECONDS,
     EvaluationOptions,
@@ -114,7 +114,7 @@ def precessing(
     )
     stars = {given: angles[given] for given in ("mass_1", "mass_2", "lambda_1", "lambda_2")}
     seen = components(angles, reference, angles["phase"])
-    columns = convert(heavier_first(stars | seen))
+    columns = convert(stars | seen)
     check_reference(model.description, columns["total_mass"], reference, name)
     columns |= {"distance_mpc": 1.0, "reference_phase": 2.0 * angles["phase"]}
     found = model.predict_batch(frequencies, columns, options=options)

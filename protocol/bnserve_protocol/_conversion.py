@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
-from bnserve_protocol._foreign import FORMULAS, SAME, hint_for
+from bnserve_protocol._foreign import ANGLE_OF_TOTAL, FORMULAS, SAME, hint_for
 from bnserve_protocol._given import NotNumbers, as_real_numbers, nearest
-from bnserve_protocol._parameters import PARAMETER_UNITS
+from bnserve_protocol._parameters import IN_PLANE_NAMES, PARAMETER_UNITS
 
 Floats = NDArray[np.float64]
 
@@ -34,8 +34,9 @@ def convert(given: Mapping[str, Any]) -> dict[str, Any]:
     Masses may be two component masses (the stars change places where the second is the heavier one), or one of
     ``chirp_mass`` and ``total_mass`` with one of ``mass_ratio`` (also bilby's, which is at most 1) and
     ``symmetric_mass_ratio``; all are those of the detector's frame. Spins may be ``a_1`` with ``tilt_1`` or
-    ``cos_tilt_1``, where they are aligned. Tides may be ``lambda_tilde`` with ``delta_lambda_tilde``. Names of the same
-    quantity are replaced (``luminosity_distance``, ``theta_jn``, ``ra``, ...); ours stay as they are.
+    ``cos_tilt_1``, where they are aligned, or ``spin1x``, ``spin1y`` and ``spin1z``. Tides may be ``lambda_tilde`` with
+    ``delta_lambda_tilde``. Names of the same quantity are replaced (``luminosity_distance``, ``theta_jn``, ``ra``);
+    ours stay as they are.
 
     Parameters
     ----------
@@ -49,8 +50,9 @@ def convert(given: Mapping[str, Any]) -> dict[str, Any]:
     Raises
     ------
     InvalidParameters
-        A quantity that is not exact to convert (times, phases at a reference frequency, spins in the orbital plane,
-        ``lambda_tilde`` alone), unknown, or stated twice; the error says what to give instead.
+        A quantity that is not exact to convert (times, phases at a reference frequency, tilted spins, ``theta_jn``
+        beside spins in the orbital plane, ``lambda_tilde`` alone), unknown, or stated twice; the error says what to
+        give instead.
     """
     named = {SAME.get(name, name): value for name, value in given.items()}
     if len(named) != len(given):
@@ -68,16 +70,27 @@ def convert(given: Mapping[str, Any]) -> dict[str, Any]:
     named |= masses | _tides(taken, named, q)
     if taken:
         raise _refusal(taken, "not enough of these", " ".join(f"For {name}: {FORMULAS[name]}." for name in taken))
-    if swap is not None:
-        for one, other in (("chi_1", "chi_2"), ("lambda_1", "lambda_2")):
-            if one in named and other in named:
-                first, second = np.asarray(named[one]), np.asarray(named[other])
-                named[one], named[other] = np.where(swap, second, first), np.where(swap, first, second)
-        for axis in "xy":  # of the orbital plane, where x points from the star named second to that named first
-            first, second = (np.asarray(named.get(f"chi_{star}{axis}", 0.0)) for star in (1, 2))
-            if first.any() or second.any():
-                named[f"chi_1{axis}"] = np.where(swap, -second, first)
-                named[f"chi_2{axis}"] = np.where(swap, -first, second)
+    _refuse_angle_of_total(given, named)
+    return named if swap is None else _exchanged(named, swap)
+
+
+def _refuse_angle_of_total(given: Mapping[str, Any], named: Mapping[str, Any]) -> None:
+    """``theta_jn`` is the inclination where spins are aligned alone."""
+    if "theta_jn" in given and any(np.any(np.asarray(named.get(name, 0.0)) != 0.0) for name in IN_PLANE_NAMES):
+        raise _refusal({"theta_jn": 0}, "with spins in the orbital plane", f"Here, {ANGLE_OF_TOTAL}.")
+
+
+def _exchanged(named: dict[str, Any], swap: Any) -> dict[str, Any]:
+    """Where ``swap`` says so the stars change places, and nothing is turned, as in LAL's models in frequency."""
+    pairs = [("chi_1", "chi_2"), ("lambda_1", "lambda_2")]
+    for one, other in (("chi_1x", "chi_2x"), ("chi_1y", "chi_2y")):
+        if one in named or other in named:
+            named = {one: 0.0, other: 0.0} | named
+            pairs.append((one, other))
+    for one, other in pairs:
+        if one in named and other in named:
+            first, second = np.asarray(named[one]), np.asarray(named[other])
+            named[one], named[other] = np.where(swap, second, first), np.where(swap, first, second)
     return named
 
 

@@ -27,7 +27,10 @@ SAME = {
     "lambda2": "lambda_2",
 }
 """By names of others, ours of the same quantity in the same unit. (``theta_jn`` is the inclination where spins are
-aligned, which they are.)"""
+aligned, and nowhere else.)"""
+ANGLE_OF_TOTAL = (
+    "inclination is the angle of the orbital angular momentum (LAL's and PyCBC's), and theta_jn that of the total one"
+)
 
 _MASSES = (
     "mass_ratio = mass_1 / mass_2, the heavier over the lighter, and total_mass = mass_1 + mass_2, both redshifted"

@@ -34,6 +34,17 @@ def test_stars_change_places_with_their_spins_and_tides():
     assert ours["mass_ratio"].tolist() == [1.2, 1.2]
 
 
+def test_spins_in_the_orbital_plane_change_places_as_they_are():
+    """As in LAL's models of the frequency domain, which turn nothing."""
+    given = {"mass_1": [1.5, 1.25], "mass_2": [1.25, 1.5], "spin1x": 0.1, "spin1y": [0.2, 0.3], "iota": 0.4}
+    ours = convert(given)
+    assert ours["chi_1x"].tolist() == [0.1, 0.0]
+    assert ours["chi_2x"].tolist() == [0.0, 0.1]
+    assert ours["chi_1y"].tolist() == [0.2, 0.0]
+    assert ours["chi_2y"].tolist() == [0.0, 0.3]
+    assert ours["inclination"] == 0.4
+
+
 def test_tides_are_bilbys():
     mass_1, mass_2 = np.array([1.4, 1.6]), np.array([1.4, 1.2])
     expected = conversion.lambda_tilde_delta_lambda_tilde_to_lambda_1_lambda_2(500.0, 30.0, mass_1, mass_2)
@@ -57,6 +68,7 @@ def test_no_spin_has_no_direction():
 
 
 REFUSED = {
+    "another angle": ({"theta_jn": 0.4, "spin1x": 0.1}, "inclination is the angle of the orbital angular momentum"),
     "a spin in the plane": ({"a_1": 0.1, "tilt_1": 0.5}, "chi_1x, chi_1y are what is in the orbital plane"),
     "a spin without a sign": ({"a_1": 0.1}, "Give chi_1 itself"),
     "half of the tides": ({"lambda_tilde": 500.0, "mass_ratio": 1.2}, "together .* which convert.. solves"),

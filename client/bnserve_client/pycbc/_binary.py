@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from typing import Any
 
 from bnserve_client._chosen import ARGUMENTS, chosen_model, read_arguments, unknown_argument
-from bnserve_client._lal_meaning import heavier_first
 from bnserve_client._lal_precession import MOST_IN_PLANE
 from bnserve_protocol import FieldError, InvalidParameters, ParametersWithExtrinsic, WaveformModel, convert
 
@@ -64,7 +63,7 @@ def read_binary(parameters: Mapping[str, Any], model: WaveformModel) -> Paramete
     return ParametersWithExtrinsic(
         distance_mpc=float(parameters.get("distance", 1.0)),
         inclination=float(parameters.get("inclination", 0.0)),
-        **{name: float(value) for name, value in convert(heavier_first(stars)).items()},
+        **{name: float(value) for name, value in convert(stars).items()},
     )
 
 
