@@ -25,7 +25,7 @@ find_python() {
 
 # TEOBResumS comes as C source: a compiler, GSL and the headers of Python; what is in deploy/ is run by its
 # programs, some of which Debian keeps in /usr/sbin; the clients in examples/clients are built and run, curl and openssl ask
-# servers with TLS, and shells complete commands. Names of the Debian packages that are missing.
+# servers with TLS, a browser looks at the pages, and shells complete commands. Names of the Debian packages that are missing.
 missing_packages() {
     command -v gcc >/dev/null || echo gcc libc6-dev
     command -v pkg-config >/dev/null || echo pkg-config
@@ -41,6 +41,7 @@ missing_packages() {
     command -v fish >/dev/null || echo fish
     command -v node >/dev/null || echo nodejs
     command -v npm >/dev/null || echo npm
+    command -v chromium >/dev/null || echo chromium fonts-dejavu-core
     command -v go >/dev/null || echo golang-go
     [ -d /usr/share/gocode/src/github.com/vmihailenco/msgpack ] || echo golang-github-vmihailenco-msgpack.v5-dev
     pkg-config --exists libcurl 2>/dev/null || echo libcurl4-openssl-dev

@@ -14,6 +14,7 @@ from bnserve_service import Settings, Token
 from bnserve_service.admission.token_book import TokenBook
 from bnserve_service.http import access
 from bnserve_service.http.requests import new_context
+from bnserve_service.reference.explorer import PAGES
 from tests.service.asking import MSGPACK, ask, evaluate, question, raw_connection, read_response
 from tests.service.chirp import ChirpModel
 
@@ -106,7 +107,16 @@ def test_403_a_token_without_the_scope(server):
     assert ask(server.address, "GET", "/v1/limits", authorization=f"Bearer {UPLOADER}").status == 200
 
 
-@pytest.mark.parametrize("path", ["/v2/health/live", "/v2/health/ready", "/v2/models/chirp/ready", "/", "/docs"])
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/v2/health/live",
+        "/v2/health/ready",
+        "/v2/models/chirp/ready",
+        *PAGES,
+        "/pages/style/base.css",
+    ],
+)
 def test_probes_and_pages_need_no_token(server, path):
     assert ask(server.address, "GET", path).status == 200
 

@@ -27,7 +27,7 @@ _AUTHORITY = re.compile(rb"(?:\[([0-9A-Fa-f:.]{2,45})\]|([A-Za-z0-9._-]{1,253}))
 _HEALTH = "/v2/"
 """Probes name whatever they like (an address of a pod, the name of a balancer's backend), and learn nothing."""
 _READING = frozenset({"GET", "HEAD", "OPTIONS"})
-PUBLIC_ROUTES = frozenset({"/", "/docs", "/openapi.json"})
+PUBLIC_ROUTES = frozenset({"/", "/models", "/state", "/docs", "/pages/{folder}/{name}", "/openapi.json"})
 """Pages without data of their own; what they show, they ask for with the visitor's token."""
 METRICS = "/metrics"
 _OF_ROUTES: dict[str, tuple[TokenScope, ...]] = {METRICS: ("metrics", "admin"), "/v1/reload": ("admin",)}
