@@ -14,7 +14,8 @@ from bnserve_inference._earth import sidereal_time
 from bnserve_inference._evaluation import LocalLikelihood, likelihood
 from bnserve_inference._gwosc import fourier_strain, gwosc_segment, read_gwosc
 from bnserve_inference._noise import gaussian_noise, interpolate_asd, read_asd
-from bnserve_inference._projection import antenna_pattern, detector_strain, simulate_data, time_delay
+from bnserve_inference._projection import detector_strain, simulate_data
+from bnserve_inference._response import antenna_pattern, time_delay
 from bnserve_protocol import LikelihoodValues
 
 __all__ = [

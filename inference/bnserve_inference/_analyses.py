@@ -14,6 +14,7 @@ from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
 from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, known_modes, orders, quadrupole_options
+from bnserve_inference._passing import reference_times
 from bnserve_inference._rows import chirp_mass
 from bnserve_inference._search import Box, middle, refuse_missing_ranges, usual_masses
 from bnserve_inference._units import in_units
@@ -193,6 +194,9 @@ def _reduced(kind: AnalysisKind, weighted: Weighted, fitting: Fitting, model_dig
         quadratic = quadratic[:, 0].real
     arrays = band.arrays(list(table), list(quadratic))
     arrays |= {"linear_nodes": basis.linear_nodes, "quadratic_nodes": basis.quadratic_nodes}
+    if fitting.options.response == "moving" and isinstance(basis, FiducialBasis):
+        phases, times = reference_times(fitting.model, basis)
+        arrays |= {"reference_phases": phases, "reference_times": times}
     settings = band.settings(kind, fitting.alignment, fitting.options, grid, model_digest)
     return Analysis(settings=settings, arrays=arrays)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, get_args
 
 import msgspec
 import numpy as np
@@ -24,6 +24,7 @@ from bnserve_protocol import (
     EvaluationOptions,
     FieldError,
     Mode,
+    Response,
     TimeGrid,
     TimeMarginalisation,
     check_prior,
@@ -31,7 +32,24 @@ from bnserve_protocol import (
 )
 
 Alignment = Literal["post_newtonian", "merger"]
+ResponseChoice = Literal["static", "moving", "auto"]
 Ranges = Mapping[str, tuple[float, float]]
+
+
+def check_response(response: str, *others: str) -> None:
+    """Refuse what is no response of detectors, nor one of ``others``.
+
+    Raises
+    ------
+    AnalysisInvalid
+        It is something else.
+    """
+    known = [*get_args(Response), *others]
+    if response not in known:
+        raise AnalysisInvalid(
+            f"'response' is one of {', '.join(known)}; got {str(response)[:40]!r}.",
+            errors=[FieldError(reason="no response", parameter="response")],
+        )
 
 
 class Basis(Protocol):
@@ -73,6 +91,11 @@ class LikelihoodOptions:
         and for quadratures with a calibration or from a table; a basis of the model's own waveforms has a tolerance.
     modes
         ``(l, m)`` of the modes of the signal, such as ``[(2, 2), (3, 3)]``; None for all that the model has.
+    response
+        ``"static"``: antenna patterns and delays are those at the coalescence. ``"moving"``: those at the time at which
+        each mode passes each frequency, as signals of minutes and hours need. ``"auto"``: static where that is checked
+        to be right to a part of ``error_bound``, and moving otherwise; on the full grid always moving. What an analysis
+        has is ``settings.response``.
     """
 
     prior: Ranges = field(default_factory=dict)
@@ -82,9 +105,11 @@ class LikelihoodOptions:
     calibration: Calibration | None = None
     error_bound: float = DEFAULT_ERROR_BOUND
     modes: Sequence[Mode] | None = None
+    response: ResponseChoice = "static"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "prior", real_ranges(self.prior))
+        check_response(self.response, "auto")
         object.__setattr__(self, "modes", EvaluationOptions(modes=self.modes).modes)  # type: ignore[arg-type]  # lists become tuples
 
 
@@ -210,6 +235,7 @@ class Band:
             noise_log_likelihood=self.noise_log_likelihood,
             error_bound=msgspec.UNSET if kind == "full" else options.error_bound,
             modes=msgspec.UNSET if options.modes is None else tuple(options.modes),
+            response="static" if options.response == "static" else "moving",
         )
 
     def arrays(
@@ -221,6 +247,8 @@ class Band:
             site = detector.site()
             arrays[f"response/{detector.name}"] = site.response
             arrays[f"location/{detector.name}"] = site.location
+            if site.arms is not None:
+                arrays[f"arms/{detector.name}"] = site.arms
             arrays[f"linear_weights/{detector.name}"] = table
             arrays[f"quadratic_weights/{detector.name}"] = weights
         return arrays

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._building import Alignment
+from bnserve_inference._building import Alignment, check_response
 from bnserve_inference._calibration import calibration_splines
 from bnserve_inference._data import DetectorData
 from bnserve_inference._detectors import Detector
 from bnserve_inference._earth import sidereal_time
+from bnserve_inference._modes import chosen_modes, options_for, orders
 from bnserve_inference._noise import gaussian_noise
+from bnserve_inference._passing import passing_times
+from bnserve_inference._response import antenna_pattern, delays, patterns, time_delay
 from bnserve_inference._units import in_units
 from bnserve_protocol import (
     AnalysisInvalid,
@@ -22,35 +26,12 @@ from bnserve_protocol import (
     LikelihoodBatch,
     LikelihoodParameters,
     Mode,
+    Response,
     WaveformModel,
 )
 
-LIGHT_SPEED = 299792458.0
-"""Metres per second."""
-
-
-@in_units(right_ascension="rad", declination="rad", polarization_angle="rad", sidereal="rad")
-def antenna_pattern(
-    detector: Detector, right_ascension: float, declination: float, polarization_angle: float, sidereal: float
-) -> tuple[float, float]:
-    """F+ and Fx of a source (angles in radians) at a Greenwich mean sidereal time (radians); as LAL's."""
-    hour_angle = sidereal - right_ascension
-    sin_h, cos_h = np.sin(hour_angle), np.cos(hour_angle)
-    sin_d, cos_d = np.sin(declination), np.cos(declination)
-    sin_p, cos_p = np.sin(polarization_angle), np.cos(polarization_angle)
-    x = np.array([-cos_p * sin_h - sin_p * cos_h * sin_d, -cos_p * cos_h + sin_p * sin_h * sin_d, sin_p * cos_d])
-    y = np.array([sin_p * sin_h - cos_p * cos_h * sin_d, sin_p * cos_h + cos_p * sin_h * sin_d, cos_p * cos_d])
-    response = detector.response
-    return float(x @ response @ x - y @ response @ y), float(x @ response @ y + y @ response @ x)
-
-
-@in_units(right_ascension="rad", declination="rad", sidereal="rad")
-def time_delay(detector: Detector, right_ascension: float, declination: float, sidereal: float) -> float:
-    """Seconds by which a signal arrives later at the detector than at the centre of the Earth."""
-    hour_angle = sidereal - right_ascension
-    cos_d = np.cos(declination)
-    direction = np.array([cos_d * np.cos(hour_angle), -cos_d * np.sin(hour_angle), np.sin(declination)])
-    return -float(direction @ detector.location) / LIGHT_SPEED
+_PIECE = 2**19
+"""Frequencies that are worked on at once while detectors move: 8 MiB for each mode."""
 
 
 @in_units(frequencies="Hz", trigger_time="s")
@@ -64,6 +45,7 @@ def detector_strain(
     alignment: Alignment = "merger",
     calibration: Calibration | None = None,
     modes: Sequence[Mode] | None = None,
+    response: Response = "static",
 ) -> NDArray[np.complex128]:
     """The signal in one detector, complex ``(M,)`` in 1/Hz, whose time zero is the trigger.
 
@@ -75,16 +57,28 @@ def detector_strain(
         The nodes of the errors in ``parameters``, if it has any.
     modes
         Those of the signal; None for all that the model has. Other parameters as :func:`simulate_data`.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Frequencies that are not increasing, with a response that moves; or another response.
     """
+    check_response(response)
     batch = LikelihoodBatch.coerce(parameters)
     options = EvaluationOptions(alignment=alignment, modes=modes)  # type: ignore[arg-type]  # lists become tuples
-    strain = model.predict_batch(frequencies, batch.waveform_batch(), options=options)
     now, rate = sidereal_time(trigger_time)
     sidereal = now + rate * parameters.coalescence_time
-    place = parameters.right_ascension, parameters.declination
-    f_plus, f_cross = antenna_pattern(detector, *place, parameters.polarization_angle, sidereal)
-    arrival = parameters.coalescence_time + time_delay(detector, *place, sidereal)
-    signal = (f_plus * strain.plus[0] + f_cross * strain.cross[0]) * np.exp(-2j * np.pi * frequencies * arrival)
+    place = parameters.right_ascension, parameters.declination, parameters.polarization_angle
+    if response == "moving":
+        signal = _moving_signal(detector, frequencies, model, batch, options, place, (sidereal, rate))
+    else:
+        strain = model.predict_batch(frequencies, batch.waveform_batch(), options=options)
+        arrival = parameters.coalescence_time + time_delay(detector, *place[:2], sidereal)
+        f_plus: Any
+        f_plus, f_cross = antenna_pattern(detector, *place, sidereal)
+        if detector.arms is not None:
+            f_plus, f_cross = patterns(detector, place, np.full(len(frequencies), sidereal), frequencies)
+        signal = (f_plus * strain.plus[0] + f_cross * strain.cross[0]) * np.exp(-2j * np.pi * frequencies * arrival)
     if calibration is None:
         return signal
     splines = calibration_splines(calibration, frequencies)
@@ -92,6 +86,33 @@ def detector_strain(
     phase = parameters.calibration_phase.get(detector.name, np.zeros(calibration.nodes)) @ splines
     result: NDArray[np.complex128] = signal * (1.0 + amplitude) * (2.0 + 1j * phase) / (2.0 - 1j * phase)
     return result
+
+
+def _moving_signal(
+    detector: Detector, frequencies: NDArray[np.float64], model: WaveformModel, batch: LikelihoodBatch,
+    options: EvaluationOptions, place: tuple[float, float, float], sidereal: tuple[float, float],
+) -> NDArray[np.complex128]:  # fmt: skip
+    """The signal in a detector that the Earth turns; ``sidereal`` is its angle at the coalescence, and its rate."""
+    waveform, time = batch.waveform_batch(), float(batch["coalescence_time"][0])
+    modes = chosen_modes(options.modes, model.description)
+    if (np.diff(frequencies) <= 0.0).any():
+        raise AnalysisInvalid("The frequencies of a signal in detectors that move must be increasing.")
+    passing = passing_times(model, waveform, frequencies, modes, options.alignment)[0]
+    (first,) = delays(detector, place, np.array(sidereal[:1]))
+    now = sidereal[0] + sidereal[1] * first  # as the coalescence arrives
+    signal = np.zeros(len(frequencies), dtype=np.complex128)
+    for start in range(0, len(frequencies), _PIECE):
+        piece = slice(start, start + _PIECE)
+        f = frequencies[piece]
+        for order, times in zip(orders(modes), passing[:, piece], strict=True):
+            these = tuple(mode for mode in modes if mode[1] == order)
+            asked = options_for(model, these, alignment=options.alignment)
+            strain = model.predict_batch(f, waveform, options=asked)
+            turned = now + sidereal[1] * times
+            f_plus, f_cross = patterns(detector, place, turned, f)
+            arrival = time + delays(detector, place, turned)
+            signal[piece] += (f_plus * strain.plus[0] + f_cross * strain.cross[0]) * np.exp(-2j * np.pi * f * arrival)
+    return signal
 
 
 def _check_inside(coalescence: float, duration: float) -> None:
@@ -119,6 +140,7 @@ def simulate_data(
     f_min: float,
     alignment: Alignment = "merger",
     modes: Sequence[Mode] | None = None,
+    response: Response = "static",
 ) -> list[DetectorData]:
     """Data of a network with one signal in Gaussian noise.
 
@@ -137,11 +159,15 @@ def simulate_data(
         Hz from where the signal is added.
     modes
         ``(l, m)`` of those of the signal; None for all that the model has.
+    response
+        ``"static"``: detectors stand as they do at the coalescence. ``"moving"``: as the Earth turns them, which the
+        signals of nature do; an analysis of the data needs ``LikelihoodOptions(response=...)`` to go with it.
 
     Raises
     ------
     AnalysisInvalid
-        Detectors and ASDs that are not as many, or a coalescence outside the data, into which it would wrap around.
+        Detectors and ASDs that are not as many, a coalescence outside the data, into which it would wrap around, or
+        another response.
     """
     _check_inside(trigger_time + parameters.coalescence_time - start_time, duration)
     if len(detectors) != len(asds):
@@ -154,8 +180,9 @@ def simulate_data(
         band = np.flatnonzero((frequencies >= f_min - 1e-9) & np.isfinite(asd) & (frequencies > 0.0))
         strain = np.zeros(len(asd), dtype=np.complex128)
         signal = detector_strain(
-            site, frequencies[band], model, parameters, trigger_time=trigger_time, alignment=alignment, modes=modes
-        )
+            site, frequencies[band], model, parameters, trigger_time=trigger_time, alignment=alignment, modes=modes,
+            response=response,
+        )  # fmt: skip
         strain[band] = signal * np.exp(-2j * np.pi * frequencies[band] * (trigger_time - start_time))
         if generator is not None:
             strain += gaussian_noise(asd, duration, generator)

@@ -13,10 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._modes import modes_of, options_for, orders
+from bnserve_inference._passing import passing_times
 from bnserve_inference._phase_integral import PhaseIntegral
 from bnserve_inference.kernel import Contraction, Sky
-from bnserve_inference.modes_kernel import ModesContraction
-from bnserve_protocol import Analysis, AnalysisSettings, ComplexArray, LikelihoodBatch, WaveformModel
+from bnserve_inference.modes_kernel import GroupProducts, ModesContraction
+from bnserve_inference.moving_kernel import MovingContraction
+from bnserve_protocol import Analysis, AnalysisSettings, ComplexArray, LikelihoodBatch, ParameterBatch, WaveformModel
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -122,18 +124,19 @@ class SeveralModes:
         errors = calibration_errors(batch, self._settings)
 
         def contract(sky: Floats, times: int, step: float, spectrum: bool) -> InnerProducts:
-            found = self._contraction(h, modes.plus, modes.cross, sky, errors, times, step, spectrum)
-            terms = found.spectrum
-            if self._phases is not None:
-                return InnerProducts(found.data, self._phases.norms(found.pairs), terms)
-            data = _summed(found.data)[:, None]
-            return InnerProducts(
-                data, self._norms(found.pairs)[None], None if terms is None else _summed(terms)[:, None]
-            )
+            return self._combined(self._contraction(h, modes.plus, modes.cross, sky, errors, times, step, spectrum))
 
         sky = _places(batch)
         sky[:, Sky.PLUS], sky[:, Sky.CROSS_REAL], sky[:, Sky.CROSS_IMAGINARY] = 1.0, 0.0, 1.0
         return Tile(modes.status, _empty(h.reshape(len(h), -1)), sky, contract)
+
+    def _combined(self, found: GroupProducts) -> InnerProducts:
+        """The products that are wanted of those of the groups."""
+        terms = found.spectrum
+        if self._phases is not None:
+            return InnerProducts(found.data, self._phases.norms(found.pairs), terms)
+        data = _summed(found.data)[:, None]
+        return InnerProducts(data, self._norms(found.pairs)[None], None if terms is None else _summed(terms)[:, None])
 
     def _norms(self, pairs: Complex) -> Floats:
         """<h|h> of the sum of all groups, ``(N,)``."""
@@ -145,8 +148,54 @@ class SeveralModes:
         return total
 
 
+class Moving(SeveralModes):
+    """As :class:`SeveralModes`, of one mode or several, in detectors that move or whose arms are not short.
+
+    The modes of each order are a group of their own, because they pass frequencies together.
+    """
+
+    def __init__(self, model: WaveformModel, analysis: Analysis, phases: PhaseIntegral | None) -> None:
+        self._modes = modes_of(analysis.settings, model.description)
+        different = orders(self._modes)
+        group_of = [different.index(order) for _, order in self._modes]
+        self._model, self._settings = model, analysis.settings
+        self._moving = MovingContraction(analysis, group_of)
+        self._options = options_for(model, self._modes, out_of_domain="flag", alignment=analysis.settings.alignment)
+        self._phases, self._groups = phases, len(different)
+        self.frequencies = self._moving.frequencies
+        self.samples = len(self.frequencies) * len(self._modes)
+        self.groups = 1 if phases is None else self._groups
+        self._asks = analysis.settings.moves and analysis.settings.kind == "full"
+
+    def tile(self, batch: LikelihoodBatch, fixed: dict[str, float]) -> Tile:
+        """As :meth:`OneMode.tile`."""
+        waveforms = batch.waveform_batch(**fixed)
+        h, plus, cross, status = self._strain(waveforms)
+        errors, passing = calibration_errors(batch, self._settings), None
+        if self._asks:
+            passing = passing_times(self._model, waveforms, self.frequencies, self._modes, self._settings.alignment)
+
+        def contract(sky: Floats, times: int, step: float, spectrum: bool) -> InnerProducts:
+            found = self._moving.inner_products(h, plus, cross, sky, errors, times, step, spectrum, passing=passing)
+            return self._combined(found)
+
+        sky = _places(batch)
+        sky[:, Sky.PLUS], sky[:, Sky.CROSS_REAL], sky[:, Sky.CROSS_IMAGINARY] = 1.0, 0.0, 1.0
+        return Tile(status, _empty(h.reshape(len(h), -1)), sky, contract)
+
+    def _strain(self, batch: ParameterBatch) -> tuple[Complex, Floats, Complex, NDArray[np.uint8]]:
+        """Modes ``(N, L, M)``, what they count in the polarisations, ``(N, L)``, and the status of the rows."""
+        if len(self._modes) == 1:
+            one = self._model.predict_factored(self.frequencies, batch, options=self._options)
+            return np.asarray(one.h, dtype=np.complex128)[:, None], one.plus[:, None], one.cross[:, None], one.status
+        several = self._model.predict_modes(self.frequencies, batch, options=self._options)
+        return np.asarray(several.h, dtype=np.complex128), several.plus, several.cross, several.status
+
+
 def signals_of(model: WaveformModel, analysis: Analysis, phases: PhaseIntegral | None) -> OneMode | SeveralModes:
-    """Those of the modes of an analysis."""
+    """Those of the modes of an analysis, in detectors as it has them."""
+    if analysis.settings.moves or any(name.startswith("arms/") for name in analysis.arrays):
+        return Moving(model, analysis, phases)
     if len(modes_of(analysis.settings, model.description)) == 1:
         return OneMode(model, analysis)
     return SeveralModes(model, analysis, phases)

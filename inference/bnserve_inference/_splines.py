@@ -71,3 +71,15 @@ def cardinal_values(
     values[cell, places] += a
     values[cell + 1, places] += b
     return np.asarray(values, dtype=np.float64)
+
+
+def spline_values(
+    nodes: NDArray[np.float64], values: NDArray[np.float64], curvatures: NDArray[np.float64], x: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The cubic spline of ``values`` and second derivatives ``curvatures`` at the nodes, ``(n,)`` each, at ``x``."""
+    cell = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
+    width = nodes[cell + 1] - nodes[cell]
+    b = (x - nodes[cell]) / width
+    a = 1.0 - b
+    bent = (a**3 - a) * curvatures[cell] + (b**3 - b) * curvatures[cell + 1]
+    return np.asarray(a * values[cell] + b * values[cell + 1] + width**2 / 6.0 * bent, dtype=np.float64)

@@ -16,13 +16,14 @@ from bnserve_protocol._analyses import (
     likelihood_nodes,
     likelihood_samples,
 )
-from bnserve_protocol._analysis_checks import check_location, check_settings
+from bnserve_protocol._analysis_checks import check_arms, check_location, check_settings
 from bnserve_protocol._analysis_settings import (
     DEFAULT_ERROR_BOUND,
     AnalysisKind,
     AnalysisSettings,
     Calibration,
     DistanceMarginalisation,
+    Response,
     TimeGrid,
     TimeMarginalisation,
     time_steps,
@@ -150,10 +151,10 @@ __all__ = [
     "MarginalisedDraws", "MergerStencil", "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading",
     "ModelUnknown", "Modes", "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain",
     "Overloaded", "PackageMissing", "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown",
-    "Polarizations", "ProcessorDescription", "QuotaExceeded", "RowStatus", "RunManifest", "SchemaUnknown", "Seed",
-    "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable",
+    "Polarizations", "ProcessorDescription", "QuotaExceeded", "Response", "RowStatus", "RunManifest", "SchemaUnknown",
+    "Seed", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable",
     "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel",
-    "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_dtype",
+    "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_arms", "check_dtype",
     "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
     "check_settings", "chosen_modes", "convert", "decode_analysis", "encode_analysis", "grid_digest",
     "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid", "plain_options",

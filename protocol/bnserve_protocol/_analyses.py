@@ -48,6 +48,11 @@ class Analysis:
         Relative binning with modes of G > 1 orders m has linear weights ``(T, G L)``, those of the lowest order first,
         and, for the G (G + 1) / 2 pairs of orders (0, 0), (0, 1), ..., (1, 1), ..., complex128 quadratic weights
         ``(P, Q)`` of conj(h) h'; with several modes, linear and quadratic nodes are the same.
+        With ``response="moving"`` relative binning also has, of each order of modes, ``(G, L)``, the phases (radians)
+        of the waveform that the bins were made around, ``reference_phases``, and when it passes the nodes,
+        ``reference_times`` (seconds from ``coalescence_time``); linear and quadratic nodes are the same then. A
+        detector may have ``arms/X`` ``(2, 3)``, the vectors of its arms in metres in the Earth-fixed frame, which then
+        make its response; without, its arms are short.
 
     Raises
     ------
@@ -96,7 +101,10 @@ class Analysis:
         return self.settings.grid.frequencies() if self.settings.kind == "full" else self.arrays[name]
 
 
-_ARRAY_UNITS = {"response": "1", "location": "m", "linear_nodes": "Hz", "quadratic_nodes": "Hz"}
+_ARRAY_UNITS = {
+    "response": "1", "location": "m", "arms": "m", "linear_nodes": "Hz", "quadratic_nodes": "Hz",
+    "reference_phases": "rad", "reference_times": "s",
+}  # fmt: skip
 """Of the arrays of an analysis that may be given with one; weights are made by us, without."""
 
 
@@ -214,7 +222,7 @@ def likelihood_samples(analysis: Analysis) -> int:
     """Work of one log-likelihood in samples, the unit of :attr:`Limits.max_samples`.
 
     A sample is one frequency of one mode of one waveform. In every detector each node costs about as much again, and a
-    sum over coalescence times as much as its times in every detector. An analysis that does not name its modes counts
+    sum over coalescence times as much as its times in every detector; a response that moves costs as much again. An analysis that does not name its modes counts
     as of one.
     """
     return analysis.samples
@@ -224,4 +232,5 @@ def _samples(analysis: Analysis) -> int:
     detectors = len(analysis.settings.detectors)
     times = 0 if analysis.settings.time_marginalisation is None else time_steps(analysis.settings)[0] + 1
     modes = 1 if isinstance(analysis.settings.modes, msgspec.UnsetType) else len(analysis.settings.modes)
-    return likelihood_nodes(analysis) * modes * (1 + detectors) + detectors * times
+    each = 2 * detectors if analysis.settings.moves else detectors
+    return likelihood_nodes(analysis) * modes * (1 + each) + detectors * times

@@ -47,6 +47,12 @@ def check_settings(settings: AnalysisSettings) -> None:
     if settings.calibration is not None:
         _check_calibration(settings.calibration)
     _check_modes(settings)
+    if settings.moves and settings.kind == "roq":
+        raise AnalysisInvalid(
+            "A reduced-order quadrature gives waveforms, and not what detectors that move make of them: take relative "
+            "binning or the full analysis for response='moving', or response='static'.",
+            errors=[FieldError(reason="not with a quadrature", parameter="response")],
+        )
     bound = settings.error_bound
     if not isinstance(bound, msgspec.UnsetType):
         require(0.0 < bound < math.inf, "error_bound", bound, "must be positive and finite")
@@ -105,7 +111,7 @@ def _check_calibration(calibration: Calibration) -> None:
 
 def check_arrays(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]]) -> None:
     """Refuse arrays that are missing, unknown, of a wrong shape or dtype, or hold what cannot be: AnalysisInvalid."""
-    expected = set(_expected(settings))
+    expected = set(_expected(settings)) | (set(_optional(settings)) & set(arrays))
     if problems := expected ^ set(arrays):
         name = min(problems)
         reason = "is missing" if name in expected else "is unknown"
@@ -126,12 +132,18 @@ def check_arrays(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]])
             shape, dtype = (groups * (groups + 1) // 2, quadratic), "c"
         elif kind == "quadratic_weights":
             shape = (quadratic,)
+        elif kind in ("reference_phases", "reference_times"):
+            shape = (groups, linear)
         else:
-            shape = {"response": (3, 3), "location": (3,)}.get(kind, array.shape)
+            shape = {"response": (3, 3), "location": (3,), "arms": (2, 3)}.get(kind, array.shape)
         _check_array(name, array, shape, dtype)
     for name in settings.detectors:
         check_location(name, arrays[f"location/{name}"])
         _check_knots(settings, len(arrays[f"linear_weights/{name}"]))
+        if f"arms/{name}" in arrays:
+            check_arms(name, arrays[f"arms/{name}"])
+    if settings.moves or any(f"arms/{name}" in arrays for name in settings.detectors):
+        _check_one_kind_of_nodes(settings, arrays)
 
 
 def _groups(settings: AnalysisSettings) -> int:
@@ -145,9 +157,18 @@ def _expected(settings: AnalysisSettings) -> Iterator[str]:
     if settings.kind != "full":
         yield "linear_nodes"
         yield "quadratic_nodes"
+        if settings.moves:
+            yield "reference_phases"
+            yield "reference_times"
     for detector in settings.detectors:
         for name in ("response", "location", "linear_weights", "quadratic_weights"):
             yield f"{name}/{detector}"
+
+
+def _optional(settings: AnalysisSettings) -> Iterator[str]:
+    """Of detectors whose arms are not taken to be short."""
+    if settings.kind != "roq":
+        yield from (f"arms/{detector}" for detector in settings.detectors)
 
 
 def _node_counts(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]]) -> tuple[int, int]:
@@ -165,9 +186,17 @@ def _node_counts(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]])
                 errors=[FieldError(reason="not increasing within the band", parameter=name)],
             )
     several = not isinstance(settings.modes, msgspec.UnsetType) and len(settings.modes) > 1
-    if several and not np.array_equal(arrays["linear_nodes"], arrays["quadratic_nodes"]):
-        raise AnalysisInvalid("With several modes, 'linear_nodes' and 'quadratic_nodes' of an analysis are the same.")
+    if several:
+        _check_one_kind_of_nodes(settings, arrays)
     return len(arrays["linear_nodes"]), len(arrays["quadratic_nodes"])
+
+
+def _check_one_kind_of_nodes(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]]) -> None:
+    if settings.kind != "full" and not np.array_equal(arrays["linear_nodes"], arrays["quadratic_nodes"]):
+        raise AnalysisInvalid(
+            "With several modes, a response that moves, or arms that are not short, 'linear_nodes' and "
+            "'quadratic_nodes' of an analysis are the same."
+        )
 
 
 def _check_array(name: str, array: NDArray[Any], shape: tuple[int | None, ...], kind: str) -> None:
@@ -208,6 +237,27 @@ def check_location(name: str, location: NDArray[np.float64]) -> None:
         raise AnalysisInvalid(
             f"The detector {name} is {radius:.7g} m from the centre of the Earth, {said}; give its location in metres.",
             errors=[FieldError(reason="not on Earth", parameter=f"location/{name}", value=radius)],
+        )
+
+
+_LONGEST_ARM = 1e5
+"""Metres; the longest that is planned has 40 km."""
+
+
+def check_arms(name: str, arms: NDArray[np.float64]) -> None:
+    """Refuse arms, ``(2, 3)`` in metres, that are none.
+
+    Raises
+    ------
+    AnalysisInvalid
+        They have no length, or one that none has on Earth.
+    """
+    lengths = [math.hypot(*arm) for arm in arms.tolist()]
+    if not 0.0 < min(lengths) <= max(lengths) <= _LONGEST_ARM:
+        raise AnalysisInvalid(
+            f"The arms of {name} are {lengths[0]:.7g} and {lengths[1]:.7g} m long; give vectors of at most "
+            f"{_LONGEST_ARM:g} m, or leave them out for a detector whose arms count as short.",
+            errors=[FieldError(reason="no arms", parameter=f"arms/{name}", value=max(lengths))],
         )
 
 

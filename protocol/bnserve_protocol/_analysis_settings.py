@@ -16,6 +16,8 @@ from bnserve_protocol._modes import MOST_MODES, Mode
 ONLY_MODE: tuple[Mode, ...] = ((2, 2),)
 """Of every analysis but those that say otherwise."""
 AnalysisKind: TypeAlias = Literal["full", "roq", "relative_binning"]
+Response: TypeAlias = Literal["static", "moving"]
+"""Of detectors while a signal lasts: as they stand at the coalescence, or as the Earth turns them."""
 
 DEFAULT_ERROR_BOUND = 0.05
 """Of ln L: a posterior that is wrong by a twentieth of its density shows nowhere."""
@@ -141,6 +143,9 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     modes
         ``(l, m)`` of the modes of the signal. Not written: for ``"full"`` all that the model has, for the others, which
         are made for modes, (2, 2) alone.
+    response
+        ``"static"``: antenna patterns and delays are those at the coalescence. ``"moving"``: at the time at which each
+        mode passes each frequency (``docs/explanations/response.md``). Not written where it is ``"static"``.
     """
 
     kind: AnalysisKind
@@ -162,7 +167,13 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     noise_log_likelihood: float = 0.0
     error_bound: float | msgspec.UnsetType = msgspec.UNSET
     modes: Annotated[tuple[Mode, ...], msgspec.Meta(max_length=MOST_MODES)] | msgspec.UnsetType = msgspec.UNSET
+    response: Response | msgspec.UnsetType = msgspec.UNSET
     schema_version: Literal[1] = 1
+
+    @property
+    def moves(self) -> bool:
+        """Whether the detectors move while the signal lasts."""
+        return self.response == "moving"
 
     @property
     def grid(self) -> UniformGrid:
@@ -218,6 +229,8 @@ def canonical(settings: AnalysisSettings) -> AnalysisSettings:
         raise AnalysisInvalid(f"The settings of the analysis do not fit their schema: {error}.") from error
     if found.error_bound == DEFAULT_ERROR_BOUND:
         found = msgspec.structs.replace(found, error_bound=msgspec.UNSET)
+    if found.response == "static":
+        found = msgspec.structs.replace(found, response=msgspec.UNSET)
     if not isinstance(found.modes, msgspec.UnsetType):
         alone = found.kind != "full" and found.modes == ONLY_MODE
         found = msgspec.structs.replace(found, modes=msgspec.UNSET if alone else tuple(sorted(found.modes)))

@@ -1,5 +1,5 @@
 """The compiled contraction of waveforms of several modes with the weights of an analysis."""
 
-from bnserve_inference.modes_kernel._contraction import ModesContraction, load_contraction
+from bnserve_inference.modes_kernel._contraction import GroupProducts, ModesContraction, load_contraction
 
-__all__ = ["ModesContraction", "load_contraction"]
+__all__ = ["GroupProducts", "ModesContraction", "load_contraction"]

@@ -57,6 +57,9 @@ class ModesContraction:
         weights of their place in the arrays.
     """
 
+    _load = staticmethod(load_contraction)
+    _workspace = _workspace
+
     def __init__(self, analysis: Analysis, group_of: Sequence[int]) -> None:
         settings, arrays = analysis.settings, analysis.arrays
         calibration, grid = settings.calibration, settings.time_grid
@@ -84,7 +87,7 @@ class ModesContraction:
 
     def __call__(
         self, h: Complex, plus: Floats, cross: Complex, sky: Floats, calibration: tuple[Floats, Floats] | None,
-        times: int = 1, step: float = 0.0, spectrum: bool = False,
+        times: int = 1, step: float = 0.0, spectrum: bool = False, more: Sequence[int] = (),
     ) -> GroupProducts:  # fmt: skip
         """Inner products of N rows.
 
@@ -97,6 +100,8 @@ class ModesContraction:
         sky, calibration, times, step, spectrum
             As :class:`bnserve_inference.kernel.Contraction` is called; of ``sky``, the factors of the strain are those
             of polarisations that are the real and the imaginary part of one.
+        more
+            Further numbers of the block of arguments, for another contraction that takes these, too.
         """
         rows, groups = len(h), self._groups
         products = np.empty((rows, groups, times), dtype=np.complex128)
@@ -105,16 +110,16 @@ class ModesContraction:
         strain, factors = np.ascontiguousarray(h, np.complex128), np.ascontiguousarray(cross, np.complex128)
         given = [np.ascontiguousarray(array, np.float64) for array in (plus, sky, *(calibration or (_NONE, _NONE)))]
         plus_at, sky_at, *errors_at = map(address_of, given)
-        workspace = _workspace
+        workspace = self._workspace
         if workspace.scratch.size < self._scratch_size:
             workspace.reserve(self._scratch_size)
         workspace.arguments[:] = [
             *self._arguments, rows, address_of(strain), plus_at, address_of(factors), sky_at,
             0 if calibration is None else self._calibration_nodes, *errors_at,
             times, int(np.float64(step).view(np.int64)), address_of(products), address_of(pairs),
-            0 if terms is None else address_of(terms), workspace.scratch_at,
+            0 if terms is None else address_of(terms), workspace.scratch_at, *more,
         ]  # fmt: skip
-        if load_contraction()(*workspace.addresses) != 0:
+        if self._load()(*workspace.addresses) != 0:
             raise RuntimeError("The contraction stopped with an error.")
         return GroupProducts(data=products, pairs=pairs, spectrum=terms)
 

@@ -1,0 +1,134 @@
+"""Source of the compiled contraction of moving detectors: see :mod:`.build`.
+
+As with detectors that stand (:mod:`bnserve_inference.modes_kernel._source`), a row is evaluated by the same sequence of
+operations wherever it stands in a batch; plain loops over lanes of fixed width, no allocation.
+"""
+
+from __future__ import annotations
+
+from numba import njit
+
+from bnserve_inference.kernel._layout import BLOCK, Sky
+from bnserve_inference.kernel._sums import Floats, Integers, errors_at
+from bnserve_inference.modes_kernel._layout import Argument as Modes
+from bnserve_inference.modes_kernel._source import _add_mode, _add_pairs, _add_products, _blocks, _calibrate
+from bnserve_inference.moving_kernel._layout import (
+    COEFFICIENTS,
+    GROUP_BLOCKS,
+    SHARED_BLOCKS,
+    Argument,
+    Coefficient,
+)
+from bnserve_inference.moving_kernel._passing import find_passing
+from bnserve_inference.moving_kernel._response import coefficients, delay, one_arm, short_arms
+from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
+from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
+
+_COLUMNS = len(Sky)
+
+
+@njit(inline="always")
+def _plus(groups: int, g: int) -> int:
+    """Which pair of blocks holds the plus polarisation of a group; cross, and cosine and sine, are the next two."""
+    return groups + 2 + 3 * g
+
+
+@njit(**JIT_OPTIONS)
+def _turn(times: Floats, rate: float, c: Floats, s: Floats) -> None:
+    for j in range(times.shape[0]):
+        s[j], c[j] = sincos(rate * times[j])
+
+
+@njit(**JIT_OPTIONS)
+def _polarise(row: int, first: int, size: int, arguments: Integers, passing: Floats, blocks: Floats) -> None:
+    """The polarisations of each group at a block of nodes, and how far the Earth has turned when it passes them."""
+    modes, groups, points = arguments[Modes.MODES], arguments[Modes.GROUPS], arguments[Modes.POINTS]
+    width = padded(points)
+    wave = floats_at(arguments[Modes.STRAIN] + 16 * modes * points * row, 2 * modes * points)
+    plus = floats_at(arguments[Modes.PLUS] + 8 * modes * row, modes)
+    cross = floats_at(arguments[Modes.CROSS] + 16 * modes * row, 2 * modes)
+    group_of = integers_at(arguments[Modes.GROUP_OF], modes)
+    rate = floats_at(arguments[Modes.SIDEREAL], 2)[1]
+    filled = min(size, points - first)
+    for g in range(groups):
+        pr, pi = _blocks(blocks, 0, _plus(groups, g), size)
+        xr, xi = _blocks(blocks, 0, _plus(groups, g) + 1, size)
+        pr[:], pi[:], xr[:], xi[:] = 0.0, 0.0, 0.0, 0.0
+        c, s = _blocks(blocks, 0, _plus(groups, g) + 2, size)
+        _turn(floats_in(passing, g * width + first, size), rate, c, s)
+    for a in range(modes):
+        pr, pi = _blocks(blocks, 0, _plus(groups, group_of[a]), size)
+        xr, xi = _blocks(blocks, 0, _plus(groups, group_of[a]) + 1, size)
+        _add_mode(wave, a * points + first, filled, plus[a], 0.0, pr, pi)
+        _add_mode(wave, a * points + first, filled, cross[2 * a], cross[2 * a + 1], xr, xi)
+
+
+@njit(**JIT_OPTIONS)
+def _respond(row: int, d: int, first: int, size: int, arguments: Integers, k: Floats, blocks: Floats) -> None:
+    """The strain of each group in a detector at a block of nodes, with calibration errors."""
+    groups, width = arguments[Modes.GROUPS], padded(arguments[Modes.POINTS])
+    f = floats_in(floats_at(arguments[Modes.NODES], width), first, size)
+    for g in range(groups):
+        hr, hi = _blocks(blocks, 0, g, size)
+        pr, pi = _blocks(blocks, 0, _plus(groups, g), size)
+        xr, xi = _blocks(blocks, 0, _plus(groups, g) + 1, size)
+        c, s = _blocks(blocks, 0, _plus(groups, g) + 2, size)
+        if k[Coefficient.X_ARM + 3] > 0.0:
+            hr[:], hi[:] = 0.0, 0.0
+            one_arm(k, Coefficient.X_ARM, 1.0, f, c, s, pr, pi, xr, xi, hr, hi)
+            one_arm(k, Coefficient.Y_ARM, -1.0, f, c, s, pr, pi, xr, xi, hr, hi)
+        else:
+            short_arms(k, c, s, pr, pi, xr, xi, hr, hi)
+        delay(k, f, c, s, hr, hi)
+    nodes = arguments[Modes.CALIBRATION_NODES]
+    if nodes > 0:
+        place = 8 * nodes * (row * arguments[Modes.DETECTORS] + d)
+        splines = floats_at(arguments[Modes.SPLINES], nodes * width)
+        amplitude, phase = _blocks(blocks, 0, groups, size)
+        errors_at(floats_at(arguments[Modes.AMPLITUDE_ERRORS] + place, nodes), splines, width, first, amplitude)
+        errors_at(floats_at(arguments[Modes.PHASE_ERRORS] + place, nodes), splines, width, first, phase)
+        for g in range(groups):
+            hr, hi = _blocks(blocks, 0, g, size)
+            _calibrate(amplitude, phase, hr, hi)
+
+
+@njit(**JIT_OPTIONS)
+def _place(row: int, arguments: Integers, out: Floats) -> None:
+    """The coefficients of all detectors for one row."""
+    sky = floats_at(arguments[Modes.SKY] + 8 * _COLUMNS * row, _COLUMNS)
+    sidereal = floats_at(arguments[Modes.SIDEREAL], 2)
+    for d in range(arguments[Modes.DETECTORS]):
+        tensor = floats_at(arguments[Modes.RESPONSES] + 72 * d, 9)
+        place = floats_at(arguments[Modes.LOCATIONS] + 24 * d, 3)
+        arms = floats_at(arguments[Argument.ARMS] + 48 * d, 6)
+        coefficients(sky, sidereal, tensor, place, arms, floats_in(out, COEFFICIENTS * d, COEFFICIENTS))
+
+
+@njit(**JIT_OPTIONS)
+def contract(arguments: Integers) -> int:
+    """Inner products of every row: see :class:`Argument`; returns 0."""
+    detectors, groups, points = arguments[Modes.DETECTORS], arguments[Modes.GROUPS], arguments[Modes.POINTS]
+    room = (GROUP_BLOCKS * groups + SHARED_BLOCKS) * BLOCK
+    scratch = floats_at(arguments[Modes.SCRATCH], COEFFICIENTS * detectors + room)
+    found = floats_in(scratch, 0, COEFFICIENTS * detectors)
+    blocks = floats_in(scratch, COEFFICIENTS * detectors, room)
+    width = padded(points)
+    products, pairs = groups * arguments[Modes.TIMES], groups * (groups + 1) // 2
+    terms = groups * points if arguments[Modes.SPECTRUM] != 0 else 0
+    for row in range(arguments[Modes.ROWS]):
+        arrival = floats_at(arguments[Modes.SKY] + 8 * _COLUMNS * row, _COLUMNS)[Sky.TIME]
+        _place(row, arguments, found)
+        passing = find_passing(row, arguments)
+        floats_at(arguments[Modes.PRODUCTS] + 16 * products * row, 2 * products)[:] = 0.0
+        floats_at(arguments[Modes.PAIRS] + 16 * pairs * row, 2 * pairs)[:] = 0.0
+        if terms > 0:
+            floats_at(arguments[Modes.SPECTRUM] + 16 * terms * row, 2 * terms)[:] = 0.0
+        for first in range(0, width, BLOCK):
+            size = min(BLOCK, width - first)
+            _polarise(row, first, size, arguments, passing, blocks)
+            for d in range(detectors):
+                k = floats_in(found, COEFFICIENTS * d, COEFFICIENTS)
+                _respond(row, d, first, size, arguments, k, blocks)
+                _add_products(row, d, first, size, arguments, arrival, k[Coefficient.DELAY], blocks)
+                _add_pairs(row, d, first, size, arguments, blocks)
+    return 0
